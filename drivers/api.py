@@ -1,0 +1,389 @@
+"""What every driver offers and what every simulator answers: Protocols, records, error tree.
+
+Error tree::
+
+    DeviceError                 device, port and one plain sentence
+    ├── ConnectionFailed        the port cannot be opened, or nothing answers on it
+    ├── WrongDevice             something answers, but it is not the configured device
+    ├── SettingRefused          the device refused or changed a setting
+    ├── ReplyTimeout            a command was not answered in time
+    ├── ProtocolError           bytes that the protocol does not allow, after all retries
+    ├── DeviceLost              the connection broke while in use (cable, power, reset)
+    ├── DataOverrun             the device says that it dropped data
+    └── DeviceFault             the device reports a fault of its own (drive fault, e-stop)
+
+A driver knows bytes and meaning, never engineering units of the rig and never the application.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class DeviceError(Exception):
+    """Say in one sentence what failed, on which device and port, and what to do."""
+
+    def __init__(self, device: str, port: str, sentence: str) -> None:
+        super().__init__(f"{device} on {port}: {sentence}")
+        self.device = device
+        self.port = port
+        self.sentence = sentence
+
+
+class ConnectionFailed(DeviceError):
+    """The port cannot be opened, or nothing answers on it."""
+
+
+class WrongDevice(DeviceError):
+    """Something answers, but it is not the configured device."""
+
+
+class SettingRefused(DeviceError):
+    """The device refused or changed a setting."""
+
+
+class ReplyTimeout(DeviceError):
+    """A command was not answered in time."""
+
+
+class ProtocolError(DeviceError):
+    """The device sent bytes that its protocol does not allow."""
+
+
+class DeviceLost(DeviceError):
+    """The connection broke while in use."""
+
+
+class DataOverrun(DeviceError):
+    """The device says that it dropped data."""
+
+
+class DeviceFault(DeviceError):
+    """The device reports a fault of its own."""
+
+
+class Quality(enum.IntFlag):
+    """Flags of one sample or one block; 0 is good."""
+
+    GOOD = 0
+    SATURATED = 1
+    LOST_BEFORE = 2
+    RESYNCHRONISED = 4
+    COUNT_SUSPECT = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """Tell what answered on a port."""
+
+    maker: str
+    model: str
+    firmware: str
+    serial_number: str
+    port: str
+    details: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class ChannelSpec:
+    """Describe one row of a Block: electrical signal = scale * raw + offset, in unit.
+
+    ``name`` is the device's input: ``analog_1`` ... ``analog_8``, ``counter_1``, ``digital``.
+    ``unit`` is an electrical one ("mV/V", "V", "count"); N and um belong to calibration.
+    """
+
+    name: str
+    unit: str
+    scale: float = 1.0
+    offset: float = 0.0
+    minimum: float | None = None
+    maximum: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Carry samples from the edge: raw values, never engineering units.
+
+    values: (channels, samples), channel-major, float32 or int32, rows as in ``channels``.
+    sequence: number of this block since start, without a gap.
+    first_sample: index of the first sample since start, lost samples counted where known.
+    host_time_ns: ``time.monotonic_ns()`` when the block's last byte was read; set once.
+    quality: (samples,) uint8 of ``Quality``.
+    lost_before: samples known to be lost just before this block.
+    """
+
+    device: str
+    sequence: int
+    first_sample: int
+    sample_rate_Hz: float
+    host_time_ns: int
+    values: NDArray[np.float32] | NDArray[np.int32]
+    quality: NDArray[np.uint8]
+    lost_before: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class StreamSetup:
+    """Tell what the device will really send, as read back from it."""
+
+    channels: tuple[ChannelSpec, ...]
+    sample_rate_Hz: float
+    readback: Mapping[str, str | float | int]
+
+
+@dataclass(frozen=True, slots=True)
+class DataRequest:
+    """Ask a data acquisition device for inputs at a rate.
+
+    inputs: device input name -> kind: ``bridge`` (range in mV/V), ``voltage`` (range in V),
+    ``counter`` (counts per revolution after quadrature in ``range``).
+    settings: the driver's own keys from the rig file, already checked by ``DriverInfo``.
+    """
+
+    sample_rate_Hz: float
+    inputs: Mapping[str, tuple[str, float]]
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+
+@runtime_checkable
+class DataSource(Protocol):
+    """Acquire samples. One thread calls ``read``; ``stop`` and ``close`` may come from another."""
+
+    name: str
+    port: str
+
+    def open(self) -> Identity:
+        """Open the port and identify the device; raise ConnectionFailed or WrongDevice."""
+        ...
+
+    def configure(self, request: DataRequest) -> StreamSetup:
+        """Set what differs, read everything back; raise SettingRefused."""
+        ...
+
+    def start(self) -> None:
+        """Start streaming; sample index and block sequence restart at 0."""
+        ...
+
+    def read(self, timeout_s: float) -> Block | None:
+        """Return the next Block, or None when no sample came in time; raise DeviceLost, DataOverrun."""
+        ...
+
+    def zero(self, inputs: Sequence[str]) -> None:
+        """Zero inputs in the device where it can; raise SettingRefused where it cannot."""
+        ...
+
+    def stop(self) -> None:
+        """Stop streaming; safe to call twice."""
+        ...
+
+    def close(self) -> None:
+        """Release the device; never raises; safe to call twice."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class DriveStatus:
+    """Tell the drive's state at one moment; speed in rev/s of the spindle, signed as the rig."""
+
+    host_time_ns: int
+    speed_rev_per_s: float
+    setpoint_rev_per_s: float
+    position_count: int
+    current_A: float
+    supply_V: float
+    temperature_C: float
+    enabled: bool
+    emergency_stop: bool
+    faults: tuple[str, ...]
+    warnings: tuple[str, ...]
+    crc_errors: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class DriveRequest:
+    """Configure a drive: the watchdog is not optional.
+
+    counts_per_revolution: of the drive's own encoder, after quadrature.
+    direction: +1 or -1, the rig's positive sense against the drive's.
+    """
+
+    counts_per_revolution: int
+    direction: int
+    maximum_speed_rev_per_s: float
+    watchdog_timeout_s: float
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+
+@runtime_checkable
+class Spindle(Protocol):
+    """Turn the crank. Every call is serialised by the driver's own lock."""
+
+    name: str
+    port: str
+
+    def open(self) -> Identity:
+        """Open the port and identify the drive; raise ConnectionFailed or WrongDevice."""
+        ...
+
+    def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
+        """Set the watchdog and what else differs, and return what was read back."""
+        ...
+
+    def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
+        """Ramp to a speed; 0 is the controlled stop."""
+        ...
+
+    def drive_off(self) -> None:
+        """Take the power off the motor at once (coast or brake as the drive does it)."""
+        ...
+
+    def status(self) -> DriveStatus:
+        """Read the state; feeds the drive's watchdog."""
+        ...
+
+    def close(self) -> None:
+        """Stop the motor, release the drive; never raises; safe to call twice."""
+        ...
+
+
+class DriverKind(enum.StrEnum):
+    """Tell what a driver is for."""
+
+    DATA_SOURCE = "data source"
+    SPINDLE = "spindle"
+
+
+@dataclass(frozen=True, slots=True)
+class SettingSpec:
+    """Describe one key of ``[devices.NAME.settings]``: type, default, range, one sentence."""
+
+    kind: type
+    default: Any
+    sentence: str
+    minimum: float | None = None
+    maximum: float | None = None
+    choices: tuple[Any, ...] = ()
+
+
+class DriverFactory(Protocol):
+    """Make a driver for a named device on a port."""
+
+    def __call__(
+        self, name: str, port: str, settings: Mapping[str, Any]
+    ) -> DataSource | Spindle: ...
+
+
+@dataclass(frozen=True, slots=True)
+class DriverInfo:
+    """Describe a driver: the object that an entry point of ``rigapp.drivers`` names.
+
+    simulator: "package.module:Class" of its byte-level simulator, loaded by the simulated rig only.
+    """
+
+    name: str
+    title: str
+    kind: DriverKind
+    factory: DriverFactory
+    settings: Mapping[str, SettingSpec] = field(default_factory=dict)
+    simulator: str | None = None
+    usb_ids: tuple[tuple[int, int | None], ...] = ()
+
+
+# --- what the simulated rig sees of a simulated device ------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class RigSignals:
+    """Feed a simulated data acquisition device: what its input terminals see.
+
+    analog: input number (1-based) -> (samples,) in mV/V (bridges) or V (voltages).
+    shaft_revolutions: (samples,) unwrapped shaft angle in revolutions, float64; the simulator makes
+    counts and index of it.
+    """
+
+    analog: Mapping[int, NDArray[np.float64]]
+    shaft_revolutions: NDArray[np.float64]
+
+
+class SimulatedDataSource(Protocol):
+    """Simulate a data acquisition device at the byte level: bytes and time in, bytes out."""
+
+    def receive(self, data: bytes, now_s: float) -> bytes:
+        """Take bytes from the host and return the replies that they cause."""
+        ...
+
+    @property
+    def sample_rate_Hz(self) -> float:
+        """Return the configured sample rate."""
+        ...
+
+    @property
+    def streaming(self) -> bool:
+        """Tell whether the host has started the stream."""
+        ...
+
+    def sample(self, signals: RigSignals, now_s: float) -> bytes:
+        """Return the bytes that these samples cause on the wire (b"" when not streaming)."""
+        ...
+
+    def overrun(self, now_s: float) -> None:
+        """Take note that the link dropped old frames because the host did not read."""
+        ...
+
+
+class DriveMode(enum.StrEnum):
+    """Tell how a drive acts on its motor."""
+
+    VELOCITY = "velocity"
+    DUTY = "duty"
+    OFF = "off"
+
+
+@dataclass(frozen=True, slots=True)
+class DriveCommand:
+    """Tell the plant what the drive wants: a speed set-point (already ramped), a duty, or nothing."""
+
+    mode: DriveMode
+    speed_count_per_s: float = 0.0
+    duty: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class MotorState:
+    """Tell the simulated drive what its sensors see."""
+
+    position_count: int
+    speed_count_per_s: float
+    current_A: float
+    supply_V: float = 48.0
+    temperature_C: float = 31.5
+
+
+class SimulatedDrive(Protocol):
+    """Simulate a drive at the byte level.
+
+    ``now_s`` is the time of the wire (time-outs and watchdog run on it); ``elapsed_s`` is the time
+    of the plant (ramps run on it). Both are the same in real time.
+    """
+
+    def receive(self, data: bytes, now_s: float) -> bytes:
+        """Take bytes from the host and return the replies that they cause."""
+        ...
+
+    def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
+        """Advance ramps by elapsed_s, judge the watchdog at now_s, return what acts on the motor."""
+        ...
+
+    def observe(self, state: MotorState) -> None:
+        """Take the motor's present state for later replies."""
+        ...
+
+    def emit(self, now_s: float) -> bytes:
+        """Return bytes that the drive sends by itself (heartbeat, PDO); b"" for most."""
+        ...

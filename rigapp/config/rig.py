@@ -1,0 +1,107 @@
+"""The rig file: devices, which of their inputs carries what, and the linear calibration."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import msgspec
+
+Pair = tuple[float, float]
+Matrix = tuple[Pair, Pair]
+
+
+class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[simulation.plant]: how the simulated rig differs from the model, each by how much."""
+
+    slider_mass_factor: float = 1.01
+    spring_stiffness_factor: float = 0.985
+    joint_friction_coefficient: float = 0.05
+    wear_coefficient_factor: float = 1.1
+    motor_torque_limit_Nm: float = 6.0
+    speed_ripple_percent: float = 0.5
+    cross_talk_percent: float = 1.5
+    force_noise_N: float = 0.7
+    force_resolution_N: float = 2.0
+    force_drift_N_per_hour: float = 0.2
+    pin_run_out_um: float = 3.0
+    probe_noise_um: float = 0.2
+    filter_delay_ms: float = 1.0
+
+
+class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[simulation]: present only in a simulated rig."""
+
+    seed: int = 1
+    speed: float | Literal["max"] = 1.0
+    plant: PlantSection = PlantSection()
+
+
+class DeviceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[devices.NAME]: driver, port ("simulated", a path or a pyserial URL) and its settings."""
+
+    driver: str
+    port: str
+    settings: dict[str, Any] = {}
+
+
+class SpindleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[spindle]: the drive that turns the crank."""
+
+    device: str
+    encoder_counts_per_revolution: int
+    maximum_speed_rpm: float
+    direction: Literal[1, -1] = 1
+    watchdog_timeout_s: float = 0.5
+
+
+class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[encoder]: the crank encoder and the counter input that carries it."""
+
+    device: str
+    input: str
+    counts_per_revolution: int = 3600
+    quadrature: Literal["after", "before"] = "after"
+    direction: Literal[1, -1] = 1
+    restarts_at_index: bool = True
+    index_angle_deg: float = 0.0
+
+
+class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[load_cell]: two bridges in the pin; force on the pin = matrix (signal - zero)."""
+
+    device: str
+    input_1: str
+    input_2: str
+    matrix_N_per_mV_per_V: Matrix
+    zero_mV_per_V: Pair = (0.0, 0.0)
+    range_mV_per_V: float = 3.5
+    full_scale_N: float = 400.0
+    resolution_N: float = 2.0
+    latency_ms: Pair = (0.0, 0.0)
+    calibration: str = ""
+
+
+class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[probes]: two capacitance probes; position = sensitivity (voltage - offset)."""
+
+    device: str
+    input_1: str
+    input_2: str
+    sensitivity_um_per_V: Pair
+    offset_V: Pair = (0.0, 0.0)
+    range_V: float = 10.0
+    latency_ms: Pair = (0.0, 0.0)
+    calibration: str = ""
+
+
+class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A rig file."""
+
+    schema: int
+    name: str
+    devices: dict[str, DeviceSection]
+    spindle: SpindleSection
+    encoder: EncoderSection
+    load_cell: LoadCellSection
+    probes: ProbesSection
+    simulation: SimulationSection | None = None

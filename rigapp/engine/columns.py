@@ -1,0 +1,104 @@
+"""The channels and statistics of a test, in the one order that engine, file and screen share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+CHANNELS = ("force_1", "force_2", "force", "probe_1", "probe_2")
+"""force_1 and force_2: along the crank (e1) and across it (n1), of the force on the follower by the
+crank pin. probe_1 and probe_2: pin position in the follower frame, along e2 and across it (n2)."""
+
+CHANNEL_UNITS = {"force_1": "N", "force_2": "N", "force": "N", "probe_1": "um", "probe_2": "um"}
+
+STATISTICS = ("max", "min", "rms", "mean", "angle_of_max")
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """Describe one 1-D dataset: name, numpy dtype, unit, one sentence."""
+
+    name: str
+    dtype: str
+    unit: str
+    description: str
+
+
+def revolution_columns() -> tuple[Column, ...]:
+    """Return the columns of ``/entry/revolutions``, in storage order."""
+    head = (
+        Column("revolution", "<i8", "1", "number of the revolution since the start of the test"),
+        Column("time", "<f8", "s", "end of the revolution, device time since the start of the test"),
+        Column("host_time", "<f8", "s", "end of the revolution, UTC seconds since 1970-01-01"),
+        Column("speed", "<f8", "rpm", "mean speed of the crank"),
+        Column("speed_max", "<f8", "rpm", "maximum speed of the crank"),
+        Column("speed_min", "<f8", "rpm", "minimum speed of the crank"),
+        Column("speed_rms", "<f8", "rpm", "RMS speed of the crank"),
+        Column("samples", "<i4", "1", "samples in the revolution"),
+        Column("lost_samples", "<i4", "1", "samples lost in or just before the revolution"),
+        Column("quality", "<i4", "1", "0 good, else flags, see rigapp.engine.messages.Flag"),
+    )
+    sentences = {
+        "max": "maximum",
+        "min": "minimum",
+        "rms": "root mean square",
+        "mean": "mean",
+        "angle_of_max": "crank angle of the maximum of",
+    }
+    body = tuple(
+        Column(
+            f"{channel}_{statistic}",
+            "<f8",
+            "deg" if statistic == "angle_of_max" else CHANNEL_UNITS[channel],
+            f"{sentences[statistic]} {channel} over the revolution",
+        )
+        for channel in CHANNELS
+        for statistic in STATISTICS
+    )
+    return head + body
+
+
+def cycle_columns() -> tuple[Column, ...]:
+    """Return the per-sample columns of ``/entry/cycles``, in storage order."""
+    return (
+        Column("angle", "<f4", "deg", "crank angle of the sample, latency corrected"),
+        Column("time", "<f8", "s", "device time of the sample since the start of the test"),
+        *(
+            Column(channel, "<f4", CHANNEL_UNITS[channel], f"calibrated {channel}")
+            for channel in CHANNELS
+        ),
+        *(
+            Column(f"raw_{name}", "<f4", unit, f"signal of {name} as the device sent it")
+            for name, unit in (
+                ("force_1", "mV/V"),
+                ("force_2", "mV/V"),
+                ("probe_1", "V"),
+                ("probe_2", "V"),
+                ("count", "count"),
+            )
+        ),
+    )
+
+
+def prediction_columns() -> tuple[Column, ...]:
+    """Return the columns of ``/entry/prediction``, in storage order."""
+    head = (
+        Column("revolution", "<i8", "1", "number of the revolution predicted"),
+        Column("residual_rms", "<f8", "N", "RMS of measured minus predicted |F|"),
+        Column("residual_1_rms", "<f8", "N", "RMS of measured minus predicted force_1"),
+        Column("residual_2_rms", "<f8", "N", "RMS of measured minus predicted force_2"),
+        Column("phase_shift", "<f8", "deg", "shift of the measured |F| against the predicted"),
+        Column("wear_depth", "<f8", "mm", "predicted wear depth at the contact point"),
+        Column("measured_wear_depth", "<f8", "mm", "wear depth from the probes, NaN when unknown"),
+    )
+    body = tuple(
+        Column(f"{channel}_{statistic}", "<f8", "N", f"predicted {statistic} of {channel}")
+        for channel in ("force_1", "force_2", "force")
+        for statistic in ("max", "min", "rms")
+    )
+    return head + body
+
+
+PREDICTION_POINTS = 360
+"""Points of a predicted curve, crank angles 0 .. 359 degrees."""
+
+PREDICTED_CURVES = ("force_1", "force_2", "force")

@@ -1,0 +1,243 @@
+"""Messages between engine, twin, window and command line: msgspec records, sent as MessagePack.
+
+Arrays travel as bytes (little-endian) and come back by ``as_array``. A message is immutable.
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+PROTOCOL_VERSION = 1
+
+
+class RunState(enum.StrEnum):
+    """The states of a run; every way through them ends with the spindle stopped and a reason."""
+
+    IDLE = "idle"
+    CONNECTING = "connecting"
+    READY = "ready"
+    STARTING = "starting"
+    RUNNING = "running"
+    PAUSING = "pausing"
+    PAUSED = "paused"
+    STOPPING = "stopping"
+    STOPPED = "stopped"
+    FAULT = "fault"
+
+
+class FinishReason(enum.StrEnum):
+    """Why a run ended, as a code; a sentence goes with it."""
+
+    COMPLETE = "complete"
+    OPERATOR = "operator"
+    LIMIT = "limit"
+    DEVICE = "device"
+    STORAGE = "storage"
+    INTERNAL = "internal"
+
+
+class Flag(enum.IntFlag):
+    """Quality of one revolution; 0 is good."""
+
+    GOOD = 0
+    LOST_SAMPLES = 1
+    COUNT_MISMATCH = 2
+    MISSED_INDEX = 4
+    SATURATED = 8
+    GAP_BEFORE = 16
+    REVERSED = 32
+    PARTIAL = 64
+    TIME_JUMP = 128
+
+
+class Severity(enum.StrEnum):
+    """How bad an alarm is."""
+
+    WARNING = "warning"
+    CRITICAL = "critical"
+
+
+class Alarm(msgspec.Struct, frozen=True):
+    """Say what is wrong, what it leads to and what to do."""
+
+    key: str
+    severity: Severity
+    title: str
+    cause: str
+    consequence: str
+    action: str
+    raised_at: float
+    revolution: int
+    active: bool = True
+    acknowledged: bool = False
+    first_out: bool = False
+    state: str = "unacknowledged"
+
+
+class DriveView(msgspec.Struct, frozen=True):
+    """Show the drive to a viewer."""
+
+    speed_rpm: float
+    setpoint_rpm: float
+    current_A: float
+    supply_V: float
+    temperature_C: float
+    enabled: bool
+    emergency_stop: bool
+    faults: tuple[str, ...]
+    warnings: tuple[str, ...]
+
+
+class ChannelView(msgspec.Struct, frozen=True):
+    """Show one channel live: its newest raw signal and calibrated value."""
+
+    name: str
+    raw: float
+    raw_unit: str
+    value: float
+    unit: str
+    calibration: str
+    uncertainty: float | None = None
+
+
+class DeviceView(msgspec.Struct, frozen=True):
+    """Show one device: identity, rate, losses, last error."""
+
+    name: str
+    driver: str
+    port: str
+    connected: bool
+    identity: str
+    sample_rate_Hz: float
+    lost_samples: int
+    errors: int
+    last_error: str
+
+
+class Status(msgspec.Struct, frozen=True):
+    """Show the engine at one moment; what the window's header is made of."""
+
+    state: RunState
+    reason: str
+    rig: str
+    test: str
+    file: str
+    revolution: int
+    planned: int
+    committed: int
+    first_revolution: int
+    target_rpm: float
+    speed_rpm: float
+    started_at: float
+    expected_end_at: float
+    data_age_s: float
+    host_time: float
+    simulated: bool
+    simulated_speed: float
+    worst_margin_percent: float
+    worst_margin: str
+    twin_revolution: int
+    twin_age_s: float
+    residual_rms_N: float
+    alarms: tuple[Alarm, ...] = ()
+    drive: DriveView | None = None
+    devices: tuple[DeviceView, ...] = ()
+    channels: tuple[ChannelView, ...] = ()
+    operator: str = ""
+    engine_pid: int = 0
+    rows_dropped: int = 0
+
+
+class Cycle(msgspec.Struct, frozen=True):
+    """Carry one whole revolution for drawing: float32 arrays as bytes, calibrated, crank frame."""
+
+    revolution: int
+    angle_deg: bytes
+    force_1: bytes
+    force_2: bytes
+    force: bytes
+    probe_1: bytes
+    probe_2: bytes
+
+
+class Prediction(msgspec.Struct, frozen=True):
+    """Carry the twin's answer for one revolution.
+
+    values: the columns of ``prediction_columns`` in order, float64.
+    force_1, force_2, force: float32 on PREDICTION_POINTS crank angles.
+    """
+
+    revolution: int
+    values: bytes
+    force_1: bytes
+    force_2: bytes
+    force: bytes
+
+
+class RevolutionMeasured(msgspec.Struct, frozen=True):
+    """Ask the twin for a prediction: the measured history of one revolution (float64 as bytes)."""
+
+    revolution: int
+    time_s: bytes
+    angle_rad: bytes
+    force_1: bytes
+    force_2: bytes
+    probe_1: bytes
+    probe_2: bytes
+
+
+class Snapshot(msgspec.Struct, frozen=True):
+    """Carry what is new since the last snapshot to a viewer, at most 30 times a second.
+
+    rows: float64 (n, columns) of ``revolution_columns`` as bytes; rows are dropped oldest first when
+    a viewer lags, and ``first_row`` shows the gap.
+    predictions: float64 (m, columns) of ``prediction_columns`` as bytes.
+    """
+
+    status: Status
+    first_row: int
+    rows: bytes
+    predictions: bytes
+    cycle: Cycle | None = None
+    prediction: Prediction | None = None
+
+
+class Event(msgspec.Struct, frozen=True):
+    """One line of the append-only log: who did what, with values before and after."""
+
+    time: float
+    revolution: int
+    kind: str
+    source: str
+    text: str
+    before: str = ""
+    after: str = ""
+
+
+class Request(msgspec.Struct, frozen=True):
+    """Ask the engine for something; ``verb`` is one of the service's commands."""
+
+    verb: str
+    arguments: dict[str, Any] = {}
+    operator: str = ""
+    version: int = PROTOCOL_VERSION
+    identifier: int = 0
+
+
+class Reply(msgspec.Struct, frozen=True):
+    """Answer a request: ok with a result, or not ok with one plain sentence."""
+
+    ok: bool
+    sentence: str = ""
+    result: Any = None
+    identifier: int = 0
+
+
+def as_array(data: bytes, dtype: str = "<f4") -> NDArray[Any]:
+    """Return the array that a message carries as bytes (read-only, 1-D)."""
+    return np.frombuffer(data, dtype=dtype)
