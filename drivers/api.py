@@ -171,7 +171,7 @@ class DataSource(Protocol):
         ...
 
     def read(self, timeout_s: float) -> Block | None:
-        """Return the next Block, or None when no sample came in time; raise DeviceLost, DataOverrun."""
+        """Return the next Block, None when none came in time; raise DeviceLost, DataOverrun."""
         ...
 
     def zero(self, inputs: Sequence[str]) -> None:
@@ -347,7 +347,7 @@ class DriveMode(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class DriveCommand:
-    """Tell the plant what the drive wants: a speed set-point (already ramped), a duty, or nothing."""
+    """Tell the plant what the drive wants: a ramped speed set-point, a duty, or nothing."""
 
     mode: DriveMode
     speed_count_per_s: float = 0.0
@@ -377,7 +377,7 @@ class SimulatedDrive(Protocol):
         ...
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
-        """Advance ramps by elapsed_s, judge the watchdog at now_s, return what acts on the motor."""
+        """Advance ramps by elapsed_s, judge the watchdog at now_s, return what drives the motor."""
         ...
 
     def observe(self, state: MotorState) -> None:

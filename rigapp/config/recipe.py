@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
 from rigapp.config.parameters import ParameterFile
+
+Positive = Annotated[float, msgspec.Meta(gt=0)]
+PositiveCount = Annotated[int, msgspec.Meta(ge=1)]
 
 Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
@@ -14,10 +17,10 @@ Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 class RunSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[run]: revolutions, speed and ramp; pause_angle_deg is the safe angle."""
 
-    revolutions: int
-    speed_rpm: float
-    acceleration_rpm_per_s: float = 60.0
-    pause_angle_deg: float = 90.0
+    revolutions: PositiveCount
+    speed_rpm: Positive
+    acceleration_rpm_per_s: Positive = 60.0
+    pause_angle_deg: Annotated[float, msgspec.Meta(ge=0, lt=360)] = 90.0
 
 
 class MetadataSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -33,8 +36,8 @@ class CyclesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[cycles]: which whole cycles are kept."""
 
     schedule: Literal["every", "logarithmic", "none"] = "every"
-    every_revolutions: int = 100
-    per_decade: int = 20
+    every_revolutions: PositiveCount = 100
+    per_decade: PositiveCount = 20
 
 
 class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -46,7 +49,7 @@ class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     warning_below: float | None = None
     critical_below: float | None = None
     hysteresis: float = 0.0
-    delay_revolutions: int = 1
+    delay_revolutions: PositiveCount = 1
     action_warning: Action = "warn"
     action_critical: Action = "stop"
 
@@ -54,9 +57,9 @@ class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[limits]: what is always watched, and rules of one's own."""
 
-    overload_N: float = 380.0
-    overspeed_rpm: float = 700.0
-    stale_data_s: float = 2.0
+    overload_N: Positive = 380.0
+    overspeed_rpm: Positive = 700.0
+    stale_data_s: Positive = 2.0
     rule: tuple[LimitRule, ...] = ()
 
 

@@ -27,7 +27,9 @@ def revolution_columns() -> tuple[Column, ...]:
     """Return the columns of ``/entry/revolutions``, in storage order."""
     head = (
         Column("revolution", "<i8", "1", "number of the revolution since the start of the test"),
-        Column("time", "<f8", "s", "end of the revolution, device time since the start of the test"),
+        Column(
+            "time", "<f8", "s", "end of the revolution, device time since the start of the test"
+        ),
         Column("host_time", "<f8", "s", "end of the revolution, UTC seconds since 1970-01-01"),
         Column("speed", "<f8", "rpm", "mean speed of the crank"),
         Column("speed_max", "<f8", "rpm", "maximum speed of the crank"),

@@ -1,0 +1,215 @@
+"""Read rig, test and parameter files: every mistake is one sentence with file, key and remedy."""
+
+from __future__ import annotations
+
+import difflib
+import re
+import typing
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Generic, Literal, TypeVar
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.parameters import ParameterFile
+from rigapp.config.recipe import TestFile
+from rigapp.config.rig import RigFile
+
+SCHEMA = 1
+
+Record = TypeVar("Record", RigFile, TestFile, ParameterFile)
+
+
+@dataclass(frozen=True, slots=True)
+class Document(Generic[Record]):
+    """A configuration file as read: where from, its text as it stands, and what it means."""
+
+    path: Path
+    text: str
+    record: Record
+
+
+def read_rig(path: Path) -> Document[RigFile]:
+    """Read a rig file; raise UnusableInput."""
+    document = _read(path, RigFile)
+    _check_references(path, document.record)
+    return document
+
+
+def read_test(path: Path) -> Document[TestFile]:
+    """Read a test file; raise UnusableInput."""
+    document = _read(path, TestFile)
+    _check_test(path, document.record)
+    return document
+
+
+def read_parameter_file(path: Path) -> Document[ParameterFile]:
+    """Read a parameter file of the model; raise UnusableInput."""
+    return _read(path, ParameterFile)
+
+
+def parse_test(text: str, name: str) -> TestFile:
+    """Read a test from text (for example out of a recorded file); raise UnusableInput."""
+    path = Path(name)
+    test = _decode(path, text, TestFile)
+    _check_test(path, test)
+    return test
+
+
+def parse_rig(text: str, name: str) -> RigFile:
+    """Read a rig from text (for example out of a recorded file); raise UnusableInput."""
+    path = Path(name)
+    rig = _decode(path, text, RigFile)
+    _check_references(path, rig)
+    return rig
+
+
+def _read(path: Path, record: type[Record]) -> Document[Record]:
+    try:
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError as error:
+        raise UnusableInput(f"{path}: there is no such file; check the name.") from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
+    return Document(path, text, _decode(path, text, record))
+
+
+def _decode(path: Path, text: str, record: type[Record]) -> Record:
+    try:
+        tree = msgspec.toml.decode(text)
+    except msgspec.DecodeError as error:
+        raise UnusableInput(f"{path}: not valid TOML: {error}.") from error
+    _check_schema(path, tree)
+    for where, key, allowed in _unknown_keys(tree, record, ""):
+        raise UnusableInput(f"{path}: {where}{key} is not a known key{_nearest(key, allowed)}.")
+    try:
+        return msgspec.convert(tree, record)
+    except msgspec.ValidationError as error:
+        raise UnusableInput(f"{path}: {_sentence(str(error), record)}.") from error
+
+
+def _check_schema(path: Path, tree: Mapping[str, Any]) -> None:
+    schema = tree.get("schema")
+    if schema is None:
+        raise UnusableInput(f"{path}: schema is missing; write schema = {SCHEMA} at the top.")
+    if isinstance(schema, int) and schema > SCHEMA:
+        raise UnusableInput(
+            f"{path}: schema = {schema} is newer than this program reads ({SCHEMA}); update rigapp."
+        )
+    if schema != SCHEMA:
+        raise UnusableInput(f"{path}: schema = {schema!r} is not readable; write {SCHEMA}.")
+
+
+def _unknown_keys(tree: Any, record: Any, where: str) -> Iterator[tuple[str, str, tuple[str, ...]]]:
+    """Yield (path, key, allowed keys) of every key that the record does not have."""
+    struct = _struct_of(record)
+    if struct is not None and isinstance(tree, Mapping):
+        hints = typing.get_type_hints(struct)
+        allowed = struct.__struct_encode_fields__
+        for key, value in tree.items():
+            if key in allowed:
+                yield from _unknown_keys(value, hints[key], f"{where}{key}.")
+            else:
+                yield where, key, allowed
+        return
+    arguments = typing.get_args(record)
+    origin = typing.get_origin(record)
+    if origin is dict and isinstance(tree, Mapping):
+        for key, value in tree.items():
+            yield from _unknown_keys(value, arguments[1], f"{where}{key}.")
+    elif origin is tuple and isinstance(tree, list) and len(arguments) == 2:
+        for index, value in enumerate(tree):
+            yield from _unknown_keys(value, arguments[0], f"{where}{index}.")
+
+
+def _struct_of(record: Any) -> type[msgspec.Struct] | None:
+    candidates = (record, *typing.get_args(record))
+    if typing.get_origin(record) in (dict, tuple):
+        candidates = (record,)
+    for candidate in candidates:
+        if isinstance(candidate, type) and issubclass(candidate, msgspec.Struct):
+            return candidate
+    return None
+
+
+def _nearest(key: str, allowed: tuple[str, ...]) -> str:
+    stem = key.rsplit("_", 1)[0]
+    close = [name for name in allowed if name.rsplit("_", 1)[0] == stem]
+    close += difflib.get_close_matches(key, allowed, n=1)
+    if close:
+        return f"; did you mean {close[0]}"
+    return "; known here: " + ", ".join(allowed)
+
+
+def _sentence(error: str, record: type[msgspec.Struct]) -> str:
+    message, _, where = error.partition(" - at `$")
+    where = where.rstrip("`").lstrip(".")
+    missing = re.fullmatch(r"Object missing required field `(.+)`", message)
+    if missing:
+        key = f"{where}.{missing[1]}" if where else missing[1]
+        return f"{key} is missing"
+    words = {
+        "float": "a number",
+        "int": "a whole number",
+        "str": "text",
+        "bool": "true or false",
+        "object": "a table",
+        "array": "a list",
+    }
+    for word, plain in words.items():
+        message = message.replace(f"`{word}`", plain)
+    message = message.replace("Expected", "expected").replace("Invalid", "invalid")
+    if message.startswith("invalid enum value"):
+        message = f"{message}, allowed are {', '.join(map(str, _choices(record, where)))}"
+    return f"{where}: {message}" if where else message
+
+
+def _choices(record: Any, where: str) -> tuple[Any, ...]:
+    """Return what the Literal at a dotted path allows."""
+    hint = record
+    for key in re.sub(r"\[[^]]*\]", "", where).split("."):
+        struct = _struct_of(hint)
+        if struct is None:
+            return ()
+        hint = typing.get_type_hints(struct).get(key)
+        if typing.get_origin(hint) is tuple:
+            hint = typing.get_args(hint)[0]
+    return tuple(
+        choice
+        for part in (hint, *typing.get_args(hint))
+        if typing.get_origin(part) is Literal
+        for choice in typing.get_args(part)
+    )
+
+
+def _check_references(path: Path, rig: RigFile) -> None:
+    for section in ("spindle", "encoder", "load_cell", "probes"):
+        device = getattr(rig, section).device
+        if device not in rig.devices:
+            known = ", ".join(rig.devices) or "none"
+            raise UnusableInput(
+                f"{path}: {section}.device = {device!r} is not among the devices ({known})."
+            )
+    sources = {rig.encoder.device, rig.load_cell.device, rig.probes.device}
+    if len(sources) > 1:
+        raise UnusableInput(
+            f"{path}: encoder, load_cell and probes must come from one device, so that their"
+            f" samples are taken together; they name {', '.join(sorted(sources))}."
+        )
+    if rig.simulation is None:
+        for name, device in rig.devices.items():
+            if device.port == "simulated":
+                raise UnusableInput(
+                    f"{path}: devices.{name}.port is 'simulated' but there is no [simulation];"
+                    " name the port or add the section."
+                )
+
+
+def _check_test(path: Path, test: TestFile) -> None:
+    if test.limits.overspeed_rpm <= test.run.speed_rpm:
+        raise UnusableInput(
+            f"{path}: limits.overspeed_rpm = {test.limits.overspeed_rpm:g} is not above"
+            f" run.speed_rpm = {test.run.speed_rpm:g}; the test would trip at once."
+        )
