@@ -1,0 +1,1 @@
+"""The engine as a process: server, client, and how they find each other."""

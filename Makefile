@@ -1,0 +1,58 @@
+# make run    the operator's window on the simulated rig (without a display: the same test, headless)
+# make test   everything: style, types, import rules, tests
+# make bench  performance as ratios, measured side by side in one run
+# make soak   the long tests: hours
+PYTHON ?= $(shell for p in python3.11 python3.12 python3.13 python3; do \
+	$$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))' 2>/dev/null && { command -v $$p; break; }; done)
+VENV := .venv
+BIN := $(VENV)/bin
+RUN_READY := $(VENV)/ready-run
+TEST_READY := $(VENV)/ready-test
+export QT_API = pyside6
+export PIP_DISABLE_PIP_VERSION_CHECK = 1
+
+.PHONY: run test lint bench soak lock clean
+
+run: $(RUN_READY)
+	@$(BIN)/python -m rigapp.start
+
+test: $(TEST_READY) lint
+	$(BIN)/python -m pytest -n 2 --dist loadgroup -m "not soak"
+
+lint: $(TEST_READY)
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+bench: $(TEST_READY)
+	$(BIN)/python -m benchmarks
+
+soak: $(TEST_READY)
+	$(BIN)/python -m pytest -m soak
+
+$(VENV)/bin/python:
+	@test -n "$(PYTHON)" || { echo "rigapp needs Python 3.11, 3.12 or 3.13; install one, or name it: make PYTHON=/path/to/python"; exit 1; }
+	@$(PYTHON) rigapp/prepare/system_libraries.py
+	$(PYTHON) -m venv $(VENV)
+
+$(RUN_READY): constraints.txt pyproject.toml | $(VENV)/bin/python
+	$(BIN)/python -m pip install --quiet --require-hashes -r constraints.txt
+	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation -e .
+	$(BIN)/python -m rigapp.prepare.kernels
+	@touch $@
+
+$(TEST_READY): constraints-test.txt $(RUN_READY)
+	@$(BIN)/python rigapp/prepare/system_libraries.py --test
+	$(BIN)/python -m pip install --quiet --require-hashes -r constraints-test.txt
+	@touch $@
+
+# New versions of what pyproject.toml names; needs uv.
+lock:
+	uv pip compile pyproject.toml --extra gui --extra build --universal --python-version 3.11 \
+		--generate-hashes --no-header --no-annotate --no-emit-index-url --quiet -o constraints.txt
+	uv pip compile pyproject.toml --extra gui --extra build --extra test --universal --python-version 3.11 \
+		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints.txt --quiet -o constraints-test.txt
+
+clean:
+	rm -rf $(VENV) build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache

@@ -1,0 +1,102 @@
+"""Where running engines announce themselves: one small JSON file each, in a private folder."""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+
+
+class EngineEntry(msgspec.Struct, frozen=True):
+    """Tell where a running engine listens and which rig it holds."""
+
+    pid: int
+    commands: str
+    snapshots: str
+    rig: str
+    started: float
+    server_key: str = ""
+
+
+def runtime_folder() -> Path:
+    """Return the private folder for sockets and entries, made if missing; raise UnusableInput."""
+    named = os.environ.get("RIGAPP_RUNTIME_DIR")
+    session = os.environ.get("XDG_RUNTIME_DIR")
+    if named:
+        folder = Path(named)
+    elif session and Path(session).is_dir():
+        folder = Path(session) / "rigapp"
+    else:
+        user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
+        folder = Path(tempfile.gettempdir()) / f"rigapp-{user}"
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    except OSError as error:
+        raise UnusableInput(
+            f"{folder}: cannot be made ({error}); name another with RIGAPP_RUNTIME_DIR."
+        ) from error
+    if hasattr(os, "getuid") and folder.stat().st_uid != os.getuid():
+        raise UnusableInput(
+            f"{folder}: belongs to somebody else; name a folder of yours with RIGAPP_RUNTIME_DIR."
+        )
+    return folder
+
+
+def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
+    """Return (commands, snapshots) addresses: Unix sockets, or loopback where there are none."""
+    if sys.platform == "win32" or len(str(folder)) > 80:
+        return "tcp://127.0.0.1:*", "tcp://127.0.0.1:*"
+    return f"ipc://{folder}/{pid}.commands", f"ipc://{folder}/{pid}.snapshots"
+
+
+def announce(entry: EngineEntry) -> Path:
+    """Write the entry of this engine and return its path."""
+    path = runtime_folder() / f"engine-{entry.pid}.json"
+    part = path.with_suffix(".part")
+    part.write_bytes(msgspec.json.encode(entry))
+    part.replace(path)
+    return path
+
+
+def withdraw(pid: int) -> None:
+    """Remove the entry and sockets of an engine that has ended."""
+    folder = runtime_folder()
+    for name in (f"engine-{pid}.json", f"{pid}.commands", f"{pid}.snapshots"):
+        (folder / name).unlink(missing_ok=True)
+
+
+def running_engines() -> list[EngineEntry]:
+    """Return the engines that are alive, oldest first; entries of dead ones are removed."""
+    found = []
+    for path in runtime_folder().glob("engine-*.json"):
+        try:
+            entry = msgspec.json.decode(path.read_bytes(), type=EngineEntry)
+        except (OSError, msgspec.DecodeError):
+            continue
+        if process_alive(entry.pid):
+            found.append(entry)
+        else:
+            withdraw(entry.pid)
+    return sorted(found, key=lambda entry: entry.started)
+
+
+def process_alive(pid: int) -> bool:
+    """Tell whether a process exists (a zombie counts as dead)."""
+    stat = Path(f"/proc/{pid}/stat")
+    if stat.parent.parent.is_dir() and Path("/proc/self").exists():
+        try:
+            return stat.read_text().rsplit(")", 1)[1].split()[0] != "Z"
+        except (OSError, IndexError):
+            return False
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    return True

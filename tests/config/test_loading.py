@@ -1,0 +1,84 @@
+"""Configuration mistakes each get one sentence with file, key and remedy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_rig, parse_test, read_rig, read_test
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+def example(name: str) -> str:
+    return (EXAMPLES / name).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", ["quick.toml", "paper.toml"])
+def test_shipped_tests_are_readable(name: str) -> None:
+    assert read_test(EXAMPLES / name).record.schema == 1
+
+
+def test_shipped_rig_is_readable() -> None:
+    rig = read_rig(EXAMPLES / "simulated.toml")
+    assert rig.record.simulation is not None
+    assert set(rig.record.devices) == {"daq", "drive"}
+
+
+MISTAKES = [
+    ("speed_rpm = 60.0", "speed_rps = 60.0", "run.speed_rps", "did you mean speed_rpm"),
+    ("overload_N = 380.0", "overload_kN = 0.38", "limits.overload_kN", "did you mean overload_N"),
+    ("revolutions = 500", "revolutions = 0", "run.revolutions", ">= 1"),
+    ("revolutions = 500", 'revolutions = "500"', "run.revolutions", "a whole number, got text"),
+    ("[cycles]", "[cylces]", "cylces", "did you mean cycles"),
+    ('schedule = "every"', 'schedule = "often"', "cycles.schedule", "every, logarithmic, none"),
+    ('title = "Quick test"', "", "title", "is missing"),
+    ("schema = 1\ntitle", "schema = 9\ntitle", "schema = 9", "newer"),
+    ("[run]", "[run", "not valid TOML", "line"),
+    ("crank_radius_mm = 76.2", "", "model.mechanism.crank_radius_mm", "is missing"),
+    ("overspeed_rpm = 90.0", "overspeed_rpm = 50.0", "limits.overspeed_rpm", "not above"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "key", "remedy"), MISTAKES)
+def test_mistake_in_a_test_file(old: str, new: str, key: str, remedy: str) -> None:
+    text = example("quick.toml")
+    assert old in text
+    with pytest.raises(UnusableInput) as caught:
+        parse_test(text.replace(old, new, 1), "my-test.toml")
+    sentence = str(caught.value)
+    assert sentence.startswith("my-test.toml: ")
+    assert key in sentence
+    assert remedy in sentence
+    assert "\n" not in sentence
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "needle"),
+    [
+        ('device = "daq"', 'device = "dax"', "not among the devices"),
+        ("[simulation]\nseed = 1\nspeed = 20.0", "", "there is no [simulation]"),
+        ("direction = 1", "direction = 2", "spindle.direction"),
+    ],
+)
+def test_mistake_in_a_rig_file(old: str, new: str, needle: str) -> None:
+    text = example("simulated.toml")
+    assert old in text
+    with pytest.raises(UnusableInput, match=needle.replace("[", r"\[").replace("]", r"\]")):
+        parse_rig(text.replace(old, new, 1), "rig.toml")
+
+
+def test_missing_file_is_named(tmp_path: Path) -> None:
+    with pytest.raises(UnusableInput, match=r"nothing\.toml: there is no such file"):
+        read_test(tmp_path / "nothing.toml")
+
+
+@given(st.text(max_size=200))
+def test_any_text_is_refused_in_one_sentence(text: str) -> None:
+    with pytest.raises(UnusableInput) as caught:
+        parse_test(text, "any.toml")
+    assert str(caught.value).startswith("any.toml: ")
