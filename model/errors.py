@@ -1,0 +1,40 @@
+"""What the model says when it cannot work with a number."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+
+class ModelError(ValueError):
+    """Name the quantity, its value and what to do, in one plain sentence.
+
+    ``quantity`` is the name of the field or argument at fault, ``value`` what was given.
+    """
+
+    def __init__(self, quantity: str, value: Any, remedy: str, unit: str = "") -> None:
+        shown = f"{value:g}" if isinstance(value, (int, float)) else str(value)
+        self.quantity = quantity
+        self.value = value
+        self.remedy = remedy
+        super().__init__(f"{quantity.replace('_', ' ')} is {shown}{unit and ' ' + unit}: {remedy}")
+
+
+def require_finite(quantity: str, value: Any, unit: str = "") -> None:
+    """Refuse what is not one finite number."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise ModelError(quantity, value, "give a finite number", unit)
+
+
+def require_positive(quantity: str, value: Any, unit: str = "") -> None:
+    """Refuse what is not a finite number above zero."""
+    require_finite(quantity, value, unit)
+    if value <= 0.0:
+        raise ModelError(quantity, value, "it must be greater than 0", unit)
+
+
+def require_not_negative(quantity: str, value: Any, unit: str = "") -> None:
+    """Refuse what is not a finite number of at least zero."""
+    require_finite(quantity, value, unit)
+    if value < 0.0:
+        raise ModelError(quantity, value, "it must not be negative", unit)
