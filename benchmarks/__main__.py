@@ -1,4 +1,4 @@
-"""Run every benchmark, one process each, and print their ratios: ``python -m benchmarks [NAME]``."""
+"""Run every benchmark in a process of its own: ``python -m benchmarks [WORD ...]``."""
 
 from __future__ import annotations
 

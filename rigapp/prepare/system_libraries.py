@@ -59,7 +59,7 @@ def _loads(library: str) -> bool:
 
 
 def _administrator() -> list[str] | None:
-    """Return the prefix that makes a command run as administrator, None when that is not allowed."""
+    """Return the prefix that runs a command as administrator, None when not allowed."""
     if os.geteuid() == 0:
         return []
     if shutil.which("sudo"):

@@ -1,0 +1,201 @@
+"""The command line: verbs, thin. Each imports what it needs when it is called.
+
+Exit status: 0 done, 1 the test or check failed or was stopped by a limit, 2 unusable input, 3 a
+device failed. One plain sentence on stderr; a traceback only with ``--debug``.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, NoReturn
+
+import typer
+
+from rigapp.config.errors import UnusableInput
+
+app = typer.Typer(
+    name="rigapp",
+    help="Control, record and understand slider-crank joint wear tests.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+model_app = typer.Typer(
+    help="Compute forces, wear, pressure and the paper's figures.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
+app.add_typer(model_app, name="model")
+
+RigOption = Annotated[Path, typer.Option("--rig", help="Rig file (devices, inputs, calibration).")]
+OutOption = Annotated[Path, typer.Option("--out", help="HDF5 file to make; never overwritten.")]
+ToOption = Annotated[Path, typer.Option("--to", help="File to write.")]
+SpeedOption = Annotated[
+    str | None,
+    typer.Option("--speed", help="Simulated rigs only: N times real time, or 'max'."),
+]
+ProgressOption = Annotated[
+    str | None,
+    typer.Option("--progress", help="'json': one JSON object a line on standard output."),
+]
+
+
+@app.callback()
+def options(
+    debug: Annotated[bool, typer.Option("--debug", help="Show a traceback on errors.")] = False,
+) -> None:
+    """Take the options that every verb has (``--debug`` is read by ``main``)."""
+
+
+@app.command()
+def gui(
+    rig: Annotated[Path | None, typer.Option("--rig", help="Rig file.")] = None,
+    test: Annotated[Path | None, typer.Option("--test", help="Test file to offer first.")] = None,
+    start: Annotated[bool, typer.Option("--start", help="Start that test at once.")] = False,
+) -> None:
+    """Open the operator's window (without a rig file: on the simulated rig)."""
+    from rigapp.commands.window import open_window
+
+    raise typer.Exit(open_window(rig, test, start=start))
+
+
+@app.command()
+def run(
+    test: Annotated[Path, typer.Argument(help="Test file.")],
+    rig: RigOption,
+    out: OutOption,
+    revolutions: Annotated[
+        int | None, typer.Option("--revolutions", min=1, help="Instead of the test file's.")
+    ] = None,
+    progress: ProgressOption = None,
+    speed: SpeedOption = None,
+) -> None:
+    """Run one test without a window."""
+    from rigapp.commands.run import run_test
+
+    raise typer.Exit(run_test(test, rig, out, revolutions, progress, speed))
+
+
+@app.command()
+def resume(
+    file: Annotated[Path, typer.Argument(help="Interrupted test file.")],
+    rig: RigOption,
+    progress: ProgressOption = None,
+    speed: SpeedOption = None,
+) -> None:
+    """Go on with an interrupted test in the same file."""
+    from rigapp.commands.run import resume_test
+
+    raise typer.Exit(resume_test(file, rig, progress, speed))
+
+
+@app.command()
+def check(
+    rig: Annotated[Path, typer.Argument(help="Rig file.")],
+    test: Annotated[Path, typer.Argument(help="Test file.")],
+) -> None:
+    """Check devices, calibration, disk and limits before a test; status 1 if anything blocks."""
+    from rigapp.commands.check import check_rig
+
+    raise typer.Exit(check_rig(rig, test))
+
+
+@app.command(context_settings={"allow_extra_args": True, "ignore_unknown_options": True})
+def sim(context: typer.Context, rig: Annotated[Path, typer.Argument(help="Rig file.")]) -> None:
+    """Start the rig's simulated devices, print one JSON line of URLs, run until interrupted."""
+    from rigapp.simulation.process import main as simulate
+
+    raise typer.Exit(simulate([str(rig), *context.args]))
+
+
+@app.command()
+def info(
+    file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
+    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """Tell what a test file holds and how the test ended."""
+    from rigapp.commands.files import print_info
+
+    raise typer.Exit(print_info(file, as_json=json))
+
+
+@app.command()
+def export(
+    file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
+    to: Annotated[Path, typer.Option("--to", help="FILE.csv or FILE.parquet")],
+    cycles: Annotated[bool, typer.Option("--cycles", help="Saved cycles, not statistics.")] = False,
+) -> None:
+    """Write statistics or saved cycles as CSV or Parquet."""
+    from rigapp.commands.files import export_file
+
+    raise typer.Exit(export_file(file, to, cycles=cycles))
+
+
+@app.command()
+def picture(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")], to: ToOption) -> None:
+    """Draw a recorded test as the window shows it (PNG)."""
+    from rigapp.commands.window import draw_picture
+
+    raise typer.Exit(draw_picture(file, to))
+
+
+@app.command()
+def doctor() -> None:
+    """Show versions, ports, adapters and permissions; test the window's libraries."""
+    from rigapp.commands.doctor import examine
+
+    raise typer.Exit(examine())
+
+
+@app.command(hidden=True)
+def engine(
+    rig: Annotated[Path, typer.Argument()],
+    speed: SpeedOption = None,
+) -> None:
+    """Host an engine for windows to attach to."""
+    from rigapp.service.host import serve
+
+    raise typer.Exit(serve(rig, speed))
+
+
+def main() -> NoReturn:
+    """Run the command line and exit with its status."""
+    debug = "--debug" in sys.argv
+    arguments = [word for word in sys.argv[1:] if word != "--debug"]
+    try:
+        status = app(args=arguments, prog_name="rigapp", standalone_mode=False)
+    except (KeyboardInterrupt, typer.Abort):
+        print("rigapp: interrupted.", file=sys.stderr)
+        status = 1
+    except Exception as error:
+        if debug:
+            raise
+        status = _report(error)
+    sys.stdout.flush()
+    raise SystemExit(status or 0)
+
+
+def _report(error: Exception) -> int:
+    """Say what went wrong in one sentence and return the exit status that it stands for."""
+    wrong_call = getattr(error, "format_message", None)
+    if wrong_call is None:
+        print(f"rigapp: {error or type(error).__name__}", file=sys.stderr)
+        return _status_of(error)
+    if type(error).__name__ == "NoArgsIsHelpError":
+        print(wrong_call())
+    else:
+        print(f"rigapp: {wrong_call()} See 'rigapp --help'.", file=sys.stderr)
+    return 2
+
+
+def _status_of(error: Exception) -> int:
+    """Return the exit status of an error that a verb raised."""
+    if isinstance(error, UnusableInput):
+        return 2
+    module = sys.modules.get("drivers.api")
+    if module is not None and isinstance(error, module.DeviceError):
+        return 3
+    return 1

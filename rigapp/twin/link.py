@@ -1,0 +1,132 @@
+"""The engine's end of the twin: a mailbox, a worker process, and a thread that keeps both going.
+
+The mailbox holds ``MAILBOX`` revolutions and drops the oldest: the twin predicts every revolution
+that it can keep up with, and never delays the engine. A worker that dies or does not answer within
+``ANSWER_S`` is started again.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+import zmq
+
+from rigapp.engine.messages import Prediction, RevolutionMeasured
+from rigapp.twin.worker import TwinSetup
+
+MAILBOX = 64
+START_S = 60.0
+ANSWER_S = 10.0
+RESTART_PAUSE_S = 1.0
+
+
+class TwinLink:
+    """Offer measured revolutions to the twin and hand its predictions on."""
+
+    def __init__(
+        self, setup: TwinSetup, on_prediction: Callable[[Prediction], None], folder: Path
+    ) -> None:
+        """Start the thread and the worker; ``on_prediction`` is called from the twin's thread."""
+        self._setup = setup
+        self._on_prediction = on_prediction
+        self._address = f"ipc://{folder}/twin-{id(self):x}"
+        if sys.platform == "win32" or len(self._address) > 100:
+            self._address = "tcp://127.0.0.1:*"
+        self._mailbox: deque[RevolutionMeasured] = deque(maxlen=MAILBOX)
+        self._wake = threading.Event()
+        self._stop = threading.Event()
+        self.dropped = 0
+        self.restarts = -1
+        self.last_failure = ""
+        self._worker: subprocess.Popen[bytes] | None = None
+        self._thread = threading.Thread(target=self._run, name="twin", daemon=True)
+        self._thread.start()
+
+    def offer(self, measured: RevolutionMeasured) -> None:
+        """Put a revolution into the mailbox; never blocks, drops the oldest when full."""
+        if len(self._mailbox) == MAILBOX:
+            self.dropped += 1
+        self._mailbox.append(measured)
+        self._wake.set()
+
+    @property
+    def worker_pid(self) -> int:
+        """Return the worker's process number, 0 when there is none."""
+        worker = self._worker
+        return worker.pid if worker is not None and worker.poll() is None else 0
+
+    def close(self, drain_s: float = 0.0) -> None:
+        """End the worker, after at most ``drain_s`` for what is still in the mailbox."""
+        deadline = time.monotonic() + drain_s
+        while self._mailbox and self._thread.is_alive() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        self._stop.set()
+        self._wake.set()
+        self._thread.join(timeout=ANSWER_S + 1.0)
+
+    def _run(self) -> None:
+        context = zmq.Context()
+        try:
+            while not self._stop.is_set():
+                self._serve_one_worker(context)
+                self._stop.wait(RESTART_PAUSE_S)
+        finally:
+            context.destroy(linger=0)
+
+    def _serve_one_worker(self, context: zmq.Context[zmq.Socket[bytes]]) -> None:
+        socket = context.socket(zmq.PAIR)
+        socket.setsockopt(zmq.LINGER, 0)
+        socket.setsockopt(zmq.SNDTIMEO, 1000)
+        socket.bind(self._address)
+        endpoint = socket.getsockopt_string(zmq.LAST_ENDPOINT)
+        self.restarts += 1
+        self._worker = subprocess.Popen(
+            [sys.executable, "-m", "rigapp.twin.worker", endpoint],
+            stdin=subprocess.DEVNULL,
+            start_new_session=True,  # Ctrl-C is for the engine, which ends the twin itself
+        )
+        try:
+            socket.send(msgspec.msgpack.encode(self._setup))
+            patience = START_S
+            while not self._stop.is_set() and self._worker.poll() is None:
+                if not self._mailbox:
+                    self._wake.wait(0.1)
+                    self._wake.clear()
+                    continue
+                if not self._exchange(socket, patience):
+                    return
+                patience = ANSWER_S
+            if not self._stop.is_set():
+                self.last_failure = f"the twin ended with status {self._worker.returncode}"
+        except zmq.ZMQError as error:
+            self.last_failure = f"the twin cannot be reached: {error}"
+        finally:
+            socket.close()
+            self._worker.terminate()
+            try:
+                self._worker.wait(timeout=2.0)
+            except subprocess.TimeoutExpired:
+                self._worker.kill()
+                self._worker.wait()
+
+    def _exchange(self, socket: zmq.Socket[bytes], patience: float) -> bool:
+        """Ask for one prediction; False when the worker must be started again."""
+        measured = self._mailbox.popleft()
+        socket.send(msgspec.msgpack.encode(measured))
+        deadline = time.monotonic() + patience
+        while time.monotonic() < deadline and not self._stop.is_set():
+            if socket.poll(100):
+                self._on_prediction(msgspec.msgpack.decode(socket.recv(), type=Prediction))
+                return True
+            if self._worker is None or self._worker.poll() is not None:
+                self.last_failure = "the twin died while predicting"
+                return False
+        self.last_failure = f"the twin did not answer within {patience:g} s"
+        return False

@@ -1,0 +1,131 @@
+"""Predict one measured revolution, and say how far the measurement is from it. Pure functions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from model.dynamics import inverse_dynamics
+from model.history import motion_from_history
+from model.parameters import Parameters
+from rigapp.engine.columns import PREDICTION_POINTS
+from rigapp.engine.messages import Prediction, RevolutionMeasured, as_array
+
+Array = NDArray[np.float64]
+
+GRID = np.arange(PREDICTION_POINTS) * (2.0 * np.pi / PREDICTION_POINTS)
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """One measured revolution in SI: time (s), crank angle (rad), forces (N), probes (m)."""
+
+    revolution: int
+    time: Array
+    angle: Array
+    force_1: Array
+    force_2: Array
+    probe_1: Array
+    probe_2: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Wear:
+    """What is known of the wear when a revolution is predicted, m; NaN when unknown."""
+
+    predicted_depth: float = 0.0
+    measured_depth: float = float("nan")
+
+
+def unpack(message: RevolutionMeasured) -> Measured:
+    """Turn a message into arrays in SI; samples that do not advance the crank are left out."""
+    time, angle = as_array(message.time_s, "<f8"), as_array(message.angle_rad, "<f8")
+    forward = np.concatenate(([True], np.diff(np.maximum.accumulate(angle)) > 0.0))
+    um = 1e-6
+    return Measured(
+        revolution=message.revolution,
+        time=time[forward],
+        angle=angle[forward],
+        force_1=as_array(message.force_1, "<f8")[forward],
+        force_2=as_array(message.force_2, "<f8")[forward],
+        probe_1=um * as_array(message.probe_1, "<f8")[forward],
+        probe_2=um * as_array(message.probe_2, "<f8")[forward],
+    )
+
+
+def predict_revolution(
+    parameters: Parameters, joint: str, measured: Measured, wear: Wear
+) -> Prediction:
+    """Predict the joint force of a measured revolution from its angle history alone.
+
+    joint: "perfect", or "continuous" with the clearance of the worn bushing (paper, Eq. 12).
+    The force is that on the follower by the pin, in the crank frame, at ``GRID``.
+    """
+    speed, acceleration = motion_from_history(measured.time, measured.angle)
+    clearance = 0.0
+    if joint == "continuous":
+        new = parameters.joint.bushing_radius - parameters.joint.pin_radius
+        clearance = new + wear.predicted_depth
+    motion = inverse_dynamics(
+        parameters.mechanism,
+        GRID,
+        _on_grid(measured.angle, speed),
+        _on_grid(measured.angle, acceleration),
+        clearance,
+    )
+    force_1, force_2 = motion.force_crank
+    force = motion.force_magnitude
+    residual_1 = measured.force_1 - _at(measured.angle, force_1)
+    residual_2 = measured.force_2 - _at(measured.angle, force_2)
+    size = np.hypot(measured.force_1, measured.force_2)
+    residual = size - _at(measured.angle, force)
+    head = (
+        measured.revolution,
+        _rms(residual),
+        _rms(residual_1),
+        _rms(residual_2),
+        np.degrees(phase_shift(_on_grid(measured.angle, size), force)),
+        1e3 * wear.predicted_depth,
+        1e3 * wear.measured_depth,
+    )
+    body = [f(curve) for curve in (force_1, force_2, force) for f in (np.max, np.min, _rms)]
+    return Prediction(
+        revolution=measured.revolution,
+        values=np.array([*head, *body], dtype="<f8").tobytes(),
+        force_1=force_1.astype("<f4").tobytes(),
+        force_2=force_2.astype("<f4").tobytes(),
+        force=force.astype("<f4").tobytes(),
+    )
+
+
+def phase_shift(measured: Array, predicted: Array) -> float:
+    """Return by how much (rad) the measured curve lags the predicted one, both on ``GRID``.
+
+    The maximum of the circular cross-correlation, refined by a parabola through its neighbours.
+    """
+    size = len(predicted)
+    spectrum = np.fft.rfft(measured - measured.mean()) * np.conj(
+        np.fft.rfft(predicted - predicted.mean())
+    )
+    correlation = np.fft.irfft(spectrum, size)
+    peak = int(np.argmax(correlation))
+    before, here, after = correlation[[peak - 1, peak, (peak + 1) % size]]
+    curvature = before - 2.0 * here + after
+    lag = peak + (0.5 * (before - after) / curvature if curvature < 0.0 else 0.0)
+    if lag > size / 2:
+        lag -= size
+    return float(2.0 * np.pi * lag / size)
+
+
+def _on_grid(angle: Array, values: Array) -> Array:
+    return np.interp(GRID, angle, values, period=2.0 * np.pi)
+
+
+def _at(angle: Array, curve: Array) -> Array:
+    return np.interp(angle, GRID, curve, period=2.0 * np.pi)
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values * values)))

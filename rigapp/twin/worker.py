@@ -1,0 +1,56 @@
+"""The twin's process: setup first, then one prediction for each measured revolution.
+
+Started by ``rigapp.twin.link`` as ``python -m rigapp.twin.worker ADDRESS``; ends when the engine's
+process is gone or asks for it with an empty message.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+
+import msgspec
+import zmq
+
+from rigapp.config.model_parameters import to_parameters
+from rigapp.config.parameters import ParameterFile
+from rigapp.engine.messages import RevolutionMeasured
+from rigapp.twin.predict import Wear, predict_revolution, unpack
+
+WAIT_MS = 500
+
+
+class TwinSetup(msgspec.Struct, frozen=True):
+    """Tell the twin which model to run."""
+
+    parameters: ParameterFile
+    joint: str
+
+
+def main(arguments: list[str]) -> int:
+    """Serve predictions until the engine is gone."""
+    parent = os.getppid()
+    context = zmq.Context()
+    socket = context.socket(zmq.PAIR)
+    socket.setsockopt(zmq.LINGER, 0)
+    socket.connect(arguments[0])
+    setup: TwinSetup | None = None
+    while os.getppid() == parent:
+        if not socket.poll(WAIT_MS):
+            continue
+        body = socket.recv()
+        if not body:
+            break
+        if setup is None:
+            setup = msgspec.msgpack.decode(body, type=TwinSetup)
+            parameters = to_parameters(setup.parameters)
+            continue
+        measured = unpack(msgspec.msgpack.decode(body, type=RevolutionMeasured))
+        prediction = predict_revolution(parameters, setup.joint, measured, Wear())
+        socket.send(msgspec.msgpack.encode(prediction))
+    context.destroy(linger=0)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
