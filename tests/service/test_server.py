@@ -1,0 +1,220 @@
+"""The service: replies, time-outs, busy, versions, snapshots merged for a slow viewer."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+from rigapp.engine.messages import (
+    PROTOCOL_VERSION,
+    Reply,
+    Request,
+    RunState,
+    Snapshot,
+    Status,
+    as_array,
+)
+from rigapp.service.client import Client, EngineUnreachable
+from rigapp.service.registry import (
+    EngineEntry,
+    announce,
+    process_alive,
+    running_engines,
+    withdraw,
+)
+from rigapp.service.server import PENDING, Server
+
+
+def status(revolution: int = 0) -> Status:
+    return Status(
+        state=RunState.IDLE,
+        reason="",
+        rig="rig",
+        test="",
+        file="",
+        revolution=revolution,
+        planned=0,
+        committed=0,
+        first_revolution=1,
+        target_rpm=0.0,
+        speed_rpm=0.0,
+        started_at=0.0,
+        expected_end_at=0.0,
+        data_age_s=0.0,
+        host_time=0.0,
+        simulated=True,
+        simulated_speed=1.0,
+        worst_margin_percent=100.0,
+        worst_margin="",
+        twin_revolution=0,
+        twin_age_s=0.0,
+        residual_rms_N=0.0,
+    )
+
+
+class Rows:
+    """A source of snapshots that carries one row each."""
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def __call__(self) -> Snapshot:
+        row = np.array([float(self.count)])
+        snapshot = Snapshot(
+            status=status(self.count), first_row=self.count, rows=row.tobytes(), predictions=b""
+        )
+        self.count += 1
+        return snapshot
+
+
+class Handler:
+    """Answer "wait" when released, everything else at once."""
+
+    def __init__(self) -> None:
+        self.release = threading.Event()
+
+    def __call__(self, request: Request) -> Reply:
+        if request.verb == "wait":
+            self.release.wait(20.0)
+        if request.verb == "break":
+            raise ValueError("a handler's own mistake")
+        return Reply(ok=True, result={"verb": request.verb, **request.arguments})
+
+
+@pytest.fixture
+def handler() -> Iterator[Handler]:
+    handler = Handler()
+    yield handler
+    handler.release.set()
+
+
+@pytest.fixture
+def server(tmp_path: Path, handler: Handler) -> Iterator[Server]:
+    server = Server(handler, Rows(), f"ipc://{tmp_path}/c", f"ipc://{tmp_path}/s")
+    server.start()
+    yield server
+    handler.release.set()
+    server.close()
+    assert not server.alive
+    assert server.failure is None
+
+
+@pytest.fixture
+def client(server: Server) -> Iterator[Client]:
+    client = Client(EngineEntry(1, server.commands, server.stream, "rig.toml", 0.0))
+    yield client
+    client.close()
+
+
+def until(condition: object, seconds: float = 10.0) -> None:
+    deadline = time.monotonic() + seconds
+    while not condition():  # type: ignore[operator]
+        assert time.monotonic() < deadline, "the condition did not come true in time"
+        time.sleep(0.005)
+
+
+def test_request_is_answered_with_its_arguments(client: Client) -> None:
+    reply = client.request("note", {"text": "oiled"})
+    assert reply.ok
+    assert reply.result == {"verb": "note", "text": "oiled"}
+
+
+def test_slow_request_does_not_delay_another(client: Client, handler: Handler) -> None:
+    slow = threading.Thread(target=client.request, args=("wait", {}, 30.0))
+    slow.start()
+    assert client.request("stop").ok
+    handler.release.set()
+    slow.join(10.0)
+    assert not slow.is_alive()
+
+
+def test_too_many_requests_are_told_busy(client: Client, handler: Handler) -> None:
+    replies: list[Reply] = []
+    threads = [
+        threading.Thread(target=lambda: replies.append(client.request("wait", {}, 30.0)))
+        for _ in range(PENDING + 3)
+    ]
+    for thread in threads:
+        thread.start()
+    until(lambda: len(replies) >= 3)
+    handler.release.set()
+    for thread in threads:
+        thread.join(20.0)
+    assert sum("busy" in reply.sentence for reply in replies) == 3
+    assert sum(reply.ok for reply in replies) == PENDING
+
+
+def test_mistake_of_a_handler_is_a_sentence(client: Client) -> None:
+    reply = client.request("break")
+    assert not reply.ok
+    assert "a handler's own mistake" in reply.sentence
+
+
+def test_other_version_is_refused(client: Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    request = Request(verb="status", version=PROTOCOL_VERSION + 1)
+    monkeypatch.setattr("rigapp.service.client.Request", lambda **_: request)
+    reply = client.request("status")
+    assert not reply.ok
+    assert "version" in reply.sentence
+
+
+def test_absent_engine_is_named_with_the_time_waited(tmp_path: Path) -> None:
+    client = Client(EngineEntry(4711, f"ipc://{tmp_path}/n", f"ipc://{tmp_path}/m", "r", 0.0))
+    with pytest.raises(EngineUnreachable, match="4711"):
+        client.request("status", timeout_s=0.2)
+    client.close()
+
+
+def test_rows_of_several_snapshots_come_in_one_piece(client: Client) -> None:
+    until(lambda: client.poll() is not None)
+    rows: list[float] = []
+    first: list[int] = []
+
+    def enough() -> bool:
+        snapshot = client.poll()
+        if snapshot is not None:
+            values = as_array(snapshot.rows, "<f8")
+            first.append(snapshot.first_row)
+            assert values[0] == snapshot.first_row
+            rows.extend(values)
+        return len(rows) > 8
+
+    until(enough)
+    assert np.all(np.diff(rows) == 1.0)
+
+
+def test_unreadable_request_is_answered(server: Server) -> None:
+    import zmq
+
+    context = zmq.Context()
+    socket = context.socket(zmq.REQ)
+    socket.setsockopt(zmq.LINGER, 0)
+    socket.connect(server.commands)
+    socket.send(b"\xc1 garbage")
+    assert socket.poll(5000)
+    assert not msgspec.msgpack.decode(socket.recv(), type=Reply).ok
+    context.destroy(linger=0)
+
+
+def test_registry_lists_the_living_and_forgets_the_dead(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import os
+    import subprocess
+
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path))
+    ended = subprocess.Popen(["true"])
+    ended.wait()
+    announce(EngineEntry(os.getpid(), "ipc://a", "ipc://b", "here.toml", 1.0))
+    announce(EngineEntry(ended.pid, "ipc://c", "ipc://d", "gone.toml", 2.0))
+    assert [entry.rig for entry in running_engines()] == ["here.toml"]
+    assert not (tmp_path / f"engine-{ended.pid}.json").exists()
+    withdraw(os.getpid())
+    assert running_engines() == []
+    assert process_alive(os.getpid())

@@ -1,0 +1,90 @@
+"""The twin predicts a revolution from its angle history, and measures its distance from it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from model.dynamics import inverse_dynamics
+from rigapp.config.loading import read_parameter_file
+from rigapp.config.model_parameters import to_parameters
+from rigapp.engine.columns import prediction_columns
+from rigapp.engine.messages import RevolutionMeasured, as_array
+from rigapp.twin.predict import GRID, Wear, phase_shift, predict_revolution, unpack
+
+PARAMETERS = to_parameters(
+    read_parameter_file(Path(__file__).parents[2] / "examples" / "parameters.toml").record
+)
+CLEARANCE = PARAMETERS.joint.bushing_radius - PARAMETERS.joint.pin_radius
+
+
+def revolution(ripple: float, clearance: float, samples: int = 1920) -> RevolutionMeasured:
+    """Make a revolution at 30 rpm whose speed ripples once a turn, with the true forces."""
+    time = np.arange(samples) * (2.0 / samples)
+    mean = np.pi
+    angle = mean * time + ripple * np.sin(mean * time)
+    speed = mean * (1.0 + ripple * np.cos(mean * time))
+    acceleration = -mean * mean * ripple * np.sin(mean * time)
+    motion = inverse_dynamics(PARAMETERS.mechanism, angle, speed, acceleration, clearance)
+    counts = np.floor(angle * 3600.0 / (2.0 * np.pi)) * (2.0 * np.pi / 3600.0)
+    zeros = np.zeros(samples)
+    arrays = (time, counts, *motion.force_crank, zeros, zeros)
+    return RevolutionMeasured(7, *(np.asarray(a, "<f8").tobytes() for a in arrays))
+
+
+def values(prediction: object) -> dict[str, float]:
+    numbers = as_array(prediction.values, "<f8")  # type: ignore[attr-defined]
+    return dict(zip((c.name for c in prediction_columns()), numbers, strict=True))
+
+
+@pytest.mark.parametrize("ripple", [0.0, 0.02])
+def test_prediction_follows_the_measured_speed(ripple: float) -> None:
+    measured = unpack(revolution(ripple, CLEARANCE))
+    prediction = predict_revolution(PARAMETERS, "continuous", measured, Wear())
+    found = values(prediction)
+    assert found["revolution"] == 7
+    assert found["residual_rms"] < 0.15
+    assert found["residual_1_rms"] < 0.15
+    assert found["residual_2_rms"] < 0.15
+    assert abs(found["phase_shift"]) < 0.2
+
+
+def test_joint_technique_matters() -> None:
+    measured = unpack(revolution(0.0, CLEARANCE))
+    perfect = values(predict_revolution(PARAMETERS, "perfect", measured, Wear()))
+    worn = values(
+        predict_revolution(PARAMETERS, "continuous", measured, Wear(predicted_depth=5e-4))
+    )
+    continuous = values(predict_revolution(PARAMETERS, "continuous", measured, Wear()))
+    assert perfect["force_max"] > continuous["force_max"] > worn["force_max"]
+    assert worn["wear_depth"] == pytest.approx(0.5)
+    assert np.isnan(worn["measured_wear_depth"])
+
+
+def test_wrong_sign_is_seen() -> None:
+    good = revolution(0.0, CLEARANCE)
+    flipped = RevolutionMeasured(
+        good.revolution,
+        good.time_s,
+        good.angle_rad,
+        (-as_array(good.force_1, "<f8")).tobytes(),
+        good.force_2,
+        good.probe_1,
+        good.probe_2,
+    )
+    found = values(predict_revolution(PARAMETERS, "continuous", unpack(flipped), Wear()))
+    assert found["residual_rms"] < 0.2
+    assert found["residual_1_rms"] > 20.0
+
+
+@settings(deadline=None, max_examples=30)
+@given(st.floats(-60.0, 60.0))
+def test_phase_shift_is_the_lag_of_the_measurement(degrees: float) -> None:
+    curve = 50.0 + 30.0 * np.cos(GRID) + 8.0 * np.sin(2.0 * GRID)
+    lag = np.radians(degrees)
+    late = 50.0 + 30.0 * np.cos(GRID - lag) + 8.0 * np.sin(2.0 * (GRID - lag))
+    assert np.degrees(phase_shift(late, curve)) == pytest.approx(degrees, abs=0.02)
