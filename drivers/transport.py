@@ -1,0 +1,265 @@
+"""Serial transport by URL: a device path, a pty, COM port or ``socket://host:port``.
+
+Always opened with ``serial_for_url``. One thread reads; writes may come from another thread.
+Every failure after opening is a ``DeviceLost`` with its cause.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import select
+import threading
+import time
+from typing import Any, Protocol
+
+import serial
+
+from drivers.api import ConnectionFailed, DeviceLost
+
+try:
+    from termios import error as termios_error
+except ImportError:  # Windows
+    termios_error = OSError  # type: ignore[misc, assignment]
+
+_PORT_ERRORS = (OSError, ValueError, termios_error)  # SerialException is an OSError
+_SLICE_S = 0.1  # a waiting reader looks this often whether the port was closed
+_DRAIN_QUIET_S = 0.02
+_DRAIN_LIMIT_S = 2.0
+
+
+class BytePort(Protocol):
+    """Exchange bytes with a device; what a driver needs of a transport."""
+
+    device: str
+    port: str
+
+    @property
+    def is_open(self) -> bool:
+        """Tell whether the port is open."""
+        ...
+
+    def open(self) -> None:
+        """Open the port; raise ConnectionFailed."""
+        ...
+
+    def read_some(self, maximum: int, timeout_s: float) -> bytes:
+        """Return what is there, at most maximum bytes; wait timeout_s for the first one."""
+        ...
+
+    def write(self, data: bytes) -> None:
+        """Send all bytes; raise DeviceLost."""
+        ...
+
+    def drain(self) -> bytes:
+        """Read until the line is quiet and return what came."""
+        ...
+
+    def close(self) -> None:
+        """Release the port; never raises."""
+        ...
+
+
+class SerialPort:
+    """Speak to one device over one serial port, opened exclusively.
+
+    One thread reads, any thread writes or closes. ``low_latency`` tells whether the adapter took
+    the low-latency mode (FTDI on Linux); a pty, a socket and CDC devices have none.
+    """
+
+    def __init__(
+        self, device: str, port: str, baud_rate: int, *, write_timeout_s: float = 2.0
+    ) -> None:
+        self.device = device
+        self.port = port
+        self.baud_rate = baud_rate
+        self.write_timeout_s = write_timeout_s
+        self.low_latency = False
+        self._serial: Any = None
+        self._selectable = False
+        self._closing = False
+        self._reading = threading.Lock()
+        self._writing = threading.Lock()
+
+    @property
+    def is_open(self) -> bool:
+        """Tell whether the port is open."""
+        return self._serial is not None
+
+    def open(self) -> None:
+        """Open the port exclusively, with empty input; raise ConnectionFailed."""
+        if self._serial is not None:
+            return
+        try:
+            opened = serial.serial_for_url(
+                self.port,
+                baudrate=self.baud_rate,
+                timeout=0,
+                write_timeout=self.write_timeout_s,
+                exclusive=True,
+            )
+        except _PORT_ERRORS as error:
+            sentence = _why_not_opened(error, self.port)
+            raise ConnectionFailed(self.device, self.port, sentence) from error
+        self.low_latency = _set_low_latency(opened)
+        self._selectable = _can_select(opened)
+        self._closing = False
+        self._serial = opened
+
+    def read_some(self, maximum: int, timeout_s: float) -> bytes:
+        """Return what is there, at most maximum bytes; wait timeout_s for the first one.
+
+        b"" when nothing came in time. Raises DeviceLost.
+        """
+        deadline = time.monotonic() + timeout_s
+        with self._reading:
+            while True:
+                wait = min(_SLICE_S, max(0.0, deadline - time.monotonic()))
+                opened = self._usable("reading")
+                try:
+                    if self._selectable:
+                        data = _read_selectable(opened, maximum, wait)
+                    else:
+                        data = _read_counting(opened, maximum, wait)
+                except _PORT_ERRORS as error:
+                    raise self._lost(error, "reading") from error
+                if data or time.monotonic() >= deadline:
+                    return data
+
+    def write(self, data: bytes) -> None:
+        """Send all bytes within the write time-out; raise DeviceLost."""
+        with self._writing:
+            opened = self._usable("writing")
+            try:
+                sent = opened.write(data)
+            except _PORT_ERRORS as error:
+                raise self._lost(error, "writing") from error
+        if sent is not None and sent != len(data):
+            raise DeviceLost(
+                self.device, self.port, f"only {sent} of {len(data)} bytes could be sent."
+            )
+
+    def drain(self) -> bytes:
+        """Read until the line is quiet for 20 ms, at most 2 s, and return what came."""
+        deadline = time.monotonic() + _DRAIN_LIMIT_S
+        parts = []
+        while time.monotonic() < deadline:
+            part = self.read_some(65536, _DRAIN_QUIET_S)
+            if not part:
+                break
+            parts.append(part)
+        return b"".join(parts)
+
+    def close(self) -> None:
+        """Release the port; never raises; safe to call twice and from another thread."""
+        self._closing = True
+        opened, self._serial = self._serial, None
+        if opened is None:
+            return
+        # A descriptor must not close under a thread that uses it: the system may give its number
+        # to another file at once. Both holders let go soon, or the port is stuck anyway.
+        held = [
+            lock
+            for lock, patience_s in (
+                (self._reading, 5 * _SLICE_S),
+                (self._writing, self.write_timeout_s + _SLICE_S),
+            )
+            if lock.acquire(timeout=patience_s)
+        ]
+        try:
+            _close_quietly(opened)
+        finally:
+            for lock in held:
+                lock.release()
+
+    def _usable(self, doing: str) -> Any:
+        opened = self._serial
+        if opened is None:
+            why = "was closed" if self._closing else "is not open"
+            raise DeviceLost(self.device, self.port, f"the port {why} ({doing}).")
+        return opened
+
+    def _lost(self, error: Exception, doing: str) -> DeviceLost:
+        return DeviceLost(self.device, self.port, _why_lost(error, doing))
+
+
+def _read_selectable(opened: Any, maximum: int, wait_s: float) -> bytes:
+    """Read a tty, pty or socket: with time-out 0 pyserial's read takes what is there at once."""
+    if not select.select([opened.fileno()], [], [], wait_s)[0]:
+        return b""
+    data = bytes(opened.read(maximum))
+    # A pty or tty gives one kernel buffer (4095 bytes) at a time; more may stand behind it.
+    while data and len(data) < maximum:
+        try:
+            more = opened.read(maximum - len(data))
+        except _PORT_ERRORS:
+            break  # what came before the break counts; the next call meets the error again
+        if not more:
+            break
+        data += more
+    return data
+
+
+def _read_counting(opened: Any, maximum: int, wait_s: float) -> bytes:
+    """Read a port without a descriptor to wait on (COM ports, ``loop://``, ``rfc2217://``)."""
+    waiting = opened.in_waiting
+    timeout_s = 0 if waiting else wait_s
+    if opened.timeout != timeout_s:
+        opened.timeout = timeout_s
+    data = bytes(opened.read(min(max(waiting, 1), maximum)))
+    waiting = opened.in_waiting if data else 0
+    if waiting and len(data) < maximum:
+        data += bytes(opened.read(min(waiting, maximum - len(data))))
+    return data
+
+
+def _can_select(opened: Any) -> bool:
+    try:
+        select.select([opened.fileno()], [], [], 0)
+    except (AttributeError, *_PORT_ERRORS):  # io.UnsupportedOperation is an OSError
+        return False
+    return True
+
+
+def _set_low_latency(opened: Any) -> bool:
+    try:
+        opened.set_low_latency_mode(True)
+    except (AttributeError, NotImplementedError, *_PORT_ERRORS):
+        return False
+    return True
+
+
+def _close_quietly(opened: Any) -> None:
+    peer = getattr(opened, "_socket", None)
+    with contextlib.suppress(Exception):
+        opened.close()
+    # pyserial leaves the socket open when the peer went away first.
+    if peer is not None:
+        with contextlib.suppress(OSError):
+            peer.close()
+
+
+def _why_not_opened(error: Exception, port: str) -> str:
+    number = getattr(error, "errno", None)
+    text = str(error)
+    if number in (errno.EAGAIN, errno.EBUSY) or "exclusively lock" in text:
+        return "the port is in use by another program; close that program."
+    if number in (errno.EACCES, errno.EPERM):
+        return (
+            "this user may not open the port; add the user to the group that owns it "
+            "(often dialout or uucp) and log in again."
+        )
+    if port.startswith("socket://"):
+        return f"no connection ({text}); check host, port number and that the server runs."
+    if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV):
+        return "there is no such port; check the cable, the power and the port's name."
+    return f"the port cannot be opened ({text}); check the port's name in the rig file."
+
+
+def _why_lost(error: Exception, doing: str) -> str:
+    if isinstance(error, serial.SerialTimeoutException):
+        return (
+            "the device takes no more bytes (write time-out); check the cable and switch the "
+            "device off and on."
+        )
+    return f"the connection broke while {doing} ({error}); check cable and power."

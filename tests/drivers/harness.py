@@ -1,0 +1,156 @@
+"""A device on a pty: a thread carries bytes between a simulator and whoever opens the port.
+
+Reached through the fixtures ``wire`` and ``wait_until`` of ``tests/drivers/conftest.py``::
+
+    device = wire(simulator.receive)                      # answers only
+    device = wire(simulator.receive, simulator.emit)      # sends by itself, too
+    port = device.port                                    # path to open
+
+``wire.source(simulator, signals)`` runs a simulated data source on the clock.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import threading
+import time
+import tty
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+Respond = Callable[[bytes, float], bytes]
+Produce = Callable[[float], bytes]
+
+PERIOD_S = 0.002
+LINK_BYTES = 1 << 16
+
+
+class Wire:
+    """One simulated device on one pty."""
+
+    def __init__(
+        self,
+        respond: Respond,
+        produce: Produce | None = None,
+        overrun: Callable[[float], None] | None = None,
+    ) -> None:
+        self.received = bytearray()
+        self.failure: BaseException | None = None
+        self._respond, self._produce, self._overrun = respond, produce, overrun
+        self._waiting = bytearray()
+        self._stopping = threading.Event()
+        self._device, self._host = os.openpty()
+        tty.setraw(self._device)
+        tty.setraw(self._host)
+        os.set_blocking(self._device, False)
+        self.port = os.ttyname(self._host)
+        self._thread = threading.Thread(target=self._run, name=f"wire {self.port}", daemon=True)
+        self._thread.start()
+
+    def unplug(self) -> None:
+        """Take the device away: the host sees a broken connection."""
+        self._stopping.set()
+        self._thread.join(5.0)
+        assert not self._thread.is_alive(), "the wire's thread did not end within 5 s"
+        for descriptor in (self._device, self._host):
+            with contextlib.suppress(OSError):
+                os.close(descriptor)
+
+    def close(self) -> None:
+        """End the thread and say what went wrong in it."""
+        self.unplug()
+        if self.failure is not None:
+            raise self.failure
+
+    def send(self, data: bytes) -> None:
+        """Put bytes on the wire, after what already waits."""
+        self._waiting += data
+
+    def _run(self) -> None:
+        try:
+            while not self._stopping.is_set():
+                self._step()
+        except BaseException as failure:
+            self.failure = failure
+
+    def _step(self) -> None:
+        writers = [self._device] if self._waiting else []
+        ready, writable, _ = select.select([self._device], writers, [], PERIOD_S)
+        if ready:
+            data = os.read(self._device, 65536)
+            self.received += data
+            self._waiting += self._respond(data, time.monotonic())
+        if self._produce is not None:
+            self._waiting += self._produce(time.monotonic())
+        if len(self._waiting) > LINK_BYTES:
+            assert self._overrun is not None, "the host does not read and nobody takes note"
+            del self._waiting[: len(self._waiting) - LINK_BYTES]
+            self._overrun(time.monotonic())
+        if writable or self._waiting:
+            with contextlib.suppress(BlockingIOError):
+                del self._waiting[: os.write(self._device, self._waiting[:16384])]
+
+
+class Clock:
+    """Feed a simulated data source with the samples that are due, speed times real time."""
+
+    def __init__(self, simulator: Any, signals: Callable[[Any], Any], speed: float = 1.0) -> None:
+        self._simulator, self._signals, self._speed = simulator, signals, speed
+        self._last = time.monotonic()
+        self._due = 0.0
+        self.samples = 0
+
+    def __call__(self, now_s: float) -> bytes:
+        """Return the bytes of the samples that came due since the last call."""
+        self._due += (now_s - self._last) * self._speed * self._simulator.sample_rate_Hz
+        self._last = now_s
+        count = int(self._due)
+        if count == 0:
+            return b""
+        self._due -= count
+        index = np.arange(self.samples, self.samples + count)
+        self.samples += count
+        data: bytes = self._simulator.sample(self._signals(index), now_s)
+        return data
+
+
+class Wires:
+    """Make wires and close them all at the end of a test."""
+
+    def __init__(self) -> None:
+        self._made: list[Wire] = []
+
+    def __call__(
+        self,
+        respond: Respond,
+        produce: Produce | None = None,
+        overrun: Callable[[float], None] | None = None,
+    ) -> Wire:
+        """Put a device on a new pty."""
+        wire = Wire(respond, produce, overrun)
+        self._made.append(wire)
+        return wire
+
+    def source(
+        self, simulator: Any, signals: Callable[[Any], Any], speed: float = 1.0
+    ) -> tuple[Wire, Clock]:
+        """Put a simulated data source on a new pty; signals(sample indices) -> RigSignals."""
+        clock = Clock(simulator, signals, speed)
+        return self(simulator.receive, clock, simulator.overrun), clock
+
+    def close(self) -> None:
+        """Close all wires."""
+        for wire in self._made:
+            wire.close()
+
+
+def wait_until(condition: Callable[[], bool], what: str, timeout_s: float = 10.0) -> None:
+    """Wait for a condition; fail the test with what was waited for."""
+    deadline = time.monotonic() + timeout_s
+    while not condition():
+        assert time.monotonic() < deadline, f"waited {timeout_s:g} s in vain: {what}"
+        time.sleep(0.002)
