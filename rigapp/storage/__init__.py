@@ -1,0 +1,21 @@
+"""Test files: made whole before the test, written in place, readable at every instant."""
+
+from __future__ import annotations
+
+from rigapp.storage.errors import NoRoom, StorageFailed
+from rigapp.storage.layout import FilePlan
+from rigapp.storage.metadata import TestMetadata
+from rigapp.storage.reader import StoredCycle, TestReader, open_test
+from rigapp.storage.writer import TestWriter, create_test
+
+__all__ = [
+    "FilePlan",
+    "NoRoom",
+    "StorageFailed",
+    "StoredCycle",
+    "TestMetadata",
+    "TestReader",
+    "TestWriter",
+    "create_test",
+    "open_test",
+]

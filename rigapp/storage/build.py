@@ -1,0 +1,262 @@
+"""Write the whole HDF5 structure of a test file: NeXus groups, units, scales, settings."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import h5py
+import msgspec
+import numpy as np
+
+from rigapp.storage.layout import (
+    CALIBRATION,
+    CONFIGURATION,
+    END_TIME,
+    ENTRY,
+    PLAN,
+    SCHEMA,
+    SCHEMA_ATTRIBUTE,
+    START_TIME,
+    STATE,
+    STATE_FIELDS,
+    TIME_DTYPE,
+    Field,
+    FilePlan,
+    Stream,
+    streams_of,
+)
+from rigapp.storage.metadata import TestMetadata, iso_time, unit_of_key, versions
+
+PAGE = 4096
+METADATA_BLOCK = 1 << 18
+NOT_A_VARIABLE = "This is a netCDF dimension but not a netCDF variable. "
+
+_SIGNALS = {
+    "/entry/revolutions": ("force_max", "Statistics of every revolution", ("revolution",)),
+    "/entry/cycles": ("force", "Whole cycles, one after the other", (".",)),
+    "/entry/prediction": ("force_max", "What the model predicts", ("revolution",)),
+}
+_COUNTERS = {
+    "committed": "rows that are safe; what lies beyond is not data",
+    "committed_curves": "curves that are safe; what lies beyond is not data",
+}
+
+
+def build_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> None:
+    """Create the HDF5 file of a test at ``path``, every dataset at its full size, and close it."""
+    streams = streams_of(plan)
+    with h5py.File(
+        path,
+        "x",
+        libver="earliest",
+        alignment_threshold=PAGE,
+        alignment_interval=PAGE,
+        meta_block_size=METADATA_BLOCK,
+        locking=False,
+    ) as file:
+        _build_root(file, metadata, path.name)
+        _build_state(file, plan, metadata)
+        for stream in streams.values():
+            _build_stream(file, stream)
+        _build_curve_angle(file, plan)
+        _build_configuration(file, plan, metadata)
+        write_tree(_group(file, CALIBRATION, "NXcollection"), metadata.calibration)
+        for group, (signal, title, axes) in _SIGNALS.items():
+            _make_plottable(file[group], signal, title, axes)
+
+
+def placed_dataset(
+    group: h5py.Group, name: str, dtype: str, shape: tuple[int, ...], unit: str, sentence: str
+) -> h5py.Dataset:
+    """Create a contiguous dataset, its place in the file fixed now, its content not written."""
+    properties = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+    properties.set_layout(h5py.h5d.CONTIGUOUS)
+    properties.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)
+    properties.set_fill_time(h5py.h5d.FILL_TIME_NEVER)
+    space = h5py.h5s.create_simple(shape) if shape else h5py.h5s.create(h5py.h5s.SCALAR)
+    identifier = h5py.h5d.create(
+        group.id,
+        name.encode(),
+        h5py.h5t.py_create(hdf_type(dtype), logical=True),
+        space,
+        properties,
+    )
+    dataset = h5py.Dataset(identifier)
+    describe(dataset, unit, sentence)
+    return dataset
+
+
+def hdf_type(dtype: str) -> np.dtype[Any]:
+    """Return the HDF5 type of a column: fixed-length UTF-8 for ``S<n>``, else the numpy type."""
+    if dtype.startswith("S"):
+        return h5py.string_dtype("utf-8", int(dtype[1:]))
+    return np.dtype(dtype)
+
+
+def describe(dataset: h5py.Dataset, unit: str, sentence: str) -> None:
+    """Give a dataset its unit and its long name."""
+    if unit:
+        dataset.attrs["units"] = unit
+    if sentence:
+        dataset.attrs["long_name"] = sentence
+
+
+def write_tree(group: h5py.Group, values: Mapping[str, Any]) -> None:
+    """Write nested settings: a group for a mapping, a dataset with its unit for everything else."""
+    for key, value in values.items():
+        if isinstance(value, Mapping):
+            write_tree(_group(group, str(key), "NXcollection"), value)
+        elif value is not None:
+            _write_value(group, str(key), value)
+
+
+def _write_value(group: h5py.Group, key: str, value: Any) -> None:
+    if isinstance(value, (list, tuple)) and any(isinstance(one, Mapping) for one in value):
+        write_tree(_group(group, key, "NXcollection"), {str(i): one for i, one in enumerate(value)})
+        return
+    if isinstance(value, (list, tuple)):
+        array = np.asarray(value)
+        value = list(map(str, value)) if array.dtype.kind in "UO" else array
+    dataset = group.create_dataset(key, data=value)
+    if h5py.check_string_dtype(dataset.dtype) is None:
+        dataset.attrs["units"] = unit_of_key(key)
+
+
+def _build_root(file: h5py.File, metadata: TestMetadata, name: str) -> None:
+    found = versions()
+    started = iso_time(metadata.started or time.time())
+    file.attrs.update(
+        {
+            "NX_class": "NXroot",
+            "default": "entry",
+            "file_name": name,
+            "file_time": started,
+            "creator": f"rigapp {found['rigapp']}",
+            "HDF5_Version": h5py.version.hdf5_version,
+            "h5py_version": h5py.version.version,
+            SCHEMA_ATTRIBUTE: SCHEMA,
+        }
+    )
+    entry = _group(file, ENTRY, "NXentry")
+    entry.attrs["default"] = "revolutions"
+    entry["title"] = metadata.title
+    entry["entry_identifier_uuid"] = metadata.identifier
+    entry["program_name"] = "rigapp"
+    entry["program_name"].attrs["version"] = found["rigapp"]
+    entry["simulated"] = np.int64(metadata.simulated)
+    describe(entry["simulated"], "1", "1: the rig was simulated")
+    if metadata.notes:
+        entry["experiment_description"] = metadata.notes
+    _build_people(entry, metadata)
+    for path, text in ((START_TIME, started), (END_TIME, "")):
+        place = placed_dataset(entry, path.rpartition("/")[2], TIME_DTYPE, (), "", "")
+        place[()] = text
+
+
+def _build_people(entry: h5py.Group, metadata: TestMetadata) -> None:
+    user = _group(entry, "user", "NXuser")
+    user["name"] = metadata.operator
+    sample = _group(entry, "sample", "NXsample")
+    sample["name"] = metadata.specimen
+    sample["description"] = metadata.bushing
+    instrument = _group(entry, "instrument", "NXinstrument")
+    instrument["name"] = metadata.rig_name
+
+
+def _build_state(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> None:
+    group = _group(file, STATE, "NXcollection")
+    first = {
+        "status": b"running",
+        "planned_revolutions": plan.revolutions,
+        "first_revolution": plan.first_revolution,
+    }
+    for name, (dtype, sentence) in STATE_FIELDS.items():
+        unit = "" if dtype.startswith("S") else "1"
+        dataset = placed_dataset(group, name, dtype, (), unit, sentence)
+        dataset[()] = first.get(name, b"" if dtype.startswith("S") else 0)
+
+
+def _build_stream(file: h5py.File, stream: Stream) -> None:
+    group = _group(file, stream.group, "NXcollection")
+    if stream.counter:
+        counter = placed_dataset(group, stream.counter, "<i8", (), "1", _COUNTERS[stream.counter])
+        counter[()] = 0
+    names = [one.name for one in stream.fields]
+    if stream.dimension in names:
+        first = stream.fields[names.index(stream.dimension)]
+        scale = _build_field(group, first, stream.capacity)
+    else:
+        first = None
+        scale = phony_scale(group, stream.dimension, stream.capacity)
+    scale.make_scale(_scale_name(stream, names))
+    for one in stream.fields:
+        if one is not first:
+            _build_field(group, one, stream.capacity).dims[0].attach_scale(scale)
+    if stream.name == "cycles":
+        group["count"].attrs["sample_dimension"] = "sample"
+
+
+def phony_scale(group: h5py.Group, name: str, length: int) -> h5py.Dataset:
+    """Create a dimension without coordinates, as netCDF does it; it takes no space."""
+    properties = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+    properties.set_layout(h5py.h5d.CONTIGUOUS)
+    properties.set_alloc_time(h5py.h5d.ALLOC_TIME_LATE)
+    space = h5py.h5s.create_simple((length,))
+    return h5py.Dataset(
+        h5py.h5d.create(group.id, name.encode(), h5py.h5t.IEEE_F32BE, space, properties)
+    )
+
+
+def scale_label(is_variable: bool, name: str, length: int) -> str:
+    """Return the NAME attribute of a dimension scale: netCDF's own words for a bare dimension."""
+    return name if is_variable else f"{NOT_A_VARIABLE}{length:10d}"
+
+
+def _scale_name(stream: Stream, names: Iterable[str]) -> str:
+    return scale_label(stream.dimension in names, stream.dimension, stream.capacity)
+
+
+def _build_field(group: h5py.Group, one: Field, rows: int) -> h5py.Dataset:
+    shape = (rows, *one.shape)
+    return placed_dataset(group, one.name, one.dtype, shape, one.unit, one.description)
+
+
+def _build_curve_angle(file: h5py.File, plan: FilePlan) -> None:
+    group = file["/entry/prediction"]
+    points = plan.prediction_points
+    angle = group.create_dataset("angle", data=np.arange(points) * (360.0 / points))
+    describe(angle, "deg", "crank angle of the predicted curves")
+    angle.make_scale("angle")
+    for name in plan.predicted_curves:
+        group[f"curve_{name}"].dims[1].attach_scale(angle)
+
+
+def _build_configuration(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> None:
+    group = _group(file, CONFIGURATION, "NXcollection")
+    group["rig"] = metadata.rig_text
+    group["test"] = metadata.test_text
+    file[PLAN] = msgspec.json.encode(plan).decode()
+    write_tree(_group(group, "parameters", "NXcollection"), metadata.parameters)
+    write_tree(_group(group, "versions", "NXcollection"), versions())
+
+
+def _make_plottable(group: h5py.Group, signal: str, title: str, axes: tuple[str, ...]) -> None:
+    if signal not in group:
+        return
+    group.attrs["NX_class"] = "NXdata"
+    group.attrs["signal"] = signal
+    group.attrs["axes"] = list(axes)
+    group.attrs["title"] = title
+    for position, axis in enumerate(axes):
+        if axis != ".":
+            group.attrs[f"{axis}_indices"] = position
+
+
+def _group(parent: h5py.Group, name: str, nexus_class: str) -> h5py.Group:
+    group = parent.require_group(name)
+    if "NX_class" not in group.attrs:
+        group.attrs["NX_class"] = nexus_class
+    return group

@@ -1,0 +1,215 @@
+"""Make the file of a test whole before its first sample: structure, space, places, name."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import resource
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from rigapp.config.errors import UnusableInput
+from rigapp.storage.build import build_file
+from rigapp.storage.disk import Disk
+from rigapp.storage.errors import StorageFailed
+from rigapp.storage.layout import (
+    END_TIME,
+    STATE,
+    STATE_FIELDS,
+    TIME_DTYPE,
+    FilePlan,
+    Stream,
+    declared_bytes,
+    reserved_bytes,
+    streams_of,
+)
+from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage.metadata import TestMetadata
+
+Places = dict[str, tuple[int, int]]
+"""Path of a dataset -> offset and length in bytes."""
+
+STRUCTURE_BYTES = 1 << 20
+SPACE_MARGIN = 32 << 20
+MEGABYTE = 1e6
+
+
+def refuse_bad_target(path: Path, plan: FilePlan) -> None:
+    """Refuse an existing file, a missing or read-only folder, too little space: UnusableInput."""
+    folder = path.parent
+    if os.path.lexists(path):
+        raise UnusableInput(
+            f"{path}: the file exists and is not overwritten; give another name, "
+            "or use resume to go on with it"
+        )
+    if not folder.is_dir():
+        raise UnusableInput(f"{path}: the folder {folder} does not exist; create it first")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise UnusableInput(f"{path}: the folder {folder} cannot be written to; choose another one")
+    streams = streams_of(plan).values()
+    refuse_little_space(folder, path, reserved_bytes(streams) + STRUCTURE_BYTES)
+    limit = resource.getrlimit(resource.RLIMIT_FSIZE)[0]
+    length = declared_bytes(streams) + STRUCTURE_BYTES
+    if limit != resource.RLIM_INFINITY and length > limit:
+        raise UnusableInput(
+            f"{path}: the test needs a file of {length / MEGABYTE:.0f} MB, but this system allows "
+            f"files of {limit / MEGABYTE:.0f} MB; {(length - limit) / MEGABYTE:.1f} MB are missing,"
+            " keep fewer whole cycles or raise the limit (ulimit -f)"
+        )
+
+
+def refuse_little_space(folder: Path, path: Path, needed: int) -> None:
+    """Refuse when the folder's disk has not ``needed`` bytes and a margin free: UnusableInput."""
+    disk = os.statvfs(folder)
+    free = disk.f_bavail * disk.f_frsize
+    missing = needed + SPACE_MARGIN - free
+    if missing > 0:
+        raise UnusableInput(
+            f"{path}: the test needs {(needed + SPACE_MARGIN) / MEGABYTE:.0f} MB, {folder} has "
+            f"{free / MEGABYTE:.0f} MB free; {missing / MEGABYTE:.1f} MB are missing, "
+            "free them or keep fewer whole cycles"
+        )
+
+
+def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Disk, Places]:
+    """Create the file under a hidden name, reserve and check it, and move it into place.
+
+    Returns the open, locked file and the places of its datasets. Raises UnusableInput; then
+    nothing is left behind.
+    """
+    refuse_bad_target(path, plan)
+    _remove_stale(path)
+    hidden = path.parent / f".{path.name}.new-{os.getpid()}"
+    fd = -1
+    with contextlib.ExitStack() as undo:
+        undo.callback(lambda: hidden.unlink(missing_ok=True))
+        with _space_errors(path):
+            build_file(hidden, plan, metadata)
+            fd = os.open(hidden, os.O_RDWR)
+            undo.callback(os.close, fd)
+            places = places_of(hidden)
+            disk = Disk(fd, path)
+            for stream in streams_of(plan).values():
+                reserve_stream(disk, stream, places, 0, stream.planned)
+            check_places(disk, hidden, streams_of(plan), places)
+            os.fchmod(fd, 0o444)
+            os.fsync(fd)
+            if not hold_writer_lock(fd):
+                raise UnusableInput(f"{path}: another process took the new file; try again")
+            _move_into_place(hidden, path)
+            sync_folder(path.parent)
+        undo.pop_all()
+    disk.bytes_written = 0
+    return disk, places
+
+
+def places_of(path: Path) -> Places:
+    """Return where the in-place datasets of a file lie, as h5py reports it."""
+    places: Places = {}
+
+    def note(name: str, item: object) -> None:
+        if isinstance(item, h5py.Dataset) and item.chunks is None:
+            offset = item.id.get_offset()
+            if offset is not None:
+                places["/" + name] = (int(offset), int(item.id.get_storage_size()))
+
+    with h5py.File(path, "r", locking=False) as file:
+        file.visititems(note)
+    return places
+
+
+def reserve_stream(disk: Disk, stream: Stream, places: Places, first: int, rows: int) -> None:
+    """Reserve the disk space of rows ``first`` .. ``rows`` of a stream; raises OSError."""
+    for one in stream.fields:
+        offset = places[stream.path(one.name)][0]
+        disk.reserve(offset + first * one.row_bytes, (rows - first) * one.row_bytes)
+
+
+def check_places(disk: Disk, file: Path, streams: Mapping[str, Stream], places: Places) -> None:
+    """Write a mark through each place, read it back through h5py, and clear it again.
+
+    Raises AssertionError when the library's offsets do not hold: then no test may start.
+    """
+    marks: list[tuple[str, int, int, bytes]] = []
+    for stream in streams.values():
+        for one in stream.fields:
+            path = stream.path(one.name)
+            for row in sorted({0, stream.planned - 1}):
+                mark = (b"%08d" % len(marks) * (one.row_bytes // 8 + 1))[: one.row_bytes]
+                marks.append((path, row, places[path][0] + row * one.row_bytes, mark))
+    for _, _, offset, mark in marks:
+        disk.write(mark, offset)
+    with h5py.File(file, "r", locking=False) as opened:
+        for path, row, offset, mark in marks:
+            found = np.asarray(opened[path][row])
+            data = found.tobytes() if found.dtype.kind != "S" else bytes(found[()])
+            assert data == mark[: len(data)], f"{path} row {row} is not at offset {offset}"
+            assert data
+    for _, _, offset, mark in marks:
+        disk.write(bytes(len(mark)), offset)
+    for stream in streams.values():
+        if stream.counter:
+            assert places[stream.path(stream.counter)][0] % 8 == 0
+
+
+def state_dtypes() -> dict[str, str]:
+    """Return the dtype of each scalar that is overwritten in place, by path."""
+    state = {f"{STATE}/{name}": dtype for name, (dtype, _) in STATE_FIELDS.items()}
+    return {**state, END_TIME: TIME_DTYPE}
+
+
+def sync_folder(folder: Path) -> None:
+    """Return when the folder's names are on the disk."""
+    fd = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        os.fsync(fd)
+    except OSError as error:
+        if error.errno != errno.EINVAL:
+            raise
+    finally:
+        os.close(fd)
+
+
+@contextlib.contextmanager
+def _space_errors(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except FileExistsError as error:
+        raise UnusableInput(f"{path}: the file exists and is not overwritten") from error
+    except StorageFailed as error:
+        raise UnusableInput(str(error)) from error
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+            raise UnusableInput(
+                f"{path}: the disk refused to reserve the room for the test ({error.strerror}); "
+                "free some space or keep fewer whole cycles"
+            ) from error
+        raise UnusableInput(
+            f"{path}: the file cannot be created ({error.strerror or error}); choose another folder"
+        ) from error
+
+
+def _move_into_place(hidden: Path, path: Path) -> None:
+    """Give the file its name, never over an existing one."""
+    try:
+        os.link(hidden, path)
+    except FileExistsError:
+        raise
+    except OSError:
+        if os.path.lexists(path):
+            raise FileExistsError(errno.EEXIST, "file exists", str(path)) from None
+        os.rename(hidden, path)
+    else:
+        hidden.unlink()
+
+
+def _remove_stale(path: Path) -> None:
+    """Remove hidden files that a killed process left behind when it created ``path``."""
+    for left in path.parent.glob(f".{path.name}.new-*"):
+        number = left.name.rpartition("-")[2]
+        if number.isdigit() and not Path(f"/proc/{number}").exists():
+            left.unlink(missing_ok=True)

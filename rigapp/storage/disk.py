@@ -1,0 +1,66 @@
+"""The one place where a live test file is written: bytes at offsets, and making them safe."""
+
+from __future__ import annotations
+
+import errno
+import os
+from pathlib import Path
+
+from rigapp.storage.errors import StorageFailed
+
+Bytes = bytes | bytearray | memoryview
+
+
+class Disk:
+    """Write one open file in place.
+
+    After one failed write or sync the file counts as broken for good: the kernel may have dropped
+    the pages, and a later success would prove nothing.
+    """
+
+    __slots__ = ("_failure", "bytes_written", "fd", "path")
+
+    def __init__(self, fd: int, path: Path) -> None:
+        self.fd = fd
+        self.path = path
+        self.bytes_written = 0
+        self._failure = ""
+
+    def write(self, data: Bytes, offset: int) -> None:
+        """Write all of ``data`` at ``offset``; raises StorageFailed."""
+        if self._failure:
+            raise StorageFailed(self._failure)
+        size = len(data)
+        try:
+            done = os.pwrite(self.fd, data, offset)
+            while done < size:
+                done += os.pwrite(self.fd, memoryview(data)[done:], offset + done)
+        except OSError as error:
+            raise self._failed("writing", error) from error
+        self.bytes_written += size
+
+    def sync(self) -> None:
+        """Return when all bytes written before are on the disk; raises StorageFailed."""
+        if self._failure:
+            raise StorageFailed(self._failure)
+        try:
+            os.fdatasync(self.fd)
+        except OSError as error:
+            raise self._failed("syncing", error) from error
+
+    def reserve(self, offset: int, length: int) -> None:
+        """Reserve disk space for a range; raises OSError (ENOSPC, EDQUOT, EFBIG)."""
+        if length <= 0:
+            return
+        try:
+            os.posix_fallocate(self.fd, offset, length)
+        except OSError as error:
+            if error.errno not in (errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL):
+                raise
+
+    def _failed(self, doing: str, error: OSError) -> StorageFailed:
+        self._failure = (
+            f"{self.path}: {doing} failed ({error.strerror}); what was committed before is safe, "
+            "check the disk before resuming"
+        )
+        return StorageFailed(self._failure)

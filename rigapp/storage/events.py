@@ -1,0 +1,105 @@
+"""The append-only log: events as fixed-width rows, each bound to the one before by a digest."""
+
+from __future__ import annotations
+
+import hashlib
+import struct
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.engine.messages import Event
+from rigapp.storage.layout import EVENT_FIELDS
+
+TEXTS = ("text", "before", "after")
+_WIDTH = {one.name: int(one.dtype[1:]) for one in EVENT_FIELDS if one.dtype.startswith("S")}
+
+
+def rows_of(event: Event, digest: bytes) -> list[dict[str, Any]]:
+    """Return an event as rows; a text longer than its column goes on in the next row.
+
+    digest: hexadecimal digest of the row before, of the file's identifier for the first row.
+    """
+    parts = {name: _parts(getattr(event, name), _WIDTH[name]) for name in TEXTS}
+    number = max(map(len, parts.values()))
+    rows: list[dict[str, Any]] = []
+    for i in range(number):
+        row: dict[str, Any] = {
+            "time": event.time,
+            "revolution": event.revolution,
+            "kind": _parts(event.kind, _WIDTH["kind"])[0],
+            "source": _parts(event.source, _WIDTH["source"])[0],
+            **{name: cut[i] if i < len(cut) else b"" for name, cut in parts.items()},
+            "continued": int(i < number - 1),
+        }
+        digest = digest_of(row, digest)
+        rows.append({**row, "digest": digest})
+    return rows
+
+
+def digest_of(row: Mapping[str, Any], before: bytes) -> bytes:
+    """Return the hexadecimal SHA-256 of a row and the digest before it.
+
+    Hashed are: the digest before (ASCII), time (little-endian float64), revolution (int64),
+    continued (int32), then kind, source, text, before, after, each as UTF-8 and a zero byte.
+    """
+    numbers = struct.pack("<dqi", row["time"], row["revolution"], row["continued"])
+    texts = b"".join(row[name] + b"\0" for name in ("kind", "source", *TEXTS))
+    return hashlib.sha256(before + numbers + texts).hexdigest().encode()
+
+
+def seed_of(identifier: str) -> bytes:
+    """Return what the first row of a file is bound to."""
+    return hashlib.sha256(identifier.encode()).hexdigest().encode()
+
+
+def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
+    """Return the events that columns of rows hold, the continued ones joined."""
+    found: list[Event] = []
+    open_texts = dict.fromkeys(TEXTS, b"")
+    for row in table_rows(columns):
+        open_texts = {name: open_texts[name] + row[name] for name in TEXTS}
+        if row["continued"]:
+            continue
+        texts = {name: value.decode(errors="replace") for name, value in open_texts.items()}
+        kind, source = row["kind"].decode(errors="replace"), row["source"].decode(errors="replace")
+        found.append(Event(row["time"], row["revolution"], kind, source, **texts))
+        open_texts = dict.fromkeys(TEXTS, b"")
+    return found
+
+
+def first_broken_link(columns: Mapping[str, NDArray[Any]], identifier: str) -> int | None:
+    """Return the first row whose digest does not follow from its content, None when all do."""
+    digest = seed_of(identifier)
+    for i, row in enumerate(table_rows(columns)):
+        digest = digest_of(row, digest)
+        if digest != row["digest"]:
+            return i
+    return None
+
+
+def table_rows(columns: Mapping[str, NDArray[Any]]) -> Iterable[dict[str, Any]]:
+    """Yield the rows of a table given by columns, as plain Python values."""
+    names = [one.name for one in EVENT_FIELDS]
+    for values in zip(*(columns[name].tolist() for name in names), strict=True):
+        yield dict(zip(names, values, strict=True))
+
+
+def columns_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, NDArray[Any]]:
+    """Return rows as one array a column."""
+    return {one.name: np.array([row[one.name] for row in rows], one.dtype) for one in EVENT_FIELDS}
+
+
+def _parts(text: str, width: int) -> list[bytes]:
+    """Cut a text into UTF-8 pieces of at most ``width`` bytes, between characters, at least one."""
+    data = text.replace("\0", " ").encode("utf-8", errors="replace")
+    parts: list[bytes] = []
+    while len(data) > width:
+        end = width
+        while (data[end] & 0xC0) == 0x80:
+            end -= 1
+        parts.append(data[:end])
+        data = data[end:]
+    return [*parts, data]

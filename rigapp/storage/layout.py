@@ -1,0 +1,207 @@
+"""What a test file holds: its streams, their columns and their sizes, as plain records.
+
+A *stream* is a set of 1-D datasets that grow together, row by row, up to a committed counter. All
+of them exist at their full size before the first sample; ``planned`` rows have reserved disk space,
+and ``capacity`` rows are declared, so that an extension of the test changes no structure.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rigapp.engine.columns import (
+    PREDICTED_CURVES,
+    PREDICTION_POINTS,
+    Column,
+    cycle_columns,
+    prediction_columns,
+    revolution_columns,
+)
+
+SCHEMA = 1
+"""Version of the file's structure; a reader refuses what is newer than itself."""
+
+SCHEMA_ATTRIBUTE = "rigapp_schema"
+
+ENTRY = "/entry"
+STATE = "/entry/state"
+CONFIGURATION = "/entry/configuration"
+CALIBRATION = "/entry/calibration"
+PLAN = "/entry/configuration/plan"
+START_TIME = "/entry/start_time"
+END_TIME = "/entry/end_time"
+
+ROW_MULTIPLE = 512
+SPARE_REVOLUTIONS = 1000
+SAMPLE_RESERVE = 1.1
+
+STATE_FIELDS: dict[str, tuple[str, str]] = {
+    "status": ("S16", "running, complete, stopped or fault"),
+    "reason_code": ("S16", "why the test ended, as a code"),
+    "reason": ("S512", "why the test ended, as a sentence"),
+    "writer": ("S96", "process that writes or wrote the file"),
+    "planned_revolutions": ("<i8", "revolutions the test shall have"),
+    "first_revolution": ("<i8", "number of the first revolution"),
+    "gaps": ("<i8", "interruptions of the test, each with an event that tells where"),
+    "resumed": ("<i8", "times the test was resumed"),
+    "cycles_refused": ("<i8", "whole cycles not kept because their reserved room was full"),
+    "events_refused": ("<i8", "events not kept because their reserved room was full"),
+}
+"""Fixed-size scalars of ``/entry/state`` that the writer overwrites in place: dtype, sentence."""
+
+TIME_DTYPE = "S32"
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """Describe one dataset of a stream; ``shape`` is that of one row."""
+
+    name: str
+    dtype: str
+    unit: str
+    description: str
+    shape: tuple[int, ...] = ()
+
+    @property
+    def row_bytes(self) -> int:
+        """Return the bytes of one row."""
+        return int(np.dtype(self.dtype).itemsize) * math.prod(self.shape)
+
+
+@dataclass(frozen=True, slots=True)
+class Stream:
+    """Describe datasets that grow together; ``counter`` is empty where another stream counts."""
+
+    name: str
+    group: str
+    dimension: str
+    counter: str
+    fields: tuple[Field, ...]
+    planned: int
+    capacity: int
+
+    def path(self, name: str) -> str:
+        """Return the path of one of the stream's datasets."""
+        return f"{self.group}/{name}"
+
+    @property
+    def row_bytes(self) -> int:
+        """Return the bytes of one row over all fields."""
+        return sum(one.row_bytes for one in self.fields)
+
+
+@dataclass(frozen=True, slots=True)
+class FilePlan:
+    """Say how much a test will store.
+
+    revolutions: rows of statistics. cycles: whole cycles kept. samples_per_cycle: samples expected
+    in one of them at the test's speed. events: rows of the log. prediction: whether a twin runs.
+    """
+
+    revolutions: int
+    cycles: int
+    samples_per_cycle: int
+    events: int = 8192
+    prediction: bool = True
+    first_revolution: int = 1
+    revolution_columns: tuple[Column, ...] = field(default_factory=revolution_columns)
+    cycle_columns: tuple[Column, ...] = field(default_factory=cycle_columns)
+    prediction_columns: tuple[Column, ...] = field(default_factory=prediction_columns)
+    prediction_points: int = PREDICTION_POINTS
+    predicted_curves: tuple[str, ...] = PREDICTED_CURVES
+
+
+EVENT_FIELDS = (
+    Field("time", "<f8", "s", "UTC seconds since 1970-01-01"),
+    Field("revolution", "<i8", "1", "revolution at which it happened"),
+    Field("kind", "S32", "", "what happened, as a code"),
+    Field("source", "S32", "", "who or what caused it"),
+    Field("text", "S256", "", "what happened, as a sentence"),
+    Field("before", "S128", "", "value before"),
+    Field("after", "S128", "", "value after"),
+    Field("continued", "<i4", "1", "1: the texts go on in the next row"),
+    Field("digest", "S64", "", "SHA-256 over the digest before and this row, see file-format.md"),
+)
+
+
+def streams_of(plan: FilePlan) -> dict[str, Stream]:
+    """Return the streams of a file by name, in the order in which they lie in the file."""
+    rows = max(1, plan.revolutions)
+    all_rows = _rounded(rows + max(rows, SPARE_REVOLUTIONS))
+    cycles = max(1, plan.cycles)
+    all_cycles = _rounded(math.ceil(cycles * all_rows / rows) + 16 if plan.cycles else 1)
+    samples = (
+        math.ceil((cycles + 2) * plan.samples_per_cycle * SAMPLE_RESERVE) if plan.cycles else 1
+    )
+    all_samples = _rounded(math.ceil(samples * all_rows / rows) if plan.cycles else 1)
+    twin_rows, all_twin_rows = (rows, all_rows) if plan.prediction else (1, ROW_MULTIPLE)
+    curves, all_curves = (cycles, all_cycles) if plan.prediction else (1, ROW_MULTIPLE)
+    index = (
+        Field("revolution", "<i8", "1", "number of the revolution"),
+        Field("first", "<i8", "1", "index of the cycle's first sample"),
+        Field("count", "<i8", "1", "samples of the cycle"),
+    )
+    curve_fields = (
+        Field("curve_revolution", "<i8", "1", "number of the revolution of the predicted curve"),
+        *(
+            Field(f"curve_{name}", "<f4", "N", f"predicted {name}", (plan.prediction_points,))
+            for name in plan.predicted_curves
+        ),
+    )
+    found = (
+        Stream(
+            "revolutions", "/entry/revolutions", "revolution", "committed",
+            _fields(plan.revolution_columns), rows, all_rows,
+        ),
+        Stream("cycles", "/entry/cycles", "revolution", "committed", index, cycles, all_cycles),
+        Stream(
+            "samples", "/entry/cycles", "sample", "", _fields(plan.cycle_columns),
+            samples, all_samples,
+        ),
+        Stream(
+            "prediction", "/entry/prediction", "revolution", "committed",
+            _fields(plan.prediction_columns), twin_rows, all_twin_rows,
+        ),
+        Stream(
+            "curves", "/entry/prediction", "curve_revolution", "committed_curves", curve_fields,
+            curves, all_curves,
+        ),
+        Stream(
+            "events", "/entry/events", "event", "committed", EVENT_FIELDS,
+            plan.events, _rounded(plan.events),
+        ),
+    )  # fmt: skip
+    return {stream.name: stream for stream in found}
+
+
+def reserved_bytes(streams: Iterable[Stream]) -> int:
+    """Return the disk space in bytes that the planned rows of the streams need."""
+    return sum(stream.planned * stream.row_bytes for stream in streams)
+
+
+def declared_bytes(streams: Iterable[Stream]) -> int:
+    """Return the length in bytes that the streams give the file."""
+    return sum(stream.capacity * stream.row_bytes for stream in streams)
+
+
+def planned_rows(plan: FilePlan, revolutions: int) -> dict[str, int]:
+    """Return the rows of each stream that ``revolutions`` instead of the planned ones need."""
+    streams = streams_of(plan)
+    share = revolutions / max(1, plan.revolutions)
+    return {
+        name: min(stream.capacity, math.ceil(stream.planned * share))
+        for name, stream in streams.items()
+        if name != "events"
+    }
+
+
+def _fields(columns: Iterable[Column]) -> tuple[Field, ...]:
+    return tuple(Field(one.name, one.dtype, one.unit, one.description) for one in columns)
+
+
+def _rounded(rows: int) -> int:
+    return math.ceil(rows / ROW_MULTIPLE) * ROW_MULTIPLE

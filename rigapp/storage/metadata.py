@@ -1,0 +1,90 @@
+"""What a reader of a test file must know besides the data, gathered before the first sample."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import platform
+import sys
+import uuid
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from typing import Any
+
+_UNITS = (
+    ("_mm3_per_Nm", "mm3/(N m)"),
+    ("_N_per_mV_per_V", "N/(mV/V)"),
+    ("_g_per_cm3", "g/cm3"),
+    ("_kg_per_m3", "kg/m3"),
+    ("_rpm_per_s", "rpm/s"),
+    ("_um_per_V", "um/V"),
+    ("_N_per_m", "N/m"),
+    ("_kg_m2", "kg m2"),
+    ("_mV_per_V", "mV/V"),
+    ("_m_s2", "m/s2"),
+    ("_MPa", "MPa"),
+    ("_rpm", "rpm"),
+    ("_deg", "deg"),
+    ("_kg", "kg"),
+    ("_mm", "mm"),
+    ("_um", "um"),
+    ("_ms", "ms"),
+    ("_Nm", "N m"),
+    ("_Hz", "Hz"),
+    ("_N", "N"),
+    ("_V", "V"),
+    ("_s", "s"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class TestMetadata:
+    """Carry the texts, records and names that go with a test.
+
+    rig_text, test_text: the TOML files as given. parameters: the model's, units in the keys.
+    calibration: record name -> nested mapping of numbers, lists and texts, frozen for the test.
+    started: UTC seconds since 1970-01-01, 0 for now.
+    """
+
+    __test__ = False
+
+    title: str
+    rig_text: str
+    test_text: str
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    calibration: Mapping[str, Any] = field(default_factory=dict)
+    rig_name: str = ""
+    operator: str = ""
+    specimen: str = ""
+    bushing: str = ""
+    notes: str = ""
+    simulated: bool = False
+    started: float = 0.0
+    identifier: str = field(default_factory=lambda: str(uuid.uuid4()))
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of what writes the file."""
+    found = {"python": platform.python_version(), "platform": platform.platform()}
+    for name in ("rigapp", "numpy", "h5py", "numba", "msgspec"):
+        try:
+            found[name] = importlib.metadata.version(name)
+        except importlib.metadata.PackageNotFoundError:
+            found[name] = "unknown"
+    found["executable"] = sys.implementation.name
+    return found
+
+
+def unit_of_key(key: str) -> str:
+    """Return the unit that a key of the configuration names at its end, "1" when none."""
+    return next((unit for ending, unit in _UNITS if key.endswith(ending)), "1")
+
+
+def unit_suffix(unit: str) -> str:
+    """Return a unit as the end of a column's name: ``_mV_per_V``, empty for "1"."""
+    return "" if unit in ("", "1") else "_" + unit.replace("/", "_per_").replace(" ", "")
+
+
+def iso_time(seconds: float) -> str:
+    """Return UTC seconds since 1970-01-01 as ISO 8601 with microseconds and ``+00:00``."""
+    return datetime.fromtimestamp(seconds, UTC).isoformat(timespec="microseconds")

@@ -1,0 +1,331 @@
+"""Read a test file, running, interrupted or finished, in place or compressed."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.errors import UnusableInput
+from rigapp.engine.messages import Event
+from rigapp.storage.events import events_of, first_broken_link
+from rigapp.storage.layout import (
+    CALIBRATION,
+    CONFIGURATION,
+    END_TIME,
+    PLAN,
+    SCHEMA,
+    SCHEMA_ATTRIBUTE,
+    START_TIME,
+    STATE,
+    FilePlan,
+    Stream,
+    streams_of,
+)
+from rigapp.storage.locks import writer_is_alive
+
+Columns = dict[str, NDArray[Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class StoredCycle:
+    """Carry one whole cycle: its revolution and one array of samples a column."""
+
+    revolution: int
+    columns: Columns
+
+
+def open_test(path: str | os.PathLike[str]) -> TestReader:
+    """Open a test file for reading; a running test is not disturbed.
+
+    Raises UnusableInput with one sentence for what is missing, not HDF5, not a test, damaged or
+    from a newer version.
+    """
+    target = Path(path)
+    return TestReader(target, _opened(target))
+
+
+class TestReader:
+    """Answer questions about one test file; only committed rows count as data."""
+
+    __test__ = False
+
+    def __init__(self, path: Path, file: h5py.File) -> None:
+        self.path = path
+        self._file = file
+        self.plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
+        self._streams = streams_of(self.plan)
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
+
+    def __enter__(self) -> TestReader:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @property
+    def compressed(self) -> bool:
+        """Tell whether the file is the trimmed, compressed copy of a finished test."""
+        return self._file["/entry/revolutions/revolution"].chunks is not None
+
+    def committed(self, stream: str = "revolutions") -> int:
+        """Return the safe rows of a stream: revolutions, cycles, prediction, curves, events."""
+        found = self._streams[stream]
+        if stream == "samples":
+            return self._committed_samples()
+        return int(self._file[found.path(found.counter)][()])
+
+    def stored_status(self) -> str:
+        """Return the word in the file: running, complete, stopped or fault."""
+        return self._state_text("status")
+
+    def summary(self) -> dict[str, Any]:
+        """Return what ``rigapp info`` shows; its keys are a promise to users."""
+        revolutions = self.committed()
+        numbers = self._file["/entry/revolutions/revolution"]
+        status, reason = self._status(revolutions)
+        return {
+            "status": status,
+            "reason": reason,
+            "revolutions": revolutions,
+            "first_revolution": int(numbers[0]) if revolutions else None,
+            "last_revolution": int(numbers[revolutions - 1]) if revolutions else None,
+            "gaps": self.state("gaps"),
+            "cycles_saved": self.committed("cycles"),
+            "started": self._text(START_TIME),
+            "schema": int(self._file.attrs[SCHEMA_ATTRIBUTE]),
+        }
+
+    def state(self, name: str) -> int:
+        """Return one number of ``/entry/state``, for example ``planned_revolutions``."""
+        return int(self._file[f"{STATE}/{name}"][()])
+
+    def reason_code(self) -> str:
+        """Return why the test ended as a code, empty while it has not."""
+        return self._state_text("reason_code")
+
+    def metadata(self) -> dict[str, Any]:
+        """Return title, people, specimen, times and numbers that head a report."""
+        names = {
+            "title": "/entry/title",
+            "operator": "/entry/user/name",
+            "specimen": "/entry/sample/name",
+            "bushing": "/entry/sample/description",
+            "notes": "/entry/experiment_description",
+            "rig": "/entry/instrument/name",
+            "identifier": "/entry/entry_identifier_uuid",
+            "started": START_TIME,
+            "ended": END_TIME,
+        }
+        found: dict[str, Any] = {
+            name: self._text(path) if path in self._file else "" for name, path in names.items()
+        }
+        found["simulated"] = bool(self._file["/entry/simulated"][()])
+        found["planned_revolutions"] = self.state("planned_revolutions")
+        found["reason_code"] = self.reason_code()
+        return found
+
+    def rows(self, first: int = 0) -> Columns:
+        """Return the committed rows from row ``first`` on, one array a column."""
+        return self._table("revolutions", first)
+
+    def column(self, name: str, first: int = 0, stop: int | None = None) -> NDArray[Any]:
+        """Return committed rows ``first`` .. ``stop`` of one column of the revolutions."""
+        if name not in self.column_units():
+            raise UnusableInput(
+                f"{self.path}: there is no column {name!r} in /entry/revolutions; "
+                f"there are {', '.join(self.column_units())}"
+            )
+        end = self.committed() if stop is None else min(stop, self.committed())
+        return np.asarray(self._file[f"/entry/revolutions/{name}"][first:end])
+
+    def column_units(self, stream: str = "revolutions") -> dict[str, str]:
+        """Return the units of a stream's columns by name, in their order."""
+        return {one.name: one.unit for one in self._streams[stream].fields}
+
+    def cycle_revolutions(self) -> NDArray[np.int64]:
+        """Return the numbers of the revolutions whose whole cycle is saved."""
+        return np.asarray(self._file["/entry/cycles/revolution"][: self.committed("cycles")])
+
+    def cycle(self, index: int) -> StoredCycle:
+        """Return the saved cycle ``index``, negative from the end; raises IndexError."""
+        number = self.committed("cycles")
+        place = index + number if index < 0 else index
+        if not 0 <= place < number:
+            raise IndexError(f"{self.path}: there is no saved cycle {index}, there are {number}")
+        group = self._file["/entry/cycles"]
+        first, count = int(group["first"][place]), int(group["count"][place])
+        names = [one.name for one in self._streams["samples"].fields]
+        columns = {name: np.asarray(group[name][first : first + count]) for name in names}
+        return StoredCycle(int(group["revolution"][place]), columns)
+
+    def cycles(self) -> Iterator[StoredCycle]:
+        """Yield the saved cycles in order."""
+        for index in range(self.committed("cycles")):
+            yield self.cycle(index)
+
+    def predictions(self, first: int = 0) -> Columns:
+        """Return the committed rows of the twin's stream, one array a column."""
+        return self._table("prediction", first)
+
+    def predicted_curve(self, revolution: int) -> Columns | None:
+        """Return the predicted curves of a revolution with their ``angle``, None when not saved."""
+        group = self._file["/entry/prediction"]
+        saved = group["curve_revolution"][: self.committed("curves")]
+        places = np.flatnonzero(saved == revolution)
+        if places.size == 0:
+            return None
+        row = int(places[-1])
+        curves = {
+            name: np.asarray(group[f"curve_{name}"][row]) for name in self.plan.predicted_curves
+        }
+        return {"angle": np.asarray(group["angle"][()]), **curves}
+
+    def events(self) -> list[Event]:
+        """Return the committed events in order."""
+        return events_of(self._table("events", 0))
+
+    def first_altered_event(self) -> int | None:
+        """Return the first row of the log whose digest does not hold, None when all do."""
+        return first_broken_link(
+            self._table("events", 0), self._text("/entry/entry_identifier_uuid")
+        )
+
+    def configuration(self) -> dict[str, Any]:
+        """Return the configuration: texts ``rig`` and ``test``, ``parameters``, ``versions``."""
+        return _tree(self._file[CONFIGURATION])
+
+    def calibration(self) -> dict[str, Any]:
+        """Return the calibration records that the test was measured with, nested by name."""
+        return _tree(self._file[CALIBRATION])
+
+    def to_xarray(self, stream: str = "revolutions") -> Any:
+        """Return committed rows of ``revolutions`` or ``prediction`` as an xarray.Dataset."""
+        import xarray
+
+        found = self._streams[stream]
+        table = self._table(stream, 0)
+        coordinate = table.pop(found.dimension)
+        described = {one.name: one for one in found.fields}
+        variables = {
+            name: (
+                (found.dimension,),
+                values,
+                {"units": described[name].unit, "long_name": described[name].description},
+            )
+            for name, values in table.items()
+        }
+        return xarray.Dataset(variables, coords={found.dimension: coordinate})
+
+    def _table(self, stream: str, first: int) -> Columns:
+        found: Stream = self._streams[stream]
+        end = self.committed(stream)
+        return {
+            one.name: np.asarray(self._file[found.path(one.name)][first:end])
+            for one in found.fields
+        }
+
+    def _committed_samples(self) -> int:
+        number = self.committed("cycles")
+        if number == 0:
+            return 0
+        group = self._file["/entry/cycles"]
+        return int(group["first"][number - 1]) + int(group["count"][number - 1])
+
+    def _status(self, revolutions: int) -> tuple[str, str]:
+        stored = self.stored_status()
+        reason = self._state_text("reason")
+        if stored == "complete":
+            return "complete", reason
+        if stored in ("stopped", "fault"):
+            return "stopped", reason
+        if writer_is_alive(self.path):
+            return "running", ""
+        return (
+            "interrupted",
+            "the program that wrote the file ended without closing the test (killed, crashed or "
+            f"power lost); {revolutions} revolutions are safe, resume goes on after them",
+        )
+
+    def _state_text(self, name: str) -> str:
+        return self._text(f"{STATE}/{name}")
+
+    def _text(self, path: str) -> str:
+        value = self._file[path][()]
+        return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def _tree(group: h5py.Group) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for name, item in group.items():
+        if isinstance(item, h5py.Group):
+            found[name] = _tree(item)
+            continue
+        value = item[()]
+        if h5py.check_string_dtype(item.dtype) is not None:
+            texts = np.asarray(value, dtype=object)
+            value = texts.item().decode() if texts.ndim == 0 else [one.decode() for one in texts]
+        elif isinstance(value, np.ndarray):
+            value = value.tolist()
+        else:
+            value = value.item()
+        found[name] = value
+    return found
+
+
+def _opened(path: Path) -> h5py.File:
+    if path.is_dir():
+        raise UnusableInput(f"{path}: this is a folder, not a test file")
+    try:
+        if path.stat().st_size == 0:
+            raise UnusableInput(f"{path}: the file is empty; a copy of the test must be restored")
+        file = h5py.File(path, "r", locking=False)
+    except FileNotFoundError as error:
+        raise UnusableInput(f"{path}: there is no such file") from error
+    except OSError as error:
+        raise UnusableInput(_refusal(path, str(error))) from error
+    with contextlib.ExitStack() as undo:
+        undo.callback(file.close)
+        _refuse_foreign(path, file)
+        undo.pop_all()
+    return file
+
+
+def _refusal(path: Path, message: str) -> str:
+    if "truncated" in message:
+        return f"{path}: the file is cut short, perhaps an unfinished copy; copy it again"
+    if "signature not found" in message:
+        return f"{path}: this is not an HDF5 file; give a file that rigapp run wrote"
+    if "ermission" in message:
+        return f"{path}: the file may not be read; ask its owner for permission"
+    return f"{path}: the file cannot be opened as HDF5 ({message})"
+
+
+def _refuse_foreign(path: Path, file: h5py.File) -> None:
+    schema = file.attrs.get(SCHEMA_ATTRIBUTE)
+    if schema is None:
+        raise UnusableInput(
+            f"{path}: this HDF5 file is not a test; give a file that rigapp run wrote"
+        )
+    if int(schema) > SCHEMA:
+        raise UnusableInput(
+            f"{path}: the file has schema {int(schema)} and this version reads up to {SCHEMA}; "
+            "install a newer rigapp"
+        )
+    try:
+        damaged = PLAN not in file or "/entry/revolutions/committed" not in file
+    except (OSError, RuntimeError, KeyError):
+        damaged = True
+    if damaged:
+        raise UnusableInput(f"{path}: the file is damaged, its plan cannot be read")

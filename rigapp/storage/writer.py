@@ -1,0 +1,373 @@
+"""Write a running test: rows in place, a commit about once a second, one status at the end."""
+
+from __future__ import annotations
+
+import os
+import socket
+import threading
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rigapp.config.errors import UnusableInput
+from rigapp.engine.messages import Event
+from rigapp.storage.create import Places, create_file, refuse_little_space, state_dtypes
+from rigapp.storage.disk import Disk
+from rigapp.storage.errors import NoRoom, StorageFailed
+from rigapp.storage.events import columns_of, rows_of, seed_of
+from rigapp.storage.layout import END_TIME, STATE, FilePlan, Stream, planned_rows, streams_of
+from rigapp.storage.metadata import TestMetadata, iso_time
+from rigapp.storage.streams import RecordPlacer, Room, RowBuffer
+
+ROWS_BUFFERED = 256
+EVENTS_KEPT_BACK = 64
+FINAL_STATUSES = ("complete", "stopped", "fault")
+
+
+@dataclass(slots=True)
+class Counts:
+    """Count the rows of each stream, and what was refused."""
+
+    revolutions: int = 0
+    cycles: int = 0
+    samples: int = 0
+    prediction: int = 0
+    curves: int = 0
+    events: int = 0
+    gaps: int = 0
+    resumed: int = 0
+    cycles_refused: int = 0
+    events_refused: int = 0
+    planned_revolutions: int = 0
+
+
+_COUNTERS = {
+    "cycles": "/entry/cycles/committed",
+    "curves": "/entry/prediction/committed_curves",
+    "prediction": "/entry/prediction/committed",
+    "events": "/entry/events/committed",
+    "gaps": f"{STATE}/gaps",
+    "resumed": f"{STATE}/resumed",
+    "cycles_refused": f"{STATE}/cycles_refused",
+    "events_refused": f"{STATE}/events_refused",
+    "planned_revolutions": f"{STATE}/planned_revolutions",
+    "revolutions": "/entry/revolutions/committed",
+}
+"""Counters in the order in which a commit writes them."""
+
+
+def create_test(path: str | os.PathLike[str], plan: FilePlan, metadata: TestMetadata) -> TestWriter:
+    """Create the file of a test and return its writer.
+
+    The file is whole, its space reserved, before it appears under its name. Raises UnusableInput
+    for an existing file, a folder that is missing or read-only, too little space.
+    """
+    target = Path(path).absolute()
+    disk, places = create_file(target, plan, metadata)
+    counts = Counts(planned_revolutions=plan.revolutions)
+    reserved = {name: stream.planned for name, stream in streams_of(plan).items()}
+    return TestWriter(disk, places, plan, counts, reserved, seed_of(metadata.identifier))
+
+
+class TestWriter:
+    """Write one test file in place.
+
+    ``append_*`` may be called from any thread and never wait for the disk's sync; ``commit`` is
+    meant for a thread of its own, about once a second.
+    """
+
+    __test__ = False
+
+    def __init__(
+        self,
+        disk: Disk,
+        places: Places,
+        plan: FilePlan,
+        counts: Counts,
+        reserved: Mapping[str, int],
+        digest: bytes,
+    ) -> None:
+        self.path = disk.path
+        self.plan = plan
+        self.revolutions_committed = counts.revolutions
+        self._disk = disk
+        self._places = places
+        self._counts = counts
+        self._streams = streams_of(plan)
+        self._digest = digest
+        self._written: dict[str, int] = {name: getattr(counts, name) for name in _COUNTERS}
+        self._rooms = {
+            name: Room(disk, stream, self._offsets(stream), reserved[name])
+            for name, stream in self._streams.items()
+        }
+        self._rows = self._row_buffer("revolutions", counts.revolutions)
+        self._predictions = self._row_buffer("prediction", counts.prediction)
+        self._records = {
+            name: RecordPlacer(
+                disk, self._streams[name], self._offsets(self._streams[name]), self._rooms[name]
+            )
+            for name in ("cycles", "samples", "curves", "events")
+        }
+        self._cycle_lock = threading.Lock()
+        self._curve_lock = threading.Lock()
+        self._event_lock = threading.Lock()
+        self._count_lock = threading.Lock()
+        self._commit_lock = threading.Lock()
+        self._closed = False
+        self._finished = False
+        self._put("writer", f"process {os.getpid()} on {socket.gethostname()}")
+
+    @property
+    def bytes_written(self) -> int:
+        """Return the bytes written to the file since it was opened."""
+        return self._disk.bytes_written
+
+    @property
+    def revolutions(self) -> int:
+        """Return the rows appended, committed or not."""
+        return self._rows.count
+
+    @property
+    def planned_revolutions(self) -> int:
+        """Return the revolutions that the test shall have, extensions included."""
+        return self._counts.planned_revolutions
+
+    @property
+    def cycles_refused(self) -> int:
+        """Return the whole cycles not kept for want of reserved room."""
+        return self._counts.cycles_refused
+
+    def append_row(self, values: NDArray[np.float64] | Sequence[float]) -> None:
+        """Append the statistics of one revolution: float64, in the order of the plan's columns.
+
+        Raises NoRoom when the file is full, StorageFailed when the disk refuses.
+        """
+        if not self._rows.append(values):
+            raise NoRoom(
+                f"{self.path}: the file has room for {self._rows.count} revolutions and is full; "
+                "begin a new test for more"
+            )
+
+    def append_cycle(
+        self, revolution: int, columns: Mapping[str, ArrayLike] | NDArray[Any]
+    ) -> bool:
+        """Append the samples of one whole cycle; False when there is no reserved room for it.
+
+        columns: name -> (samples,) array, or an array (columns, samples) in the plan's order.
+        """
+        values = self._cycle_values(columns)
+        with self._cycle_lock:
+            counts = self._counts
+            first, row = counts.samples, counts.cycles
+            number = len(next(iter(values.values())))
+            samples, index = self._records["samples"], self._records["cycles"]
+            if not (samples.holds(first + number) and index.holds(row + 1)):
+                with self._count_lock:
+                    counts.cycles_refused += 1
+                return False
+            samples.place(first, number, values.__getitem__)
+            place = {"revolution": [revolution], "first": [first], "count": [number]}
+            index.place(row, 1, place.__getitem__)
+            with self._count_lock:
+                counts.samples = first + number
+                counts.cycles = row + 1
+        return True
+
+    def append_prediction(
+        self,
+        values: NDArray[np.float64] | Sequence[float],
+        curves: Mapping[str, ArrayLike] | NDArray[Any] | None = None,
+    ) -> bool:
+        """Append what the twin predicted for one revolution; False when there is no room.
+
+        values: float64, in the order of the plan's prediction columns, the revolution first.
+        curves: name -> (points,) array, or (curves, points) in the plan's order, or None.
+        """
+        kept = curves is None or self._append_curves(int(values[0]), curves)
+        return self._predictions.append(values) and kept
+
+    def _append_curves(
+        self, revolution: int, curves: Mapping[str, ArrayLike] | NDArray[Any]
+    ) -> bool:
+        names = self.plan.predicted_curves
+        if not isinstance(curves, Mapping):
+            curves = dict(zip(names, np.asarray(curves), strict=True))
+        place: dict[str, ArrayLike] = {f"curve_{name}": curves[name] for name in names}
+        place["curve_revolution"] = [revolution]
+        with self._curve_lock:
+            row = self._counts.curves
+            if not self._records["curves"].holds(row + 1):
+                return False
+            self._records["curves"].place(row, 1, place.__getitem__)
+            with self._count_lock:
+                self._counts.curves = row + 1
+        return True
+
+    def append_event(self, event: Event) -> bool:
+        """Append an event to the log; False, and counted, when the log is full."""
+        return self._append_event(event, EVENTS_KEPT_BACK)
+
+    def note_gap(self, event: Event) -> None:
+        """Count an interruption of the data and log where it is."""
+        with self._count_lock:
+            self._counts.gaps += 1
+        self._append_event(event, 0)
+
+    def extend(self, revolutions: int) -> None:
+        """Plan for ``revolutions`` in all, and reserve the disk space for them.
+
+        Raises UnusableInput, and changes nothing, when the file or the disk has not the room.
+        """
+        capacity = self._streams["revolutions"].capacity
+        if revolutions > capacity:
+            raise UnusableInput(
+                f"{self.path}: the file has room for {capacity} revolutions, not {revolutions}; "
+                "begin a new test for more"
+            )
+        wanted = planned_rows(self.plan, revolutions)
+        needed = sum(
+            max(0, rows - self._rooms[name].reserved) * self._streams[name].row_bytes
+            for name, rows in wanted.items()
+        )
+        refuse_little_space(self.path.parent, self.path, needed)
+        try:
+            for name, rows in wanted.items():
+                if rows > self._rooms[name].reserved:
+                    self._rooms[name].reserve(rows)
+        except OSError as error:
+            raise UnusableInput(
+                f"{self.path}: the disk refused the room for {revolutions} revolutions "
+                f"({error.strerror}); free {needed / 1e6:.0f} MB"
+            ) from error
+        before = self._counts.planned_revolutions
+        with self._count_lock:
+            self._counts.planned_revolutions = revolutions
+        self._append_event(
+            Event(
+                time.time(), self._rows.count, "extended", "storage",
+                f"the test shall have {revolutions} revolutions", str(before), str(revolutions),
+            ),
+            0,
+        )  # fmt: skip
+
+    def commit(self) -> int:
+        """Make everything appended so far safe; return the number of revolutions now safe.
+
+        Data first, then the counters, each followed by a sync: a revolution that this announces
+        survives a power loss. Appending goes on meanwhile.
+        """
+        with self._commit_lock:
+            self._refuse_closed()
+            return self._commit()
+
+    def finish(self, status: str, reason_code: str, sentence: str) -> None:
+        """Commit, and say how the test ended: status complete, stopped or fault."""
+        if status not in FINAL_STATUSES:
+            raise ValueError(f"status {status!r} is not one of {', '.join(FINAL_STATUSES)}")
+        with self._commit_lock:
+            self._refuse_closed()
+            self._commit()
+            self._put("reason_code", reason_code)
+            self._put("reason", sentence)
+            self._put_at(END_TIME, iso_time(time.time()))
+            self._disk.sync()
+            self._put("status", status)
+            self._disk.sync()
+            self._finished = True
+
+    def close(self) -> None:
+        """Let go of the file; what was not committed is committed if the disk allows it."""
+        with self._commit_lock:
+            if self._closed:
+                return
+            try:
+                if not self._finished:
+                    self._commit()
+            finally:
+                self._closed = True
+                os.close(self._disk.fd)
+
+    def __enter__(self) -> TestWriter:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _commit(self) -> int:
+        with self._count_lock:
+            now = {
+                name: getattr(self._counts, name)
+                for name in _COUNTERS
+                if name not in ("revolutions", "prediction")
+            }
+        for name, buffer in (("revolutions", self._rows), ("prediction", self._predictions)):
+            first, block, now[name] = buffer.pending()
+            buffer.place(first, block)
+        changed = [name for name in _COUNTERS if now[name] != self._written[name]]
+        if changed:
+            self._disk.sync()
+            for name in changed:
+                self._put_at(_COUNTERS[name], now[name])
+            self._disk.sync()
+            self._written = now
+            self.revolutions_committed = now["revolutions"]
+        return self.revolutions_committed
+
+    def _append_event(self, event: Event, kept_back: int) -> bool:
+        with self._event_lock:
+            rows = rows_of(event, self._digest)
+            first = self._counts.events
+            if first + len(rows) + kept_back > self._streams["events"].planned:
+                with self._count_lock:
+                    self._counts.events_refused += 1
+                return False
+            self._records["events"].place(first, len(rows), columns_of(rows).__getitem__)
+            self._digest = rows[-1]["digest"]
+            with self._count_lock:
+                self._counts.events = first + len(rows)
+        return True
+
+    def _cycle_values(
+        self, columns: Mapping[str, ArrayLike] | NDArray[Any]
+    ) -> dict[str, NDArray[Any]]:
+        names = [one.name for one in self._streams["samples"].fields]
+        if isinstance(columns, Mapping):
+            if set(columns) != set(names):
+                odd = ", ".join(sorted(set(columns) ^ set(names)))
+                raise ValueError(f"a cycle needs exactly the columns of the plan; check {odd}")
+            values = {name: np.asarray(columns[name]) for name in names}
+        else:
+            values = dict(zip(names, columns, strict=True))
+        if len({one.shape for one in values.values()}) != 1:
+            raise ValueError("the columns of a cycle differ in length")
+        return values
+
+    def _row_buffer(self, name: str, count: int) -> RowBuffer:
+        stream = self._streams[name]
+        return RowBuffer(
+            self._disk, stream, self._offsets(stream), self._rooms[name], count, ROWS_BUFFERED
+        )
+
+    def _offsets(self, stream: Stream) -> dict[str, int]:
+        return {one.name: self._places[stream.path(one.name)][0] for one in stream.fields}
+
+    def _put(self, name: str, value: int | str) -> None:
+        self._put_at(f"{STATE}/{name}", value)
+
+    def _put_at(self, path: str, value: int | str) -> None:
+        offset, length = self._places[path]
+        if isinstance(value, int):
+            data = value.to_bytes(8, "little", signed=True)
+        else:
+            data = value.encode()[:length].decode(errors="ignore").encode().ljust(length, b"\0")
+        assert path in _COUNTERS.values() or path in state_dtypes()
+        self._disk.write(data, offset)
+
+    def _refuse_closed(self) -> None:
+        if self._closed:
+            raise StorageFailed(f"{self.path}: the file is closed")

@@ -1,0 +1,267 @@
+"""What is written comes back, while the test runs and after it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from storage_samples import METADATA, PLAN, check, curves, cycle, new_test, prediction, row, write
+
+from rigapp.engine.messages import Event
+from rigapp.storage import FilePlan, NoRoom, StorageFailed, open_test
+
+
+def test_rows_cycles_predictions_and_curves_come_back(tmp_path: Path) -> None:
+    with new_test(tmp_path) as writer:
+        write(writer, 1, 300)
+        assert writer.commit() == 300
+        with open_test(tmp_path / "test.h5") as reader:
+            assert check(reader) == 300
+            assert reader.cycle_revolutions().tolist() == list(range(10, 301, 10))
+            assert reader.cycle(-1).revolution == 300
+            assert reader.predicted_curve(11) is None
+            assert len(reader.predictions()["revolution"]) == 300
+            with pytest.raises(IndexError, match="no saved cycle 30"):
+                reader.cycle(30)
+
+
+def test_only_committed_rows_are_data(tmp_path: Path) -> None:
+    with new_test(tmp_path) as writer:
+        write(writer, 1, 40)
+        with open_test(tmp_path / "test.h5") as reader:
+            assert reader.committed() == 0
+            assert reader.rows()["revolution"].size == 0
+            assert reader.committed("cycles") == 0
+            writer.commit()
+            write(writer, 41, 50)
+            assert reader.committed() == 40
+            assert reader.column("revolution", 38).tolist() == [39, 40]
+            assert check(reader) == 40
+
+
+def test_summary_has_the_promised_keys(tmp_path: Path) -> None:
+    writer = new_test(tmp_path)
+    path = tmp_path / "test.h5"
+    with open_test(path) as reader:
+        empty = reader.summary()
+    assert list(empty) == [
+        "status", "reason", "revolutions", "first_revolution", "last_revolution", "gaps",
+        "cycles_saved", "started", "schema",
+    ]  # fmt: skip
+    assert (empty["status"], empty["revolutions"]) == ("running", 0)
+    assert empty["first_revolution"] is None
+    write(writer, 1, 20)
+    writer.note_gap(Event(1.0, 20, "gap", "test", "a gap"))
+    writer.finish("complete", "complete", "all revolutions done")
+    writer.close()
+    with open_test(path) as reader:
+        assert reader.summary() == {
+            "status": "complete",
+            "reason": "all revolutions done",
+            "revolutions": 20,
+            "first_revolution": 1,
+            "last_revolution": 20,
+            "gaps": 1,
+            "cycles_saved": 2,
+            "started": "2027-01-15T08:00:00.000000+00:00",
+            "schema": 1,
+        }
+        assert reader.metadata()["ended"].endswith("+00:00")
+
+
+@pytest.mark.parametrize(
+    ("stored", "shown"), [("complete", "complete"), ("stopped", "stopped"), ("fault", "stopped")]
+)
+def test_final_status_is_one_of_four_words(tmp_path: Path, stored: str, shown: str) -> None:
+    writer = new_test(tmp_path)
+    writer.finish(stored, "device", "cable pulled")
+    writer.close()
+    with open_test(tmp_path / "test.h5") as reader:
+        assert reader.summary()["status"] == shown
+        assert reader.summary()["reason"] == "cable pulled"
+        assert reader.stored_status() == stored
+        assert reader.reason_code() == "device"
+
+
+def test_a_closed_file_without_status_is_interrupted(tmp_path: Path) -> None:
+    with new_test(tmp_path) as writer:
+        write(writer, 1, 7)
+    with open_test(tmp_path / "test.h5") as reader:
+        summary = reader.summary()
+    assert summary["status"] == "interrupted"
+    assert summary["revolutions"] == 7
+    assert "7 revolutions are safe" in summary["reason"]
+
+
+def test_unknown_final_status_and_use_after_close_are_refused(tmp_path: Path) -> None:
+    writer = new_test(tmp_path)
+    with pytest.raises(ValueError, match="status 'done'"):
+        writer.finish("done", "", "")
+    writer.close()
+    writer.close()
+    with pytest.raises(StorageFailed, match="closed"):
+        writer.commit()
+
+
+def test_configuration_calibration_and_metadata_come_back(tmp_path: Path) -> None:
+    new_test(tmp_path).close()
+    with open_test(tmp_path / "test.h5") as reader:
+        configuration = reader.configuration()
+        assert configuration["rig"] == METADATA.rig_text
+        assert configuration["test"] == METADATA.test_text
+        assert configuration["parameters"] == {"mechanism": {"crank_radius_mm": 76.2}}
+        assert configuration["versions"]["h5py"] == h5py.version.version
+        assert reader.calibration() == METADATA.calibration
+        metadata = reader.metadata()
+    assert metadata["operator"] == "Ann"
+    assert metadata["planned_revolutions"] == 300
+    with h5py.File(tmp_path / "test.h5") as file:
+        radius = file["/entry/configuration/parameters/mechanism/crank_radius_mm"]
+        assert radius.attrs["units"] == "mm"
+        matrix = file["/entry/calibration/load_cell/matrix_N_per_mV_per_V"]
+        assert matrix.attrs["units"] == "N/(mV/V)"
+
+
+def test_every_number_has_a_unit_and_a_name(tmp_path: Path) -> None:
+    new_test(tmp_path).close()
+
+    def has_unit(name: str, item: object) -> None:
+        if not isinstance(item, h5py.Dataset) or item.dtype.kind not in "fi":
+            return
+        if item.attrs.get("NAME", b"").startswith(b"This is a netCDF dimension"):
+            return
+        assert item.attrs.get("units"), name
+
+    with h5py.File(tmp_path / "test.h5") as file:
+        file.visititems(has_unit)
+
+
+def test_cycle_may_be_given_by_name_and_wrong_columns_are_refused(tmp_path: Path) -> None:
+    names = [one.name for one in PLAN.cycle_columns]
+    values = dict(zip(names, cycle(10), strict=True))
+    with new_test(tmp_path) as writer:
+        assert writer.append_cycle(10, values)
+        with pytest.raises(ValueError, match="check raw_count"):
+            writer.append_cycle(20, {name: values[name] for name in names if name != "raw_count"})
+        with pytest.raises(ValueError, match="differ in length"):
+            writer.append_cycle(20, {**values, "force": values["force"][:-1]})
+        with pytest.raises(ValueError, match="values"):
+            writer.append_prediction(prediction(20), curves(20)[:, :-1])
+        writer.commit()
+        with open_test(tmp_path / "test.h5") as reader:
+            assert reader.cycle_revolutions().tolist() == [10]
+            check(reader)
+
+
+def test_a_full_file_says_so_and_keeps_its_data(tmp_path: Path) -> None:
+    plan = FilePlan(revolutions=5, cycles=1, samples_per_cycle=4, events=80, prediction=False)
+    with new_test(tmp_path, plan) as writer:
+        for revolution in range(1, 1025):
+            writer.append_row(row(revolution, plan))
+        with pytest.raises(NoRoom, match="begin a new test"):
+            writer.append_row(row(1025, plan))
+        kept = [writer.append_cycle(i, cycle(i, plan)) for i in range(1, 600)]
+        assert kept.count(False) == writer.cycles_refused > 0
+        texts = [writer.append_event(Event(0.0, i, "k", "s", "t")) for i in range(100)]
+        assert texts.count(False) == 84
+        assert writer.commit() == 1024
+        with open_test(tmp_path / "test.h5") as reader:
+            assert check(reader, every=1) == 1024
+            assert reader.state("cycles_refused") == kept.count(False)
+            assert reader.state("events_refused") == 84
+
+
+def test_finished_test_in_xarray(tmp_path: Path) -> None:
+    with new_test(tmp_path) as writer:
+        write(writer, 1, 30)
+        writer.commit()
+        with open_test(tmp_path / "test.h5") as reader:
+            data = reader.to_xarray()
+            twin = reader.to_xarray("prediction")
+    assert data.sizes == {"revolution": 30}
+    assert data.force_max.attrs["units"] == "N"
+    assert float(data.force_max.sel(revolution=7)) == row(7)[list(data).index("force_max") + 1]
+    assert twin.sizes == {"revolution": 30}
+
+
+texts = st.text(max_size=700)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    found=st.lists(
+        st.builds(
+            Event, st.floats(0, 2e9), st.integers(0, 10**9), st.sampled_from(["a", "b"]),
+            st.just("operator"), texts, texts, texts,
+        ),
+        max_size=8,
+    )
+)  # fmt: skip
+def test_events_come_back_whatever_their_texts(
+    tmp_path_factory: pytest.TempPathFactory, found: list[Event]
+) -> None:
+    folder = tmp_path_factory.mktemp("events")
+    with new_test(folder) as writer:
+        for event in found:
+            assert writer.append_event(event)
+        writer.commit()
+        with open_test(folder / "test.h5") as reader:
+            stored = reader.events()
+            assert reader.first_altered_event() is None
+
+    def clean(event: Event) -> tuple[object, ...]:
+        texts = (event.text, event.before, event.after)
+        return event.time, event.revolution, *(one.replace("\0", " ") for one in texts)
+
+    assert [clean(one) for one in stored] == [clean(one) for one in found]
+
+
+def test_an_altered_event_shows(tmp_path: Path) -> None:
+    with new_test(tmp_path) as writer:
+        for i in range(5):
+            writer.append_event(Event(float(i), i, "setpoint", "operator", "speed", "30", "60"))
+        writer.commit()
+    path = tmp_path / "test.h5"
+    path.chmod(0o644)
+    with h5py.File(path, "r+") as file:
+        file["/entry/events/after"][2] = b"90"
+    with open_test(path) as reader:
+        assert reader.first_altered_event() == 2
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    steps=st.lists(
+        st.tuples(st.sampled_from(["rows", "cycle", "commit", "event"]), st.integers(1, 90)),
+        max_size=25,
+    )
+)
+def test_any_order_of_calls_reads_back(
+    tmp_path_factory: pytest.TempPathFactory, steps: list[tuple[str, int]]
+) -> None:
+    folder = tmp_path_factory.mktemp("steps")
+    rows = cycles = 0
+    with new_test(folder) as writer:
+        for step, number in steps:
+            if step == "rows":
+                for _ in range(number):
+                    rows += 1
+                    writer.append_row(row(rows))
+            elif step == "cycle":
+                cycles += writer.append_cycle(number * 10, cycle(number * 10))
+            elif step == "event":
+                writer.append_event(Event(0.0, number, "k", "s", "t" * number))
+            else:
+                assert writer.commit() == rows
+        assert writer.commit() == rows
+        with open_test(folder / "test.h5") as reader:
+            assert check(reader) == rows
+            assert reader.committed("cycles") == cycles
+            np.testing.assert_array_equal(
+                np.diff([*reader._file["/entry/cycles/first"][:cycles]]),
+                reader._file["/entry/cycles/count"][: max(0, cycles - 1)],
+            )
