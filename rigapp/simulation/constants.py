@@ -1,0 +1,192 @@
+"""From files to numbers: mechanism and rig file become the constants of the plant."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from importlib import resources
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.parameters import ParameterFile
+from rigapp.config.rig import PlantSection, RigFile
+from rigapp.simulation.layout import Constants
+
+
+@dataclass(frozen=True, slots=True)
+class Machine:
+    """Hold what neither the paper nor the rig file gives: spindle, motor, velocity loop [assumed].
+
+    The torque constant makes 48 V worth 800 rpm at no load; the velocity loop is critically damped.
+    """
+
+    flywheel_kg_m2: float = 0.0847
+    rotor_kg_m2: float = 0.002
+    bearing_torque_Nm: float = 0.1
+    bearing_viscous_Nm_s: float = 0.002
+    torque_constant_Nm_per_A: float = 0.573
+    resistance_ohm: float = 0.5
+    bandwidth_Hz: float = 20.0
+    supply_V: float = 48.0
+
+
+def packaged_parameters() -> ParameterFile:
+    """Return the built-in mechanism: the paper's values as examples/quick.toml has them."""
+    text = resources.files("rigapp.simulation").joinpath("mechanism.toml").read_text("utf-8")
+    return msgspec.toml.decode(text, type=ParameterFile)
+
+
+def plant_section(rig: RigFile) -> PlantSection:
+    """Return [simulation.plant], its defaults where the rig file has none."""
+    return rig.simulation.plant if rig.simulation is not None else PlantSection()
+
+
+def seed_of(rig: RigFile) -> int:
+    """Return the seed of the simulated rig's noise."""
+    return rig.simulation.seed if rig.simulation is not None else 1
+
+
+def plant_constants(
+    parameters: ParameterFile, rig: RigFile, machine: Machine | None = None
+) -> Constants:
+    """Return the plant's constants in SI units; raise UnusableInput for an impossible mechanism."""
+    machine = Machine() if machine is None else machine
+    plant = plant_section(rig)
+    m = parameters.mechanism
+    joint = parameters.joint
+    radius = m.crank_radius_mm * 1e-3
+    length = m.follower_length_mm * 1e-3
+    clearance = (joint.bushing_radius_mm - joint.pin_radius_mm) * 1e-3
+    stiffness, free = _spring(parameters, plant, radius + length)
+    sign = _lengthening_sign(stiffness, free, length)
+    _check(radius, length + sign * clearance, clearance)
+    crank = m.crank_inertia_kg_m2 + 0.25 * m.crank_mass_kg * radius**2
+    inertia = machine.flywheel_kg_m2 + machine.rotor_kg_m2 + crank
+    slider = (m.slider_mass_kg + m.added_mass_kg) * plant.slider_mass_factor
+    rate = 2.0 * math.pi * machine.bandwidth_Hz
+    mean_inertia = inertia + 0.5 * (m.follower_mass_kg + slider) * radius**2
+    friction = plant.joint_friction_coefficient
+    cell = _cell(rig, plant)
+    believed = np.linalg.norm(np.linalg.inv(_matrix(rig)), axis=1)
+    zero = rig.load_cell.zero_mV_per_V
+    volts = [1e6 / s for s in rig.probes.sensitivity_um_per_V]
+    constants = Constants(
+        crank_radius=radius,
+        follower_length=length,
+        lengthening_sign=sign,
+        crank_inertia=inertia,
+        crank_first_moment=0.5 * m.crank_mass_kg * radius,
+        follower_mass=m.follower_mass_kg,
+        follower_inertia=m.follower_inertia_kg_m2,
+        slider_mass=slider,
+        gravity_x=m.gravity_m_s2[0],
+        gravity_y=m.gravity_m_s2[1],
+        stiffness=stiffness,
+        free_position=free,
+        pin_radius=joint.pin_radius_mm * 1e-3,
+        bushing_radius=joint.bushing_radius_mm * 1e-3,
+        clearance=clearance,
+        width=joint.bushing_width_mm * 1e-3,
+        hertz=_hertz(parameters, clearance),
+        wear_coefficient=parameters.bushing.wear_coefficient_mm3_per_Nm
+        * 1e-9
+        * plant.wear_coefficient_factor,
+        joint_friction=friction / math.sqrt(1.0 + friction**2),
+        bearing_torque=machine.bearing_torque_Nm,
+        bearing_viscous=machine.bearing_viscous_Nm_s,
+        torque_limit=plant.motor_torque_limit_Nm,
+        torque_constant=machine.torque_constant_Nm_per_A,
+        resistance=machine.resistance_ohm,
+        proportional=rate * mean_inertia,
+        integral=0.25 * rate**2 * mean_inertia,
+        ripple=plant.speed_ripple_percent / 100.0,
+        run_out=plant.pin_run_out_um * 1e-6,
+        probe_noise=plant.probe_noise_um * 1e-6,
+        noise_1=plant.force_noise_N * believed[0],
+        noise_2=plant.force_noise_N * believed[1],
+        drift_1=plant.force_drift_N_per_hour / 3600.0 * believed[0],
+        drift_2=plant.force_drift_N_per_hour / 3600.0 * believed[1],
+        step_1=plant.force_resolution_N * believed[0],
+        step_2=plant.force_resolution_N * believed[1],
+        cell_11=cell[0, 0],
+        cell_12=cell[0, 1],
+        cell_21=cell[1, 0],
+        cell_22=cell[1, 1],
+        zero_1=zero[0],
+        zero_2=zero[1],
+        volts_per_metre_1=volts[0],
+        volts_per_metre_2=volts[1],
+        offset_1=rig.probes.offset_V[0],
+        offset_2=rig.probes.offset_V[1],
+        index_angle=math.radians(rig.encoder.index_angle_deg),
+        encoder_direction=rig.encoder.direction,
+    )
+    return Constants(*map(float, constants))
+
+
+def _spring(
+    parameters: ParameterFile, plant: PlantSection, outermost: float
+) -> tuple[float, float]:
+    """Return stiffness and free position; without a spring, stiffness 0."""
+    if parameters.spring is None:
+        return 0.0, outermost
+    stiffness = parameters.spring.stiffness_N_per_m * plant.spring_stiffness_factor
+    return stiffness, parameters.spring.free_position_mm * 1e-3
+
+
+def _lengthening_sign(stiffness: float, free_position: float, middle: float) -> float:
+    """Return +1 where the spring (or nothing) keeps the follower in tension, -1 in compression.
+
+    In tension the pin bears on the wall away from the wrist: the follower acts longer by c. In
+    compression the other wall bears: the same equations with -c.
+    """
+    return -1.0 if stiffness > 0.0 and free_position < middle else 1.0
+
+
+def _check(radius: float, length: float, clearance: float) -> None:
+    if clearance < 0.0:
+        raise UnusableInput(
+            "joint.bushing_radius_mm is smaller than joint.pin_radius_mm; the pin does not fit."
+        )
+    if not 0.0 < radius < length:
+        raise UnusableInput(
+            "mechanism.follower_length_mm must be greater than mechanism.crank_radius_mm (both"
+            " above 0), or the crank cannot turn."
+        )
+
+
+def _hertz(parameters: ParameterFile, clearance: float) -> float:
+    """Return (half angle of the elastic contact)^2 per newton, Hertz's line contact."""
+    if clearance <= 0.0:
+        return 0.0
+    joint = parameters.joint
+    compliance = sum(
+        (1.0 - body.poissons_ratio**2) / (body.youngs_modulus_MPa * 1e6)
+        for body in (parameters.bushing, parameters.pin)
+    )
+    pin = joint.pin_radius_mm * 1e-3
+    relative = pin * joint.bushing_radius_mm * 1e-3 / clearance
+    return 4.0 * relative * compliance / (math.pi * joint.bushing_width_mm * 1e-3 * pin**2)
+
+
+def _matrix(rig: RigFile) -> NDArray[np.float64]:
+    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, dtype=np.float64)
+    if abs(np.linalg.det(matrix)) < 1e-12:
+        raise UnusableInput(
+            "load_cell.matrix_N_per_mV_per_V is singular; no force could be told from the signals."
+        )
+    return matrix
+
+
+def _cell(rig: RigFile, plant: PlantSection) -> NDArray[np.float64]:
+    """Return the true cell, mV/V per N on the pin: the rig file's matrix with cross-talk x.
+
+    True force = (I + X) matrix signal with X = [[0, x], [x, 0]], so that the operator, who
+    believes the matrix, reads component 1 too low by x times component 2, and the reverse.
+    """
+    x = plant.cross_talk_percent / 100.0
+    true = np.array([[1.0, x], [x, 1.0]]) @ _matrix(rig)
+    return np.asarray(np.linalg.inv(true), dtype=np.float64)

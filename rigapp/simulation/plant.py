@@ -1,0 +1,194 @@
+"""The plant of the simulated rig: time in, terminals and truth out.
+
+Crank angle and speed are states; the drive's command is what moves them. One compiled call advances
+a chunk. Signals are electrical, in mV/V and V.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from rigapp.simulation import layout, mechanics, sensing, stepping
+from rigapp.simulation.layout import Array, Constants, Drive
+
+LONGEST_STEP_S = 1.0 / 900.0
+START_BEFORE_REST_RAD = math.radians(3.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """Tell what really was at each sample: arrays of one length, SI units.
+
+    Force on the follower by the pin, in the crank frame, at the sample's own instant (the terminals
+    see it late); wear depth at the contact.
+    """
+
+    time_s: Array
+    angle_rad: Array
+    speed_rad_per_s: Array
+    force_e1_N: Array
+    force_n1_N: Array
+    wear_depth_m: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Samples:
+    """Carry what the terminals see: shaft in revolutions as the encoder turns, mV/V, V."""
+
+    first_sample: int
+    shaft_revolutions: Array
+    bridge_1: Array
+    bridge_2: Array
+    probe_1: Array
+    probe_2: Array
+    truth: Truth
+
+
+@dataclass(frozen=True, slots=True)
+class PlantState:
+    """Tell the plant's state at one moment, SI units."""
+
+    time_s: float
+    angle_rad: float
+    speed_rad_per_s: float
+    acceleration_rad_per_s2: float
+    motor_torque_Nm: float
+    motor_current_A: float
+    joint_force_N: float
+    wear_depth_m: float
+    worn_area_m2: float
+    samples: int
+    motor_work_J: float
+    friction_loss_J: float
+    kinetic_energy_J: float
+    potential_energy_J: float
+
+
+class Plant:
+    """Run the plant; one thread at a time."""
+
+    def __init__(
+        self,
+        constants: Constants,
+        *,
+        seed: int = 1,
+        filter_delay_s: float = 0.0,
+        sample_rate_Hz: float = 960.0,
+        angle_rad: float | None = None,
+        longest_step_s: float = LONGEST_STEP_S,
+    ) -> None:
+        """Start at rest: at angle_rad, or just before where the crank rests by itself."""
+        self.constants = Constants(*map(float, constants))
+        self._seed = np.uint64(seed % 2**64)
+        self._delay = filter_delay_s
+        self._longest = longest_step_s
+        self._state = np.zeros(layout.STATES)
+        self._counters = np.zeros(layout.COUNTERS, dtype=np.int64)
+        start = rest_angle(constants) - START_BEFORE_REST_RAD if angle_rad is None else angle_rad
+        self._state[layout.ANGLE] = start
+        self._rate = 0.0
+        self._ring = np.empty((4, 0))
+        self.set_sample_rate(sample_rate_Hz)
+
+    def set_sample_rate(self, sample_rate_Hz: float) -> None:
+        """Take samples at another rate from now on; raise ValueError when it is not positive."""
+        if not sample_rate_Hz > 0.0:
+            raise ValueError(f"sample rate {sample_rate_Hz} Hz is not positive")
+        if sample_rate_Hz == self._rate:
+            return
+        self._rate = sample_rate_Hz
+        self._steps_per_sample = max(1, math.ceil(1.0 / (sample_rate_Hz * self._longest) - 1e-9))
+        self.step_s = 1.0 / (sample_rate_Hz * self._steps_per_sample)
+        self._delay_steps = self._delay / self.step_s
+        size = math.ceil(self._delay_steps) + 4
+        self._ring = np.repeat(self._present()[:, np.newaxis], size, axis=1)
+        self._counters[layout.PHASE] = 0
+        self._counters[layout.HEAD] = 0
+
+    @property
+    def sample_rate_Hz(self) -> float:
+        """Return the sample rate."""
+        return self._rate
+
+    def advance(self, steps: int, drive: Drive) -> Samples:
+        """Advance by ``steps`` steps of ``step_s`` under a command; return the samples due."""
+        room = steps // self._steps_per_sample + 1
+        out = np.empty((layout.ROWS, room))
+        first = int(self._counters[layout.SAMPLE])
+        if drive.mode != layout.VELOCITY:
+            self._state[layout.INTEGRAL] = 0.0
+        count = stepping.advance(
+            self.constants,
+            Drive(*map(float, drive)),
+            self._state,
+            self._counters,
+            self._ring,
+            out,
+            steps,
+            self._steps_per_sample,
+            self.step_s,
+            self._delay_steps,
+            self._seed,
+        )
+        return _samples(first, out[:, :count])
+
+    def state(self) -> PlantState:
+        """Return the present state."""
+        s = self._state
+        kinetic, potential = mechanics.energy(
+            self.constants, s[layout.ANGLE], s[layout.SPEED], s[layout.DEPTH]
+        )
+        return PlantState(
+            time_s=float(s[layout.TIME]),
+            angle_rad=float(s[layout.ANGLE]),
+            speed_rad_per_s=float(s[layout.SPEED]),
+            acceleration_rad_per_s2=float(s[layout.ACCELERATION]),
+            motor_torque_Nm=float(s[layout.TORQUE]),
+            motor_current_A=float(s[layout.CURRENT]),
+            joint_force_N=float(s[layout.FORCE]),
+            wear_depth_m=float(s[layout.DEPTH]),
+            worn_area_m2=float(s[layout.AREA]),
+            samples=int(self._counters[layout.SAMPLE]),
+            motor_work_J=float(s[layout.WORK]),
+            friction_loss_J=float(s[layout.LOSS]),
+            kinetic_energy_J=kinetic,
+            potential_energy_J=potential,
+        )
+
+    def _present(self) -> Array:
+        """Return what the sensors would see now, for the filters' past at a change of rate."""
+        if self._ring.shape[1] > 0:
+            return self._ring[:, int(self._counters[layout.HEAD])].copy()
+        angle, depth = self._state[layout.ANGLE], self._state[layout.DEPTH]
+        fx, fy, _ = mechanics.resting(self.constants, angle, depth)
+        return np.array(sensing.views(self.constants, angle, depth, fx, fy, 0.0))
+
+
+def rest_angle(constants: Constants) -> float:
+    """Return the crank angle (rad, 0 ... 2 pi) of least potential energy: spring and weight."""
+    angles = np.linspace(0.0, 2.0 * math.pi, 721)[:-1]
+    potential = [mechanics.energy(constants, angle, 0.0, 0.0)[1] for angle in angles]
+    return float(angles[int(np.argmin(potential))])
+
+
+def _samples(first: int, out: Array) -> Samples:
+    truth = Truth(
+        time_s=out[layout.OUT_TIME],
+        angle_rad=out[layout.OUT_ANGLE],
+        speed_rad_per_s=out[layout.OUT_SPEED],
+        force_e1_N=out[layout.OUT_FORCE_1],
+        force_n1_N=out[layout.OUT_FORCE_2],
+        wear_depth_m=out[layout.OUT_DEPTH],
+    )
+    return Samples(
+        first_sample=first,
+        shaft_revolutions=out[layout.OUT_SHAFT],
+        bridge_1=out[layout.OUT_BRIDGE_1],
+        bridge_2=out[layout.OUT_BRIDGE_2],
+        probe_1=out[layout.OUT_PROBE_1],
+        probe_2=out[layout.OUT_PROBE_2],
+        truth=truth,
+    )
