@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 from pathlib import Path
@@ -28,8 +29,7 @@ class Disk:
 
     def write(self, data: Bytes, offset: int) -> None:
         """Write all of ``data`` at ``offset``; raises StorageFailed."""
-        if self._failure:
-            raise StorageFailed(self._failure)
+        self.refuse_broken()
         size = len(data)
         try:
             done = os.pwrite(self.fd, data, offset)
@@ -41,12 +41,16 @@ class Disk:
 
     def sync(self) -> None:
         """Return when all bytes written before are on the disk; raises StorageFailed."""
-        if self._failure:
-            raise StorageFailed(self._failure)
+        self.refuse_broken()
         try:
             os.fdatasync(self.fd)
         except OSError as error:
             raise self._failed("syncing", error) from error
+
+    def refuse_broken(self) -> None:
+        """Raise StorageFailed again after a failure."""
+        if self._failure:
+            raise StorageFailed(self._failure)
 
     def reserve(self, offset: int, length: int) -> None:
         """Reserve disk space for a range; raises OSError (ENOSPC, EDQUOT, EFBIG)."""
@@ -57,6 +61,11 @@ class Disk:
         except OSError as error:
             if error.errno not in (errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL):
                 raise
+
+    def forget(self, offset: int, length: int) -> None:
+        """Let go of synced pages in memory, so that a long test keeps no more than it needs."""
+        with contextlib.suppress(OSError, AttributeError):
+            os.posix_fadvise(self.fd, offset, length, os.POSIX_FADV_DONTNEED)
 
     def _failed(self, doing: str, error: OSError) -> StorageFailed:
         self._failure = (

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.storage.backlog import Backlog
 from rigapp.storage.disk import Disk
-from rigapp.storage.layout import Field, Stream
+from rigapp.storage.layout import Stream
 
 Float = NDArray[np.float64]
 Offsets = dict[str, int]
@@ -50,76 +51,69 @@ class Room:
 
 
 class RowBuffer:
-    """Collect rows of scalar columns and place them a column at a time.
+    """Collect rows of scalar columns and hand them to the backlog a column at a time.
 
-    Appending copies into memory; every ``rows`` rows the caller's thread places them. ``pending``
-    and ``placed`` let another thread place what is left without ever keeping ``append`` waiting
-    for the disk.
+    ``pending`` copies what is not yet handed over, so that the committing thread can place it while
+    appending goes on.
     """
 
     def __init__(
-        self, disk: Disk, stream: Stream, offsets: Offsets, room: Room, count: int, rows: int
+        self, backlog: Backlog, stream: Stream, offsets: Offsets, room: Room, count: int, rows: int
     ) -> None:
-        self._disk = disk
+        self._backlog = backlog
         self._fields = stream.fields
         self._offsets = [offsets[one.name] for one in stream.fields]
         self._room = room
         self._size = rows
-        self._block: Float = np.zeros((len(stream.fields), rows))
-        self._rows: Float = self._block.T
-        self._base = count
-        self._placed = count
-        self._fill = 0
         self._lock = threading.Lock()
+        self._placed = count
         self.count = count
+        self._begin_block()
 
     def append(self, values: Float | Sequence[float]) -> bool:
         """Take one row, in the order of the stream's fields; False when there is no room for it."""
         with self._lock:
             if self.count >= self._room.reserved and not self._room.holds(self.count + 1):
                 return False
-            if self._fill == self._size:
-                self._place_full()
             self._rows[self._fill] = values
             self._fill += 1
             self.count += 1
-            return True
+            if self._fill == self._size:
+                self._hand_over(self._placed, self._block[:, self._placed - self._base :])
+                self._placed = self.count
+                self._begin_block()
+        self._backlog.assist(2)
+        return True
 
-    def _place_full(self) -> None:
-        block = self._block[:, self._placed - self._base :]
-        _place_block(self._disk, self._fields, self._offsets, block, self._placed)
-        self._base = self._placed = self.count
-        self._fill = 0
-
-    def pending(self) -> tuple[int, Float, int]:
-        """Return first row, copied block (columns, rows) and count of what is not yet placed."""
+    def hand_over_pending(self) -> int:
+        """Hand what is left to the backlog; return the rows that are in it or in the file."""
         with self._lock:
-            block = self._block[:, self._placed - self._base : self._fill].copy()
-            return self._placed, block, self.count
+            first, count = self._placed, self.count
+            block = self._block[:, first - self._base : self._fill].copy()
+            self._placed = count
+        self._hand_over(first, block)
+        return count
 
-    def place(self, first: int, block: Float) -> None:
-        """Place what ``pending`` returned; called by the committing thread alone."""
+    def _begin_block(self) -> None:
+        self._base = self.count
+        self._fill = 0
+        self._block: Float = np.empty((len(self._fields), self._size))
+        self._rows: Float = self._block.T
+
+    def _hand_over(self, first: int, block: Float) -> None:
         if block.shape[1] == 0:
             return
-        _place_block(self._disk, self._fields, self._offsets, block, first)
-        with self._lock:
-            self._placed = max(self._placed, first + block.shape[1])
-
-
-def _place_block(
-    disk: Disk, fields: Sequence[Field], offsets: Sequence[int], block: Float, first: int
-) -> None:
-    for one, offset, column in zip(fields, offsets, block, strict=True):
-        if one.dtype != "<f8":
-            column = column.astype(one.dtype)
-        disk.write(_bytes_of(column), offset + first * column.itemsize)
+        for one, offset, column in zip(self._fields, self._offsets, block, strict=True):
+            if one.dtype != "<f8":
+                column = column.astype(one.dtype)
+            self._backlog.put(_bytes_of(column), offset + first * column.itemsize)
 
 
 class RecordPlacer:
-    """Place whole records (cycles' samples, curves, events) at once, from the caller's thread."""
+    """Hand whole records (cycles' samples, curves, events) to the backlog."""
 
-    def __init__(self, disk: Disk, stream: Stream, offsets: Offsets, room: Room) -> None:
-        self._disk = disk
+    def __init__(self, backlog: Backlog, stream: Stream, offsets: Offsets, room: Room) -> None:
+        self._backlog = backlog
         self._stream = stream
         self._offsets = offsets
         self._room = room
@@ -129,15 +123,18 @@ class RecordPlacer:
         return rows <= self._room.reserved or self._room.holds(rows)
 
     def place(self, first: int, rows: int, value_of: Callable[[str], Any]) -> None:
-        """Place ``rows`` rows from row ``first`` on; ``value_of`` gives each field's array."""
+        """Copy ``rows`` rows from row ``first`` on; ``value_of`` gives each field's array."""
+        copies = []
         for one in self._stream.fields:
-            data = np.ascontiguousarray(value_of(one.name), dtype=one.dtype)
+            data = np.array(value_of(one.name), dtype=one.dtype, order="C")
             if data.size * data.itemsize != rows * one.row_bytes:
                 raise ValueError(
                     f"{self._stream.path(one.name)}: got {data.shape}, "
                     f"wanted {(rows, *one.shape)} values"
                 )
-            self._disk.write(_bytes_of(data), self._offsets[one.name] + first * one.row_bytes)
+            copies.append((_bytes_of(data), self._offsets[one.name] + first * one.row_bytes))
+        for copy, offset in copies:
+            self._backlog.put(copy, offset)
 
 
 def _bytes_of(array: NDArray[Any]) -> memoryview:

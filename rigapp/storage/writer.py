@@ -16,6 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import Event
+from rigapp.storage.backlog import Backlog
+from rigapp.storage.build import PAGE
 from rigapp.storage.create import Places, create_file, refuse_little_space, state_dtypes
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import NoRoom, StorageFailed
@@ -96,6 +98,7 @@ class TestWriter:
         self.plan = plan
         self.revolutions_committed = counts.revolutions
         self._disk = disk
+        self._backlog = Backlog(disk)
         self._places = places
         self._counts = counts
         self._streams = streams_of(plan)
@@ -109,7 +112,10 @@ class TestWriter:
         self._predictions = self._row_buffer("prediction", counts.prediction)
         self._records = {
             name: RecordPlacer(
-                disk, self._streams[name], self._offsets(self._streams[name]), self._rooms[name]
+                self._backlog,
+                self._streams[name],
+                self._offsets(self._streams[name]),
+                self._rooms[name],
             )
             for name in ("cycles", "samples", "curves", "events")
         }
@@ -118,6 +124,7 @@ class TestWriter:
         self._event_lock = threading.Lock()
         self._count_lock = threading.Lock()
         self._commit_lock = threading.Lock()
+        self._samples_synced = counts.samples
         self._closed = False
         self._finished = False
         self._put("writer", f"process {os.getpid()} on {socket.gethostname()}")
@@ -176,6 +183,7 @@ class TestWriter:
             with self._count_lock:
                 counts.samples = first + number
                 counts.cycles = row + 1
+        self._backlog.assist(4)
         return True
 
     def append_prediction(
@@ -305,18 +313,28 @@ class TestWriter:
                 for name in _COUNTERS
                 if name not in ("revolutions", "prediction")
             }
-        for name, buffer in (("revolutions", self._rows), ("prediction", self._predictions)):
-            first, block, now[name] = buffer.pending()
-            buffer.place(first, block)
+            samples = self._counts.samples
+        now["revolutions"] = self._rows.hand_over_pending()
+        now["prediction"] = self._predictions.hand_over_pending()
+        self._backlog.drain()
         changed = [name for name in _COUNTERS if now[name] != self._written[name]]
         if changed:
             self._disk.sync()
             for name in changed:
                 self._put_at(_COUNTERS[name], now[name])
             self._disk.sync()
+            self._forget_samples(self._samples_synced, samples)
             self._written = now
             self.revolutions_committed = now["revolutions"]
         return self.revolutions_committed
+
+    def _forget_samples(self, first: int, stop: int) -> None:
+        """Drop synced samples from the page cache: nothing of the test reads them again."""
+        for one in self._streams["samples"].fields:
+            offset = self._places[self._streams["samples"].path(one.name)][0]
+            start = (offset + first * one.row_bytes) // PAGE * PAGE
+            self._disk.forget(start, offset + stop * one.row_bytes - start)
+        self._samples_synced = stop
 
     def _append_event(self, event: Event, kept_back: int) -> bool:
         with self._event_lock:
@@ -350,7 +368,7 @@ class TestWriter:
     def _row_buffer(self, name: str, count: int) -> RowBuffer:
         stream = self._streams[name]
         return RowBuffer(
-            self._disk, stream, self._offsets(stream), self._rooms[name], count, ROWS_BUFFERED
+            self._backlog, stream, self._offsets(stream), self._rooms[name], count, ROWS_BUFFERED
         )
 
     def _offsets(self, stream: Stream) -> dict[str, int]:

@@ -1,0 +1,71 @@
+"""Keep what is to be written in memory until a thread that may wait for the disk places it."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+
+from rigapp.storage.disk import Disk
+
+SOFT_LIMIT = 4 << 20
+HARD_LIMIT = 64 << 20
+
+
+class Backlog:
+    """Hold writes (offset, bytes) in order, bounded, between appending and committing.
+
+    Policy: up to SOFT_LIMIT bytes an append only copies into memory, so that a disk that stalls
+    delays nobody. Above it each append places ``share`` writes itself. Above HARD_LIMIT it places
+    until the backlog is below: then the disk is slower than the data, and the caller must feel it.
+    Nothing is ever dropped.
+    """
+
+    def __init__(self, disk: Disk) -> None:
+        self._disk = disk
+        self._writes: deque[tuple[memoryview, int]] = deque()
+        self._lock = threading.Lock()
+        self._placing = threading.Lock()
+        self.bytes = 0
+
+    def put(self, data: memoryview, offset: int) -> None:
+        """Add a write; ``data`` must not change afterwards. Raises StorageFailed."""
+        self._disk.refuse_broken()
+        with self._lock:
+            self._writes.append((data, offset))
+            self.bytes += len(data)
+
+    def assist(self, share: int) -> None:
+        """Place writes as the policy asks; called by each append. Raises StorageFailed."""
+        if self.bytes <= SOFT_LIMIT:
+            return
+        while (share > 0 or self.bytes > HARD_LIMIT) and self._place_one():
+            share -= 1
+
+    def drain(self) -> None:
+        """Return when everything put before the call is in the file. Raises StorageFailed."""
+        for _ in range(len(self._writes)):
+            write = self._pop()
+            if write is None:
+                break
+            self._disk.write(*write)
+        with self._placing:
+            self._disk.refuse_broken()
+
+    def _place_one(self) -> bool:
+        if not self._placing.acquire(blocking=self.bytes > HARD_LIMIT):
+            return False
+        try:
+            write = self._pop()
+            if write is not None:
+                self._disk.write(*write)
+            return write is not None
+        finally:
+            self._placing.release()
+
+    def _pop(self) -> tuple[memoryview, int] | None:
+        with self._lock:
+            if not self._writes:
+                return None
+            write = self._writes.popleft()
+            self.bytes -= len(write[0])
+            return write
