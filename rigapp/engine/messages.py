@@ -53,6 +53,8 @@ class Flag(enum.IntFlag):
     REVERSED = 32
     PARTIAL = 64
     TIME_JUMP = 128
+    PAUSED = 256
+    RAMP = 512
 
 
 class Severity(enum.StrEnum):
@@ -194,8 +196,8 @@ class RevolutionMeasured(msgspec.Struct, frozen=True):
 class Snapshot(msgspec.Struct, frozen=True):
     """Carry what is new since the last snapshot to a viewer, at most 30 times a second.
 
-    rows: float64 (n, columns) of ``revolution_columns`` as bytes; rows are dropped oldest first when
-    a viewer lags, and ``first_row`` shows the gap.
+    rows: float64 (n, columns) of ``revolution_columns`` as bytes; rows are dropped oldest first
+    when a viewer lags, and ``first_row`` shows the gap.
     predictions: float64 (m, columns) of ``prediction_columns`` as bytes.
     """
 

@@ -1,0 +1,226 @@
+"""Turn raw samples into forces and pin positions with the calibration frozen at the start.
+
+The load cell gives force on the pin = matrix (signal - zero) in the crank frame. The joint force F
+is the one on the follower by the pin: F = -(force on the pin). force_1 is its component along the
+crank (e1), force_2 the one across it (n1). Probes: position = sensitivity (voltage - offset), in
+the follower frame.
+
+Latency. The analog filter delays a channel by ``latency``, the counter has no delay: the value that
+belongs to the count of sample i is the signal at i + latency * rate. It is interpolated linearly
+between its two neighbours, which can neither overshoot nor invent a peak. The neighbours beyond the
+end of a revolution are the first samples of the next one, so a revolution is calibrated when these
+have arrived; across a break in time the nearest sample is held, and the revolution is flagged.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.api import ChannelSpec, StreamSetup
+from rigapp.config.errors import UnusableInput
+from rigapp.config.rig import RigFile
+from rigapp.engine.assembler import EncoderSetup, Margins, Revolution, Values
+
+ANALOG = ("force_1", "force_2", "probe_1", "probe_2")
+"""What the four analog inputs carry, in the order of every four-row array here."""
+
+LARGEST_CONDITION = 1e6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Calibration:
+    """Hold what turns the raw samples of one test into N and um.
+
+    rows: row in the Block of the four analog inputs (``ANALOG``) and of the counter. scale,
+    offset: (4,) electrical signal = scale raw + offset. matrix: (2, 2) N per signal unit. zero:
+    (2,) signal units; tare: (2,) further zero found with the pin unloaded. sensitivity: (2,) um/V.
+    probe_offset: (2,) V. latency_s: (4,). index_angle_rad: crank angle at the index.
+    """
+
+    rows: tuple[int, int, int, int]
+    counter_row: int
+    encoder: EncoderSetup
+    index_angle_rad: float
+    sample_rate_Hz: float
+    scale: NDArray[np.float64]
+    offset: NDArray[np.float64]
+    matrix: NDArray[np.float64]
+    zero: NDArray[np.float64]
+    sensitivity: NDArray[np.float64]
+    probe_offset: NDArray[np.float64]
+    latency_s: NDArray[np.float64]
+    units: tuple[str, str, str, str] = ("mV/V", "mV/V", "V", "V")
+    tare: NDArray[np.float64] = field(default_factory=lambda: np.zeros(2))
+    counter_scale: float = 1.0
+    counter_offset: float = 0.0
+    names: tuple[str, str] = ("", "")
+
+    @property
+    def margins(self) -> Margins:
+        """Return the neighbouring samples that the latency correction needs."""
+        whole, part = self.shift
+        after = np.where(part > 0, whole + 1, whole)
+        return Margins(before=max(0, int(-whole.min())), after=max(0, int(after.max())))
+
+    @property
+    def shift(self) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+        """Return latency * rate as whole samples (4,) and the fraction 0 .. 1 (4,)."""
+        samples = np.round(self.latency_s * self.sample_rate_Hz, 9)
+        whole = np.floor(samples)
+        return whole.astype(np.int64), samples - whole
+
+    def gains(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return gain (4, 4) and bias (4,): ``ANALOG`` in N and um = gain raw + bias."""
+        gain, bias = np.zeros((4, 4)), np.zeros(4)
+        force = -self.matrix
+        gain[:2, :2] = force * self.scale[:2]
+        bias[:2] = force @ (self.offset[:2] - self.zero - self.tare)
+        gain[2, 2], gain[3, 3] = self.sensitivity * self.scale[2:]
+        bias[2:] = self.sensitivity * (self.offset[2:] - self.probe_offset)
+        return gain, bias
+
+    def signals(self, values: Values) -> NDArray[np.float64]:
+        """Return the electrical signals (4, samples) of a Block's values."""
+        raw = values[list(self.rows)].astype(np.float64)
+        return np.asarray(raw * self.scale[:, None] + self.offset[:, None], np.float64)
+
+    def with_tare(self, tare: Sequence[float]) -> Calibration:
+        """Return this calibration with another tare, in signal units."""
+        return replace(self, tare=np.asarray(tare, np.float64))
+
+
+def shifted(revolution: Revolution, calibration: Calibration) -> NDArray[np.float64]:
+    """Return the four raw analog channels (4, samples), latency corrected."""
+    whole, part = calibration.shift
+    out = np.empty((4, revolution.samples))
+    last = revolution.values.shape[1] - 1
+    place = np.arange(revolution.samples) + revolution.before
+    for i, row in enumerate(calibration.rows):
+        raw = revolution.values[row]
+        left = np.clip(place + whole[i], 0, last)
+        out[i] = raw[left]
+        if part[i] > 0:
+            right = np.clip(place + whole[i] + 1, 0, last)
+            out[i] += part[i] * (raw[right].astype(np.float64) - out[i])
+    return out
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Calibrated:
+    """Carry a calibrated revolution, arrays of (samples,).
+
+    angle_rad: crank angle of each sample, from the whole counts. time_s: device time since the
+    sample with index 0. Forces in N in the crank frame, probes in um in the follower frame.
+    """
+
+    angle_rad: NDArray[np.float64]
+    time_s: NDArray[np.float64]
+    force_1: NDArray[np.float64]
+    force_2: NDArray[np.float64]
+    force: NDArray[np.float64]
+    probe_1: NDArray[np.float64]
+    probe_2: NDArray[np.float64]
+
+
+def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
+    """Return the revolution in engineering units."""
+    gain, bias = calibration.gains()
+    values = gain @ shifted(revolution, calibration) + bias[:, None]
+    turn = calibration.encoder.counts_per_revolution
+    return Calibrated(
+        angle_rad=np.asarray(
+            calibration.index_angle_rad + revolution.counts * (2 * math.pi / turn), np.float64
+        ),
+        time_s=revolution.sample_indices() / revolution.sample_rate_Hz,
+        force_1=values[0],
+        force_2=values[1],
+        force=np.hypot(values[0], values[1]),
+        probe_1=values[2],
+        probe_2=values[3],
+    )
+
+
+def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
+    """Freeze the calibration of a rig file for a device set up so; raise UnusableInput."""
+    names = (
+        rig.load_cell.input_1,
+        rig.load_cell.input_2,
+        rig.probes.input_1,
+        rig.probes.input_2,
+    )
+    keys = ("load_cell.input_1", "load_cell.input_2", "probes.input_1", "probes.input_2")
+    specs = [_spec(setup, name, key) for name, key in zip(names, keys, strict=True)]
+    counter_row, counter = _spec(setup, rig.encoder.input, "encoder.input")
+    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
+    _check_matrix(matrix)
+    sensitivity = np.array(rig.probes.sensitivity_um_per_V, np.float64)
+    latency = np.array((*rig.load_cell.latency_ms, *rig.probes.latency_ms), np.float64) / 1e3
+    zero = np.array(rig.load_cell.zero_mV_per_V, np.float64)
+    probe_offset = np.array(rig.probes.offset_V, np.float64)
+    for key, array in (
+        ("load_cell.zero_mV_per_V", zero),
+        ("probes.sensitivity_um_per_V", sensitivity),
+        ("probes.offset_V", probe_offset),
+        ("latency_ms", latency),
+    ):
+        if not np.isfinite(array).all():
+            raise UnusableInput(f"rig file: {key} holds a value that is not a number; correct it")
+    if (sensitivity == 0).any():
+        raise UnusableInput("rig file: probes.sensitivity_um_per_V holds 0; calibrate the probes")
+    if (abs(latency) > 0.1).any():
+        raise UnusableInput("rig file: latency_ms must lie between -100 and 100 ms; correct it")
+    lines = 4 if rig.encoder.quadrature == "before" else 1
+    modulus = 0
+    if counter.minimum is not None and counter.maximum is not None:
+        modulus = round(counter.maximum - counter.minimum) + 1
+    turn = rig.encoder.counts_per_revolution * lines
+    if rig.encoder.restarts_at_index and modulus <= 2 * turn:
+        modulus = 0
+    return Calibration(
+        rows=(specs[0][0], specs[1][0], specs[2][0], specs[3][0]),
+        counter_row=counter_row,
+        encoder=EncoderSetup(
+            counts_per_revolution=turn,
+            direction=rig.encoder.direction,
+            restarts_at_index=rig.encoder.restarts_at_index,
+            modulus=modulus,
+        ),
+        index_angle_rad=math.radians(rig.encoder.index_angle_deg),
+        sample_rate_Hz=setup.sample_rate_Hz,
+        scale=np.array([spec.scale for _, spec in specs]),
+        offset=np.array([spec.offset for _, spec in specs]),
+        matrix=matrix,
+        zero=zero,
+        sensitivity=sensitivity,
+        probe_offset=probe_offset,
+        latency_s=latency,
+        units=(specs[0][1].unit, specs[1][1].unit, specs[2][1].unit, specs[3][1].unit),
+        counter_scale=counter.scale,
+        counter_offset=counter.offset,
+        names=(rig.load_cell.calibration, rig.probes.calibration),
+    )
+
+
+def _spec(setup: StreamSetup, name: str, key: str) -> tuple[int, ChannelSpec]:
+    for row, spec in enumerate(setup.channels):
+        if spec.name == name:
+            return row, spec
+    sent = ", ".join(spec.name for spec in setup.channels)
+    raise UnusableInput(
+        f"rig file: {key} = {name!r} is not among what the device sends ({sent}); correct the key"
+    )
+
+
+def _check_matrix(matrix: NDArray[np.float64]) -> None:
+    key = "rig file: load_cell.matrix_N_per_mV_per_V"
+    if not np.isfinite(matrix).all():
+        raise UnusableInput(f"{key} holds a value that is not a number; calibrate the load cell")
+    if np.linalg.cond(matrix) > LARGEST_CONDITION:
+        raise UnusableInput(
+            f"{key} is singular: its two bridges would show the same force; calibrate the load cell"
+        )

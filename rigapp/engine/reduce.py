@@ -1,0 +1,254 @@
+"""Reduce a revolution to its statistics: one compiled pass from raw samples to the stored row.
+
+Latency shift, calibration, |F|, extremes, moments and speed are fused, so that the samples are read
+from memory once. Sums run in ``LANES`` independent lanes, which lets the compiler use vector
+instructions without being allowed to reorder floating-point arithmetic (fastmath stays off).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.engine.assembler import Revolution
+from rigapp.engine.calibrate import Calibration
+from rigapp.engine.columns import CHANNELS, STATISTICS, revolution_columns
+
+Array = NDArray[np.float64]
+
+HEAD = len(revolution_columns()) - len(CHANNELS) * len(STATISTICS)
+"""Columns of a row before the first statistic of a channel."""
+
+NAMES = tuple(column.name for column in revolution_columns())
+PLACE = {name: place for place, name in enumerate(NAMES)}
+"""Column name -> place in a row."""
+
+SPEED_WINDOWS = 36
+"""Local speed is the slope of a straight line fitted to this part of a revolution."""
+
+_SIGNATURE = (
+    "void({0}[::1], {0}[::1], {0}[::1], {0}[::1], int64[::1], float64[::1], float64[:, ::1],"
+    " float64[::1], int64[::1], int64[:, ::1], float64[:, ::1], float64[::1], float64[::1])"
+)
+
+
+@numba.njit(
+    "void(float64[::1], int64, int64[::1], float64[::1])", cache=True, nogil=True, inline="never"
+)
+def _extremes_and_moments(x: Array, n: int, counts: NDArray[np.int64], out: Array) -> None:
+    """Write max, min, RMS, mean and the count at the first maximum of x[:n] to out[:5]."""
+    s0 = s1 = s2 = s3 = 0.0
+    q0 = q1 = q2 = q3 = 0.0
+    a0 = a1 = a2 = a3 = x[0]
+    b0 = b1 = b2 = b3 = x[0]
+    whole = n - n % 4
+    for i in range(0, whole, 4):
+        v0, v1, v2, v3 = x[i], x[i + 1], x[i + 2], x[i + 3]
+        s0 += v0
+        s1 += v1
+        s2 += v2
+        s3 += v3
+        q0 += v0 * v0
+        q1 += v1 * v1
+        q2 += v2 * v2
+        q3 += v3 * v3
+        a0 = v0 if v0 > a0 else a0
+        a1 = v1 if v1 > a1 else a1
+        a2 = v2 if v2 > a2 else a2
+        a3 = v3 if v3 > a3 else a3
+        b0 = v0 if v0 < b0 else b0
+        b1 = v1 if v1 < b1 else b1
+        b2 = v2 if v2 < b2 else b2
+        b3 = v3 if v3 < b3 else b3
+    for i in range(whole, n):
+        v0 = x[i]
+        s0 += v0
+        q0 += v0 * v0
+        a0 = v0 if v0 > a0 else a0
+        b0 = v0 if v0 < b0 else b0
+    largest = max(max(a0, a1), max(a2, a3))
+    place = 0
+    for i in range(n):
+        if x[i] == largest:
+            place = i
+            break
+    out[0] = largest
+    out[1] = min(min(b0, b1), min(b2, b3))
+    out[2] = math.sqrt(((q0 + q1) + (q2 + q3)) / n)
+    out[3] = ((s0 + s1) + (s2 + s3)) / n
+    out[4] = counts[place]
+
+
+def _reduce(
+    raw_1: Array,
+    raw_2: Array,
+    raw_3: Array,
+    raw_4: Array,
+    start: NDArray[np.int64],
+    part: Array,
+    gain: Array,
+    bias: Array,
+    counts: NDArray[np.int64],
+    segments: NDArray[np.int64],
+    scratch: Array,
+    speed: Array,
+    out: Array,
+) -> None:
+    n = counts.shape[0]
+    g11, g12, g21, g22 = gain[0, 0], gain[0, 1], gain[1, 0], gain[1, 1]
+    c1, c2 = bias[0], bias[1]
+    first, second, total = scratch[0], scratch[1], scratch[2]
+    p1, p2 = part[0], part[1]
+    a, b = raw_1[start[0] :], raw_2[start[1] :]
+    if p1 == 0.0 and p2 == 0.0:
+        for i in range(n):
+            u, v = float(a[i]), float(b[i])
+            x = g11 * u + g12 * v + c1
+            y = g21 * u + g22 * v + c2
+            first[i] = x
+            second[i] = y
+            total[i] = math.sqrt(x * x + y * y)
+    else:
+        w1, w2 = 1.0 - p1, 1.0 - p2
+        e1, e2 = 1 if p1 > 0 else 0, 1 if p2 > 0 else 0
+        a_next, b_next = raw_1[start[0] + e1 :], raw_2[start[1] + e2 :]
+        for i in range(n):
+            u = w1 * a[i] + p1 * a_next[i]
+            v = w2 * b[i] + p2 * b_next[i]
+            x = g11 * u + g12 * v + c1
+            y = g21 * u + g22 * v + c2
+            first[i] = x
+            second[i] = y
+            total[i] = math.sqrt(x * x + y * y)
+    _extremes_and_moments(first, n, counts, out[0:5])
+    _extremes_and_moments(second, n, counts, out[5:10])
+    _extremes_and_moments(total, n, counts, out[10:15])
+    for k in range(2):
+        raw = raw_3 if k == 0 else raw_4
+        g, c, p = gain[2 + k, 2 + k], bias[2 + k], part[2 + k]
+        a = raw[start[2 + k] :]
+        if p == 0.0:
+            for i in range(n):
+                first[i] = g * a[i] + c
+        else:
+            w = 1.0 - p
+            a_next = raw[start[2 + k] + 1 :]
+            for i in range(n):
+                first[i] = g * (w * a[i] + p * a_next[i]) + c
+        _extremes_and_moments(first, n, counts, out[15 + 5 * k : 20 + 5 * k])
+    _local_speed(counts, segments, speed)
+
+
+@numba.njit("void(int64[::1], int64[:, ::1], float64[::1])", cache=True, nogil=True)
+def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Array) -> None:
+    """Write max, min and RMS of the local slope in counts per sample to out[:3].
+
+    The slope is fitted by least squares over 1/SPEED_WINDOWS of a revolution, 8 samples at least,
+    never across a break: single quantised counts do not show in it.
+    """
+    n = counts.shape[0]
+    window = max(8, n // 36)
+    highest, lowest, squares, weight = -np.inf, np.inf, 0.0, 0
+    for k in range(segments.shape[0]):
+        begin = segments[k, 0]
+        end = segments[k + 1, 0] if k + 1 < segments.shape[0] else n
+        while end - begin >= 2:
+            size = end - begin if end - begin < 2 * window else window
+            middle = 0.5 * (size - 1)
+            s0 = s1 = 0.0
+            origin = counts[begin]
+            for i in range(size):
+                s0 += (i - middle) * (counts[begin + i] - origin)
+            s1 = size * (size * size - 1.0) / 12.0
+            slope = s0 / s1
+            highest = max(highest, slope)
+            lowest = min(lowest, slope)
+            squares += slope * slope * size
+            weight += size
+            begin += size
+    if weight == 0:
+        highest = lowest = squares = np.nan
+        weight = 1
+    out[0] = highest
+    out[1] = lowest
+    out[2] = math.sqrt(squares / weight)
+
+
+_reduce_kernel = numba.njit(
+    [_SIGNATURE.format("float32"), _SIGNATURE.format("int32")], cache=True, nogil=True
+)(_reduce)
+
+
+class Reducer:
+    """Turn revolutions into rows in the order of ``revolution_columns()``; one thread calls it."""
+
+    def __init__(self, calibration: Calibration) -> None:
+        self.calibration = calibration
+        self._gain, self._bias = calibration.gains()
+        self._whole, self._part = calibration.shift
+        self._margins = calibration.margins
+        self._scratch = np.empty((3, 8192))
+        self._statistics = np.empty(len(CHANNELS) * len(STATISTICS))
+        self._speed = np.empty(3)
+        self._deg_per_count = 360.0 / calibration.encoder.counts_per_revolution
+        self._rpm_per_slope = (
+            60.0 * calibration.sample_rate_Hz / calibration.encoder.counts_per_revolution
+        )
+
+    def reduce(self, revolution: Revolution) -> Array:
+        """Return the row of a revolution: statistics filled in, the head but for the speed not.
+
+        The caller writes revolution, time and host_time.
+        """
+        n = revolution.samples
+        row = np.full(len(NAMES), np.nan)
+        row[PLACE["samples"]] = n
+        row[PLACE["lost_samples"]] = revolution.lost_samples
+        row[PLACE["quality"]] = int(revolution.flags)
+        if n == 0:
+            return row
+        if n > self._scratch.shape[1]:
+            self._scratch = np.empty((3, 2 * n))
+        values, before = self._with_margins(revolution)
+        rows = self.calibration.rows
+        _reduce_kernel(
+            values[rows[0]],
+            values[rows[1]],
+            values[rows[2]],
+            values[rows[3]],
+            self._whole + before,
+            self._part,
+            self._gain,
+            self._bias,
+            revolution.counts,
+            revolution.segments,
+            self._scratch,
+            self._speed,
+            self._statistics,
+        )
+        statistics = self._statistics
+        index_deg = math.degrees(self.calibration.index_angle_rad)
+        statistics[4::5] = (statistics[4::5] * self._deg_per_count + index_deg) % 360.0
+        row[HEAD:] = statistics
+        turned = revolution.end_count - int(revolution.counts[0])
+        elapsed = revolution.end_sample - revolution.first_sample - revolution.idle_samples
+        row[PLACE["speed"]] = turned / max(elapsed, 1) * self._rpm_per_slope
+        row[PLACE["speed_max"]] = self._speed[0] * self._rpm_per_slope
+        row[PLACE["speed_min"]] = self._speed[1] * self._rpm_per_slope
+        row[PLACE["speed_rms"]] = self._speed[2] * self._rpm_per_slope
+        return row
+
+    def _with_margins(self, revolution: Revolution) -> tuple[NDArray[np.generic], int]:
+        """Return the values with full margins; a missing margin holds the nearest sample."""
+        values, before = revolution.values, revolution.before
+        after = values.shape[1] - before - revolution.samples
+        missing = (
+            max(0, self._margins.before - before),
+            max(0, self._margins.after - after),
+        )
+        if missing == (0, 0):
+            return values, before
+        return np.pad(values, ((0, 0), missing), mode="edge"), before + missing[0]
