@@ -1,0 +1,461 @@
+"""Basicmicro RoboClaw as a Spindle: packet serial over USB or a UART.
+
+The drive's serial time-out (command 14) is its watchdog: it is set and read back on every
+connection, and any packet feeds it, so ``status()`` must be called faster than it. There is no
+command that means "emergency stop": that is an input of the drive and a contactor.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import threading
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, Final
+
+from drivers.api import (
+    ConnectionFailed,
+    DeviceError,
+    DeviceFault,
+    DeviceLost,
+    DriveRequest,
+    DriverInfo,
+    DriverKind,
+    DriveStatus,
+    Identity,
+    ProtocolError,
+    ReplyTimeout,
+    SettingRefused,
+    SettingSpec,
+    WrongDevice,
+)
+from drivers.roboclaw.link import Link
+from drivers.roboclaw.protocol import (
+    BAUD_RATES,
+    CURRENT_UNIT_A,
+    TEMPERATURE_UNIT_C,
+    TIMEOUT_UNIT_S,
+    VOLTAGE_UNIT_V,
+    Command,
+    EmergencyStopLock,
+    Generation,
+    combined_status_of,
+    velocity_pid_of,
+)
+from drivers.roboclaw.readings import Readings, StatusReader, can_combine
+from drivers.roboclaw.status import describe_status, generation_of
+from drivers.transport import SerialPort
+
+SETTINGS: Final[Mapping[str, SettingSpec]] = {
+    "address": SettingSpec(int, 128, "Packet serial address of the drive.", 128, 135),
+    "motor": SettingSpec(int, 1, "Motor output that drives the spindle.", choices=(1, 2)),
+    "baud_rate": SettingSpec(
+        int, 38400, "Baud rate of the drive's UART; USB ignores it.", choices=BAUD_RATES
+    ),
+    "status_width": SettingSpec(
+        str,
+        "auto",
+        'Bits of the status word; "auto" decides by the firmware and checks it.',
+        choices=("auto", "16", "32"),
+    ),
+    "combined_status": SettingSpec(
+        str,
+        "auto",
+        'Read everything in one packet (command 73); "auto" asks the drive once whether it can.',
+        choices=("auto", "never"),
+    ),
+    "reply_timeout_ms": SettingSpec(
+        float, 100.0, "Longest wait for a reply, besides its time on the wire.", 20.0, 1000.0
+    ),
+}
+
+_MAXIMUM_TIMEOUT: Final = 255
+_MAXIMUM_SPEED: Final = 2**31 - 1
+_MAXIMUM_ACCELERATION: Final = 2**32 - 1
+
+
+class RoboClaw:
+    """Turn the crank with one motor output of a RoboClaw.
+
+    Every call is serialised by one lock. ``drive_off`` ends the retries of a call under way, so it
+    waits for one reply time-out at most.
+    """
+
+    def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
+        chosen = {key: settings.get(key, spec.default) for key, spec in SETTINGS.items()}
+        self.name = name
+        self.port = port
+        self._settings = chosen
+        self._second = int(chosen["motor"]) == 2
+        self._lock = threading.RLock()
+        self._serial: SerialPort | None = None
+        self._connection: Link | None = None
+        self._request: DriveRequest | None = None
+        self._combined = False
+        self._watchdog_units = 0
+        self._qpps_limit = 0
+        self._target: int | None = None
+        self._silence_s = 0.0
+        self._reader: StatusReader | None = None
+
+    # --- connection ------------------------------------------------------------------------------
+
+    def open(self) -> Identity:
+        """Open the port and identify the drive by its firmware text; nothing is set.
+
+        Raises ConnectionFailed when nothing answers, WrongDevice when something else does.
+        """
+        with self._lock:
+            self._release()
+            serial = SerialPort(self.name, self.port, int(self._settings["baud_rate"]))
+            serial.open()
+            self._serial = serial
+            self._connection = Link(
+                serial,
+                self.name,
+                self.port,
+                int(self._settings["address"]),
+                int(self._settings["baud_rate"]),
+                float(self._settings["reply_timeout_ms"]) * 1e-3,
+            )
+            try:
+                return self._identify(self._connection)
+            except BaseException:
+                self._release()
+                raise
+
+    def _identify(self, link: Link) -> Identity:
+        address = int(self._settings["address"])
+        try:
+            text = link.version()
+        except ReplyTimeout as error:
+            sentence = f"no RoboClaw answers at address {address}: {error.sentence}"
+            raise ConnectionFailed(self.name, self.port, sentence) from error
+        except ProtocolError as error:
+            sentence = f"what answers is no RoboClaw at address {address}: {error.sentence}"
+            raise WrongDevice(self.name, self.port, sentence) from error
+        if not text.strip():
+            raise WrongDevice(self.name, self.port, "the firmware text is empty.")
+        link.generation = self._generation(link, text)
+        model, _, firmware = text.rpartition(" ")
+        return Identity(
+            maker="Basicmicro",
+            model=model or text,
+            firmware=firmware if model else "",
+            serial_number="",
+            port=self.port,
+            details={"address": str(address), "status_bits": str(link.generation.status_bits)},
+        )
+
+    def _generation(self, link: Link, firmware: str) -> Generation:
+        """Return the packet layouts: from the setting, or from the text and checked by a reply."""
+        announced = generation_of(firmware)
+        width = self._settings["status_width"]
+        if width != "auto":
+            return replace(announced, status_bits=int(width))
+        for status_bits in (announced.status_bits, 48 - announced.status_bits):
+            link.generation = replace(announced, status_bits=status_bits)
+            try:
+                link.read(Command.STATUS)
+            except (ProtocolError, ReplyTimeout):
+                continue
+            link.take_events()
+            link.crc_errors = 0
+            return link.generation
+        raise WrongDevice(
+            self.name,
+            self.port,
+            f'the status of firmware "{firmware}" has neither 16 nor 32 bits; '
+            "set status_width from the drive's manual.",
+        )
+
+    def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
+        """Switch the motor off, set the serial time-out, and return what was read back.
+
+        Raises SettingRefused when a value cannot be set or is not read back as set.
+        """
+        with self._lock:
+            link = self._link()
+            units = self._check_request(request)
+            self._request = None
+            self._off(link)
+            self._set_watchdog(link, units)
+            self._combined = self._settings["combined_status"] == "auto" and can_combine(link)
+            pid = velocity_pid_of(
+                link.read(self._of(Command.VELOCITY_PID_M1, Command.VELOCITY_PID_M2))
+            )
+            self._qpps_limit = pid.qpps
+            self._watchdog_units = units
+            self._silence_s = 0.0
+            self._reader = StatusReader(link, self._second, self._combined)
+            readback = self._readback(link, request)
+            self._request = request
+            return readback | {
+                "velocity_p": pid.p,
+                "velocity_i": pid.i,
+                "velocity_d": pid.d,
+                "speed_limit_count_per_s": pid.qpps,
+                "speed_limit_rev_per_s": pid.qpps / request.counts_per_revolution,
+            }
+
+    def _check_request(self, request: DriveRequest) -> int:
+        if request.counts_per_revolution < 1:
+            raise self._refused(
+                f"{request.counts_per_revolution} counts per revolution are not possible."
+            )
+        if request.direction not in (1, -1):
+            raise self._refused(f"direction {request.direction} is neither 1 nor -1.")
+        for key, value in request.settings.items():
+            if key in self._settings and self._settings[key] != value:
+                raise self._refused(
+                    f"{key} = {value} differs from {self._settings[key]}, with which the port was "
+                    "opened; open it again."
+                )
+        units = math.floor(request.watchdog_timeout_s / TIMEOUT_UNIT_S + 1e-9)
+        if not 1 <= units <= _MAXIMUM_TIMEOUT:
+            raise self._refused(
+                f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.1 to 25.5 s."
+            )
+        return units
+
+    def _set_watchdog(self, link: Link, units: int) -> None:
+        def in_effect() -> bool:
+            return link.read(Command.GET_TIMEOUT) == (units,)
+
+        link.write(Command.SET_TIMEOUT, units, in_effect=in_effect)
+        (found,) = link.read(Command.GET_TIMEOUT)
+        if found != units:
+            raise self._refused(
+                f"the serial time-out reads {found * TIMEOUT_UNIT_S:.1f} s after "
+                f"{units * TIMEOUT_UNIT_S:.1f} s was set; the spindle must not turn without it."
+            )
+
+    def _readback(self, link: Link, request: DriveRequest) -> dict[str, str | float | int]:
+        (main,) = link.read(Command.MAIN_VOLTAGE)
+        (logic,) = link.read(Command.LOGIC_VOLTAGE)
+        modes = link.read(Command.ENCODER_MODES)
+        maximum, _ = link.read(self._of(Command.CURRENT_LIMIT_M1, Command.CURRENT_LIMIT_M2))
+        return {
+            "watchdog_timeout_s": round(self._watchdog_units * TIMEOUT_UNIT_S, 1),
+            "status_bits": link.generation.status_bits,
+            "combined_status": int(self._combined),
+            "encoder_mode": modes[1 if self._second else 0],
+            "current_limit_A": maximum * CURRENT_UNIT_A,
+            "supply_V": main * VOLTAGE_UNIT_V,
+            "logic_V": logic * VOLTAGE_UNIT_V,
+            "counts_per_revolution": request.counts_per_revolution,
+            "direction": request.direction,
+        }
+
+    def close(self) -> None:
+        """Switch the motor off and release the port; never raises; safe to call twice."""
+        connection = self._connection
+        if connection is not None:
+            connection.hurry.set()
+        with self._lock:
+            if self._connection is not None and self._request is not None:
+                self._connection.hurry.clear()
+                with contextlib.suppress(DeviceError):  # the drive's watchdog stops it anyway
+                    self._off(self._connection)
+            self._release()
+
+    def _release(self) -> None:
+        serial, self._serial = self._serial, None
+        self._connection = None
+        self._request = None
+        self._reader = None
+        self._target = None
+        if serial is not None:
+            serial.close()
+
+    # --- motion ----------------------------------------------------------------------------------
+
+    def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
+        """Ramp to a speed in rev/s, signed as the rig; 0 is the controlled stop.
+
+        Raises SettingRefused for a speed that may not or cannot be reached.
+        """
+        with self._lock:
+            link, request = self._link(), self._configured()
+            speed = self._counts_per_s(speed_rev_per_s, request)
+            ramp = acceleration_rev_per_s2 * request.counts_per_revolution
+            if not (math.isfinite(ramp) and ramp > 0):
+                raise self._refused(
+                    f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible."
+                )
+            acceleration = min(max(1, round(ramp)), _MAXIMUM_ACCELERATION)
+            command = self._of(Command.RAMP_SPEED_M1, Command.RAMP_SPEED_M2)
+            self._target = speed
+            self._silence_s = 0.0
+            link.write(
+                command, acceleration, speed, in_effect=lambda: self._turns_towards(link, speed)
+            )
+
+    def _counts_per_s(self, speed_rev_per_s: float, request: DriveRequest) -> int:
+        if not math.isfinite(speed_rev_per_s):
+            raise self._refused(f"a speed of {speed_rev_per_s} is not a number.")
+        if abs(speed_rev_per_s) > request.maximum_speed_rev_per_s * (1 + 1e-9):
+            raise self._refused(
+                f"{speed_rev_per_s * 60:.1f} rpm is above the rig's maximum of "
+                f"{request.maximum_speed_rev_per_s * 60:.1f} rpm."
+            )
+        speed = round(request.direction * speed_rev_per_s * request.counts_per_revolution)
+        if abs(speed) > min(self._qpps_limit, _MAXIMUM_SPEED):
+            raise self._refused(
+                f"{abs(speed)} counts/s is above the drive's own limit (QPPS) of "
+                f"{self._qpps_limit} counts/s; tune the drive's velocity loop."
+            )
+        return speed
+
+    def _turns_towards(self, link: Link, speed: int) -> bool:
+        """Read the state back after a failed write; the command itself may be repeated safely."""
+        if not self._combined:
+            link.read(Command.STATUS)
+            return False
+        status = combined_status_of(link.read(Command.COMBINED_STATUS))
+        return status.setpoints[1 if self._second else 0] == speed != 0
+
+    def drive_off(self) -> None:
+        """Set duty 0: the power is off at once, whatever the drive was doing.
+
+        Raises ReplyTimeout, ProtocolError or DeviceLost when the drive did not confirm it.
+        """
+        connection = self._connection
+        if connection is not None:
+            connection.hurry.set()
+        with self._lock:
+            link = self._link()
+            link.hurry.clear()
+            self._off(link)
+
+    def _off(self, link: Link) -> None:
+        def in_effect() -> bool:
+            try:
+                return link.read(Command.PWM, tries=1)[1 if self._second else 0] == 0
+            except (ReplyTimeout, ProtocolError):
+                return False
+
+        self._target = None
+        link.write(self._of(Command.DUTY_M1, Command.DUTY_M2), 0, in_effect=in_effect)
+
+    def reset_fault(self) -> None:
+        """Switch the motor off and release a latched emergency stop whose input is gone.
+
+        Raises DeviceFault when the emergency stop stays, with what to do.
+        """
+        with self._lock:
+            link = self._link()
+            self._off(link)
+            link.write(Command.RESET_EMERGENCY_STOP)
+            self._silence_s = 0.0
+            (state,) = link.read(Command.STATUS)
+            if not describe_status(state, link.generation.status_bits).emergency_stop:
+                return
+            (lock,) = link.read(Command.EMERGENCY_STOP_LOCK)
+        remedy = (
+            "switch the drive off and on"
+            if lock == EmergencyStopLock.HARDWARE
+            else "release the emergency stop button first"
+        )
+        raise DeviceFault(self.name, self.port, f"the emergency stop stays: {remedy}.")
+
+    # --- reading ---------------------------------------------------------------------------------
+
+    def status(self) -> DriveStatus:
+        """Read the state; feeds the watchdog. Speed, count and set-point are signed as the rig.
+
+        One packet with command 73, else four, and one more in every eighth call. Raises DeviceLost
+        when the drive has restarted, ReplyTimeout, ProtocolError.
+        """
+        with self._lock:
+            link, request = self._link(), self._configured()
+            self._judge_silence(link)
+            reader = self._reader
+            assert reader is not None
+            readings = reader.read()
+            if reader.has_restarted(readings):
+                raise self._restarted("its clock began again")
+            if reader.watchdog_is_due:
+                self._check_watchdog(link)
+            return self._drive_status(link, request, readings)
+
+    def _drive_status(self, link: Link, request: DriveRequest, read: Readings) -> DriveStatus:
+        words = describe_status(read.state, link.generation.status_bits)
+        faults = words.faults
+        if self._silence_s:
+            faults += (
+                f"watchdog: the host was silent for {self._silence_s:.2f} s and the drive has "
+                "stopped the motor",
+            )
+        target = self._target or 0
+        setpoint = target if read.setpoint is None or self._target is None else read.setpoint
+        scale = request.direction / request.counts_per_revolution
+        return DriveStatus(
+            host_time_ns=time.monotonic_ns(),
+            speed_rev_per_s=read.speed * scale,
+            setpoint_rev_per_s=setpoint * scale,
+            position_count=read.count * request.direction,
+            current_A=read.current * CURRENT_UNIT_A,
+            supply_V=read.main_voltage * VOLTAGE_UNIT_V,
+            temperature_C=read.temperature * TEMPERATURE_UNIT_C,
+            enabled=self._target is not None and not faults,
+            emergency_stop=words.emergency_stop,
+            faults=faults,
+            warnings=words.warnings + link.take_events(),
+            crc_errors=link.crc_errors,
+        )
+
+    def _judge_silence(self, link: Link) -> None:
+        """Take note that the watchdog has fired, and make the stop certain."""
+        silence_s = (time.monotonic_ns() - link.last_sent_ns) * 1e-9
+        if self._target is not None and silence_s > self._watchdog_units * TIMEOUT_UNIT_S:
+            self._off(link)
+            self._silence_s = silence_s
+
+    def _check_watchdog(self, link: Link) -> None:
+        (found,) = link.read(Command.GET_TIMEOUT)
+        if found != self._watchdog_units:
+            raise self._restarted(
+                f"its serial time-out is {found * TIMEOUT_UNIT_S:.1f} s instead of "
+                f"{self._watchdog_units * TIMEOUT_UNIT_S:.1f} s"
+            )
+
+    def _restarted(self, sign: str) -> DeviceLost:
+        self._request = None
+        self._target = None
+        return DeviceLost(
+            self.name,
+            self.port,
+            f"the drive has restarted ({sign}) and its motor is off; check its supply.",
+        )
+
+    # --- helpers ---------------------------------------------------------------------------------
+
+    def _of(self, first: Command, second: Command) -> Command:
+        return second if self._second else first
+
+    def _link(self) -> Link:
+        if self._connection is None:
+            raise DeviceLost(self.name, self.port, "the drive is not open.")
+        return self._connection
+
+    def _configured(self) -> DriveRequest:
+        if self._request is None:
+            raise self._refused("the drive's watchdog is not set; configure the drive first.")
+        return self._request
+
+    def _refused(self, sentence: str) -> SettingRefused:
+        return SettingRefused(self.name, self.port, sentence)
+
+
+DRIVER: Final = DriverInfo(
+    name="roboclaw",
+    title="Basicmicro RoboClaw",
+    kind=DriverKind.SPINDLE,
+    factory=RoboClaw,
+    settings=SETTINGS,
+    simulator="drivers.roboclaw.simulator:RoboClawSimulator",
+    usb_ids=((0x03EB, 0x2404),),
+)

@@ -1,0 +1,183 @@
+"""Exchange packets with a RoboClaw: flush, send, wait, check, try again, count what went wrong."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from typing import Final, TypeVar
+
+from drivers.api import ProtocolError, ReplyTimeout
+from drivers.roboclaw.protocol import (
+    ACKNOWLEDGE,
+    NEWER,
+    Command,
+    Generation,
+    Rejected,
+    missing_bytes,
+    parse_values,
+    parse_version,
+    read_packet,
+    write_packet,
+)
+from drivers.transport import BytePort
+
+TRIES: Final = 3
+QUIET_S: Final = 0.012
+LONGEST_REPLY: Final = 58
+BITS_PER_BYTE: Final = 10
+FLUSH_LIMIT: Final = 65536
+
+_Reply = TypeVar("_Reply")
+
+
+class Link:
+    """Send packets to one address and return checked replies.
+
+    Not thread-safe: the driver holds its lock around every call. ``hurry`` may be set by any
+    thread; it ends the retries of a call under way, so that a stop need not wait for them.
+    """
+
+    def __init__(
+        self, serial: BytePort, device: str, port: str, address: int, baud: int, timeout_s: float
+    ) -> None:
+        self._serial = serial
+        self._device = device
+        self._port = port
+        self._address = address
+        self._byte_s = BITS_PER_BYTE / baud
+        self._timeout_s = timeout_s
+        self._events: list[str] = []
+        self.generation: Generation = NEWER
+        self.hurry = threading.Event()
+        self.crc_errors = 0
+        self.last_sent_ns = time.monotonic_ns()
+
+    def take_events(self) -> tuple[str, ...]:
+        """Return what went wrong and was mended since the last call, each once."""
+        events = tuple(dict.fromkeys(self._events))
+        self._events.clear()
+        return events
+
+    def read(self, command: int, tries: int = TRIES) -> tuple[int, ...]:
+        """Return the numbers of a reply.
+
+        Raises ReplyTimeout when nothing came, ProtocolError when what came was wrong every time,
+        DeviceLost when the port broke.
+        """
+
+        def exchange() -> tuple[int, ...] | Rejected:
+            raw = self._ask(command)
+            return parse_values(self._address, command, raw, self.generation)
+
+        return self._repeat(command, exchange, tries)
+
+    def version(self) -> str:
+        """Return the firmware text; errors as ``read``."""
+
+        def exchange() -> str | Rejected:
+            return parse_version(self._address, self._ask(Command.VERSION))
+
+        return self._repeat(Command.VERSION, exchange, TRIES)
+
+    def write(
+        self,
+        command: int,
+        *values: int,
+        in_effect: Callable[[], bool] | None = None,
+    ) -> None:
+        """Send a write until it is acknowledged by FF.
+
+        in_effect: reads the drive's state back after a failed try; when it tells that the write has
+        taken effect, nothing is sent again. Errors as ``read``.
+        """
+        packet = write_packet(self._address, command, *values, generation=self.generation)
+        self.write_packet(command, packet, in_effect)
+
+    def write_packet(
+        self, command: int, packet: bytes, in_effect: Callable[[], bool] | None = None
+    ) -> None:
+        """Send a packet that is already built; see ``write``."""
+        failures: list[str] = []
+        for attempt in range(TRIES):
+            if attempt:
+                self._wait_for_quiet()
+                if in_effect is not None and in_effect():
+                    return
+            self._send(packet)
+            answer = self._serial.read_some(1, self._reply_timeout(len(packet) + 1))
+            if answer == ACKNOWLEDGE:
+                return
+            failures.append(f"answered {answer.hex().upper()} instead of FF" if answer else "")
+            self._events.append("a command was repeated: not acknowledged by FF")
+            if self.hurry.is_set():
+                break
+        raise self._failure(command, failures)
+
+    def _repeat(
+        self, command: int, exchange: Callable[[], _Reply | Rejected], tries: int
+    ) -> _Reply:
+        failures: list[str] = []
+        for attempt in range(tries):
+            if attempt:
+                self._wait_for_quiet()
+            result = exchange()
+            if not isinstance(result, Rejected):
+                return result
+            failures.append("" if result.sentence.startswith("0 ") else result.sentence)
+            self._count(result)
+            if self.hurry.is_set():
+                break
+        raise self._failure(command, failures)
+
+    def _count(self, rejected: Rejected) -> None:
+        if rejected.kind == "crc":
+            self.crc_errors += 1
+            self._events.append("a reply with a wrong CRC was repeated")
+        else:
+            self._events.append("a missing or short reply was repeated")
+
+    def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
+        name = Command(command).name
+        told = [sentence for sentence in failures if sentence]
+        if not told:
+            return ReplyTimeout(
+                self._device,
+                self._port,
+                f"no reply to {name} ({command}) in {len(failures)} tries of "
+                f"{self._timeout_s * 1e3:.0f} ms: check power, cable, address and baud rate.",
+            )
+        return ProtocolError(
+            self._device,
+            self._port,
+            f"{name} ({command}) failed in {len(failures)} tries: {'; '.join(told)}: "
+            "check the cable's screen and the baud rate.",
+        )
+
+    def _reply_timeout(self, wire_bytes: int) -> float:
+        return self._timeout_s + wire_bytes * self._byte_s
+
+    def _send(self, packet: bytes) -> None:
+        if self._serial.read_some(FLUSH_LIMIT, 0.0):
+            self._events.append("late or repeated reply bytes were discarded")
+        self._serial.write(packet)
+        self.last_sent_ns = time.monotonic_ns()
+
+    def _ask(self, command: int) -> bytes:
+        self._send(read_packet(self._address, command))
+        raw = b""
+        deadline = time.monotonic() + self._reply_timeout(2 + LONGEST_REPLY)
+        while missing := missing_bytes(command, raw, self.generation):
+            left = deadline - time.monotonic()
+            if left <= 0:
+                break
+            raw += self._serial.read_some(missing, left)
+        return raw
+
+    def _wait_for_quiet(self) -> None:
+        """Wait until the line is silent for longer than the drive's own packet time-out."""
+        deadline = time.monotonic() + self._reply_timeout(LONGEST_REPLY)
+        while self._serial.read_some(LONGEST_REPLY, QUIET_S):
+            self._events.append("late or repeated reply bytes were discarded")
+            if time.monotonic() > deadline:
+                return

@@ -1,0 +1,357 @@
+"""RoboClaw packet serial: bytes to meaning and back, without any input or output.
+
+A write is ``address command data.. crc`` and is acknowledged by one byte FF. A read is
+``address command`` alone; its reply is ``data.. crc``, where the CRC covers address, command and
+data. Numbers are big-endian. The command number alone tells both sides what follows.
+
+Source: RoboClaw user manual (packet serial); reply variants as observed with the maker's library.
+"""
+
+from __future__ import annotations
+
+import enum
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+ACKNOWLEDGE: Final = b"\xff"
+CRC_LENGTH: Final = 2
+VERSION_LIMIT: Final = 48
+NVM_KEY: Final = 0xE22EAB7A
+BAUD_RATES: Final = (2400, 9600, 19200, 38400, 57600, 115200, 230400, 460800)
+TIMEOUT_UNIT_S: Final = 0.1
+MAXIMUM_DUTY: Final = 32767
+FIXED_POINT: Final = 65536.0
+CURRENT_UNIT_A: Final = 0.01
+VOLTAGE_UNIT_V: Final = 0.1
+TEMPERATURE_UNIT_C: Final = 0.1
+
+
+class Command(enum.IntEnum):
+    """Name the commands in use; M1 and M2 forms are separate commands."""
+
+    SET_TIMEOUT = 14
+    GET_TIMEOUT = 15
+    COUNT_M1 = 16
+    COUNT_M2 = 17
+    SPEED_M1 = 18
+    SPEED_M2 = 19
+    RESET_COUNTS = 20
+    VERSION = 21
+    SET_COUNT_M1 = 22
+    SET_COUNT_M2 = 23
+    MAIN_VOLTAGE = 24
+    LOGIC_VOLTAGE = 25
+    SET_VELOCITY_PID_M1 = 28
+    SET_VELOCITY_PID_M2 = 29
+    INSTANT_SPEED_M1 = 30
+    INSTANT_SPEED_M2 = 31
+    DUTY_M1 = 32
+    DUTY_M2 = 33
+    SET_SPEED_M1 = 35
+    SET_SPEED_M2 = 36
+    RAMP_SPEED_M1 = 38
+    RAMP_SPEED_M2 = 39
+    PWM = 48
+    CURRENTS = 49
+    VELOCITY_PID_M1 = 55
+    VELOCITY_PID_M2 = 56
+    SET_MAIN_LIMITS = 57
+    MAIN_LIMITS = 59
+    COMBINED_STATUS = 73
+    SET_PIN_FUNCTIONS = 74
+    PIN_FUNCTIONS = 75
+    COUNTS = 78
+    INSTANT_SPEEDS = 79
+    TEMPERATURE_1 = 82
+    TEMPERATURE_2 = 83
+    STATUS = 90
+    ENCODER_MODES = 91
+    SET_ENCODER_MODE_M1 = 92
+    SET_ENCODER_MODE_M2 = 93
+    SAVE_TO_NVM = 94
+    VOLTAGES = 100
+    TEMPERATURES = 101
+    AVERAGE_SPEEDS = 108
+    SET_CURRENT_LIMIT_M1 = 133
+    SET_CURRENT_LIMIT_M2 = 134
+    CURRENT_LIMIT_M1 = 135
+    CURRENT_LIMIT_M2 = 136
+    RESET_EMERGENCY_STOP = 200
+    SET_EMERGENCY_STOP_LOCK = 201
+    EMERGENCY_STOP_LOCK = 202
+
+
+class EmergencyStopLock(enum.IntEnum):
+    """Tell how an emergency stop is released after its input is gone (commands 201, 202)."""
+
+    HARDWARE = 0x00
+    AUTOMATIC = 0x55
+    SOFTWARE = 0xAA
+
+
+@dataclass(frozen=True, slots=True)
+class Generation:
+    """Tell the packet layouts that vary with the firmware.
+
+    status_bits: width of the reply to command 90, 16 or 32.
+    pin_modes: bytes of commands 74 and 75, 3 or 5.
+    voltage_offset: whether commands 57 and 59 carry the automatic-offset byte.
+    """
+
+    status_bits: int = 32
+    pin_modes: int = 5
+    voltage_offset: bool = True
+
+
+NEWER: Final = Generation()
+OLDER: Final = Generation(status_bits=16, pin_modes=3, voltage_offset=False)
+
+_FIXED_WRITES: Final[Mapping[int, str]] = {
+    Command.SET_TIMEOUT: ">B",
+    Command.RESET_COUNTS: ">",
+    Command.SET_COUNT_M1: ">i",
+    Command.SET_COUNT_M2: ">i",
+    Command.SET_VELOCITY_PID_M1: ">4I",
+    Command.SET_VELOCITY_PID_M2: ">4I",
+    Command.DUTY_M1: ">h",
+    Command.DUTY_M2: ">h",
+    Command.SET_SPEED_M1: ">i",
+    Command.SET_SPEED_M2: ">i",
+    Command.RAMP_SPEED_M1: ">Ii",
+    Command.RAMP_SPEED_M2: ">Ii",
+    Command.SET_ENCODER_MODE_M1: ">B",
+    Command.SET_ENCODER_MODE_M2: ">B",
+    Command.SAVE_TO_NVM: ">I",
+    Command.SET_CURRENT_LIMIT_M1: ">2I",
+    Command.SET_CURRENT_LIMIT_M2: ">2I",
+    Command.RESET_EMERGENCY_STOP: ">",
+    Command.SET_EMERGENCY_STOP_LOCK: ">B",
+}
+
+_FIXED_REPLIES: Final[Mapping[int, str]] = {
+    Command.GET_TIMEOUT: ">B",
+    Command.COUNT_M1: ">iB",
+    Command.COUNT_M2: ">iB",
+    Command.SPEED_M1: ">IB",
+    Command.SPEED_M2: ">IB",
+    Command.MAIN_VOLTAGE: ">H",
+    Command.LOGIC_VOLTAGE: ">H",
+    Command.INSTANT_SPEED_M1: ">IB",
+    Command.INSTANT_SPEED_M2: ">IB",
+    Command.PWM: ">2h",
+    Command.CURRENTS: ">2h",
+    Command.VELOCITY_PID_M1: ">4I",
+    Command.VELOCITY_PID_M2: ">4I",
+    Command.COMBINED_STATUS: ">2I4H4h6i4h",
+    Command.COUNTS: ">2i",
+    Command.INSTANT_SPEEDS: ">2i",
+    Command.TEMPERATURE_1: ">H",
+    Command.TEMPERATURE_2: ">H",
+    Command.ENCODER_MODES: ">2B",
+    Command.VOLTAGES: ">2H",
+    Command.TEMPERATURES: ">2H",
+    Command.AVERAGE_SPEEDS: ">2i",
+    Command.CURRENT_LIMIT_M1: ">2I",
+    Command.CURRENT_LIMIT_M2: ">2I",
+    Command.EMERGENCY_STOP_LOCK: ">B",
+}
+
+
+def _crc_table() -> tuple[int, ...]:
+    table = []
+    for value in range(256):
+        crc = value << 8
+        for _ in range(8):
+            crc = (crc << 1) ^ (0x1021 if crc & 0x8000 else 0)
+        table.append(crc & 0xFFFF)
+    return tuple(table)
+
+
+_CRC_TABLE: Final = _crc_table()
+
+
+def crc16(data: bytes, crc: int = 0) -> int:
+    """Return the CRC-16 with polynomial 0x1021 and initial 0 (XMODEM; "123456789" -> 31C3)."""
+    for value in data:
+        crc = ((crc << 8) & 0xFFFF) ^ _CRC_TABLE[(crc >> 8) ^ value]
+    return crc
+
+
+def write_format(command: int, generation: Generation = NEWER) -> str | None:
+    """Return the struct format of a write's data; None for commands that are not writes."""
+    if command == Command.SET_MAIN_LIMITS:
+        return ">2HB" if generation.voltage_offset else ">2H"
+    if command == Command.SET_PIN_FUNCTIONS:
+        return f">{generation.pin_modes}B"
+    return _FIXED_WRITES.get(command)
+
+
+def reply_format(command: int, generation: Generation = NEWER) -> str | None:
+    """Return the struct format of a read's reply; None when it is no read, or text (21)."""
+    if command == Command.STATUS:
+        return ">I" if generation.status_bits == 32 else ">H"
+    if command == Command.MAIN_LIMITS:
+        return ">2HB" if generation.voltage_offset else ">2H"
+    if command == Command.PIN_FUNCTIONS:
+        return f">{generation.pin_modes}B"
+    return _FIXED_REPLIES.get(command)
+
+
+def write_packet(address: int, command: int, *values: int, generation: Generation = NEWER) -> bytes:
+    """Return a write packet with its CRC.
+
+    Raises ValueError when the command is no write or a value does not fit its field.
+    """
+    layout = write_format(command, generation)
+    if layout is None:
+        raise ValueError(f"command {command} is not a write command")
+    try:
+        body = bytes((address, command)) + struct.pack(layout, *values)
+    except struct.error as error:
+        raise ValueError(f"command {command} cannot carry {values}: {error}") from error
+    return body + struct.pack(">H", crc16(body))
+
+
+def read_packet(address: int, command: int) -> bytes:
+    """Return a read request: two bytes, no CRC."""
+    return bytes((address, command))
+
+
+@dataclass(frozen=True, slots=True)
+class Rejected:
+    """Tell why reply bytes are not a reply: ``kind`` is "short", "crc" or "text"."""
+
+    kind: str
+    sentence: str
+
+
+def missing_bytes(command: int, raw: bytes, generation: Generation = NEWER) -> int:
+    """Return how many more bytes the reply to a read needs at least; 0 when it is complete."""
+    if command == Command.VERSION:
+        end = raw.find(b"\x00", 0, VERSION_LIMIT)
+        if end < 0:
+            return 1 if len(raw) < VERSION_LIMIT else 0
+        return max(0, end + 1 + CRC_LENGTH - len(raw))
+    layout = reply_format(command, generation)
+    if layout is None:
+        return 0
+    return max(0, struct.calcsize(layout) + CRC_LENGTH - len(raw))
+
+
+def _checked(address: int, command: int, raw: bytes) -> bytes | Rejected:
+    data, sent = raw[:-CRC_LENGTH], int.from_bytes(raw[-CRC_LENGTH:], "big")
+    computed = crc16(bytes((address, command)) + data)
+    if sent != computed:
+        return Rejected("crc", f"CRC {sent:04X} instead of {computed:04X}")
+    return data
+
+
+def parse_values(
+    address: int, command: int, raw: bytes, generation: Generation = NEWER
+) -> tuple[int, ...] | Rejected:
+    """Return the numbers of a reply in wire order, or why it is none. Any bytes are allowed."""
+    layout = reply_format(command, generation)
+    if layout is None:
+        return Rejected("short", f"command {command} has no reply of numbers")
+    expected = struct.calcsize(layout) + CRC_LENGTH
+    if len(raw) != expected:
+        return Rejected("short", f"{len(raw)} of {expected} bytes")
+    data = _checked(address, command, raw)
+    return data if isinstance(data, Rejected) else struct.unpack(layout, data)
+
+
+def parse_version(address: int, raw: bytes) -> str | Rejected:
+    """Return the firmware text of command 21 without its LF NUL, or why it is none."""
+    end = raw.find(b"\x00", 0, VERSION_LIMIT)
+    if end < 0 or len(raw) != end + 1 + CRC_LENGTH:
+        return Rejected("short", f"{len(raw)} bytes without the end of a text")
+    data = _checked(address, Command.VERSION, raw)
+    if isinstance(data, Rejected):
+        return data
+    text = data[:end].rstrip(b"\n")
+    if not text.isascii():
+        return Rejected("text", "a firmware text with bytes that are not ASCII")
+    return text.decode("ascii")
+
+
+@dataclass(frozen=True, slots=True)
+class Count:
+    """Hold an encoder count and its flags (commands 16, 17; flags are cleared on read)."""
+
+    value: int
+    underflow: bool
+    reverse: bool
+    overflow: bool
+
+
+def count_of(values: tuple[int, ...]) -> Count:
+    """Return the count of commands 16 and 17 (two's complement)."""
+    value, flags = values
+    return Count(value, bool(flags & 1), bool(flags & 2), bool(flags & 4))
+
+
+def speed_of(values: tuple[int, ...]) -> int:
+    """Return the signed speed in counts/s of commands 18, 19, 30, 31 (magnitude, direction)."""
+    magnitude, reverse = values
+    return -magnitude if reverse else magnitude
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityPid:
+    """Hold the velocity loop of a motor; qpps is the speed in counts/s at full duty."""
+
+    p: float
+    i: float
+    d: float
+    qpps: int
+
+
+def velocity_pid_of(values: tuple[int, ...]) -> VelocityPid:
+    """Return the velocity loop of commands 55 and 56, which send P, I, D, QPPS."""
+    p, i, d, qpps = values
+    return VelocityPid(p / FIXED_POINT, i / FIXED_POINT, d / FIXED_POINT, qpps)
+
+
+def velocity_pid_packet(address: int, command: int, pid: VelocityPid) -> bytes:
+    """Return the write packet of commands 28 and 29, which take D, P, I, QPPS."""
+    d, p, i = (int(value * FIXED_POINT) for value in (pid.d, pid.p, pid.i))
+    return write_packet(address, command, d, p, i, pid.qpps)
+
+
+@dataclass(frozen=True, slots=True)
+class CombinedStatus:
+    """Hold the reply to command 73; pairs are (motor 1, motor 2), raw units of the wire."""
+
+    tick: int
+    state: int
+    temperatures: tuple[int, int]
+    main_voltage: int
+    logic_voltage: int
+    pwm: tuple[int, int]
+    currents: tuple[int, int]
+    counts: tuple[int, int]
+    setpoints: tuple[int, int]
+    speeds: tuple[int, int]
+    speed_errors: tuple[int, int]
+    position_errors: tuple[int, int]
+
+
+def combined_status_of(values: tuple[int, ...]) -> CombinedStatus:
+    """Return the record of command 73 (20 numbers, 56 bytes)."""
+    v = values
+    return CombinedStatus(
+        tick=v[0],
+        state=v[1],
+        temperatures=(v[2], v[3]),
+        main_voltage=v[4],
+        logic_voltage=v[5],
+        pwm=(v[6], v[7]),
+        currents=(v[8], v[9]),
+        counts=(v[10], v[11]),
+        setpoints=(v[12], v[13]),
+        speeds=(v[14], v[15]),
+        speed_errors=(v[16], v[17]),
+        position_errors=(v[18], v[19]),
+    )

@@ -1,0 +1,225 @@
+"""A RoboClaw at the byte level: packet parser, watchdog, resets and faults of the link.
+
+Time of the wire and time of the plant are apart: the packet time-out, the serial watchdog and the
+fault data run on ``now_s``, the ramps on ``elapsed_s``.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any, Final
+
+from drivers.api import DriveCommand, MotorState
+from drivers.roboclaw.protocol import (
+    ACKNOWLEDGE,
+    Command,
+    Generation,
+    crc16,
+    write_format,
+)
+from drivers.roboclaw.simulated_faults import Fault, FaultKind, FaultPlan
+from drivers.roboclaw.simulated_registers import Memory, Registers, watchdog_s
+from drivers.roboclaw.status import generation_of
+
+_BOOT_S: Final = 0.2
+_SLOW_S: Final = 0.15
+_WRONG_ACKNOWLEDGE: Final = 0x7F
+
+
+class RoboClawSimulator:
+    """Answer as a RoboClaw does; implements ``drivers.api.SimulatedDrive``.
+
+    address, motor: packet address and the motor that the plant turns (1 or 2); the other motor
+    turns free. any_address: answer to every address, as over USB. firmware: its text; the packet
+    layouts follow from it unless status_width, pin_modes, voltage_offset or combined_status say
+    otherwise. inter_byte_timeout_s: a longer gap inside a packet discards it; 0.01 on the real
+    drive, longer by default because a busy host pauses inside a packet. serial_timeout: watchdog
+    at power-on in units of 0.1 s. qpps: speed limit of both motors in counts/s. faults: ``Fault``
+    records or tables of their fields.
+    """
+
+    def __init__(
+        self,
+        *,
+        address: int = 0x80,
+        motor: int = 1,
+        any_address: bool = False,
+        firmware: str = "USB Roboclaw 2x30a v4.2.4",
+        status_width: str | int = "auto",
+        pin_modes: int | None = None,
+        voltage_offset: bool | None = None,
+        combined_status: bool | None = None,
+        inter_byte_timeout_s: float = 0.5,
+        serial_timeout: int = 0,
+        qpps: int = 44000,
+        logic_V: float = 12.1,
+        faults: Iterable[Fault | Mapping[str, Any]] = (),
+    ) -> None:
+        generation = _generation(firmware, status_width, pin_modes, voltage_offset)
+        saved = Memory(timeout=serial_timeout)
+        if generation.pin_modes == 3:
+            saved.pin_modes = (1, 0, 0)
+        for settings in saved.axes:
+            settings.pid = (*settings.pid[:3], qpps)
+        if combined_status is None:
+            combined_status = generation.status_bits == 32
+        self.generation = generation
+        self.watchdog_tripped = False
+        self._plan = FaultPlan(faults)
+        self._registers = Registers(generation, motor, saved, logic_V, combined_status, self._plan)
+        self._address = address
+        self._any_address = any_address
+        self._firmware = firmware
+        self._inter_byte_timeout_s = inter_byte_timeout_s
+        self._start_s: float | None = None
+        self._last_byte_s = 0.0
+        self._silent_until_s = 0.0
+        self._buffer = b""
+        self._late: list[tuple[float, bytes]] = []
+
+    # --- SimulatedDrive --------------------------------------------------------------------------
+
+    def receive(self, data: bytes, now_s: float) -> bytes:
+        """Take bytes from the host and return the replies that they cause."""
+        time_s = self._judge(now_s)
+        if time_s < self._silent_until_s:
+            return b""
+        if data:
+            if time_s - self._last_byte_s > self._inter_byte_timeout_s:
+                self._buffer = b""
+            self._last_byte_s = time_s
+            self._buffer += data
+        replies = self._due(time_s)
+        while packet := self._next_packet():
+            replies += self._answer(packet, time_s)
+        return replies
+
+    def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
+        """Advance the ramps, judge watchdog and faults, return what drives the motor."""
+        self._judge(now_s)
+        for axis in self._registers.axes:
+            axis.advance(elapsed_s)
+        return self._registers.axes[self._registers.motor - 1].command()
+
+    def observe(self, state: MotorState) -> None:
+        """Take the motor's state for later replies."""
+        self._registers.observe(state)
+
+    def emit(self, now_s: float) -> bytes:
+        """Return replies whose delay is over; a RoboClaw sends nothing by itself."""
+        return self._due(self._judge(now_s))
+
+    # --- what a test or a demonstration may do and see -------------------------------------------
+
+    def inject(self, kind: FaultKind | str, **data: Any) -> None:
+        """Add a fault while the simulation runs, at once unless ``start_s`` says else."""
+        self._plan.add(Fault(FaultKind(kind), **data))
+
+    def clear(self, kind: FaultKind | str) -> None:
+        """Take a fault away, for instance release the emergency stop button."""
+        self._plan.clear(FaultKind(kind))
+
+    @property
+    def serial_timeout_s(self) -> float:
+        """Return the watchdog time that is set; 0 is off."""
+        return watchdog_s(self._registers.memory)
+
+    # --- time ------------------------------------------------------------------------------------
+
+    def _judge(self, now_s: float) -> float:
+        """Let resets, the watchdog and fault conditions act; return the time since the start."""
+        if self._start_s is None:
+            self._start_s = now_s
+        time_s = now_s - self._start_s
+        silence_s = self._plan.take_reset(time_s, _BOOT_S)
+        if silence_s is not None:
+            self._registers.power_on(time_s)
+            self._buffer = b""
+            self._late.clear()
+            self._last_byte_s = time_s
+            self._silent_until_s = time_s + silence_s
+            self.watchdog_tripped = False
+        timeout_s = self.serial_timeout_s
+        if timeout_s and time_s - self._last_byte_s > timeout_s and self._registers.power_off():
+            self.watchdog_tripped = True
+        self._registers.judge(time_s)
+        return time_s
+
+    def _due(self, time_s: float) -> bytes:
+        due = b"".join(reply for due_s, reply in self._late if due_s <= time_s)
+        self._late = [entry for entry in self._late if entry[0] > time_s]
+        return due
+
+    # --- packets ---------------------------------------------------------------------------------
+
+    def _next_packet(self) -> bytes | None:
+        """Take one complete packet out of the buffer; what cannot be one is discarded."""
+        if len(self._buffer) < 2:
+            return None
+        address, command = self._buffer[:2]
+        mine = 0x80 <= address <= 0x87 if self._any_address else address == self._address
+        layout = write_format(command, self._registers.generation)
+        readable = command == Command.VERSION or self._registers.knows(command)
+        if not mine or (layout is None and not readable):
+            self._buffer = b""
+            return None
+        length = 2 if layout is None else 4 + struct.calcsize(layout)
+        if len(self._buffer) < length:
+            return None
+        packet, self._buffer = self._buffer[:length], self._buffer[length:]
+        return packet
+
+    def _answer(self, packet: bytes, time_s: float) -> bytes:
+        command = packet[1]
+        if self._plan.strike(FaultKind.LOST_COMMAND, time_s, command) is not None:
+            return b""
+        layout = write_format(command, self._registers.generation)
+        if layout is None:
+            reply = self._reply(packet, time_s)
+        elif crc16(packet[:-2]) != int.from_bytes(packet[-2:], "big"):
+            return b""
+        else:
+            self._registers.write(command, struct.unpack(layout, packet[2:-2]))
+            self._registers.judge(time_s)
+            wrong = self._plan.strike(
+                FaultKind.WRONG_ACKNOWLEDGE, time_s, command, _WRONG_ACKNOWLEDGE
+            )
+            reply = ACKNOWLEDGE if wrong is None else bytes((int(wrong),))
+        return self._send(reply, command, time_s)
+
+    def _reply(self, packet: bytes, time_s: float) -> bytes:
+        command = packet[1]
+        if command == Command.VERSION:
+            data = self._firmware.encode("ascii") + b"\n\0"
+        else:
+            data = self._registers.read(command, time_s)
+        crc = crc16(packet + data)
+        if self._plan.strike(FaultKind.WRONG_CRC, time_s, command) is not None:
+            crc ^= 0x0001
+        return data + crc.to_bytes(2, "big")
+
+    def _send(self, reply: bytes, command: int, time_s: float) -> bytes:
+        if self._plan.strike(FaultKind.NO_REPLY, time_s, command) is not None:
+            return b""
+        if self._plan.strike(FaultKind.DUPLICATED_REPLY, time_s, command) is not None:
+            reply += reply
+        delay_s = self._plan.strike(FaultKind.SLOW_REPLY, time_s, command, _SLOW_S)
+        if delay_s is None:
+            return reply
+        self._late.append((time_s + delay_s, reply))
+        return b""
+
+
+def _generation(
+    firmware: str, status_width: str | int, pin_modes: int | None, voltage_offset: bool | None
+) -> Generation:
+    generation = generation_of(firmware)
+    if status_width != "auto":
+        generation = replace(generation, status_bits=int(status_width))
+    if pin_modes is not None:
+        generation = replace(generation, pin_modes=pin_modes)
+    if voltage_offset is not None:
+        generation = replace(generation, voltage_offset=voltage_offset)
+    return generation

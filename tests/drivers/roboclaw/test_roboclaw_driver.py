@@ -1,0 +1,527 @@
+"""The RoboClaw driver against its simulator over a pty."""
+
+from __future__ import annotations
+
+import math
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from drivers.api import (
+    ConnectionFailed,
+    DeviceFault,
+    DeviceLost,
+    DriveMode,
+    ProtocolError,
+    ReplyTimeout,
+    SettingRefused,
+    Spindle,
+    WrongDevice,
+)
+from drivers.registry import check_settings, load_driver, load_simulator
+from drivers.roboclaw.driver import DRIVER, RoboClaw
+from drivers.roboclaw.protocol import Command, EmergencyStopLock, write_packet
+from drivers.roboclaw.simulator import RoboClawSimulator
+from drivers.roboclaw.status import describe_status
+
+OLDER = "Roboclaw 2x60a v4.1.34"
+NEWER = "USB Roboclaw 2x30a v4.2.4"
+PATIENT = {"reply_timeout_ms": 400.0}  # a busy host pauses; real time-outs are tested apart
+
+
+def poke(rig: Any, command: Command, *values: int) -> None:
+    """Write to the simulated drive past the wire, as a tool of its maker would."""
+    packet = write_packet(0x80, command, *values)
+    assert rig.simulator.receive(packet, time.monotonic()) == b"\xff"
+
+
+def test_the_driver_is_found_by_its_name_and_is_a_spindle() -> None:
+    info = load_driver("roboclaw")
+    assert info is DRIVER
+    assert load_simulator(info) is RoboClawSimulator
+    settings = check_settings(info, {"address": 129}, "rig.toml [devices.drive.settings]")
+    assert isinstance(info.factory("drive", "none", settings), Spindle)
+
+
+@pytest.mark.parametrize("address", [128, 135])
+@pytest.mark.parametrize("motor", [1, 2])
+def test_the_spindle_turns_ramps_and_stops(
+    drive_rig: Any, connect: Any, wait_until: Any, address: int, motor: int
+) -> None:
+    rig = drive_rig(address=address, motor=motor)
+    drive = connect(rig, address=address, motor=motor, **PATIENT)
+    drive.set_speed(2.0, 40.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 7200, "the ramp's end")
+    ramp = [command.speed_count_per_s for command in rig.commands]
+    assert any(0 < speed < 7200 for speed in ramp)
+    status = drive.status()
+    assert status.speed_rev_per_s == pytest.approx(2.0)
+    assert status.setpoint_rev_per_s == pytest.approx(2.0)
+    assert status.current_A == pytest.approx(0.72, abs=0.01)
+    assert status.supply_V == pytest.approx(48.0)
+    assert status.temperature_C == pytest.approx(31.5)
+    assert status.enabled
+    assert not status.faults
+    assert drive.status().position_count > status.position_count > 0
+    drive.set_speed(0.0, 40.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 0, "the controlled stop")
+    assert rig.last.mode is DriveMode.VELOCITY
+    drive.drive_off()
+    wait_until(lambda: rig.last.mode is DriveMode.OFF, "the power to be off")
+    assert not drive.status().enabled
+
+
+def test_direction_turns_every_sign(
+    drive_rig: Any, connect: Any, wait_until: Any, request_for: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    drive.configure(request_for(direction=-1))
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == -3600, "the drive to turn backward")
+    status = drive.status()
+    assert status.speed_rev_per_s == pytest.approx(1.0)
+    assert status.setpoint_rev_per_s == pytest.approx(1.0)
+    wait_until(lambda: drive.status().position_count > 100, "the count to rise")
+
+
+@pytest.mark.parametrize(
+    ("firmware", "settings", "bits", "combined"),
+    [
+        (NEWER, {}, 32, 1),
+        (NEWER, {"combined_status": "never"}, 32, 0),
+        (OLDER, {}, 16, 0),
+        (OLDER, {"status_width": "16"}, 16, 0),
+    ],
+)
+def test_both_generations_tell_the_same(
+    drive_rig: Any,
+    connect: Any,
+    wait_until: Any,
+    request_for: Any,
+    firmware: str,
+    settings: dict[str, Any],
+    bits: int,
+    combined: int,
+) -> None:
+    rig = drive_rig(firmware=firmware)
+    drive = connect(rig, **PATIENT, **settings)
+    readback = drive.configure(request_for())
+    assert readback["status_bits"] == bits
+    assert readback["combined_status"] == combined
+    drive.set_speed(-1.5, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == -5400, "the speed")
+    status = drive.status()
+    assert status.speed_rev_per_s == pytest.approx(-1.5)
+    assert status.supply_V == pytest.approx(48.0)
+    assert status.temperature_C == pytest.approx(31.5)
+    rig.simulator.inject("emergency_stop")
+    wait_until(lambda: drive.status().emergency_stop, "the emergency stop")
+    assert drive.status().faults == ("emergency stop",)
+
+
+@pytest.mark.parametrize(("firmware", "width"), [(NEWER, 16), (OLDER, 32)])
+def test_a_firmware_text_that_misleads_is_corrected_by_a_reply(
+    drive_rig: Any, firmware: str, width: int
+) -> None:
+    rig = drive_rig(firmware=firmware, status_width=width)
+    drive = RoboClaw("drive", rig.port, PATIENT)
+    assert drive.open().details["status_bits"] == str(width)
+    drive.close()
+
+
+def test_the_status_is_one_packet_where_the_drive_can(drive_rig: Any, connect: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    before = len(rig.wire.received)
+    drive.status()
+    assert bytes(rig.wire.received[before:]) == b"\x80\x49"
+
+
+def test_the_identity_is_the_firmware_text(drive_rig: Any) -> None:
+    drive = RoboClaw("drive", drive_rig().port, PATIENT)
+    identity = drive.open()
+    assert (identity.maker, identity.model) == ("Basicmicro", "USB Roboclaw 2x30a")
+    assert identity.firmware == "v4.2.4"
+    drive.close()
+    drive.close()
+
+
+def test_configure_reads_everything_back(drive_rig: Any, connect: Any, request_for: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    readback = drive.configure(request_for(0.77))
+    assert readback["watchdog_timeout_s"] == 0.7, "rounded to the safe side"
+    assert rig.simulator.serial_timeout_s == pytest.approx(0.7)
+    assert readback["speed_limit_count_per_s"] == 44000
+    assert readback["velocity_p"] == 1.0
+    assert readback["current_limit_A"] == pytest.approx(30.0)
+    assert readback["supply_V"] == pytest.approx(48.0)
+
+
+def test_configure_switches_a_motor_off_that_is_found_running(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    poke(rig, Command.SET_SPEED_M1, 3600)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the motor to run by itself")
+    connect(rig, **PATIENT)
+    wait_until(lambda: rig.last.mode is DriveMode.OFF, "the power to be off")
+
+
+@pytest.mark.parametrize(
+    ("speed", "acceleration", "why"),
+    [
+        (12.1, 1.0, "726.0 rpm is above"),
+        (-12.1, 1.0, "above the rig's maximum"),
+        (math.nan, 1.0, "not a number"),
+        (math.inf, 1.0, "not a number"),
+        (1.0, 0.0, "acceleration"),
+        (1.0, -1.0, "acceleration"),
+        (1.0, math.nan, "acceleration"),
+    ],
+)
+def test_what_may_not_be_is_refused_before_it_is_sent(
+    drive_rig: Any, connect: Any, speed: float, acceleration: float, why: str
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    sent = len(rig.wire.received)
+    with pytest.raises(SettingRefused, match=why):
+        drive.set_speed(speed, acceleration)
+    assert len(rig.wire.received) == sent
+
+
+def test_a_speed_above_the_drives_own_limit_is_refused(drive_rig: Any, connect: Any) -> None:
+    drive = connect(drive_rig(qpps=20000), **PATIENT)
+    drive.set_speed(5.0, 1.0)
+    with pytest.raises(SettingRefused, match="QPPS"):
+        drive.set_speed(6.0, 1.0)
+
+
+def test_nothing_turns_before_the_watchdog_is_set(drive_rig: Any) -> None:
+    drive = RoboClaw("drive", drive_rig().port, PATIENT)
+    with pytest.raises(DeviceLost, match="not open"):
+        drive.set_speed(1.0, 1.0)
+    drive.open()
+    with pytest.raises(SettingRefused, match="configure"):
+        drive.set_speed(1.0, 1.0)
+    drive.close()
+
+
+@pytest.mark.parametrize("timeout_s", [0.0, 0.05, 25.7, -1.0])
+def test_a_watchdog_out_of_range_is_refused(
+    drive_rig: Any, connect: Any, request_for: Any, timeout_s: float
+) -> None:
+    drive = connect(drive_rig(), **PATIENT)
+    with pytest.raises(SettingRefused, match=r"0\.1 to 25\.5"):
+        drive.configure(request_for(timeout_s))
+
+
+def test_a_watchdog_that_does_not_hold_is_refused(drive_rig: Any, request_for: Any) -> None:
+    class Forgetful(RoboClawSimulator):
+        def receive(self, data: bytes, now_s: float) -> bytes:
+            reply = super().receive(data, now_s)
+            self._registers.memory.timeout = 0
+            return reply
+
+    rig = drive_rig()
+    rig.wire._respond = Forgetful().receive
+    drive = RoboClaw("drive", rig.port, PATIENT)
+    drive.open()
+    with pytest.raises(SettingRefused, match=r"reads 0\.0 s after 0\.5 s"):
+        drive.configure(request_for())
+    with pytest.raises(SettingRefused, match="configure"):
+        drive.set_speed(1.0, 1.0)
+    drive.close()
+
+
+# --- connection -----------------------------------------------------------------------------------
+
+
+def test_a_port_without_an_answer_is_named(wire: Any) -> None:
+    silent = wire(lambda data, now_s: b"")
+    drive = RoboClaw("drive", silent.port, {"reply_timeout_ms": 20.0})
+    with pytest.raises(ConnectionFailed, match=r"no RoboClaw answers at address 128.*3 tries"):
+        drive.open()
+    with pytest.raises(DeviceLost):
+        drive.status()
+
+
+def test_another_device_is_named(wire: Any) -> None:
+    other = wire(lambda data, now_s: b"ERROR unknown command\0\r\n")
+    drive = RoboClaw("drive", other.port, {"reply_timeout_ms": 50.0})
+    with pytest.raises(WrongDevice, match="no RoboClaw"):
+        drive.open()
+
+
+def test_another_address_is_not_answered(drive_rig: Any) -> None:
+    drive = RoboClaw("drive", drive_rig(address=129).port, {"reply_timeout_ms": 20.0})
+    with pytest.raises(ConnectionFailed, match="address"):
+        drive.open()
+
+
+def test_a_pulled_cable_is_named_and_close_bears_it(drive_rig: Any, connect: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    drive.set_speed(1.0, 10.0)
+    rig.wire.unplug()
+    with pytest.raises(DeviceLost):
+        drive.status()
+    drive.close()
+
+
+def test_close_switches_the_motor_off(drive_rig: Any, connect: Any, wait_until: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
+    drive.close()
+    wait_until(lambda: rig.last.mode is DriveMode.OFF, "the power to be off")
+
+
+# --- watchdog -------------------------------------------------------------------------------------
+
+
+def test_a_silent_host_stops_the_spindle_and_is_told_so(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=0.3, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
+    wait_until(lambda: rig.simulator.watchdog_tripped, "the drive's watchdog")
+    wait_until(lambda: rig.last.mode is DriveMode.OFF, "the stop")
+    status = drive.status()
+    assert any("watchdog" in fault for fault in status.faults)
+    assert not status.enabled
+    assert status.setpoint_rev_per_s == 0.0
+    drive.set_speed(0.5, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 1800, "a new command")
+    assert not drive.status().faults
+
+
+def test_status_feeds_the_watchdog(drive_rig: Any, connect: Any, wait_until: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=1.0, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    end = time.monotonic() + 1.5
+    while time.monotonic() < end:
+        assert not drive.status().faults
+        threading.Event().wait(0.05)
+    assert rig.last.speed_count_per_s == 3600
+    assert not rig.simulator.watchdog_tripped
+
+
+# --- faults ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("fault", "value", "told"),
+    [
+        ("emergency_stop", None, "emergency stop"),
+        ("over_current", None, "current error M1"),
+        ("under_voltage", 5.5, "main voltage low"),
+        ("over_temperature", None, "over-temperature 1"),
+        ("driver_fault", None, "driver fault M1"),
+        ("status_bits", 0x8000, "main voltage high (until"),
+    ],
+)
+def test_every_state_fault_is_told_in_words(
+    drive_rig: Any, connect: Any, wait_until: Any, fault: str, value: float | None, told: str
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    rig.simulator.inject(fault, value=value)
+    wait_until(lambda: drive.status().faults != (), "the fault")
+    status = drive.status()
+    assert any(told in words for words in status.faults), status.faults
+    assert not status.enabled
+    assert status.emergency_stop == (fault == "emergency_stop")
+    if fault != "status_bits":
+        wait_until(lambda: rig.last.mode is DriveMode.OFF, "the motor to be off")
+
+
+def test_an_unknown_error_bit_of_older_firmware_is_a_fault() -> None:
+    assert describe_status(1 << 40, 48).faults == ("unknown error bit 40",)
+
+
+def test_a_latched_emergency_stop_is_reset_after_its_release(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    poke(rig, Command.SET_EMERGENCY_STOP_LOCK, EmergencyStopLock.SOFTWARE)
+    drive = connect(rig, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    rig.simulator.inject("emergency_stop")
+    wait_until(lambda: drive.status().emergency_stop, "the emergency stop")
+    with pytest.raises(DeviceFault, match="release the emergency stop button"):
+        drive.reset_fault()
+    rig.simulator.clear("emergency_stop")
+    assert drive.status().emergency_stop, "it stays latched"
+    drive.reset_fault()
+    status = drive.status()
+    assert not status.emergency_stop
+    assert not status.enabled
+    assert rig.last.mode is DriveMode.OFF, "it must not start by itself"
+
+
+def test_a_hardware_locked_stop_asks_for_the_switch(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    poke(rig, Command.SET_EMERGENCY_STOP_LOCK, EmergencyStopLock.HARDWARE)
+    drive = connect(rig, **PATIENT)
+    rig.simulator.inject("emergency_stop")
+    wait_until(lambda: drive.status().emergency_stop, "the emergency stop")
+    rig.simulator.clear("emergency_stop")
+    with pytest.raises(DeviceFault, match="off and on"):
+        drive.reset_fault()
+
+
+@pytest.mark.parametrize("settings", [{}, {"combined_status": "never"}])
+def test_a_restart_of_the_drive_is_noticed(
+    drive_rig: Any, connect: Any, settings: dict[str, Any]
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT, **settings)
+    drive.set_speed(1.0, 1000.0)
+    drive.status()
+    rig.simulator.inject("reset", value=0.0)
+
+    def poll_until_lost() -> None:
+        for _ in range(20):
+            drive.status()
+
+    with pytest.raises(DeviceLost, match="has restarted"):
+        poll_until_lost()
+    with pytest.raises(SettingRefused, match="configure"):
+        drive.set_speed(1.0, 1.0)
+
+
+def test_a_restart_with_a_long_silence_is_a_missing_reply(drive_rig: Any, connect: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, reply_timeout_ms=50.0)
+    rig.simulator.inject("reset", value=30.0)
+    with pytest.raises(ReplyTimeout, match=r"no reply to COMBINED_STATUS.*3 tries"):
+        drive.status()
+
+
+# --- the link -------------------------------------------------------------------------------------
+
+
+def test_a_wrong_crc_is_counted_and_repeated(drive_rig: Any, connect: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    rig.simulator.inject("wrong_crc", count=2)
+    status = drive.status()
+    assert status.crc_errors == 2
+    assert any("CRC" in warning for warning in status.warnings)
+    assert not drive.status().warnings
+
+
+def test_only_wrong_crcs_are_an_error_with_what_was_seen(drive_rig: Any, connect: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    rig.simulator.inject("wrong_crc")
+    with pytest.raises(ProtocolError, match=r"COMBINED_STATUS.*3 tries: CRC .* instead of"):
+        drive.status()
+
+
+def test_a_missing_reply_is_repeated_and_told(drive_rig: Any, connect: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, reply_timeout_ms=100.0)
+    rig.simulator.inject("no_reply", count=1)
+    assert any("missing" in warning for warning in drive.status().warnings)
+
+
+@pytest.mark.parametrize("fault", ["slow_reply", "duplicated_reply"])
+def test_late_and_repeated_replies_do_not_become_wrong_values(
+    drive_rig: Any, connect: Any, fault: str
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, reply_timeout_ms=100.0, combined_status="never")
+    rig.simulator.inject(fault, count=4)
+    warnings: set[str] = set()
+    for _ in range(4):
+        status = drive.status()
+        assert status.speed_rev_per_s == 0.0
+        assert status.supply_V == pytest.approx(48.0)
+        warnings |= set(status.warnings)
+    assert any("late or repeated" in warning for warning in warnings), warnings
+
+
+@pytest.mark.parametrize("fault", ["wrong_acknowledge", "no_reply", "lost_command"])
+@pytest.mark.parametrize("settings", [{}, {"combined_status": "never"}])
+def test_a_write_is_obeyed_once_although_its_answer_failed(
+    drive_rig: Any, connect: Any, wait_until: Any, fault: str, settings: dict[str, Any]
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, reply_timeout_ms=100.0, **settings)
+    rig.simulator.inject(fault, count=1, command=int(Command.RAMP_SPEED_M1))
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
+    assert any("not acknowledged by FF" in warning for warning in drive.status().warnings)
+
+
+def test_a_command_that_never_arrives_is_an_error(drive_rig: Any, connect: Any) -> None:
+    rig = drive_rig()
+    drive = connect(rig, reply_timeout_ms=50.0)
+    rig.simulator.inject("lost_command", command=int(Command.RAMP_SPEED_M1))
+    with pytest.raises(ReplyTimeout, match="RAMP_SPEED_M1"):
+        drive.set_speed(1.0, 1000.0)
+
+
+def test_drive_off_ends_the_retries_of_another_call(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=20.0, reply_timeout_ms=500.0)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
+    rig.simulator.inject("no_reply", command=int(Command.COMBINED_STATUS))
+    outcome: list[ReplyTimeout] = []
+
+    def poll() -> None:
+        try:
+            drive.status()
+        except ReplyTimeout as error:
+            outcome.append(error)
+
+    asked = len(rig.wire.received)
+    poller = threading.Thread(target=poll, name="poller")
+    poller.start()
+    wait_until(lambda: len(rig.wire.received) > asked, "the poll to begin")
+    drive.drive_off()
+    wait_until(lambda: rig.last.mode is DriveMode.OFF, "the power to be off")
+    poller.join(10.0)
+    assert outcome
+    assert "1 tries" in str(outcome[0])
+
+
+def test_many_threads_share_one_link(drive_rig: Any, connect: Any) -> None:
+    drive = connect(drive_rig(), **PATIENT)
+    failures: list[BaseException] = []
+
+    def use(call: Callable[[], Any]) -> None:
+        try:
+            for _ in range(20):
+                call()
+        except BaseException as failure:
+            failures.append(failure)
+
+    calls = (drive.status, lambda: drive.set_speed(1.0, 1.0), drive.status)
+    threads = [
+        threading.Thread(target=use, args=(call,), name=f"user {number}")
+        for number, call in enumerate(calls)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(20.0)
+    assert not failures
+    assert drive.status().crc_errors == 0
