@@ -6,6 +6,7 @@ from rigapp.storage.errors import NoRoom, StorageFailed
 from rigapp.storage.layout import FilePlan
 from rigapp.storage.metadata import TestMetadata
 from rigapp.storage.reader import StoredCycle, TestReader, open_test
+from rigapp.storage.resume import reopen_test
 from rigapp.storage.writer import TestWriter, create_test
 
 __all__ = [
@@ -18,4 +19,5 @@ __all__ = [
     "TestWriter",
     "create_test",
     "open_test",
+    "reopen_test",
 ]

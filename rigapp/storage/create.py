@@ -7,6 +7,7 @@ import errno
 import os
 import resource
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -120,6 +121,17 @@ def places_of(path: Path) -> Places:
     with h5py.File(path, "r", locking=False) as file:
         file.visititems(note)
     return places
+
+
+def fitted_streams(plan: FilePlan, places: Places) -> dict[str, Stream]:
+    """Return the streams of a plan with the sizes that the file really has."""
+    found: dict[str, Stream] = {}
+    for name, stream in streams_of(plan).items():
+        first = stream.fields[0]
+        capacity = places[stream.path(first.name)][1] // first.row_bytes
+        planned = min(stream.planned, capacity)
+        found[name] = replace(stream, planned=planned, capacity=capacity)
+    return found
 
 
 def reserve_stream(disk: Disk, stream: Stream, places: Places, first: int, rows: int) -> None:

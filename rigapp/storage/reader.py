@@ -202,6 +202,11 @@ class TestReader:
             self._table("events", 0), self._text("/entry/entry_identifier_uuid")
         )
 
+    def last_digest(self) -> bytes:
+        """Return the digest of the log's last row, empty when there is none."""
+        number = self.committed("events")
+        return bytes(self._file["/entry/events/digest"][number - 1]) if number else b""
+
     def configuration(self) -> dict[str, Any]:
         """Return the configuration: texts ``rig`` and ``test``, ``parameters``, ``versions``."""
         return _tree(self._file[CONFIGURATION])

@@ -18,7 +18,13 @@ from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import Event
 from rigapp.storage.backlog import Backlog
 from rigapp.storage.build import PAGE
-from rigapp.storage.create import Places, create_file, refuse_little_space, state_dtypes
+from rigapp.storage.create import (
+    Places,
+    create_file,
+    fitted_streams,
+    refuse_little_space,
+    state_dtypes,
+)
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import NoRoom, StorageFailed
 from rigapp.storage.events import columns_of, rows_of, seed_of
@@ -101,7 +107,7 @@ class TestWriter:
         self._backlog = Backlog(disk)
         self._places = places
         self._counts = counts
-        self._streams = streams_of(plan)
+        self._streams = fitted_streams(plan, places)
         self._digest = digest
         self._written: dict[str, int] = {name: getattr(counts, name) for name in _COUNTERS}
         self._rooms = {
@@ -262,6 +268,19 @@ class TestWriter:
             ),
             0,
         )  # fmt: skip
+
+    def begin_again(self, event: Event, gap: bool) -> None:
+        """Turn the file back into a running test; ``gap`` when there is data before."""
+        with self._count_lock:
+            self._counts.resumed += 1
+            self._counts.gaps += gap
+        self._append_event(event, 0)
+        with self._commit_lock:
+            self._commit()
+            for path in (f"{STATE}/reason_code", f"{STATE}/reason", END_TIME):
+                self._put_at(path, "")
+            self._put("status", "running")
+            self._disk.sync()
 
     def commit(self) -> int:
         """Make everything appended so far safe; return the number of revolutions now safe.

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import tempfile
 from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from storage_samples import METADATA, PLAN, check, curves, cycle, new_test, prediction, row, write
 
@@ -15,11 +16,11 @@ from rigapp.engine.messages import Event
 from rigapp.storage import FilePlan, NoRoom, StorageFailed, open_test
 
 
-def test_rows_cycles_predictions_and_curves_come_back(tmp_path: Path) -> None:
-    with new_test(tmp_path) as writer:
+def test_rows_cycles_predictions_and_curves_come_back(quick_folder: Path) -> None:
+    with new_test(quick_folder) as writer:
         write(writer, 1, 300)
         assert writer.commit() == 300
-        with open_test(tmp_path / "test.h5") as reader:
+        with open_test(quick_folder / "test.h5") as reader:
             assert check(reader) == 300
             assert reader.cycle_revolutions().tolist() == list(range(10, 301, 10))
             assert reader.cycle(-1).revolution == 300
@@ -29,10 +30,10 @@ def test_rows_cycles_predictions_and_curves_come_back(tmp_path: Path) -> None:
                 reader.cycle(30)
 
 
-def test_only_committed_rows_are_data(tmp_path: Path) -> None:
-    with new_test(tmp_path) as writer:
+def test_only_committed_rows_are_data(quick_folder: Path) -> None:
+    with new_test(quick_folder) as writer:
         write(writer, 1, 40)
-        with open_test(tmp_path / "test.h5") as reader:
+        with open_test(quick_folder / "test.h5") as reader:
             assert reader.committed() == 0
             assert reader.rows()["revolution"].size == 0
             assert reader.committed("cycles") == 0
@@ -43,9 +44,9 @@ def test_only_committed_rows_are_data(tmp_path: Path) -> None:
             assert check(reader) == 40
 
 
-def test_summary_has_the_promised_keys(tmp_path: Path) -> None:
-    writer = new_test(tmp_path)
-    path = tmp_path / "test.h5"
+def test_summary_has_the_promised_keys(quick_folder: Path) -> None:
+    writer = new_test(quick_folder)
+    path = quick_folder / "test.h5"
     with open_test(path) as reader:
         empty = reader.summary()
     assert list(empty) == [
@@ -76,29 +77,29 @@ def test_summary_has_the_promised_keys(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("stored", "shown"), [("complete", "complete"), ("stopped", "stopped"), ("fault", "stopped")]
 )
-def test_final_status_is_one_of_four_words(tmp_path: Path, stored: str, shown: str) -> None:
-    writer = new_test(tmp_path)
+def test_final_status_is_one_of_four_words(quick_folder: Path, stored: str, shown: str) -> None:
+    writer = new_test(quick_folder)
     writer.finish(stored, "device", "cable pulled")
     writer.close()
-    with open_test(tmp_path / "test.h5") as reader:
+    with open_test(quick_folder / "test.h5") as reader:
         assert reader.summary()["status"] == shown
         assert reader.summary()["reason"] == "cable pulled"
         assert reader.stored_status() == stored
         assert reader.reason_code() == "device"
 
 
-def test_a_closed_file_without_status_is_interrupted(tmp_path: Path) -> None:
-    with new_test(tmp_path) as writer:
+def test_a_closed_file_without_status_is_interrupted(quick_folder: Path) -> None:
+    with new_test(quick_folder) as writer:
         write(writer, 1, 7)
-    with open_test(tmp_path / "test.h5") as reader:
+    with open_test(quick_folder / "test.h5") as reader:
         summary = reader.summary()
     assert summary["status"] == "interrupted"
     assert summary["revolutions"] == 7
     assert "7 revolutions are safe" in summary["reason"]
 
 
-def test_unknown_final_status_and_use_after_close_are_refused(tmp_path: Path) -> None:
-    writer = new_test(tmp_path)
+def test_unknown_final_status_and_use_after_close_are_refused(quick_folder: Path) -> None:
+    writer = new_test(quick_folder)
     with pytest.raises(ValueError, match="status 'done'"):
         writer.finish("done", "", "")
     writer.close()
@@ -107,9 +108,9 @@ def test_unknown_final_status_and_use_after_close_are_refused(tmp_path: Path) ->
         writer.commit()
 
 
-def test_configuration_calibration_and_metadata_come_back(tmp_path: Path) -> None:
-    new_test(tmp_path).close()
-    with open_test(tmp_path / "test.h5") as reader:
+def test_configuration_calibration_and_metadata_come_back(quick_folder: Path) -> None:
+    new_test(quick_folder).close()
+    with open_test(quick_folder / "test.h5") as reader:
         configuration = reader.configuration()
         assert configuration["rig"] == METADATA.rig_text
         assert configuration["test"] == METADATA.test_text
@@ -119,15 +120,15 @@ def test_configuration_calibration_and_metadata_come_back(tmp_path: Path) -> Non
         metadata = reader.metadata()
     assert metadata["operator"] == "Ann"
     assert metadata["planned_revolutions"] == 300
-    with h5py.File(tmp_path / "test.h5") as file:
+    with h5py.File(quick_folder / "test.h5") as file:
         radius = file["/entry/configuration/parameters/mechanism/crank_radius_mm"]
         assert radius.attrs["units"] == "mm"
         matrix = file["/entry/calibration/load_cell/matrix_N_per_mV_per_V"]
         assert matrix.attrs["units"] == "N/(mV/V)"
 
 
-def test_every_number_has_a_unit_and_a_name(tmp_path: Path) -> None:
-    new_test(tmp_path).close()
+def test_every_number_has_a_unit_and_a_name(quick_folder: Path) -> None:
+    new_test(quick_folder).close()
 
     def has_unit(name: str, item: object) -> None:
         if not isinstance(item, h5py.Dataset) or item.dtype.kind not in "fi":
@@ -136,14 +137,14 @@ def test_every_number_has_a_unit_and_a_name(tmp_path: Path) -> None:
             return
         assert item.attrs.get("units"), name
 
-    with h5py.File(tmp_path / "test.h5") as file:
+    with h5py.File(quick_folder / "test.h5") as file:
         file.visititems(has_unit)
 
 
-def test_cycle_may_be_given_by_name_and_wrong_columns_are_refused(tmp_path: Path) -> None:
+def test_cycle_may_be_given_by_name_and_wrong_columns_are_refused(quick_folder: Path) -> None:
     names = [one.name for one in PLAN.cycle_columns]
     values = dict(zip(names, cycle(10), strict=True))
-    with new_test(tmp_path) as writer:
+    with new_test(quick_folder) as writer:
         assert writer.append_cycle(10, values)
         with pytest.raises(ValueError, match="check raw_count"):
             writer.append_cycle(20, {name: values[name] for name in names if name != "raw_count"})
@@ -152,14 +153,14 @@ def test_cycle_may_be_given_by_name_and_wrong_columns_are_refused(tmp_path: Path
         with pytest.raises(ValueError, match="values"):
             writer.append_prediction(prediction(20), curves(20)[:, :-1])
         writer.commit()
-        with open_test(tmp_path / "test.h5") as reader:
+        with open_test(quick_folder / "test.h5") as reader:
             assert reader.cycle_revolutions().tolist() == [10]
             check(reader)
 
 
-def test_a_full_file_says_so_and_keeps_its_data(tmp_path: Path) -> None:
+def test_a_full_file_says_so_and_keeps_its_data(quick_folder: Path) -> None:
     plan = FilePlan(revolutions=5, cycles=1, samples_per_cycle=4, events=80, prediction=False)
-    with new_test(tmp_path, plan) as writer:
+    with new_test(quick_folder, plan) as writer:
         for revolution in range(1, 1025):
             writer.append_row(row(revolution, plan))
         with pytest.raises(NoRoom, match="begin a new test"):
@@ -169,17 +170,17 @@ def test_a_full_file_says_so_and_keeps_its_data(tmp_path: Path) -> None:
         texts = [writer.append_event(Event(0.0, i, "k", "s", "t")) for i in range(100)]
         assert texts.count(False) == 84
         assert writer.commit() == 1024
-        with open_test(tmp_path / "test.h5") as reader:
+        with open_test(quick_folder / "test.h5") as reader:
             assert check(reader, every=1) == 1024
             assert reader.state("cycles_refused") == kept.count(False)
             assert reader.state("events_refused") == 84
 
 
-def test_finished_test_in_xarray(tmp_path: Path) -> None:
-    with new_test(tmp_path) as writer:
+def test_finished_test_in_xarray(quick_folder: Path) -> None:
+    with new_test(quick_folder) as writer:
         write(writer, 1, 30)
         writer.commit()
-        with open_test(tmp_path / "test.h5") as reader:
+        with open_test(quick_folder / "test.h5") as reader:
             data = reader.to_xarray()
             twin = reader.to_xarray("prediction")
     assert data.sizes == {"revolution": 30}
@@ -191,7 +192,11 @@ def test_finished_test_in_xarray(tmp_path: Path) -> None:
 texts = st.text(max_size=700)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(
+    max_examples=40,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 @given(
     found=st.lists(
         st.builds(
@@ -201,10 +206,8 @@ texts = st.text(max_size=700)
         max_size=8,
     )
 )  # fmt: skip
-def test_events_come_back_whatever_their_texts(
-    tmp_path_factory: pytest.TempPathFactory, found: list[Event]
-) -> None:
-    folder = tmp_path_factory.mktemp("events")
+def test_events_come_back_whatever_their_texts(quick_folder: Path, found: list[Event]) -> None:
+    folder = Path(tempfile.mkdtemp(dir=quick_folder))
     with new_test(folder) as writer:
         for event in found:
             assert writer.append_event(event)
@@ -220,12 +223,12 @@ def test_events_come_back_whatever_their_texts(
     assert [clean(one) for one in stored] == [clean(one) for one in found]
 
 
-def test_an_altered_event_shows(tmp_path: Path) -> None:
-    with new_test(tmp_path) as writer:
+def test_an_altered_event_shows(quick_folder: Path) -> None:
+    with new_test(quick_folder) as writer:
         for i in range(5):
             writer.append_event(Event(float(i), i, "setpoint", "operator", "speed", "30", "60"))
         writer.commit()
-    path = tmp_path / "test.h5"
+    path = quick_folder / "test.h5"
     path.chmod(0o644)
     with h5py.File(path, "r+") as file:
         file["/entry/events/after"][2] = b"90"
@@ -233,17 +236,19 @@ def test_an_altered_event_shows(tmp_path: Path) -> None:
         assert reader.first_altered_event() == 2
 
 
-@settings(max_examples=25, deadline=None)
+@settings(
+    max_examples=25,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 @given(
     steps=st.lists(
         st.tuples(st.sampled_from(["rows", "cycle", "commit", "event"]), st.integers(1, 90)),
         max_size=25,
     )
 )
-def test_any_order_of_calls_reads_back(
-    tmp_path_factory: pytest.TempPathFactory, steps: list[tuple[str, int]]
-) -> None:
-    folder = tmp_path_factory.mktemp("steps")
+def test_any_order_of_calls_reads_back(quick_folder: Path, steps: list[tuple[str, int]]) -> None:
+    folder = Path(tempfile.mkdtemp(dir=quick_folder))
     rows = cycles = 0
     with new_test(folder) as writer:
         for step, number in steps:

@@ -1,0 +1,149 @@
+"""Go on with an interrupted test in the same file."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import time
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+from rigapp.engine.messages import Event
+from rigapp.storage.create import (
+    Places,
+    fitted_streams,
+    places_of,
+    refuse_little_space,
+    reserve_stream,
+)
+from rigapp.storage.disk import Disk
+from rigapp.storage.events import seed_of
+from rigapp.storage.layout import FilePlan, planned_rows
+from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage.reader import TestReader, open_test
+from rigapp.storage.writer import Counts, TestWriter
+
+
+def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
+    """Open an interrupted or stopped test for writing, placed after its committed rows.
+
+    The gap is counted and logged; the flag in the first new row is the caller's. Raises
+    UnusableInput for a complete test, a file that another process writes, one that was compressed,
+    and too little space.
+    """
+    target = Path(path).absolute()
+    with open_test(target) as reader:
+        _refuse_finished(reader)
+    fd = _open_for_writing(target)
+    with contextlib.ExitStack() as undo:
+        undo.callback(os.close, fd)
+        if not hold_writer_lock(fd):
+            raise UnusableInput(
+                f"{target}: another process is writing this test; "
+                "stop it there before resuming it here"
+            )
+        _refuse_replaced(target, fd)
+        with open_test(target) as reader:
+            _refuse_finished(reader)
+            counts, digest, last = _counts(reader)
+            plan = reader.plan
+        places = places_of(target)
+        disk = Disk(fd, target)
+        reserved = _reserve(disk, plan, places, counts.planned_revolutions)
+        writer = TestWriter(disk, places, plan, counts, reserved, digest)
+        undo.pop_all()
+    _log_resumption(writer, last)
+    return writer
+
+
+def _refuse_finished(reader: TestReader) -> None:
+    status = reader.stored_status()
+    if status == "complete":
+        raise UnusableInput(
+            f"{reader.path}: the test is complete with {reader.committed()} revolutions; "
+            "begin a new test"
+        )
+    if reader.compressed:
+        raise UnusableInput(
+            f"{reader.path}: the test was ended ({reader.summary()['reason']}) and its file "
+            "compressed; begin a new test"
+        )
+
+
+def _open_for_writing(path: Path) -> int:
+    """Open the write-protected file of our own; its mode is back before this returns."""
+    try:
+        if not os.access(path, os.W_OK):
+            path.chmod(0o644)
+            try:
+                return os.open(path, os.O_RDWR)
+            finally:
+                path.chmod(0o444)
+        return os.open(path, os.O_RDWR)
+    except OSError as error:
+        raise UnusableInput(
+            f"{path}: the file cannot be opened for writing ({error.strerror}); "
+            "resume as the user who began the test, on a disk that can be written"
+        ) from error
+
+
+def _refuse_replaced(path: Path, fd: int) -> None:
+    mine, there = os.fstat(fd), path.stat()
+    if (mine.st_ino, mine.st_dev) != (there.st_ino, there.st_dev):
+        raise UnusableInput(f"{path}: the file was replaced while it was opened; try again")
+
+
+def _counts(reader: TestReader) -> tuple[Counts, bytes, int]:
+    """Return the committed counts, the last digest of the log and the last revolution."""
+    revolutions = reader.committed()
+    counts = Counts(
+        revolutions=revolutions,
+        cycles=reader.committed("cycles"),
+        samples=reader.committed("samples"),
+        prediction=reader.committed("prediction"),
+        curves=reader.committed("curves"),
+        events=reader.committed("events"),
+        **{
+            name: reader.state(name)
+            for name in (
+                "gaps", "resumed", "cycles_refused", "events_refused", "planned_revolutions",
+            )
+        },
+    )  # fmt: skip
+    digest = reader.last_digest() or seed_of(reader.metadata()["identifier"])
+    last = int(reader.column("revolution")[-1]) if revolutions else reader.plan.first_revolution - 1
+    return counts, digest, last
+
+
+def _reserve(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> dict[str, int]:
+    """Reserve the planned rows again: a copy of the file may have lost its reserved space."""
+    streams = fitted_streams(plan, places)
+    wanted = {name: stream.planned for name, stream in streams.items()}
+    for name, rows in planned_rows(plan, revolutions).items():
+        wanted[name] = max(wanted[name], rows)
+    length = sum(wanted[name] * stream.row_bytes for name, stream in streams.items())
+    have = os.fstat(disk.fd).st_blocks * 512
+    refuse_little_space(disk.path.parent, disk.path, max(0, length - have))
+    try:
+        for name, stream in streams.items():
+            reserve_stream(disk, stream, places, 0, wanted[name])
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+            raise
+        raise UnusableInput(
+            f"{disk.path}: the disk refused to reserve the room for the rest of the test "
+            f"({error.strerror}); free {max(0, length - have) / 1e6:.0f} MB"
+        ) from error
+    return wanted
+
+
+def _log_resumption(writer: TestWriter, last: int) -> None:
+    gap = writer.revolutions > 0
+    text = f"the test was resumed after revolution {last}"
+    event = Event(time.time(), last, "gap" if gap else "resumed", "storage", text)
+    try:
+        writer.begin_again(event, gap)
+    except BaseException:
+        writer.close()
+        raise
