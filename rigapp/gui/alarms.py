@@ -1,0 +1,181 @@
+"""The alarms: what is wrong, what it leads to, what to do; acknowledge and shelve."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QBrush, QColor
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QSpinBox,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from rigapp.engine.messages import Alarm, Severity
+from rigapp.gui.palette import Theme
+
+COLUMNS = ("", "State", "Alarm", "Cause", "Consequence", "What to do", "Since", "Cycle")
+MARKS = {Severity.WARNING: "▲ warning", Severity.CRITICAL: "◆ critical"}
+
+
+def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
+    """Return the alarms to show: first-out, then unacknowledged, then worst, then oldest."""
+    return sorted(
+        (alarm for alarm in alarms if alarm.state != "normal"),
+        key=lambda alarm: (
+            not alarm.first_out,
+            alarm.acknowledged,
+            alarm.severity is not Severity.CRITICAL,
+            alarm.raised_at,
+        ),
+    )
+
+
+class AlarmPanel(QWidget):
+    """List the alarms; emits requests as (verb, arguments)."""
+
+    wanted = Signal(str, dict)
+
+    def __init__(self, prefix: str, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._alarms: list[Alarm] = []
+        self.setObjectName(f"{prefix}_alarm_panel")
+        self.setAccessibleName("Alarms")
+        self.table = QTableWidget(0, len(COLUMNS))
+        self.table.setObjectName(f"{prefix}_alarm_table")
+        self.table.setAccessibleName("List of alarms")
+        self.table.setHorizontalHeaderLabels(list(COLUMNS))
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setWordWrap(True)
+        self.table.setTabKeyNavigation(False)
+        self.table.verticalHeader().hide()
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        for column in (2, 3, 4, 5):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
+        self.table.itemSelectionChanged.connect(self._enable)
+        self._build(prefix)
+        self._enable()
+
+    def _build(self, prefix: str) -> None:
+        self.empty = QLabel("No alarms.")
+        self.empty.setObjectName(f"{prefix}_no_alarms")
+        self.acknowledge = QPushButton("Ac&knowledge")
+        self.acknowledge.setObjectName(f"{prefix}_acknowledge")
+        self.acknowledge.setAccessibleName("Acknowledge the chosen alarm")
+        self.acknowledge.clicked.connect(self._acknowledge)
+        self.reason = QLineEdit()
+        self.reason.setObjectName(f"{prefix}_shelve_reason")
+        self.reason.setAccessibleName("Reason for shelving")
+        self.reason.setPlaceholderText("reason for shelving")
+        self.reason.textChanged.connect(self._enable)
+        self.minutes = QSpinBox()
+        self.minutes.setObjectName(f"{prefix}_shelve_minutes")
+        self.minutes.setAccessibleName("Minutes of shelving")
+        self.minutes.setRange(1, 480)
+        self.minutes.setValue(15)
+        self.minutes.setSuffix(" min")
+        self.shelve = QPushButton("S&helve")
+        self.shelve.setObjectName(f"{prefix}_shelve")
+        self.shelve.setAccessibleName("Shelve the chosen alarm")
+        self.shelve.clicked.connect(self._shelve)
+        row = QHBoxLayout()
+        row.addWidget(self.empty, 1)
+        for widget in (self.acknowledge, self.reason, self.minutes, self.shelve):
+            row.addWidget(widget, 1 if widget is self.reason else 0)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addWidget(self.table, 1)
+        column.addLayout(row)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        alarms, self._alarms = self._alarms, []
+        self.show_alarms(tuple(alarms))
+
+    def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
+        """Show the alarms, keeping the selection; nothing is done when they are unchanged."""
+        ordered = order(alarms)
+        if ordered == self._alarms:
+            return
+        chosen = self.chosen()
+        self._alarms = ordered
+        self.table.setRowCount(len(ordered))
+        for row, alarm in enumerate(ordered):
+            self._fill(row, alarm)
+        self.table.resizeRowsToContents()
+        keys = [alarm.key for alarm in ordered]
+        if chosen is not None and chosen.key in keys:
+            self.table.selectRow(keys.index(chosen.key))
+        elif ordered:
+            self.table.selectRow(0)
+        self.empty.setText("" if ordered else "No alarms.")
+        self._enable()
+
+    def chosen(self) -> Alarm | None:
+        """Return the chosen alarm."""
+        rows = {index.row() for index in self.table.selectedIndexes()}
+        row = min(rows, default=-1)
+        return self._alarms[row] if 0 <= row < len(self._alarms) else None
+
+    def _fill(self, row: int, alarm: Alarm) -> None:
+        mark = MARKS[alarm.severity] + (", first" if alarm.first_out else "")
+        since = time.strftime("%H:%M:%S", time.localtime(alarm.raised_at))
+        texts = (
+            mark,
+            alarm.state,
+            alarm.title,
+            alarm.cause,
+            alarm.consequence,
+            alarm.action,
+            since,
+            str(alarm.revolution),
+        )
+        theme = self._theme
+        back = theme.critical if alarm.severity is Severity.CRITICAL else theme.warning
+        ink = "#ffffff" if back == theme.critical and theme.name == "light" else theme.on_signal
+        for column, text in enumerate(texts):
+            item = QTableWidgetItem(text)
+            item.setToolTip(text)
+            if column == 0 and not alarm.acknowledged:
+                item.setBackground(QBrush(QColor(back)))
+                item.setForeground(QBrush(QColor(ink)))
+            self.table.setItem(row, column, item)
+
+    def _enable(self) -> None:
+        alarm = self.chosen()
+        self.acknowledge.setEnabled(alarm is not None and not alarm.acknowledged)
+        self.shelve.setEnabled(alarm is not None and bool(self.reason.text().strip()))
+
+    def _acknowledge(self) -> None:
+        alarm = self.chosen()
+        if alarm is not None:
+            self.wanted.emit("acknowledge", {"key": alarm.key})
+
+    def _shelve(self) -> None:
+        alarm = self.chosen()
+        if alarm is None:
+            return
+        self.minutes.interpretText()
+        arguments: dict[str, Any] = {
+            "key": alarm.key,
+            "reason": self.reason.text().strip(),
+            "minutes": self.minutes.value(),
+        }
+        self.reason.clear()
+        self.wanted.emit("shelve", arguments)

@@ -1,0 +1,53 @@
+"""Start the operator's window: first visible, then attached."""
+
+from __future__ import annotations
+
+import logging
+import sys
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtWidgets import QApplication
+
+from rigapp.gui.link import ClientFactory, Link
+from rigapp.gui.palette import THEMES, apply_theme
+from rigapp.gui.recording import load_history
+from rigapp.gui.selftest import run_self_test
+from rigapp.gui.session import Session
+from rigapp.gui.window import MainWindow
+
+log = logging.getLogger(__name__)
+
+
+def main(
+    client_factory: ClientFactory, *, rig_path: Path, tests: list[Path], results_folder: Path
+) -> int:
+    """Show the window until it is closed; return the exit status.
+
+    client_factory: makes a client of the engine, on a worker thread, at the start and again
+    whenever the engine is lost; it may take its time and may raise.
+    Returns 1 without a window when the self test of the GUI library fails.
+    """
+    application = QApplication.instance() or QApplication(sys.argv[:1])
+    assert isinstance(application, QApplication)
+    application.setApplicationName("rigapp")
+    application.setOrganizationName("rigapp")
+    problems = run_self_test()
+    if problems:
+        sys.stderr.write("\n".join(problems) + "\n")
+        return 1
+    settings = QSettings()
+    theme = THEMES.get(str(settings.value("theme", "light")), THEMES["light"])
+    apply_theme(application, theme)
+    window = MainWindow(
+        Link(client_factory),
+        Session(load_history),
+        theme,
+        tests=tests,
+        results_folder=results_folder,
+        settings=settings,
+    )
+    window.setWindowTitle(f"rigapp – {rig_path.stem}")
+    window.show()
+    QTimer.singleShot(0, window.start)
+    return application.exec()

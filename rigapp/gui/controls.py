@@ -1,0 +1,325 @@
+"""Start, pause, resume, stop and note: one row, never behind a dialog, each on one key."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from rigapp.engine.messages import Reply, RunState, Status
+from rigapp.gui.header import ElidedLabel
+from rigapp.gui.headline import ACTIVE_STATES
+from rigapp.gui.link import LinkState
+from rigapp.gui.palette import Theme
+
+Send = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """One button: its verb, text with access key, key, and the states in which it applies."""
+
+    verb: str
+    text: str
+    key: str
+    states: frozenset[RunState]
+    tip: str
+
+
+STARTABLE = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
+
+COMMANDS = (
+    Command(
+        "connect",
+        "&Connect",
+        "F4",
+        frozenset({RunState.IDLE, RunState.FAULT}),
+        "Connect the devices of the rig",
+    ),
+    Command("start", "&Start test…", "F5", STARTABLE, "Choose test and file, then start"),
+    Command(
+        "pause",
+        "&Pause",
+        "F6",
+        frozenset({RunState.STARTING, RunState.RUNNING}),
+        "Stop at the safe angle; the test can be resumed",
+    ),
+    Command(
+        "resume",
+        "&Resume",
+        "F7",
+        frozenset({RunState.PAUSED}),
+        "Go on with the paused test",
+    ),
+    Command(
+        "stop",
+        "S&top test",
+        "F12",
+        ACTIVE_STATES | {RunState.CONNECTING, RunState.FAULT},
+        "End the test: controlled stop of the spindle, file closed. This is not the emergency stop",
+    ),
+)
+
+
+class ControlRow(QWidget):
+    """Hold the buttons, the line for reasons and notes, and the answer to the last command."""
+
+    start_wanted = Signal()
+
+    def __init__(self, send: Send, theme: Theme) -> None:
+        super().__init__()
+        self._send = send
+        self._theme = theme
+        self._asked_why = ""
+        self.setObjectName("controls")
+        self.setAccessibleName("Control of the test")
+        self.buttons: dict[str, QPushButton] = {}
+        row = QHBoxLayout()
+        row.setSpacing(6)
+        for command in COMMANDS:
+            row.addWidget(self._button(command))
+        row.addSpacing(12)
+        self.text = QLineEdit()
+        self.text.setObjectName("reason_or_note")
+        self.text.setAccessibleName("Reason or note")
+        self.text.setClearButtonEnabled(True)
+        self.text.setMaxLength(500)
+        self.text.returnPressed.connect(self.add_note)
+        caption = QLabel("Reason or &note (F8)")
+        caption.setBuddy(self.text)
+        self.note = QPushButton("&Add note")
+        self.note.setObjectName("add_note")
+        self.note.setAccessibleName("Add note")
+        self.note.setToolTip("Write the text into the log of the test (Enter)")
+        self.note.clicked.connect(self.add_note)
+        QShortcut(QKeySequence("F8"), self, self._to_text)
+        for widget in (caption, self.text, self.note):
+            row.addWidget(widget, 1 if widget is self.text else 0)
+        self.answer = ElidedLabel("answer", "Answer to the last command")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addLayout(row)
+        column.addWidget(self.answer)
+        self._ask_nothing()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+
+    def show_status(self, status: Status | None, link: LinkState) -> None:
+        """Enable what applies now; Stop stays enabled when the state is not known."""
+        for command in COMMANDS:
+            applies = status is not None and status.state in command.states
+            if command.verb == "stop":
+                applies = applies or link is not LinkState.ATTACHED
+            elif link is LinkState.LOST:
+                applies = False
+            button = self.buttons[command.verb]
+            if button.isEnabled() != applies:
+                button.setEnabled(applies)
+
+    def act(self, verb: str) -> None:
+        """Do what the button of a verb does."""
+        if verb == "start":
+            self.start_wanted.emit()
+            return
+        arguments: dict[str, Any] = {}
+        if verb in ("pause", "stop"):
+            reason = self.text.text().strip()
+            arguments["reason"] = reason or "asked by the operator"
+            if reason:
+                self.text.clear()
+            else:
+                self._ask_why("paused" if verb == "pause" else "stopped")
+        self.send(verb, arguments)
+
+    def send(self, verb: str, arguments: dict[str, Any]) -> None:
+        """Send a request and show the answer."""
+        label = verb.replace("_", " ")
+        self.show_answer(f"{label} …", good=True)
+        self._send(verb, arguments, partial(self._answered, label))
+
+    def add_note(self) -> None:
+        """Send the text as a note of the log."""
+        text = self.text.text().strip()
+        if not text:
+            self._to_text()
+            return
+        if self._asked_why:
+            text = f"Reason why the test was {self._asked_why}: {text}"
+        self.send("note", {"text": text})
+        self.text.clear()
+        self._ask_nothing()
+
+    def show_answer(self, sentence: str, *, good: bool) -> None:
+        """Show one sentence; a refusal is marked."""
+        self.answer.show_text(sentence if good else f"▲ {sentence}")
+        colour = self._theme.muted if good else self._theme.critical
+        self.answer.setStyleSheet(f"color: {colour};" + ("" if good else " font-weight: bold;"))
+
+    def _answered(self, label: str, reply: Reply) -> None:
+        stamp = time.strftime("%H:%M:%S")
+        if reply.ok:
+            self.show_answer(f"{stamp}  {label}: done. {reply.sentence}", good=True)
+        else:
+            self.show_answer(f"{stamp}  {label} refused: {reply.sentence}", good=False)
+
+    def _button(self, command: Command) -> QPushButton:
+        button = QPushButton(f"{command.text}  {command.key}")
+        button.setObjectName(command.verb)
+        button.setAccessibleName(command.text.replace("&", ""))
+        button.setToolTip(f"{command.tip} ({command.key})")
+        button.setShortcut(QKeySequence())
+        button.setMinimumHeight(int(button.sizeHint().height() * 1.3))
+        button.clicked.connect(partial(self.act, command.verb))
+        shortcut = QShortcut(QKeySequence(command.key), self)
+        shortcut.activated.connect(button.click)
+        self.buttons[command.verb] = button
+        return button
+
+    def _to_text(self) -> None:
+        self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.text.selectAll()
+
+    def _ask_why(self, what: str) -> None:
+        self._asked_why = what
+        self.text.setPlaceholderText(f"Why was the test {what}? Enter adds it to the log")
+        self._to_text()
+
+    def _ask_nothing(self) -> None:
+        self._asked_why = ""
+        self.text.setPlaceholderText("")
+
+
+class StartBar(QFrame):
+    """Ask for test, length and file below the buttons; the state bar stays in sight."""
+
+    started = Signal(dict)
+
+    def __init__(self, tests: Sequence[Path], results_folder: Path) -> None:
+        super().__init__()
+        self._results = results_folder
+        self.setObjectName("start_bar")
+        self.setAccessibleName("Start a test")
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.test = QComboBox()
+        self.test.setObjectName("start_test")
+        self.test.setAccessibleName("Test to start")
+        self.out = QLineEdit()
+        self.out.setObjectName("start_file")
+        self.out.setAccessibleName("File that the test is written to")
+        self.revolutions = QSpinBox()
+        self.revolutions.setObjectName("start_revolutions")
+        self.revolutions.setAccessibleName("Revolutions, 0: as in the test")
+        self.revolutions.setRange(0, 100_000_000)
+        self.revolutions.setSpecialValueText("as in the test")
+        self.revolutions.setGroupSeparatorShown(True)
+        self._build()
+        self.offer(tests)
+        self.hide()
+
+    def _build(self) -> None:
+        browse = QPushButton("&Browse…")
+        browse.setObjectName("start_browse")
+        browse.setAccessibleName("Choose another test file")
+        browse.clicked.connect(self._browse)
+        self.go = QPushButton("Start no&w")
+        self.go.setObjectName("start_now")
+        self.go.setAccessibleName("Start now")
+        self.go.clicked.connect(self._go)
+        cancel = QPushButton("Cancel")
+        cancel.setObjectName("start_cancel")
+        cancel.setAccessibleName("Do not start")
+        cancel.clicked.connect(self.hide)
+        row = QHBoxLayout(self)
+        for text, widget, stretch in (
+            ("Test &file", self.test, 2),
+            ("Re&volutions", self.revolutions, 1),
+            ("Write t&o", self.out, 3),
+        ):
+            label = QLabel(text)
+            label.setBuddy(widget)
+            row.addWidget(label)
+            row.addWidget(widget, stretch)
+            if widget is self.test:
+                row.addWidget(browse)
+        row.addWidget(self.go)
+        row.addWidget(cancel)
+        self.test.currentIndexChanged.connect(self._name_file)
+
+    def offer(self, tests: Sequence[Path]) -> None:
+        """Offer test files, the first one chosen."""
+        self.test.clear()
+        for path in tests:
+            self.test.addItem(path.name, str(path))
+
+    def choose(self, path: Path) -> None:
+        """Choose a test file, adding it when it is new."""
+        index = self.test.findData(str(path))
+        if index < 0:
+            self.test.addItem(path.name, str(path))
+            index = self.test.count() - 1
+        self.test.setCurrentIndex(index)
+
+    def open(self) -> None:
+        """Show the bar with a fresh file name and the focus on the test."""
+        self._name_file()
+        self.go.setEnabled(self.test.count() > 0)
+        self.show()
+        self.test.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter starts, Esc closes the bar."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.hide()
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._go()
+        else:
+            super().keyPressEvent(event)
+
+    def _name_file(self) -> None:
+        path = self.test.currentData()
+        if path:
+            stamp = time.strftime("%Y%m%d-%H%M%S")
+            self.out.setText(str(self._results / f"{Path(path).stem}-{stamp}.h5"))
+
+    def _browse(self) -> None:
+        dialog = QFileDialog(self, "Choose a test", filter="Tests (*.toml)")
+        dialog.setObjectName("choose_test")
+        dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+        dialog.setModal(False)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.fileSelected.connect(lambda name: self.choose(Path(name)))
+        dialog.show()
+
+    def _go(self) -> None:
+        self.revolutions.interpretText()
+        if not self.test.currentData() or not self.out.text().strip():
+            return
+        arguments: dict[str, Any] = {
+            "test": self.test.currentData(),
+            "out": self.out.text().strip(),
+        }
+        if self.revolutions.value():
+            arguments["revolutions"] = self.revolutions.value()
+        self.hide()
+        self.started.emit(arguments)

@@ -1,0 +1,57 @@
+"""The frames in which a force can be looked at; the file keeps the crank frame."""
+
+from __future__ import annotations
+
+import enum
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+
+
+class Frame(enum.StrEnum):
+    """Name the frame of the two components."""
+
+    CRANK = "crank"
+    FOLLOWER = "follower"
+    GLOBAL = "global"
+
+
+COMPONENT_NAMES = {
+    Frame.CRANK: ("along crank", "across crank"),
+    Frame.FOLLOWER: ("along follower", "across follower"),
+    Frame.GLOBAL: ("along x", "along y"),
+}
+
+
+def follower_angle(crank_angle_rad: ArrayLike, crank_over_follower: float) -> Floats:
+    """Return the angle of the follower (pin to wrist) from +x; the slider is on +x.
+
+    crank_over_follower: crank radius divided by follower length, both from the test's mechanism.
+    """
+    return np.arcsin(-crank_over_follower * np.sin(np.asarray(crank_angle_rad, dtype=np.float64)))
+
+
+def to_frame(
+    force_1: ArrayLike,
+    force_2: ArrayLike,
+    crank_angle_deg: ArrayLike,
+    frame: Frame,
+    crank_over_follower: float | None = None,
+) -> tuple[Floats, Floats]:
+    """Turn crank-frame components into a frame; arrays of one length in N and degrees.
+
+    Raises ValueError for the follower frame when the mechanism is not known.
+    """
+    first = np.asarray(force_1, dtype=np.float64)
+    second = np.asarray(force_2, dtype=np.float64)
+    if frame is Frame.CRANK:
+        return first, second
+    turn = np.radians(np.asarray(crank_angle_deg, dtype=np.float64))
+    if frame is Frame.FOLLOWER:
+        if crank_over_follower is None:
+            raise ValueError("The follower frame needs the mechanism of the test, which is unknown")
+        turn = turn - follower_angle(turn, crank_over_follower)
+    cosine, sine = np.cos(turn), np.sin(turn)
+    return cosine * first - sine * second, sine * first + cosine * second

@@ -1,0 +1,167 @@
+"""Colours of the window: a calm grey screen, Okabe-Ito colours for data and for the abnormal."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPalette, QPen
+from PySide6.QtWidgets import QApplication
+
+
+@dataclass(frozen=True, slots=True)
+class Theme:
+    """Name every colour that the window uses; ``curves`` maps a drawn quantity to its colour."""
+
+    name: str
+    window: str
+    base: str
+    alternate: str
+    text: str
+    muted: str
+    button: str
+    border: str
+    highlight: str
+    highlighted_text: str
+    grid: str
+    band: str
+    warning: str
+    critical: str
+    on_signal: str
+    curves: Mapping[str, str]
+
+
+LIGHT = Theme(
+    name="light",
+    window="#e6e6e6",
+    base="#ffffff",
+    alternate="#f2f2f2",
+    text="#1a1a1a",
+    muted="#555555",
+    button="#dcdcdc",
+    border="#8c8c8c",
+    highlight="#0072b2",
+    highlighted_text="#ffffff",
+    grid="#c8c8c8",
+    band="#dde3e8",
+    warning="#e69f00",
+    critical="#b34700",
+    on_signal="#000000",
+    curves=MappingProxyType(
+        {
+            "force": "#000000",
+            "force_1": "#0072b2",
+            "force_2": "#009e73",
+            "probe_1": "#0072b2",
+            "probe_2": "#009e73",
+            "max": "#0072b2",
+            "rms": "#000000",
+            "min": "#009e73",
+            "model": "#d55e00",
+            "frozen": "#8c8c8c",
+            "other": "#a8497b",
+        }
+    ),
+)
+
+DARK = Theme(
+    name="dark",
+    window="#2b2b2b",
+    base="#1c1c1c",
+    alternate="#242424",
+    text="#ececec",
+    muted="#b0b0b0",
+    button="#3a3a3a",
+    border="#777777",
+    highlight="#56b4e9",
+    highlighted_text="#000000",
+    grid="#444444",
+    band="#2c3338",
+    warning="#e69f00",
+    critical="#ff8a3d",
+    on_signal="#000000",
+    curves=MappingProxyType(
+        {
+            "force": "#ffffff",
+            "force_1": "#56b4e9",
+            "force_2": "#00c08b",
+            "probe_1": "#56b4e9",
+            "probe_2": "#00c08b",
+            "max": "#56b4e9",
+            "rms": "#ffffff",
+            "min": "#00c08b",
+            "model": "#f0a050",
+            "frozen": "#8c8c8c",
+            "other": "#cc79a7",
+        }
+    ),
+)
+
+THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
+
+
+def measured_pen(theme: Theme, role: str) -> QPen:
+    """Return the pen of a measured curve: solid, one pixel, opaque (the fast path of the plots)."""
+    return _pen(theme.curves[role], Qt.PenStyle.SolidLine)
+
+
+def model_pen(theme: Theme, *, stale: bool = False) -> QPen:
+    """Return the pen of a predicted curve: dashed; grey when the prediction is stale."""
+    pen = _pen(theme.curves["frozen" if stale else "model"], Qt.PenStyle.CustomDashLine)
+    pen.setDashPattern([6.0, 5.0])
+    return pen
+
+
+def line_pen(colour: str, *, dotted: bool = False) -> QPen:
+    """Return the pen of a reference line."""
+    return _pen(colour, Qt.PenStyle.DotLine if dotted else Qt.PenStyle.SolidLine)
+
+
+def _pen(colour: str, style: Qt.PenStyle) -> QPen:
+    pen = QPen(QColor(colour))
+    pen.setWidthF(1.0)
+    pen.setCosmetic(True)
+    pen.setStyle(style)
+    return pen
+
+
+def qt_palette(theme: Theme) -> QPalette:
+    """Return the palette of the Fusion style for a theme, every role set by hand."""
+    palette = QPalette()
+    role = QPalette.ColorRole
+    colours = {
+        role.Window: theme.window,
+        role.WindowText: theme.text,
+        role.Base: theme.base,
+        role.AlternateBase: theme.alternate,
+        role.Text: theme.text,
+        role.PlaceholderText: theme.muted,
+        role.Button: theme.button,
+        role.ButtonText: theme.text,
+        role.BrightText: theme.critical,
+        role.ToolTipBase: theme.base,
+        role.ToolTipText: theme.text,
+        role.Highlight: theme.highlight,
+        role.HighlightedText: theme.highlighted_text,
+        role.Link: theme.highlight,
+        role.Mid: theme.border,
+        role.Dark: theme.border,
+    }
+    for key, colour in colours.items():
+        palette.setColor(key, QColor(colour))
+    disabled = QPalette.ColorGroup.Disabled
+    for key in (role.WindowText, role.Text, role.ButtonText):
+        palette.setColor(disabled, key, QColor(theme.border))
+    return palette
+
+
+def apply_theme(application: QApplication, theme: Theme) -> None:
+    """Dress the application and the plots made from now on."""
+    application.setStyle("Fusion")
+    application.setPalette(qt_palette(theme))
+    pg.setConfigOptions(
+        antialias=False, useOpenGL=False, background=theme.base, foreground=theme.text
+    )

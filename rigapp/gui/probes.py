@@ -1,0 +1,59 @@
+"""Position of the pin in the bushing over one revolution, from the two probes."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from rigapp.gui.palette import Theme, measured_pen
+from rigapp.gui.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.ranges import SteadyRange
+from rigapp.gui.series import LiveData
+
+PROBES = {"probe_1": "probe 1, along follower", "probe_2": "probe 2, across follower"}
+
+
+class ProbePanel(QWidget):
+    """Draw both probes against crank angle."""
+
+    def __init__(self, prefix: str, theme: Theme) -> None:
+        super().__init__()
+        self._drawn = -1
+        self.setObjectName(f"{prefix}_probe_panel")
+        self.setAccessibleName("Pin position over one revolution")
+        self.plot = QuietPlot(f"{prefix}_probe_plot", "Pin position against crank angle", theme)
+        self.plot.label("left", "Position (µm)")
+        self.plot.show_crank_angle(theme)
+        self._curves = {name: self.plot.curve(measured_pen(theme, name)) for name in PROBES}
+        self._range = SteadyRange(5.0)
+        self.legend = LegendRow(f"{prefix}_probe_legend")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addWidget(self.legend)
+        column.addWidget(self.plot, 1)
+        self.dress(theme)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.plot.dress(theme)
+        for name, curve in self._curves.items():
+            curve.setPen(measured_pen(theme, name))
+        self.legend.show_entries(
+            [LegendEntry(text, measured_pen(theme, name)) for name, text in PROBES.items()]
+        )
+
+    def refresh(self, data: LiveData) -> None:
+        """Draw the newest revolution if it is not drawn yet."""
+        cycle = data.cycle
+        if cycle is None or cycle.revolution == self._drawn:
+            return
+        self._drawn = cycle.revolution
+        angle = cycle.angle_deg.astype(np.float64)
+        values = {name: cycle.channels[name].astype(np.float64) for name in PROBES}
+        for name, curve in self._curves.items():
+            curve.setData(angle, values[name])
+        low = min(float(array.min()) for array in values.values())
+        high = max(float(array.max()) for array in values.values())
+        if self._range.update(low, high) and self._range.range is not None:
+            self.plot.setYRange(*self._range.range, padding=0.0)

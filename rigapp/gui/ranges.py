@@ -1,0 +1,66 @@
+"""Axis ranges that keep still: 1-2-5 steps with hysteresis instead of automatic ranging."""
+
+from __future__ import annotations
+
+import math
+
+
+def nice_step(span: float, parts: int = 5) -> float:
+    """Return the smallest 1, 2 or 5 times a power of ten of which ``parts`` cover ``span``."""
+    if not math.isfinite(span) or span <= 0.0:
+        return 1.0
+    raw = span / parts
+    power = 10.0 ** math.floor(math.log10(raw))
+    for factor in (1.0, 2.0, 5.0, 10.0):
+        if factor * power >= raw * (1.0 - 1e-9):
+            return factor * power
+    return 10.0 * power
+
+
+class SteadyRange:
+    """Hold an axis range: grow at once, shrink only when the data fill less than 45 % of it.
+
+    minimum_span: the smallest range shown, so that noise is not blown up to the full height.
+    symmetric: keep zero in the middle (residuals).
+    """
+
+    def __init__(self, minimum_span: float, *, symmetric: bool = False) -> None:
+        self._minimum_span = minimum_span
+        self._symmetric = symmetric
+        self._range: tuple[float, float] | None = None
+
+    @property
+    def range(self) -> tuple[float, float] | None:
+        """Return the present range, None before the first data."""
+        return self._range
+
+    def update(self, low: float, high: float) -> bool:
+        """Take the extremes of the data; return whether the range changed."""
+        if not (math.isfinite(low) and math.isfinite(high)):
+            return False
+        wanted = self._wanted(low, high)
+        if self._range is not None:
+            bottom, top = self._range
+            inside = bottom <= low and high <= top
+            if inside and (wanted[1] - wanted[0]) >= 0.45 * (top - bottom):
+                return False
+        changed = wanted != self._range
+        self._range = wanted
+        return changed
+
+    def forget(self) -> None:
+        """Start again: the next data set the range."""
+        self._range = None
+
+    def _wanted(self, low: float, high: float) -> tuple[float, float]:
+        if self._symmetric:
+            bound = max(abs(low), abs(high), self._minimum_span / 2.0)
+            step = nice_step(bound, 4)
+            top = step * math.ceil(bound * 1.02 / step)
+            return -top, top
+        span = max(high - low, self._minimum_span)
+        middle = (low + high) / 2.0
+        step = nice_step(span * 1.06)
+        bottom = step * math.floor(min(low, middle - span / 2.0) / step)
+        top = step * math.ceil(max(high, middle + span / 2.0) / step)
+        return bottom, top

@@ -1,0 +1,263 @@
+"""The operator's window: state bar, controls, tabs; one timer pulls, hidden tabs do not draw."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QMainWindow,
+    QPushButton,
+    QSplitter,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from rigapp.engine.messages import Snapshot, Status
+from rigapp.gui.alarms import AlarmPanel
+from rigapp.gui.controls import ControlRow, StartBar
+from rigapp.gui.header import Header
+from rigapp.gui.headline import STALE_TWIN_S, headline
+from rigapp.gui.help import HelpWindow
+from rigapp.gui.link import Link
+from rigapp.gui.overlay import OverlayPanel
+from rigapp.gui.palette import THEMES, Theme, apply_theme
+from rigapp.gui.probes import ProbePanel
+from rigapp.gui.session import Session
+from rigapp.gui.trend import TrendPanel
+from rigapp.gui.watchdog import Watchdog
+
+log = logging.getLogger(__name__)
+
+TICK_MS = 100
+TREND_EVERY = 5
+"""Ticks between two drawings of a trend: twice a second."""
+
+
+class MainWindow(QMainWindow):
+    """Show one engine. Everything slow happens on the workers of link and session."""
+
+    def __init__(
+        self,
+        link: Link,
+        session: Session,
+        theme: Theme,
+        *,
+        tests: Sequence[Path] = (),
+        results_folder: Path = Path("results"),
+        settings: QSettings | None = None,
+    ) -> None:
+        super().__init__()
+        self._link = link
+        self._session = session
+        self._settings = settings
+        self._ticks = 0
+        self._help: HelpWindow | None = None
+        self.theme = theme
+        self.setObjectName("main_window")
+        self.setWindowTitle("rigapp")
+        self.setAccessibleName("Rig control")
+        self.header = Header(theme)
+        self.controls = ControlRow(link.request, theme)
+        self.start_bar = StartBar(tests, results_folder)
+        self.tabs = QTabWidget()
+        self.tabs.setObjectName("tabs")
+        self.tabs.setAccessibleName("Panels")
+        self.overview = OverlayPanel("overview", theme)
+        self.overview_trend = TrendPanel("overview", theme)
+        self.overview_alarms = AlarmPanel("overview", theme)
+        self.cycle = OverlayPanel("cycle", theme)
+        self.probes = ProbePanel("cycle", theme)
+        self.trend_upper = TrendPanel("upper", theme, "force")
+        self.trend_lower = TrendPanel("lower", theme, "wear", access_keys=False)
+        self.alarms = AlarmPanel("all", theme)
+        self._splitters: list[QSplitter] = []
+        self._build()
+        self._connect()
+        self.watchdog = Watchdog(self)
+        self._timer = QTimer(self)
+        self._timer.setInterval(TICK_MS)
+        self._timer.timeout.connect(self.tick)
+        self._restore_layout()
+
+    def start(self) -> None:
+        """Begin to pull; called when the window is on the screen."""
+        self._timer.start()
+        self.watchdog.start()
+
+    def tick(self) -> None:
+        """Pull what is new and draw what is visible."""
+        self._ticks += 1
+        self._session.deliver()
+        snapshot = self._link.pump()
+        if snapshot is not None:
+            self._take(snapshot)
+        status = self._link.status
+        self.header.show_headline(
+            headline(status, self._link.state, self._link.reason, self._link.data_age_s())
+        )
+        self.controls.show_status(status, self._link.state)
+        if self._session.problem:
+            self.controls.show_answer(self._session.problem, good=False)
+            self._session.problem = ""
+        self.draw(status)
+
+    def draw(self, status: Status | None, *, at_once: bool = False) -> None:
+        """Draw the panels that can be seen; a minimised window draws nothing."""
+        if self.isMinimized():
+            return
+        data = self._session.data
+        stale = status is not None and status.twin_age_s > STALE_TWIN_S
+        for overlay in (self.overview, self.cycle):
+            if overlay.isVisible():
+                overlay.refresh(data, stale=stale)
+        if self.probes.isVisible():
+            self.probes.refresh(data)
+        if at_once or self._ticks % TREND_EVERY == 0:
+            for trend in (self.overview_trend, self.trend_upper, self.trend_lower):
+                if trend.isVisible():
+                    trend.refresh(data)
+
+    def switch_theme(self) -> None:
+        """Change between light and dark."""
+        self.dress(THEMES["dark" if self.theme.name == "light" else "light"])
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.theme = theme
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            apply_theme(application, theme)
+        for panel in (
+            self.header,
+            self.controls,
+            self.overview,
+            self.overview_trend,
+            self.overview_alarms,
+            self.cycle,
+            self.probes,
+            self.trend_upper,
+            self.trend_lower,
+            self.alarms,
+        ):
+            panel.dress(theme)
+
+    def show_help(self) -> None:
+        """Open the help window, or bring it to the front."""
+        if self._help is None:
+            self._help = HelpWindow(self)
+        self._help.show()
+        self._help.raise_()
+        self._help.activateWindow()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Remember the layout and detach; a running test goes on."""
+        self._timer.stop()
+        self._save_layout()
+        self._link.close()
+        self._session.close()
+        super().closeEvent(event)
+
+    def _take(self, snapshot: Snapshot) -> None:
+        self._session.take(snapshot)
+        self.overview_alarms.show_alarms(snapshot.status.alarms)
+        self.alarms.show_alarms(snapshot.status.alarms)
+        title = snapshot.status.test or "rigapp"
+        if self.windowTitle() != title:
+            self.setWindowTitle(title)
+
+    def _build(self) -> None:
+        right = self._splitter("overview_right", Qt.Orientation.Vertical)
+        right.addWidget(self.overview_trend)
+        right.addWidget(self.overview_alarms)
+        right.setSizes([500, 200])
+        overview = self._splitter("overview_split", Qt.Orientation.Horizontal)
+        overview.addWidget(self.overview)
+        overview.addWidget(right)
+        overview.setSizes([700, 700])
+        cycle = self._splitter("cycle_split", Qt.Orientation.Horizontal)
+        cycle.addWidget(self.cycle)
+        cycle.addWidget(self.probes)
+        cycle.setSizes([800, 600])
+        trends = self._splitter("trend_split", Qt.Orientation.Vertical)
+        trends.addWidget(self.trend_upper)
+        trends.addWidget(self.trend_lower)
+        for widget, text in (
+            (overview, "1 Overview"),
+            (cycle, "2 Cycle"),
+            (trends, "3 Trends"),
+            (self.alarms, "4 Alarms"),
+        ):
+            self.tabs.addTab(widget, text)
+        self.help_button = QPushButton("Help  F1")
+        self.help_button.setObjectName("help_button")
+        self.help_button.setAccessibleName("Help")
+        self.theme_button = QPushButton("Light / dark  F9")
+        self.theme_button.setObjectName("theme_button")
+        self.theme_button.setAccessibleName("Light or dark")
+        corner = QWidget()
+        row = QHBoxLayout(corner)
+        row.setContentsMargins(0, 0, 0, 2)
+        row.addWidget(self.theme_button)
+        row.addWidget(self.help_button)
+        self.tabs.setCornerWidget(corner)
+        body = QWidget()
+        column = QVBoxLayout(body)
+        column.setContentsMargins(6, 6, 6, 6)
+        column.setSpacing(6)
+        column.addWidget(self.header)
+        column.addWidget(self.controls)
+        column.addWidget(self.start_bar)
+        column.addWidget(self.tabs, 1)
+        self.setCentralWidget(body)
+        self.resize(1400, 900)
+
+    def _splitter(self, name: str, orientation: Qt.Orientation) -> QSplitter:
+        splitter = QSplitter(orientation)
+        splitter.setObjectName(name)
+        splitter.setAccessibleName("Divided panels")
+        splitter.setChildrenCollapsible(False)
+        self._splitters.append(splitter)
+        return splitter
+
+    def _connect(self) -> None:
+        self.controls.start_wanted.connect(self.start_bar.open)
+        self.start_bar.started.connect(partial(self.controls.send, "start"))
+        for panel in (self.overview_alarms, self.alarms):
+            panel.wanted.connect(self.controls.send)
+        self.tabs.currentChanged.connect(lambda _: self.draw(self._link.status, at_once=True))
+        self.help_button.clicked.connect(self.show_help)
+        self.theme_button.clicked.connect(self.switch_theme)
+        QShortcut(QKeySequence("F1"), self, self.show_help)
+        QShortcut(QKeySequence("F9"), self, self.switch_theme)
+        for index in range(self.tabs.count()):
+            shortcut = QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self)
+            shortcut.activated.connect(partial(self.tabs.setCurrentIndex, index))
+
+    def _restore_layout(self) -> None:
+        if self._settings is None:
+            return
+        geometry = self._settings.value("geometry")
+        if geometry is not None:
+            self.restoreGeometry(geometry)
+        for splitter in self._splitters:
+            state = self._settings.value(f"splitter/{splitter.objectName()}")
+            if state is not None:
+                splitter.restoreState(state)
+        self.tabs.setCurrentIndex(int(str(self._settings.value("tab", 0))))
+
+    def _save_layout(self) -> None:
+        if self._settings is None:
+            return
+        self._settings.setValue("geometry", self.saveGeometry())
+        for splitter in self._splitters:
+            self._settings.setValue(f"splitter/{splitter.objectName()}", splitter.saveState())
+        self._settings.setValue("tab", self.tabs.currentIndex())
+        self._settings.setValue("theme", self.theme.name)

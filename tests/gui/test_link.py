@@ -1,0 +1,165 @@
+"""The line to the engine: attach, silence, loss, attach again, requests."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from rigapp.engine.messages import Reply
+from rigapp.gui.link import FIRST_SNAPSHOT_S, LOST_AFTER_S, SILENT_AFTER_S, Link, LinkState
+
+
+class Clock:
+    """A clock that a test moves."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
+
+
+@pytest.fixture
+def link(engine: Any, clock: Clock) -> Iterator[Link]:
+    link = Link(engine.client, clock)
+    yield link
+    link.close()
+
+
+@pytest.fixture
+def pump_until(link: Link, clock: Clock, qtbot: Any) -> Callable[[Callable[[], bool]], None]:
+    def until(condition: Callable[[], bool]) -> None:
+        def step() -> bool:
+            clock.now += 0.05
+            link.pump()
+            return condition()
+
+        qtbot.waitUntil(step, timeout=5000)
+
+    return until
+
+
+def test_attached_means_that_the_engine_has_spoken(
+    link: Link, engine: Any, pump_until: Any
+) -> None:
+    assert link.state is LinkState.ATTACHING
+    assert link.data_age_s() is None
+    pump_until(lambda: engine.clients == 1)
+    assert link.state is LinkState.ATTACHING
+    engine.say(count=3)
+    pump_until(lambda: link.state is LinkState.ATTACHED)
+    assert link.status is not None
+
+
+def test_silence_shows_and_data_age_grows(
+    link: Link, engine: Any, clock: Clock, pump_until: Any
+) -> None:
+    engine.say(count=3)
+    pump_until(lambda: link.state is LinkState.ATTACHED)
+    before = link.data_age_s()
+    assert before is not None
+    clock.now += SILENT_AFTER_S + 0.1
+    link.pump()
+    assert link.state is LinkState.SILENT
+    age = link.data_age_s()
+    assert age is not None
+    assert age >= before + SILENT_AFTER_S
+    engine.say(first=4, count=1)
+    link.pump()
+    assert link.state is LinkState.ATTACHED
+
+
+def test_a_lost_engine_is_attached_again(
+    link: Link, engine: Any, clock: Clock, pump_until: Any
+) -> None:
+    engine.say(count=3)
+    pump_until(lambda: link.state is LinkState.ATTACHED)
+    clock.now += LOST_AFTER_S + 0.1
+    link.pump()
+    assert link.state is LinkState.LOST
+    engine.refuses_clients = True
+    pump_until(lambda: "no engine is running" in link.reason)
+    assert link.state is LinkState.LOST
+    engine.refuses_clients = False
+    engine.say(first=4, count=1)
+    pump_until(lambda: link.state is LinkState.ATTACHED)
+    assert engine.clients == 2
+
+
+def test_a_broken_connection_is_loss_at_once(link: Link, engine: Any, pump_until: Any) -> None:
+    engine.say(count=3)
+    pump_until(lambda: link.state is LinkState.ATTACHED)
+    engine.dead = True
+    link.pump()
+    assert link.state is LinkState.LOST
+    assert "closed the connection" in link.reason
+
+
+def test_a_client_that_never_speaks_is_given_up(
+    link: Link, engine: Any, clock: Clock, pump_until: Any
+) -> None:
+    pump_until(lambda: engine.clients == 1)
+    clock.now += FIRST_SNAPSHOT_S + 1.0
+    link.pump()
+    pump_until(lambda: engine.clients == 2)
+
+
+def test_a_request_is_answered_through_pump(link: Link, engine: Any, pump_until: Any) -> None:
+    pump_until(lambda: engine.clients == 1)
+    engine.reply = Reply(ok=False, sentence="No test is running.")
+    replies: list[Reply] = []
+    pump_until(lambda: link._client is not None)
+    link.request("resume", {}, replies.append)
+    assert replies == []
+    pump_until(lambda: bool(replies))
+    assert replies[0].sentence == "No test is running."
+
+
+def test_without_an_engine_a_request_is_refused_in_words(link: Link, engine: Any) -> None:
+    replies: list[Reply] = []
+    link.request("stop", {"reason": "x"}, replies.append)
+    assert not replies[0].ok
+    assert "not reachable" in replies[0].sentence
+
+
+def test_stop_does_not_wait_behind_a_slow_request(
+    link: Link, engine: Any, pump_until: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pump_until(lambda: link._client is not None)
+    client = link._client
+    assert client is not None
+    plain = client.request
+
+    def slow(verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0) -> Reply:
+        if verb == "connect":
+            engine.answering.wait(5.0)
+            return Reply(ok=True)
+        engine.answering.set()
+        return plain(verb, arguments, timeout_s)
+
+    engine.answering.clear()
+    monkeypatch.setattr(client, "request", slow)
+    replies: list[str] = []
+    link.request("connect", {}, lambda _: replies.append("connect"))
+    link.request("stop", {"reason": "x"}, lambda _: replies.append("stop"))
+    pump_until(lambda: len(replies) == 2)
+    assert engine.verbs == ["stop"]
+
+
+def test_requests_are_refused_when_too_many_wait(link: Link, engine: Any, pump_until: Any) -> None:
+    pump_until(lambda: link._client is not None)
+    engine.answering.clear()
+    replies: list[Reply] = []
+    for _ in range(30):
+        link.request("note", {"text": "x"}, replies.append)
+    refused = [reply for reply in replies if "Too many" in reply.sentence]
+    assert 10 <= len(refused) <= 14
+    engine.answering.set()
+    pump_until(lambda: len(replies) == 30)

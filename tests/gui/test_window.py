@@ -1,0 +1,321 @@
+"""The window on a scripted engine: what it shows, what its buttons ask for."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QTableWidget,
+    QWidget,
+)
+
+from rigapp.engine.messages import Alarm, Reply, RunState
+from rigapp.gui.window import MainWindow
+
+Attach = Callable[[], None]
+
+
+def wait_for_verb(window: MainWindow, engine: Any, qtbot: Any, verb: str) -> dict[str, Any]:
+    def asked() -> bool:
+        window.tick()
+        return verb in engine.verbs
+
+    qtbot.waitUntil(asked, timeout=5000)
+    return dict(engine.requests)[verb]
+
+
+def test_the_header_tells_state_cycle_end_age_margin_agreement(
+    window: MainWindow, engine: Any, attach: Attach, alarm: Alarm
+) -> None:
+    engine.say(count=1233, alarms=(alarm,))
+    attach()
+    header = window.header
+    assert header.state.value.whole == "Running"
+    assert header.cycle.value.whole.replace("\u2009", "") == "1234 of 21377"
+    assert header.end.detail.whole.startswith("in 11 h")
+    assert header.age.value.whole.endswith(" s")
+    assert header.margin.value.whole == "43 %"
+    assert header.agreement.value.whole == "±1.7 N"
+    assert header.alarms.value.whole == "1, 1 new"
+    assert "SIMULATED" in header.line.whole
+
+
+@pytest.mark.parametrize(
+    ("key", "verb", "state"),
+    [
+        ("F4", "connect", RunState.IDLE),
+        ("F6", "pause", RunState.RUNNING),
+        ("F7", "resume", RunState.PAUSED),
+        ("F12", "stop", RunState.RUNNING),
+        ("F12", "stop", RunState.PAUSED),
+    ],
+)
+def test_one_key_does_it(
+    window: MainWindow,
+    engine: Any,
+    attach: Attach,
+    qtbot: Any,
+    key: str,
+    verb: str,
+    state: RunState,
+) -> None:
+    engine.say(count=3, state=state)
+    attach()
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    qtbot.keyClick(window, QKeySequence(key)[0].key())
+    arguments = wait_for_verb(window, engine, qtbot, verb)
+    if verb in ("pause", "stop"):
+        assert arguments["reason"] == "asked by the operator"
+
+
+def test_the_reason_typed_before_goes_with_the_stop(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=3)
+    attach()
+    qtbot.keyClicks(window.controls.text, "squeal from the joint")
+    window.controls.buttons["stop"].click()
+    arguments = wait_for_verb(window, engine, qtbot, "stop")
+    assert arguments == {"reason": "squeal from the joint"}
+    assert window.controls.text.text() == ""
+
+
+def test_the_reason_can_be_given_after_the_stop(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=3)
+    attach()
+    window.controls.buttons["stop"].click()
+    wait_for_verb(window, engine, qtbot, "stop")
+    qtbot.keyClicks(window.controls.text, "smoke")
+    qtbot.keyClick(window.controls.text, Qt.Key.Key_Return)
+    arguments = wait_for_verb(window, engine, qtbot, "note")
+    assert arguments["text"] == "Reason why the test was stopped: smoke"
+
+
+def test_a_note_takes_one_key(window: MainWindow, engine: Any, attach: Attach, qtbot: Any) -> None:
+    engine.say(count=3)
+    attach()
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    qtbot.keyClick(window, Qt.Key.Key_F8)
+    assert window.focusWidget() is window.controls.text
+    qtbot.keyClicks(window.controls.text, "oil added")
+    qtbot.keyClick(window.controls.text, Qt.Key.Key_Return)
+    assert wait_for_verb(window, engine, qtbot, "note") == {"text": "oil added"}
+
+
+def test_starting_names_test_and_file(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="")
+    attach()
+    window.controls.buttons["start"].click()
+    assert window.start_bar.isVisible()
+    assert window.header.isVisible()
+    window.start_bar.test.setCurrentIndex(1)
+    window.start_bar.revolutions.setValue(12)
+    qtbot.keyClick(window.start_bar, Qt.Key.Key_Return)
+    arguments = wait_for_verb(window, engine, qtbot, "start")
+    assert arguments["test"].endswith("paper.toml")
+    assert arguments["revolutions"] == 12
+    assert "paper-" in arguments["out"]
+    assert arguments["out"].endswith(".h5")
+    assert not window.start_bar.isVisible()
+
+
+def test_a_refusal_is_said_in_words(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=3, state=RunState.PAUSED)
+    attach()
+    engine.reply = Reply(ok=False, sentence="The emergency stop is pressed.")
+    window.controls.buttons["resume"].click()
+
+    def said() -> bool:
+        window.tick()
+        return "emergency stop is pressed" in window.controls.answer.whole
+
+    qtbot.waitUntil(said, timeout=5000)
+    assert "▲" in window.controls.answer.whole
+
+
+@pytest.mark.parametrize("state", list(RunState))
+def test_buttons_apply_to_their_states(
+    window: MainWindow, engine: Any, attach: Attach, state: RunState
+) -> None:
+    engine.say(count=3, state=state)
+    attach()
+    enabled = {verb for verb, button in window.controls.buttons.items() if button.isEnabled()}
+    running = {RunState.STARTING, RunState.RUNNING}
+    assert ("pause" in enabled) == (state in running)
+    assert ("resume" in enabled) == (state is RunState.PAUSED)
+    assert ("stop" in enabled) == (state not in {RunState.IDLE, RunState.READY, RunState.STOPPED})
+
+
+def test_a_dead_engine_is_said_and_attached_again(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=5)
+    attach()
+    engine.dead = True
+    window.tick()
+    assert window.header.state.value.whole == "No engine"
+    assert window.controls.buttons["stop"].isEnabled()
+    engine.dead = False
+    engine.say(first=6, count=2)
+    attach()
+    assert window.header.state.value.whole == "Running"
+    assert len(window._session.data.rows) == 7
+
+
+def test_alarms_show_cause_consequence_action_and_are_acknowledged(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any, alarm: Alarm
+) -> None:
+    engine.say(count=5, alarms=(alarm,))
+    attach()
+    table = window.overview_alarms.table
+    texts = [table.item(0, column).text() for column in range(table.columnCount())]
+    for text in (alarm.title, alarm.cause, alarm.consequence, alarm.action):
+        assert text in texts
+    window.overview_alarms.acknowledge.click()
+    assert wait_for_verb(window, engine, qtbot, "acknowledge") == {"key": alarm.key}
+
+
+def test_shelving_needs_a_reason(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any, alarm: Alarm
+) -> None:
+    engine.say(count=5, alarms=(alarm,))
+    attach()
+    panel = window.overview_alarms
+    assert not panel.shelve.isEnabled()
+    qtbot.keyClicks(panel.reason, "sensor is being changed")
+    panel.shelve.click()
+    arguments = wait_for_verb(window, engine, qtbot, "shelve")
+    assert arguments == {"key": alarm.key, "reason": "sensor is being changed", "minutes": 15}
+
+
+def test_an_acknowledged_alarm_stays_listed_after_a_critical_one(
+    window: MainWindow, engine: Any, attach: Attach, alarm: Alarm
+) -> None:
+    done = msgspec.structs.replace(alarm, key="old", acknowledged=True, state="acknowledged")
+    engine.say(count=5, alarms=(done, alarm))
+    attach()
+    assert [alarm.key for alarm in window.alarms._alarms] == [alarm.key, "old"]
+
+
+def test_only_what_can_be_seen_is_drawn(window: MainWindow, engine: Any, attach: Attach) -> None:
+    engine.say(count=5)
+    attach()
+    assert window.overview.shown is not None
+    assert window.cycle.shown is None
+    window.tabs.setCurrentIndex(1)
+    assert window.cycle.shown is not None
+
+
+def test_the_residual_is_measured_minus_model(
+    window: MainWindow, engine: Any, attach: Attach
+) -> None:
+    engine.say(count=5)
+    attach()
+    shown = window.overview.shown
+    assert shown is not None
+    assert shown.model is not None
+    drawn = window.overview._residual["force"].getData()[1]
+    assert drawn == pytest.approx(shown.measured["force"] - shown.model["force"])
+    assert abs(drawn[len(drawn) // 2] - 1.0) < 3.0
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_every_visible_control_has_a_name(
+    window: MainWindow, engine: Any, attach: Attach, theme: str, alarm: Alarm
+) -> None:
+    engine.say(count=5, alarms=(alarm,))
+    attach()
+    if window.theme.name != theme:
+        window.switch_theme()
+    window.start_bar.open()
+    window.show_help()
+    missing = []
+    for index in range(window.tabs.count()):
+        window.tabs.setCurrentIndex(index)
+        kinds = (QAbstractButton, QLineEdit, QComboBox, QAbstractSpinBox, QTableWidget)
+        for kind in kinds:
+            for widget in window.findChildren(kind):
+                inside = isinstance(widget.parent(), (QAbstractSpinBox, QComboBox))
+                own = not widget.objectName().startswith("qt_") and not inside
+                inner = type(widget).__name__ in ("QTableCornerButton", "ScrollRightButton")
+                if widget.isVisible() and own and not inner and not spoken(widget):
+                    missing.append(f"{type(widget).__name__} {widget.objectName()!r}")
+    assert missing == []
+
+
+def spoken(widget: QWidget) -> bool:
+    """Return whether the accessibility tree has a name and the widget an id."""
+    interface = QAccessible.queryAccessibleInterface(widget)
+    name = interface.text(QAccessible.Text.Name) if interface is not None else ""
+    anonymous = type(widget).__name__ in ("QToolButton",)
+    return bool(name) and (anonymous or bool(widget.objectName()))
+
+
+def test_no_access_key_is_taken_twice(
+    window: MainWindow, engine: Any, attach: Attach, alarm: Alarm
+) -> None:
+    engine.say(count=5, alarms=(alarm,))
+    attach()
+    window.start_bar.open()
+    for index in range(window.tabs.count()):
+        window.tabs.setCurrentIndex(index)
+        keys: dict[str, str] = {}
+        for widget in [*window.findChildren(QAbstractButton), *window.findChildren(QLabel)]:
+            if not widget.isVisible() or (isinstance(widget, QLabel) and widget.buddy() is None):
+                continue
+            text = widget.text().replace("&&", "")
+            if "&" in text:
+                key = text[text.index("&") + 1].lower()
+                assert key not in keys, f"{text} and {keys[key]} share Alt+{key}"
+                keys[key] = text
+
+
+def test_thousands_of_updates_leak_neither_memory_nor_references(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any, qapp: Any
+) -> None:
+    engine.say(count=50)
+    attach()
+    snapshots = [(51 + 2 * step) for step in range(1500)]
+
+    def run(firsts: list[int]) -> None:
+        for first in firsts:
+            engine.say(first=first, count=2, curves=first % 5 == 1)
+            window.tick()
+            qapp.processEvents()
+
+    run(snapshots[:300])
+    gc.collect()
+    resident, nones, objects = resident_kB(), sys.getrefcount(None), len(gc.get_objects())
+    run(snapshots[300:])
+    gc.collect()
+    assert len(window._session.data.rows) == 50 + 2 * len(snapshots)
+    assert resident_kB() - resident < 12_000
+    assert abs(sys.getrefcount(None) - nones) < 500
+    assert len(gc.get_objects()) - objects < 2000
+
+
+def resident_kB() -> int:
+    """Return the resident memory of this process."""
+    with open("/proc/self/status", encoding="ascii") as file:
+        line = next(line for line in file if line.startswith("VmRSS"))
+    return int(line.split()[1])
