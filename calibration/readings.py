@@ -1,0 +1,113 @@
+"""Readings as taken, checked for what no fit could bear."""
+
+from __future__ import annotations
+
+import csv
+import io
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+LOAD_CELL_COLUMNS = ("series", "step", "mass_kg", "pin_angle_deg", "signal_1", "signal_2")
+PROBE_COLUMNS = ("series", "step", "position_um", "signal_V")
+
+
+class ReadingsError(ValueError):
+    """Say which column or line of the readings cannot be used, and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class LoadCellReadings:
+    """Dead-weight readings in the order taken; arrays of one length, angle in rad, mass in kg."""
+
+    series: tuple[str, ...]
+    step: NDArray[np.int64]
+    mass: Array
+    angle: Array
+    signal: Array
+
+    def __len__(self) -> int:
+        """Return the number of readings."""
+        return len(self.mass)
+
+
+@dataclass(frozen=True, slots=True)
+class ProbeReadings:
+    """Micrometer readings in the order taken; position in m, signal in V."""
+
+    series: tuple[str, ...]
+    step: NDArray[np.int64]
+    position: Array
+    signal: Array
+
+
+def parse_load_cell(text: str) -> LoadCellReadings:
+    """Read the CSV columns ``LOAD_CELL_COLUMNS``; raise ReadingsError."""
+    rows = _table(text, LOAD_CELL_COLUMNS)
+    return LoadCellReadings(
+        series=tuple(row["series"].strip() for _, row in rows),
+        step=np.array([_step(line, row) for line, row in rows], dtype=np.int64),
+        mass=_numbers(rows, "mass_kg"),
+        angle=np.radians(_numbers(rows, "pin_angle_deg")),
+        signal=np.column_stack((_numbers(rows, "signal_1"), _numbers(rows, "signal_2"))),
+    )
+
+
+def parse_probe(text: str) -> ProbeReadings:
+    """Read the CSV columns ``PROBE_COLUMNS``; raise ReadingsError."""
+    rows = _table(text, PROBE_COLUMNS)
+    return ProbeReadings(
+        series=tuple(row["series"].strip() for _, row in rows),
+        step=np.array([_step(line, row) for line, row in rows], dtype=np.int64),
+        position=1e-6 * _numbers(rows, "position_um"),
+        signal=_numbers(rows, "signal_V"),
+    )
+
+
+Row = tuple[int, dict[str, str]]
+
+
+def _table(text: str, columns: tuple[str, ...]) -> list[Row]:
+    lines = [
+        (number, line)
+        for number, line in enumerate(text.lstrip("\ufeff").splitlines(), 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if not lines:
+        raise ReadingsError(f"the file is empty; columns {', '.join(columns)} are needed")
+    reader = csv.DictReader(io.StringIO("\n".join(line for _, line in lines)))
+    names = [name.strip() for name in reader.fieldnames or ()]
+    missing = [name for name in columns if name not in names]
+    if missing:
+        raise ReadingsError(
+            f"column {', '.join(missing)} is missing; the header must name {', '.join(columns)}"
+        )
+    reader.fieldnames = names
+    rows = []
+    for (number, _), row in zip(lines[1:], reader, strict=True):
+        if any(row.get(name) in (None, "") for name in columns):
+            raise ReadingsError(f"line {number} has an empty field; complete or remove it")
+        rows.append((number, row))
+    if not rows:
+        raise ReadingsError("there is a header but no reading")
+    return rows
+
+
+def _step(line: int, row: dict[str, str]) -> int:
+    try:
+        return int(float(row["step"]))
+    except ValueError as error:
+        raise ReadingsError(f"line {line}: step {row['step']!r} is not a whole number") from error
+
+
+def _numbers(rows: list[Row], name: str) -> Array:
+    values = np.empty(len(rows))
+    for index, (line, row) in enumerate(rows):
+        try:
+            values[index] = float(row[name])
+        except ValueError as error:
+            raise ReadingsError(f"line {line}: {name} {row[name]!r} is not a number") from error
+    return values

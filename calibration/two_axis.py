@@ -1,0 +1,211 @@
+"""The two-axis fit: signal = A force + quadratic terms + zero + drift, solved forward, inverted.
+
+The errors are in the signals, so signals are fitted from forces and the result is inverted
+(calibration by a forward model). Rows of the design are common to both axes.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+Array = NDArray[np.float64]
+
+HUBER = 2.0
+ITERATIONS = 30
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """Say which terms the forward model has beside A and the zero."""
+
+    quadratic: bool = False
+    drift: bool = False
+
+    @property
+    def count(self) -> int:
+        """Return the coefficients per axis."""
+        return 3 + 3 * self.quadratic + self.drift
+
+
+@dataclass(frozen=True, slots=True)
+class TwoAxisFit:
+    """Hold the result: coefficients (terms, 2), their covariance per axis pair, residuals.
+
+    sensitivity: A (2, 2) signal per newton. matrix: its inverse, N per signal unit. zero: (2,)
+    signal at no load, at the middle of the series. residual: (n, 2) in N. covariance: of
+    vec(coefficients), axis-major, robust against unequal noise (HC3). degrees: of freedom per axis.
+    """
+
+    terms: Terms
+    coefficients: Array
+    covariance: Array
+    residual: Array
+    residual_signal: Array
+    degrees: int
+
+    @property
+    def sensitivity(self) -> Array:
+        """Return A (2, 2): signal = A force."""
+        return self.coefficients[:2].T.copy()
+
+    @property
+    def matrix(self) -> Array:
+        """Return the matrix (2, 2): force = matrix (signal - zero), the linear part."""
+        return np.asarray(np.linalg.inv(self.sensitivity), dtype=np.float64)
+
+    @property
+    def zero(self) -> Array:
+        """Return the signals (2,) at no load."""
+        return self.coefficients[2].copy()
+
+    @property
+    def quadratic(self) -> Array | None:
+        """Return the coefficients (2, 3) of f1^2, f1 f2, f2^2, None when there are none."""
+        return self.coefficients[3:6].T.copy() if self.terms.quadratic else None
+
+    @property
+    def residual_std(self) -> float:
+        """Return the standard deviation of the residuals per axis, N."""
+        return float(np.sqrt(np.sum(self.residual**2) / (2 * self.degrees)))
+
+    def force(self, signal: Array) -> Array:
+        """Return the forces (n, 2) that signals (n, 2) mean; quadratic terms by Newton steps."""
+        reading = np.atleast_2d(signal) - self.zero
+        force = reading @ self.matrix.T
+        quadratic = self.quadratic
+        if quadratic is None:
+            return force
+        for _ in range(8):
+            x, y = force.T
+            predicted = force @ self.sensitivity.T + _squares(force) @ quadratic.T
+            d1 = quadratic[:, 0, None] * 2 * x + quadratic[:, 1, None] * y
+            d2 = quadratic[:, 1, None] * x + quadratic[:, 2, None] * 2 * y
+            slope = self.sensitivity[None] + np.stack((d1.T, d2.T), axis=-1)
+            force = force + np.linalg.solve(slope, (reading - predicted)[..., None])[..., 0]
+        return force
+
+    def sensitivity_covariance(self) -> Array:
+        """Return the covariance (4, 4) of A11, A12, A21, A22."""
+        p = self.terms.count
+        index = [0, 1, p, p + 1]
+        return self.covariance[np.ix_(index, index)]
+
+
+def design(force: Array, terms: Terms) -> Array:
+    """Return the design matrix (n, terms) of forces (n, 2) in the order taken."""
+    columns = [force, np.ones((len(force), 1))]
+    if terms.quadratic:
+        columns.append(_squares(force))
+    if terms.drift:
+        columns.append(np.linspace(-0.5, 0.5, len(force))[:, None])
+    return np.hstack(columns)
+
+
+def fit(force: Array, signal: Array, terms: Terms, weights: Array | None = None) -> TwoAxisFit:
+    """Fit signals (n, 2) from forces (n, 2) by (weighted) least squares.
+
+    Raises numpy.linalg.LinAlgError when the forces do not span both axes.
+    """
+    rows = design(force, terms)
+    scale = np.maximum(np.abs(rows).max(axis=0), 1e-300)
+    root = np.ones(len(rows)) if weights is None else np.sqrt(weights)
+    scaled = rows / scale * root[:, None]
+    if np.linalg.matrix_rank(scaled, tol=1e-6 * math.sqrt(len(rows))) < terms.count:
+        raise np.linalg.LinAlgError("the loads do not span both axes")
+    solution = np.linalg.lstsq(scaled, signal * root[:, None], rcond=None)[0]
+    coefficients = solution / scale[:, None]
+    remainder = signal - rows @ coefficients
+    matrix = np.linalg.inv(coefficients[:2].T)
+    return TwoAxisFit(
+        terms=terms,
+        coefficients=coefficients,
+        covariance=_robust_covariance(scaled, scale, remainder * root[:, None]),
+        residual=remainder @ matrix.T,
+        residual_signal=remainder,
+        degrees=len(rows) - terms.count,
+    )
+
+
+def robust_fit(force: Array, signal: Array, floor: float) -> tuple[TwoAxisFit, float]:
+    """Fit so that single wrong readings have little pull; return the fit and the noise in N.
+
+    Huber weights on the residual's length; ``floor`` (N) is the smallest noise believed in
+    (resolution / sqrt(12)).
+    """
+    weights = np.ones(len(force))
+    found = fit(force, signal, Terms())
+    noise = floor
+    for _ in range(ITERATIONS):
+        length = np.hypot(*found.residual.T)
+        noise = max(floor, float(np.median(length)) / 1.1774)
+        weights = np.minimum(1.0, HUBER * noise / np.maximum(length, 1e-300)) ** 2
+        weights = np.maximum(weights, 1e-6)
+        found = fit(force, signal, Terms(), weights)
+    return found, noise
+
+
+def choose_terms(force: Array, signal: Array) -> tuple[TwoAxisFit, str]:
+    """Return the fit with the terms that the readings justify, and the reason in words.
+
+    A term is added when it lowers the corrected Akaike criterion by more than 10 and an F test
+    rejects the smaller model at 97.5 % (the level of ASTM E74, annex A1). Never above degree 2: a
+    cell of 200 counts cannot support it.
+    """
+    chosen = fit(force, signal, Terms())
+    reasons = []
+    for name, terms in (
+        ("zero drift", Terms(drift=True)),
+        ("quadratic terms", Terms(quadratic=True, drift=chosen.terms.drift)),
+    ):
+        if name == "quadratic terms":
+            terms = Terms(quadratic=True, drift=chosen.terms.drift)
+        if len(force) <= 2 * terms.count + 4:
+            continue
+        larger = fit(force, signal, terms)
+        gain = _akaike(chosen) - _akaike(larger)
+        if gain > 10.0 and _f_test(chosen, larger) > 0.975:
+            chosen = larger
+            reasons.append(f"{name} (corrected Akaike criterion lower by {gain:.0f})")
+    words = "degree 1" if not reasons else "degree 1 with " + " and ".join(reasons)
+    return chosen, words
+
+
+def _squares(force: Array) -> Array:
+    x, y = force.T
+    return np.column_stack((x * x, x * y, y * y))
+
+
+def _robust_covariance(rows: Array, scale: Array, remainder: Array) -> Array:
+    """Return the HC3 covariance of both axes' coefficients, axis-major."""
+    bread = np.linalg.pinv(rows.T @ rows)
+    leverage = np.clip(np.einsum("ij,jk,ik->i", rows, bread, rows), 0.0, 0.999)
+    inflated = remainder / (1.0 - leverage)[:, None]
+    half = rows @ bread / scale
+    size = rows.shape[1]
+    covariance = np.empty((2 * size, 2 * size))
+    for a in range(2):
+        for b in range(2):
+            meat = half.T @ (half * (inflated[:, a] * inflated[:, b])[:, None])
+            covariance[a * size : (a + 1) * size, b * size : (b + 1) * size] = meat
+    return covariance
+
+
+def _akaike(found: TwoAxisFit) -> float:
+    n = 2 * len(found.residual)
+    k = 2 * found.terms.count + 1
+    mean_square = max(float(np.mean(found.residual**2)), 1e-12)
+    return n * math.log(mean_square) + 2 * k + 2 * k * (k + 1) / max(n - k - 1, 1)
+
+
+def _f_test(smaller: TwoAxisFit, larger: TwoAxisFit) -> float:
+    more = 2 * (larger.terms.count - smaller.terms.count)
+    rest = 2 * larger.degrees
+    reduced = float(np.sum(smaller.residual**2))
+    full = max(float(np.sum(larger.residual**2)), 1e-12)
+    ratio = max(reduced - full, 0.0) / more / (full / rest)
+    return float(stats.f.cdf(ratio, more, rest))
