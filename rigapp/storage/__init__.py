@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from rigapp.storage.compact import compact_in_background, compact_test
 from rigapp.storage.errors import NoRoom, StorageFailed
+from rigapp.storage.export import export_test
 from rigapp.storage.layout import FilePlan
 from rigapp.storage.metadata import TestMetadata
 from rigapp.storage.reader import StoredCycle, TestReader, open_test
@@ -17,7 +19,10 @@ __all__ = [
     "TestMetadata",
     "TestReader",
     "TestWriter",
+    "compact_in_background",
+    "compact_test",
     "create_test",
+    "export_test",
     "open_test",
     "reopen_test",
 ]

@@ -16,6 +16,8 @@ from rigapp.storage.layout import (
     CONFIGURATION,
     END_TIME,
     ENTRY,
+    FORM_ATTRIBUTE,
+    IN_PLACE,
     PLAN,
     SCHEMA,
     SCHEMA_ATTRIBUTE,
@@ -138,6 +140,7 @@ def _build_root(file: h5py.File, metadata: TestMetadata, name: str) -> None:
             "HDF5_Version": h5py.version.hdf5_version,
             "h5py_version": h5py.version.version,
             SCHEMA_ATTRIBUTE: SCHEMA,
+            FORM_ATTRIBUTE: IN_PLACE,
         }
     )
     entry = _group(file, ENTRY, "NXentry")

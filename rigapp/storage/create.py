@@ -101,7 +101,7 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
             os.fsync(fd)
             if not hold_writer_lock(fd):
                 raise UnusableInput(f"{path}: another process took the new file; try again")
-            _move_into_place(hidden, path)
+            move_into_place(hidden, path)
             sync_folder(path.parent)
         undo.pop_all()
     disk.bytes_written = 0
@@ -205,7 +205,7 @@ def _space_errors(path: Path) -> Iterator[None]:
         ) from error
 
 
-def _move_into_place(hidden: Path, path: Path) -> None:
+def move_into_place(hidden: Path, path: Path) -> None:
     """Give the file its name, never over an existing one."""
     try:
         os.link(hidden, path)

@@ -27,6 +27,10 @@ SCHEMA = 1
 
 SCHEMA_ATTRIBUTE = "rigapp_schema"
 
+FORM_ATTRIBUTE = "rigapp_form"
+IN_PLACE = "in place"
+COMPRESSED = "compressed"
+
 ENTRY = "/entry"
 STATE = "/entry/state"
 CONFIGURATION = "/entry/configuration"

@@ -19,8 +19,10 @@ from rigapp.engine.messages import Event
 from rigapp.storage.events import events_of, first_broken_link
 from rigapp.storage.layout import (
     CALIBRATION,
+    COMPRESSED,
     CONFIGURATION,
     END_TIME,
+    FORM_ATTRIBUTE,
     PLAN,
     SCHEMA,
     SCHEMA_ATTRIBUTE,
@@ -77,7 +79,7 @@ class TestReader:
     @property
     def compressed(self) -> bool:
         """Tell whether the file is the trimmed, compressed copy of a finished test."""
-        return self._file["/entry/revolutions/revolution"].chunks is not None
+        return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
 
     def committed(self, stream: str = "revolutions") -> int:
         """Return the safe rows of a stream: revolutions, cycles, prediction, curves, events."""

@@ -35,15 +35,9 @@ def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
     target = Path(path).absolute()
     with open_test(target) as reader:
         _refuse_finished(reader)
-    fd = _open_for_writing(target)
+    fd = open_exclusively(target)
     with contextlib.ExitStack() as undo:
         undo.callback(os.close, fd)
-        if not hold_writer_lock(fd):
-            raise UnusableInput(
-                f"{target}: another process is writing this test; "
-                "stop it there before resuming it here"
-            )
-        _refuse_replaced(target, fd)
         with open_test(target) as reader:
             _refuse_finished(reader)
             counts, digest, last = _counts(reader)
@@ -55,6 +49,25 @@ def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
         undo.pop_all()
     _log_resumption(writer, last)
     return writer
+
+
+def open_exclusively(path: Path) -> int:
+    """Open a test file as its only writer and return the descriptor, locked.
+
+    Raises UnusableInput when another process writes it, or it may not be written.
+    """
+    fd = _open_for_writing(path)
+    try:
+        if not hold_writer_lock(fd):
+            raise UnusableInput(
+                f"{path}: another process is writing this test; "
+                "stop it there before going on with it here"
+            )
+        _refuse_replaced(path, fd)
+    except BaseException:
+        os.close(fd)
+        raise
+    return fd
 
 
 def _refuse_finished(reader: TestReader) -> None:

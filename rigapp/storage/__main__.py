@@ -1,0 +1,9 @@
+"""Compress the file of an ended test: ``python -m rigapp.storage FILE``."""
+
+from __future__ import annotations
+
+import sys
+
+from rigapp.storage.compact import main
+
+sys.exit(main())

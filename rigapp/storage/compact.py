@@ -1,0 +1,123 @@
+"""Turn the file of an ended test into a trimmed, compressed one, without ever risking the data.
+
+The copy is written under a hidden name, closed, synced, read back and compared; only then it takes
+the file's name. Whatever kills this on the way leaves the original in place. As a program
+(``python -m rigapp.storage FILE``) it runs beside everything else at the lowest priority.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+from rigapp.storage.create import refuse_little_space, sync_folder
+from rigapp.storage.duplicate import first_difference, write_duplicate
+from rigapp.storage.errors import StorageFailed
+from rigapp.storage.layout import streams_of
+from rigapp.storage.reader import TestReader, open_test
+from rigapp.storage.resume import open_exclusively
+
+
+def compact_test(path: str | os.PathLike[str]) -> bool:
+    """Replace an ended test's file by its verified compressed form; False when it already is.
+
+    Raises UnusableInput when the test has not ended, another process has the file, or the disk has
+    no room for the copy; StorageFailed when the copy does not read back the same. The original
+    stays then.
+    """
+    target = Path(path).absolute()
+    with open_test(target) as reader:
+        _refuse_unended(reader)
+        if reader.compressed:
+            return False
+    fd = open_exclusively(target)
+    try:
+        with open_test(target) as reader:
+            _refuse_unended(reader)
+            if reader.compressed:
+                return False
+            _replace_by_copy(reader)
+    finally:
+        os.close(fd)
+    return True
+
+
+def compact_in_background(path: str | os.PathLike[str]) -> subprocess.Popen[bytes]:
+    """Start ``compact_test`` in a process of its own, at the lowest priority; return it."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "rigapp.storage", os.fspath(path)],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+
+
+def sizes_of(reader: TestReader) -> dict[str, int]:
+    """Return the rows that each dataset of a stream keeps, by path."""
+    sizes: dict[str, int] = {}
+    for name, stream in streams_of(reader.plan).items():
+        rows = reader.committed(name)
+        sizes.update({stream.path(one.name): rows for one in stream.fields})
+        sizes[stream.path(stream.dimension)] = rows
+    return sizes
+
+
+def _refuse_unended(reader: TestReader) -> None:
+    status = reader.summary()["status"]
+    if status in ("running", "interrupted"):
+        raise UnusableInput(
+            f"{reader.path}: the test is {status}; only a test that has ended is compressed"
+        )
+
+
+def _replace_by_copy(reader: TestReader) -> None:
+    target = reader.path
+    hidden = target.parent / f".{target.name}.compact"
+    sizes = sizes_of(reader)
+    needed = sum(
+        reader.committed(name) * stream.row_bytes
+        for name, stream in streams_of(reader.plan).items()
+    )
+    refuse_little_space(target.parent, target, needed)
+    hidden.unlink(missing_ok=True)
+    with contextlib.ExitStack() as undo:
+        undo.callback(lambda: hidden.unlink(missing_ok=True))
+        write_duplicate(target, hidden, sizes)
+        _sync_file(hidden)
+        difference = first_difference(target, hidden, sizes)
+        if difference:
+            raise StorageFailed(
+                f"{target}: the compressed copy differs at {difference} and was thrown away; "
+                "the original is untouched, check the disk"
+            )
+        hidden.chmod(0o444)
+        os.replace(hidden, target)
+        sync_folder(target.parent)
+        undo.pop_all()
+
+
+def _sync_file(path: Path) -> None:
+    fd = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(fd)
+    finally:
+        os.close(fd)
+
+
+def main() -> int:
+    """Compress the file named on the command line; exit status 0 done, 2 refused, 1 failed."""
+    os.nice(19)
+    try:
+        compact_test(sys.argv[1])
+    except UnusableInput as error:
+        print(error, file=sys.stderr)
+        return 2
+    except (StorageFailed, OSError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0

@@ -1,0 +1,141 @@
+"""Copy an HDF5 test file piece by piece into trimmed, compressed datasets, and compare the two."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from rigapp.storage.build import scale_label
+from rigapp.storage.layout import COMPRESSED, FORM_ATTRIBUTE
+
+CHUNK_BYTES = 1 << 18
+PIECE_BYTES = 1 << 24
+_SCALE_ATTRIBUTES = frozenset(
+    ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
+)
+
+
+def write_duplicate(source: Path, target: Path, sizes: Mapping[str, int]) -> None:
+    """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep so many rows."""
+    with (
+        h5py.File(source, "r", locking=False) as old,
+        h5py.File(target, "x", libver="earliest", locking=False) as new,
+    ):
+        _copy_attributes(old, new)
+        new.attrs[FORM_ATTRIBUTE] = COMPRESSED
+        for path, item in _items(old):
+            if isinstance(item, h5py.Group):
+                _copy_attributes(item, new.require_group(path))
+            else:
+                _copy_dataset(item, new, path, sizes.get(path))
+        for path, item in _items(old):
+            if isinstance(item, h5py.Dataset) and item.is_scale:
+                name = scale_label(not is_bare(item), path.rpartition("/")[2], len(new[path]))
+                new[path].make_scale(name)
+        for path, item in _items(old):
+            if isinstance(item, h5py.Dataset) and not item.is_scale:
+                _attach_scales(item, new, path)
+
+
+def first_difference(source: Path, copy: Path, sizes: Mapping[str, int]) -> str:
+    """Return the path of the first dataset or attribute that the copy has not the same, or ""."""
+    with (
+        h5py.File(source, "r", locking=False) as old,
+        h5py.File(copy, "r", locking=False) as new,
+    ):
+        for path, item in _items(old):
+            if path not in new:
+                return path
+            name = _differing_attribute(item, new[path])
+            if name:
+                return f"{path}@{name}"
+            if isinstance(item, h5py.Dataset) and not _same(item, new[path], sizes.get(path)):
+                return path
+    return ""
+
+
+def is_bare(dataset: h5py.Dataset) -> bool:
+    """Tell whether a dataset is a dimension without coordinates."""
+    name = dataset.attrs.get("NAME", b"")
+    return bool(name.startswith(b"This is a netCDF dimension"))
+
+
+def _items(file: h5py.File) -> Iterator[tuple[str, Any]]:
+    names: list[str] = []
+    file.visit(names.append)
+    for name in names:
+        yield f"/{name}", file[name]
+
+
+def _copy_attributes(old: Any, new: Any) -> None:
+    for name, value in old.attrs.items():
+        if name not in _SCALE_ATTRIBUTES:
+            new.attrs[name] = value
+
+
+def _copy_dataset(old: h5py.Dataset, file: h5py.File, path: str, rows: int | None) -> None:
+    if rows is None:
+        new = file.create_dataset(path, data=old[()], dtype=old.dtype)
+    elif is_bare(old):
+        new = file.create_dataset(path, (rows,), old.dtype)
+    else:
+        shape = (rows, *old.shape[1:])
+        new = file.create_dataset(path, shape, old.dtype, **_compression(old, rows))
+        for part in _pieces(old, rows):
+            new[part] = old[part]
+    _copy_attributes(old, new)
+
+
+def _compression(dataset: h5py.Dataset, rows: int) -> dict[str, Any]:
+    if rows == 0:
+        return {}
+    row_bytes = max(1, dataset.nbytes // max(1, len(dataset)))
+    chunk = max(1, min(rows, CHUNK_BYTES // row_bytes))
+    return {
+        "chunks": (chunk, *dataset.shape[1:]),
+        "compression": "gzip",
+        "compression_opts": 4,
+        "shuffle": True,
+        "fletcher32": True,
+    }
+
+
+def _pieces(dataset: h5py.Dataset, rows: int) -> Iterator[slice]:
+    row_bytes = max(1, dataset.nbytes // max(1, len(dataset)))
+    step = max(1, PIECE_BYTES // CHUNK_BYTES * (CHUNK_BYTES // row_bytes))
+    for first in range(0, rows, step):
+        yield slice(first, min(rows, first + step))
+
+
+def _attach_scales(old: h5py.Dataset, file: h5py.File, path: str) -> None:
+    for position, dimension in enumerate(old.dims):
+        for scale in dimension.values():
+            file[path].dims[position].attach_scale(file[scale.name])
+
+
+def _differing_attribute(old: Any, new: Any) -> str:
+    for name, value in old.attrs.items():
+        if name in _SCALE_ATTRIBUTES:
+            continue
+        if name not in new.attrs or not np.array_equal(new.attrs[name], value):
+            return str(name)
+    return ""
+
+
+def _same(old: h5py.Dataset, new: h5py.Dataset, rows: int | None) -> bool:
+    if old.dtype != new.dtype:
+        return False
+    if rows is None:
+        return np.array_equal(np.asarray(old[()]), np.asarray(new[()]))
+    if new.shape != (rows, *old.shape[1:]):
+        return False
+    if is_bare(old):
+        return True
+    return all(
+        np.asarray(old[part]).tobytes() == np.asarray(new[part]).tobytes()
+        for part in _pieces(old, rows)
+    )
