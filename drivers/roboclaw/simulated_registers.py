@@ -18,7 +18,7 @@ from drivers.roboclaw.protocol import (
     reply_format,
 )
 from drivers.roboclaw.simulated_axis import Axis, AxisSettings
-from drivers.roboclaw.simulated_faults import FaultKind, FaultPlan
+from drivers.roboclaw.simulated_faults import FaultKind, RoboClawFaults
 
 Numbers = tuple[int, ...]
 
@@ -72,7 +72,7 @@ class Registers:
         saved: Memory,
         logic_V: float,
         combined_status: bool,
-        plan: FaultPlan,
+        plan: RoboClawFaults,
     ) -> None:
         self.generation = generation
         self.motor = motor

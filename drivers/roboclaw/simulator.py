@@ -19,9 +19,10 @@ from drivers.roboclaw.protocol import (
     crc16,
     write_format,
 )
-from drivers.roboclaw.simulated_faults import Fault, FaultKind, FaultPlan
+from drivers.roboclaw.simulated_faults import FaultKind
 from drivers.roboclaw.simulated_registers import Memory, Registers, watchdog_s
 from drivers.roboclaw.status import generation_of
+from drivers.simulated_faults import Fault, FaultPlan
 
 _BOOT_S: Final = 0.2
 _SLOW_S: Final = 0.15
@@ -55,7 +56,7 @@ class RoboClawSimulator:
         serial_timeout: int = 0,
         qpps: int = 44000,
         logic_V: float = 12.1,
-        faults: Iterable[Fault | Mapping[str, Any]] = (),
+        faults: Iterable[Fault[FaultKind] | Mapping[str, Any]] = (),
     ) -> None:
         generation = _generation(firmware, status_width, pin_modes, voltage_offset)
         saved = Memory(timeout=serial_timeout)
@@ -67,7 +68,7 @@ class RoboClawSimulator:
             combined_status = generation.status_bits == 32
         self.generation = generation
         self.watchdog_tripped = False
-        self._plan = FaultPlan(faults)
+        self._plan = FaultPlan(FaultKind, faults)
         self._registers = Registers(generation, motor, saved, logic_V, combined_status, self._plan)
         self._address = address
         self._any_address = any_address
@@ -115,11 +116,11 @@ class RoboClawSimulator:
 
     def inject(self, kind: FaultKind | str, **data: Any) -> None:
         """Add a fault while the simulation runs, at once unless ``start_s`` says else."""
-        self._plan.add(Fault(FaultKind(kind), **data))
+        self._plan.add(kind, **data)
 
     def clear(self, kind: FaultKind | str) -> None:
         """Take a fault away, for instance release the emergency stop button."""
-        self._plan.clear(FaultKind(kind))
+        self._plan.clear(kind)
 
     @property
     def serial_timeout_s(self) -> float:
@@ -133,7 +134,7 @@ class RoboClawSimulator:
         if self._start_s is None:
             self._start_s = now_s
         time_s = now_s - self._start_s
-        silence_s = self._plan.take_reset(time_s, _BOOT_S)
+        silence_s = self._plan.take(FaultKind.RESET, time_s, _BOOT_S)
         if silence_s is not None:
             self._registers.power_on(time_s)
             self._buffer = b""

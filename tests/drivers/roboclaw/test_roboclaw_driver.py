@@ -462,7 +462,7 @@ def test_a_write_is_obeyed_once_although_its_answer_failed(
 ) -> None:
     rig = drive_rig()
     drive = connect(rig, reply_timeout_ms=100.0, **settings)
-    rig.simulator.inject(fault, count=1, command=int(Command.RAMP_SPEED_M1))
+    rig.simulator.inject(fault, count=1, target=int(Command.RAMP_SPEED_M1))
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
     assert any("not acknowledged by FF" in warning for warning in drive.status().warnings)
@@ -471,7 +471,7 @@ def test_a_write_is_obeyed_once_although_its_answer_failed(
 def test_a_command_that_never_arrives_is_an_error(drive_rig: Any, connect: Any) -> None:
     rig = drive_rig()
     drive = connect(rig, reply_timeout_ms=50.0)
-    rig.simulator.inject("lost_command", command=int(Command.RAMP_SPEED_M1))
+    rig.simulator.inject("lost_command", target=int(Command.RAMP_SPEED_M1))
     with pytest.raises(ReplyTimeout, match="RAMP_SPEED_M1"):
         drive.set_speed(1.0, 1000.0)
 
@@ -483,7 +483,7 @@ def test_drive_off_ends_the_retries_of_another_call(
     drive = connect(rig, watchdog_s=20.0, reply_timeout_ms=500.0)
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
-    rig.simulator.inject("no_reply", command=int(Command.COMBINED_STATUS))
+    rig.simulator.inject("no_reply", target=int(Command.COMBINED_STATUS))
     outcome: list[ReplyTimeout] = []
 
     def poll() -> None:

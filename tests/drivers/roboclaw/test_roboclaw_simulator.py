@@ -303,12 +303,12 @@ def test_variants_of_older_firmware_have_their_lengths() -> None:
 def test_link_faults_strike_as_often_as_told() -> None:
     simulator = RoboClawSimulator(
         faults=[
-            {"kind": "wrong_crc", "count": 1, "command": 25},
-            {"kind": "no_reply", "count": 1, "command": 82},
-            {"kind": "duplicated_reply", "count": 1, "command": 24},
+            {"kind": "wrong_crc", "count": 1, "target": 25},
+            {"kind": "no_reply", "count": 1, "target": 82},
+            {"kind": "duplicated_reply", "count": 1, "target": 24},
             {"kind": "wrong_acknowledge", "count": 1},
-            {"kind": "lost_command", "count": 1, "command": 35},
-            {"kind": "slow_reply", "count": 1, "command": 15, "value": 0.2},
+            {"kind": "lost_command", "count": 1, "target": 35},
+            {"kind": "slow_reply", "count": 1, "target": 15, "value": 0.2},
         ]
     )
     good = bytes.fromhex("0079EF74")
