@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QApplication
 
 from rigapp.gui.link import ClientFactory, Link
 from rigapp.gui.palette import THEMES, apply_theme
-from rigapp.gui.recording import load_history
 from rigapp.gui.selftest import run_self_test
 from rigapp.gui.session import Session
 from rigapp.gui.window import MainWindow
@@ -41,7 +40,7 @@ def main(
     apply_theme(application, theme)
     window = MainWindow(
         Link(client_factory),
-        Session(load_history),
+        Session(),
         theme,
         tests=tests,
         results_folder=results_folder,

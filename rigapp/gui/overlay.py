@@ -130,8 +130,9 @@ class OverlayPanel(QWidget):
 
     def set_mechanism(self, crank_over_follower: float | None) -> None:
         """Take crank radius / follower length of the test; None: the follower frame is closed."""
-        self._ratio = crank_over_follower
-        self._offer_follower_frame()
+        if crank_over_follower != self._ratio:
+            self._ratio = crank_over_follower
+            self._offer_follower_frame()
 
     def refresh(self, data: LiveData, *, stale: bool) -> None:
         """Draw the newest revolution if it is not drawn yet."""

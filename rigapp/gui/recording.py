@@ -1,13 +1,45 @@
-"""Read a test file for drawing; always called on a worker thread."""
+"""Read a test file for drawing; all of it runs on worker threads, never on the screen's."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from rigapp.gui.series import LiveData
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.recipe import TestFile
+from rigapp.engine.messages import Event
+from rigapp.gui.series import LiveData, MeasuredCycle, PredictedCycle
+
+if TYPE_CHECKING:
+    from rigapp.storage import TestReader
 
 
-def load_history(path: Path, planned: int = 0) -> LiveData:
+@dataclass(frozen=True, slots=True)
+class History:
+    """Carry what a file holds of a test at one moment.
+
+    cycle_revolutions: the revolutions whose whole cycle is saved. test: None when the test file
+    inside cannot be read.
+    """
+
+    data: LiveData
+    test: TestFile | None
+    cycle_revolutions: NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True)
+class StoredRevolution:
+    """Carry one whole revolution of a file, with the model's where it is saved."""
+
+    cycle: MeasuredCycle
+    prediction: PredictedCycle | None
+
+
+def load_history(path: Path, planned: int = 0) -> History:
     """Return everything that a file holds of a test, with its levels of detail built.
 
     Raises UnusableInput when the file is not a readable test.
@@ -21,4 +53,52 @@ def load_history(path: Path, planned: int = 0) -> LiveData:
         predictions = test.predictions()
         if len(predictions["revolution"]):
             data.predictions.load(predictions)
-    return data
+        return History(data, recipe_of(test), test.cycle_revolutions())
+
+
+def load_revolution(path: Path, revolution: int) -> StoredRevolution:
+    """Return the saved whole cycle nearest to a revolution.
+
+    Raises UnusableInput when the file has none.
+    """
+    from rigapp.storage import open_test
+
+    with open_test(path) as test:
+        saved = test.cycle_revolutions()
+        if len(saved) == 0:
+            raise UnusableInput(f"{path}: no whole cycle is saved yet")
+        return stored_revolution(test, int(np.argmin(np.abs(saved - revolution))))
+
+
+def stored_revolution(test: TestReader, index: int) -> StoredRevolution:
+    """Return the saved cycle ``index`` with the prediction of the same revolution."""
+    stored = test.cycle(index)
+    names = ("force_1", "force_2", "force", "probe_1", "probe_2")
+    cycle = MeasuredCycle(
+        stored.revolution,
+        stored.columns["angle"],
+        {name: stored.columns[name] for name in names},
+    )
+    curves = test.predicted_curve(stored.revolution)
+    if curves is None:
+        return StoredRevolution(cycle, None)
+    angle = np.asarray(curves.pop("angle"), dtype=np.float64)
+    return StoredRevolution(cycle, PredictedCycle(stored.revolution, angle, curves))
+
+
+def load_events(path: Path) -> list[Event]:
+    """Return the log of a test, in order."""
+    from rigapp.storage import open_test
+
+    with open_test(path) as test:
+        return test.events()
+
+
+def recipe_of(test: TestReader) -> TestFile | None:
+    """Return the test file that was copied into a recorded file, None when it cannot be read."""
+    from rigapp.config.loading import parse_test
+
+    try:
+        return parse_test(str(test.configuration()["test"]), test.path.name)
+    except (UnusableInput, KeyError):
+        return None

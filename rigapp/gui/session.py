@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import logging
+import time
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
 
-from rigapp.engine.messages import Snapshot
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.recipe import TestFile
+from rigapp.engine.messages import Snapshot, Status
+from rigapp.gui.recording import History, StoredRevolution, load_history, load_revolution
 from rigapp.gui.series import LiveData
 from rigapp.gui.tasks import Worker
 
@@ -16,69 +22,142 @@ log = logging.getLogger(__name__)
 HELD_SNAPSHOTS = 600
 """Snapshots held while the file is read; the oldest go first, which the next reading mends."""
 
-Loader = Callable[[Path, int], LiveData]
+ATTEMPTS = 3
+RETRY_S = 2.0
+
+HistoryLoader = Callable[[Path, int], History]
+RevolutionLoader = Callable[[Path, int], StoredRevolution]
 
 
 class Session:
     """Turn snapshots into the data of the present test."""
 
-    def __init__(self, loader: Loader) -> None:
-        self._loader = loader
-        self._worker = Worker("gui-history", bound=2)
-        self._identity: str | None = None
+    def __init__(
+        self,
+        history: HistoryLoader = load_history,
+        revolution: RevolutionLoader = load_revolution,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._history = history
+        self._revolution = revolution
+        self._clock = clock
+        self._worker = Worker("gui-history", bound=8)
+        self._file: str | None = None
         self._held: deque[Snapshot] | None = None
+        self._attempts = 0
+        self._again_at: float | None = None
         self.data = LiveData()
+        self.test: TestFile | None = None
+        self.cycle_revolutions: NDArray[np.int64] = np.empty(0, dtype=np.int64)
         self.problem = ""
+
+    @property
+    def settled(self) -> bool:
+        """Tell whether nothing of the present test is still to be read."""
+        return self._file is not None and self._held is None and self._again_at is None
+
+    @property
+    def path(self) -> Path | None:
+        """Return the file of the present test."""
+        return Path(self._file) if self._file else None
+
+    @property
+    def crank_over_follower(self) -> float | None:
+        """Return crank radius / follower length of the present test, None when not known."""
+        if self.test is None:
+            return None
+        mechanism = self.test.model.mechanism
+        return mechanism.crank_radius_mm / mechanism.follower_length_mm
 
     def take(self, snapshot: Snapshot) -> bool:
         """Take a snapshot; return whether it belongs to another test than the last one."""
         status = snapshot.status
-        identity = status.file
-        changed = identity != self._identity
+        changed = status.file != self._file
         if changed:
-            self._identity = identity
-            self._held = None
-            self.data = LiveData(status.planned)
-            self.problem = ""
+            self._begin(status)
         self.data.take(snapshot)
         if self._held is not None:
             self._held.append(snapshot)
-        elif self.data.missing_from is not None and status.file:
-            self._read(Path(status.file), status.planned, snapshot)
+        elif self._wants_history():
+            self._read(status, snapshot)
         return changed
 
     def deliver(self) -> None:
-        """Take a history that has been read."""
+        """Take what has been read."""
         self._worker.deliver()
+
+    def ask_revolution(
+        self,
+        revolution: int,
+        done: Callable[[StoredRevolution], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Read the saved cycle nearest to a revolution; the answer comes from ``deliver``."""
+        path = self.path
+        if path is None:
+            failed(FileNotFoundError("There is no test, so no stored revolution either."))
+        elif not self._worker.submit(lambda: self._revolution(path, revolution), done, failed):
+            failed(RuntimeError("The file is still being read; try again."))
 
     def close(self) -> None:
         """End the reading thread."""
         self._worker.close()
 
-    def _read(self, path: Path, planned: int, snapshot: Snapshot) -> None:
-        self._held = deque([snapshot], maxlen=HELD_SNAPSHOTS)
-        identity = self._identity
-        self._worker.submit(
-            lambda: self._loader(path, planned),
-            lambda data: self._loaded(identity, data),
-            lambda error: self._failed(identity, path, error),
-        )
+    def _begin(self, status: Status) -> None:
+        self._file = status.file
+        self._held = None
+        self._attempts = 0
+        self._again_at = self._clock() if status.file else None
+        self.data = LiveData(status.planned)
+        self.test = None
+        self.cycle_revolutions = np.empty(0, dtype=np.int64)
+        self.problem = ""
 
-    def _loaded(self, identity: str | None, data: LiveData) -> None:
-        if identity != self._identity or self._held is None:
+    def _wants_history(self) -> bool:
+        if not self._file:
+            return False
+        due = self._again_at is not None and self._clock() >= self._again_at
+        return due or (self._again_at is None and self.data.missing_from is not None)
+
+    def _read(self, status: Status, snapshot: Snapshot) -> None:
+        path, planned = Path(status.file), status.planned
+        self._again_at = None
+        self._held = deque([snapshot], maxlen=HELD_SNAPSHOTS)
+        accepted = self._worker.submit(
+            lambda: self._history(path, planned),
+            lambda history: self._loaded(path, history),
+            lambda error: self._failed(path, error),
+        )
+        if not accepted:
+            self._held = None
+            self._again_at = self._clock() + RETRY_S
+
+    def _loaded(self, path: Path, history: History) -> None:
+        if path != self.path or self._held is None:
             return
         held, self._held = self._held, None
+        if self.data.missing_from is not None:
+            self._replace(history.data, held)
+        self.test = history.test
+        self.cycle_revolutions = history.cycle_revolutions
+        self._attempts = 0
+        self.problem = ""
+
+    def _replace(self, data: LiveData, held: deque[Snapshot]) -> None:
         for snapshot in held:
             data.take(snapshot)
         data.cycle = data.cycle or self.data.cycle
         data.prediction = data.prediction or self.data.prediction
         self.data = data
-        self.problem = ""
 
-    def _failed(self, identity: str | None, path: Path, error: Exception) -> None:
-        if identity != self._identity:
+    def _failed(self, path: Path, error: Exception) -> None:
+        if path != self.path:
+            return
+        self._held = None
+        self._attempts += 1
+        if self._attempts < ATTEMPTS:
+            self._again_at = self._clock() + RETRY_S
             return
         log.error("History of %s cannot be read: %s", path, error)
         self.problem = f"Earlier cycles cannot be shown: {error}"
-        self._held = None
         self.data.missing_from = None

@@ -114,9 +114,11 @@ class MainWindow(QMainWindow):
         if self.isMinimized():
             return
         data = self._session.data
+        ratio = self._session.crank_over_follower
         stale = status is not None and status.twin_age_s > STALE_TWIN_S
         for overlay in (self.overview, self.cycle):
             if overlay.isVisible():
+                overlay.set_mechanism(ratio)
                 overlay.refresh(data, stale=stale)
         if self.probes.isVisible():
             self.probes.refresh(data)
@@ -124,6 +126,15 @@ class MainWindow(QMainWindow):
             for trend in (self.overview_trend, self.trend_upper, self.trend_lower):
                 if trend.isVisible():
                     trend.refresh(data)
+
+    @property
+    def settled(self) -> bool:
+        """Tell whether the engine has spoken and the history of its test is read."""
+        return self._link.status is not None and self._session.settled
+
+    def draw_now(self) -> None:
+        """Draw what is visible without waiting for the next tick."""
+        self.draw(self._link.status, at_once=True)
 
     def switch_theme(self) -> None:
         """Change between light and dark."""
@@ -232,7 +243,7 @@ class MainWindow(QMainWindow):
         self.start_bar.started.connect(partial(self.controls.send, "start"))
         for panel in (self.overview_alarms, self.alarms):
             panel.wanted.connect(self.controls.send)
-        self.tabs.currentChanged.connect(lambda _: self.draw(self._link.status, at_once=True))
+        self.tabs.currentChanged.connect(lambda _: self.draw_now())
         self.help_button.clicked.connect(self.show_help)
         self.theme_button.clicked.connect(self.switch_theme)
         QShortcut(QKeySequence("F1"), self, self.show_help)

@@ -17,25 +17,29 @@ import msgspec
 import numpy as np
 import pytest
 
-from rigapp.engine.columns import prediction_columns, revolution_columns
+from rigapp.engine.columns import cycle_columns, prediction_columns, revolution_columns
 from rigapp.engine.messages import (
     Alarm,
     ChannelView,
     Cycle,
     DeviceView,
     DriveView,
+    Event,
     Prediction,
     Reply,
     RunState,
     Severity,
     Snapshot,
     Status,
+    as_array,
 )
 from rigapp.gui.link import Link
 from rigapp.gui.palette import LIGHT, apply_theme
+from rigapp.gui.recording import History
 from rigapp.gui.series import LiveData
 from rigapp.gui.session import Session
 from rigapp.gui.window import MainWindow
+from rigapp.storage import FilePlan, TestMetadata, create_test
 
 RADIUS, LENGTH = 76.2, 203.2
 REVOLUTION_NAMES = tuple(column.name for column in revolution_columns())
@@ -272,9 +276,9 @@ def alarm() -> Alarm:
 
 
 @pytest.fixture
-def no_history() -> Callable[[Path, int], LiveData]:
+def no_history() -> Callable[[Path, int], History]:
     """Return a loader that finds an empty file."""
-    return lambda path, planned: LiveData(planned)
+    return lambda path, planned: History(LiveData(planned), None, np.empty(0, dtype=np.int64))
 
 
 @pytest.fixture
@@ -310,3 +314,47 @@ def attach(window: MainWindow, engine: ScriptedEngine, qtbot: Any) -> Callable[[
         window.draw(window._link.status, at_once=True)
 
     return ticks
+
+
+@pytest.fixture
+def recorded(tmp_path: Path) -> Path:
+    """Return a finished test file of 300 revolutions, every tenth whole cycle kept."""
+    plan = FilePlan(revolutions=300, cycles=40, samples_per_cycle=400, events=256)
+    text = (Path(__file__).parents[2] / "examples" / "quick.toml").read_text(encoding="utf-8")
+    metadata = TestMetadata(
+        title="Quick test",
+        rig_text='name = "rig"\n',
+        test_text=text,
+        rig_name="Simulated slider-crank",
+        operator="Ann",
+        simulated=True,
+        started=1_800_000_000.0,
+    )
+    path = tmp_path / "quick-20270101-080000.h5"
+    writer = create_test(path, plan, metadata)
+    rows, predictions = make_rows(1, 300), make_predictions(1, 300)
+    for index in range(300):
+        revolution = index + 1
+        kept = revolution % 10 == 0
+        if kept:
+            writer.append_cycle(revolution, cycle_columns_of(make_cycle(revolution, 400)))
+        prediction = make_prediction(revolution)
+        curves = {
+            name: as_array(getattr(prediction, name)) for name in ("force_1", "force_2", "force")
+        }
+        writer.append_prediction(predictions[index], curves if kept else None)
+        writer.append_row(rows[index])
+    writer.append_event(Event(1.8e9, 120, "note", "Ann", "oil added"))
+    writer.commit()
+    writer.finish("complete", "complete", "All revolutions are done.")
+    return path
+
+
+def cycle_columns_of(cycle: Cycle) -> dict[str, np.ndarray]:
+    """Return a cycle message as the columns of a file; what it does not carry is zero."""
+    names = [column.name for column in cycle_columns()]
+    found = {name: np.zeros(len(as_array(cycle.angle_deg))) for name in names}
+    found["angle"] = as_array(cycle.angle_deg)
+    for name in ("force_1", "force_2", "force", "probe_1", "probe_2"):
+        found[name] = as_array(getattr(cycle, name))
+    return found

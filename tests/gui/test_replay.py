@@ -1,0 +1,144 @@
+"""A recorded test through the same window, and its picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtGui import QImage
+
+from rigapp.config.errors import UnusableInput
+from rigapp.engine.messages import RunState
+from rigapp.gui.frames import Frame
+from rigapp.gui.headline import Level
+from rigapp.gui.link import Link
+from rigapp.gui.palette import DARK
+from rigapp.gui.picture import save_picture
+from rigapp.gui.recording import load_events, load_revolution
+from rigapp.gui.replay import ReplayClient, replay_factory
+from rigapp.gui.session import Session
+from rigapp.gui.window import MainWindow
+
+
+def test_a_recorded_test_plays_from_its_first_to_its_last_row(
+    recorded: Path, qtbot: Any, qapp: Any
+) -> None:
+    window = MainWindow(Link(replay_factory(recorded, speed=400.0)), Session(), DARK)
+    qtbot.addWidget(window)
+    window.show()
+    lengths: list[int] = []
+
+    def ended() -> bool:
+        window.tick()
+        lengths.append(len(window._session.data.rows))
+        status = window._link.status
+        return status is not None and status.state is RunState.STOPPED and window.settled
+
+    qtbot.waitUntil(ended, timeout=20_000)
+    assert lengths == sorted(lengths)
+    assert len(set(lengths)) > 3
+    assert lengths[-1] == 300
+    data = window._session.data
+    assert len(data.predictions) == 300
+    assert data.cycle is not None
+    assert data.cycle.revolution == 300
+    assert "All revolutions are done" in window.header.state.detail.whole
+    assert window._session.crank_over_follower == pytest.approx(0.375)
+    box = window.overview.frame_box
+    window.draw_now()
+    box.setCurrentIndex(box.findData(Frame.FOLLOWER))
+    window.draw_now()
+    assert window.overview.shown is not None
+    assert abs(window.overview.shown.model["force_2"]).max() < 5e-3  # type: ignore[index]
+    window.close()
+
+
+def test_a_replay_pauses_and_refuses_what_needs_a_rig(recorded: Path, qtbot: Any) -> None:
+    client = ReplayClient(recorded, speed=1.0)
+    try:
+        assert client.request("pause", {"reason": ""}).ok
+        qtbot.waitUntil(lambda: _state(client) is RunState.PAUSED, timeout=5000)
+        refused = client.request("start", {"test": "x", "out": "y"})
+        assert not refused.ok
+        assert "replay" in refused.sentence
+        assert client.request("resume").ok
+        assert client.request("replay", {"speed": 100.0}).ok
+        assert client.request("stop").ok
+    finally:
+        client.close()
+
+
+def _state(client: ReplayClient) -> RunState | None:
+    snapshot = client.poll()
+    return snapshot.status.state if snapshot is not None else None
+
+
+def test_the_picture_shows_the_end_of_the_test(recorded: Path, tmp_path: Path, qapp: Any) -> None:
+    target = tmp_path / "window.png"
+    save_picture(recorded, target)
+    image = QImage(str(target))
+    assert (image.width(), image.height()) == (1400, 900)
+    colours = {image.pixelColor(x, y).name() for x in range(0, 700, 2) for y in range(220, 690, 2)}
+    assert {"#000000", "#0072b2", "#009e73"} <= colours
+
+
+def test_a_file_that_is_no_test_is_said_in_one_sentence(tmp_path: Path) -> None:
+    path = tmp_path / "x.h5"
+    path.write_bytes(b"not a test")
+    with pytest.raises(UnusableInput, match="not an HDF5 file"):
+        ReplayClient(path)
+
+
+def test_the_nearest_stored_revolution_is_found(recorded: Path) -> None:
+    stored = load_revolution(recorded, 123)
+    assert stored.cycle.revolution == 120
+    assert stored.prediction is not None
+    assert stored.prediction.revolution == 120
+    assert [event.text for event in load_events(recorded)] == ["oil added"]
+
+
+def test_a_window_opened_late_gets_the_earlier_rows_from_the_file(
+    recorded: Path, engine: Any, qtbot: Any, qapp: Any
+) -> None:
+    window = MainWindow(Link(engine.client), Session(), DARK)
+    qtbot.addWidget(window)
+    window.show()
+    engine.say(first=301, count=2, file=str(recorded))
+
+    def complete() -> bool:
+        window.tick()
+        return len(window._session.data.rows) == 302
+
+    qtbot.waitUntil(complete, timeout=10_000)
+    assert list(window._session.data.rows.revolutions[[0, -1]]) == [1.0, 302.0]
+    engine.say(first=320, count=2, file=str(recorded))
+    qtbot.waitUntil(lambda: _after_gap(window), timeout=10_000)
+    window.close()
+
+
+def _after_gap(window: MainWindow) -> bool:
+    window.tick()
+    revolutions = window._session.data.rows.revolutions
+    return window.settled and revolutions[-1] == 321.0
+
+
+def test_a_history_that_cannot_be_read_is_said(
+    engine: Any, qtbot: Any, qapp: Any, tmp_path: Path
+) -> None:
+    now = [0.0]
+    window = MainWindow(Link(engine.client), Session(clock=lambda: now[0]), DARK)
+    qtbot.addWidget(window)
+    window.show()
+
+    def said() -> bool:
+        now[0] += 0.5
+        if not engine.snapshots:
+            engine.say(first=301, count=2, file=str(tmp_path / "gone.h5"))
+        window.tick()
+        return "Earlier cycles cannot be shown" in window.controls.answer.whole
+
+    qtbot.waitUntil(said, timeout=10_000)
+    assert window.header.state.value.whole == "Running"
+    assert window.header.state._level is Level.NORMAL
+    window.close()
