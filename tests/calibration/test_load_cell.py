@@ -1,0 +1,267 @@
+"""The load cell: recovered truth, honest intervals, and a message for each planted mistake."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from calibration.load_cell import calibrate_load_cell
+from calibration.readings import LoadCellReadings
+from calibration.weights import Place
+from tests.calibration.simulated_cell import SETTINGS, Cell, take
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    return np.random.default_rng(7)
+
+
+def codes(readings: LoadCellReadings, settings=SETTINGS, *, blocking: bool = True) -> set[str]:
+    found = calibrate_load_cell(readings, settings)
+    assert found.accepted == (not any(p.blocks for p in found.problems))
+    for problem in found.problems:
+        assert problem.sentence.endswith((".", "?", ")")), problem.sentence
+        assert "\n" not in problem.sentence
+    return {p.code for p in found.problems if p.blocks or not blocking}
+
+
+def changed(readings: LoadCellReadings, **arrays) -> LoadCellReadings:
+    return replace(readings, **arrays)
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("angles", [4, 8, 12])
+def test_honest_readings_are_accepted(seed: int, angles: int) -> None:
+    cell = Cell(hysteresis=0.8, drift=0.5)
+    readings = take(cell, np.random.default_rng(seed), angles=angles)
+    found = calibrate_load_cell(readings, SETTINGS)
+    assert found.accepted, [p.sentence for p in found.problems]
+    assert found.fit is not None
+    assert found.fit.matrix == pytest.approx(np.linalg.inv(cell.sensitivity), abs=1.0)
+
+
+def test_noiseless_cell_is_recovered_exactly(rng: np.random.Generator) -> None:
+    cell = Cell(noise=0.0, step=0.0)
+    found = calibrate_load_cell(take(cell, rng), SETTINGS)
+    assert found.fit is not None
+    assert found.fit.matrix == pytest.approx(np.linalg.inv(cell.sensitivity), rel=1e-9)
+    assert found.fit.zero == pytest.approx(cell.zero, abs=1e-12)
+    assert found.fit.residual_std < 1e-9
+
+
+def test_common_angle_offset_is_invisible_in_the_residuals(rng: np.random.Generator) -> None:
+    straight = calibrate_load_cell(take(Cell(step=0.0), np.random.default_rng(1)), SETTINGS)
+    turned_cell = Cell(step=0.0, offset=np.radians(0.2))
+    turned = calibrate_load_cell(take(turned_cell, np.random.default_rng(1)), SETTINGS)
+    assert straight.fit is not None
+    assert turned.fit is not None
+    assert turned.fit.residual_std == pytest.approx(straight.fit.residual_std, rel=0.01)
+    error = turned.fit.matrix @ turned_cell.sensitivity @ np.array([0.0, 400.0])
+    assert abs(error[0]) == pytest.approx(400.0 * np.radians(0.2), abs=0.5)
+    told = replace(SETTINGS, angle_offset=np.radians(0.2))
+    right = calibrate_load_cell(take(turned_cell, np.random.default_rng(1)), told)
+    assert right.fit is not None
+    assert np.linalg.inv(turned_cell.sensitivity) == pytest.approx(right.fit.matrix, abs=0.6)
+
+
+def test_quadratic_cell_gets_quadratic_terms(rng: np.random.Generator) -> None:
+    cell = Cell(step=0.0, noise=0.2)
+    readings = take(cell, rng, angles=12)
+    force = calibrate_load_cell(readings, SETTINGS).applied
+    bent = readings.signal + 1e-7 * np.column_stack((force[:, 0] ** 2, force[:, 1] ** 2))
+    found = calibrate_load_cell(changed(readings, signal=bent), SETTINGS)
+    assert "quadratic" in found.terms
+    assert found.fit is not None
+    assert found.fit.force(bent) == pytest.approx(force, abs=1.5)
+
+
+def test_it_says_that_the_cell_cannot_be_classified(rng: np.random.Generator) -> None:
+    found = calibrate_load_cell(take(Cell(), rng), SETTINGS)
+    assert found.classification.startswith("Not classifiable")
+    assert "800 N" in found.classification
+    assert "1000 N" in found.classification
+
+
+Plant = Callable[[LoadCellReadings], LoadCellReadings]
+
+
+def wrong_weight(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    at, twin = 14, 13
+    signal[at] = signal[twin] + 0.375 * (signal[at] - signal[twin])
+    return changed(r, signal=signal)
+
+
+def swapped_steps(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[[13, 14]] = signal[[14, 13]]
+    return changed(r, signal=signal)
+
+
+def skipped_step(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[13:15] = signal[14:16]
+    return changed(r, signal=signal)
+
+
+def swapped_axes(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, signal=r.signal[:, ::-1].copy())
+
+
+def reversed_axis(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, signal=r.signal * np.array([1.0, -1.0]))
+
+
+def reversed_both(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, signal=-r.signal)
+
+
+def swinging(r: LoadCellReadings) -> LoadCellReadings:
+    noise = np.random.default_rng(3).normal(0.0, 0.04, r.signal[22:33].shape)
+    signal = r.signal.copy()
+    signal[22:33] += noise
+    return changed(r, signal=signal)
+
+
+def angle_off(r: LoadCellReadings) -> LoadCellReadings:
+    angle = r.angle.copy()
+    angle[22:33] += np.radians(1.0)
+    return changed(r, angle=angle)
+
+
+def loose_cable(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[40, 0] += 0.6
+    signal[51, 0] -= 0.9
+    return changed(r, signal=signal)
+
+
+def saturated(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, signal=np.clip(r.signal, -1.2, 1.2))
+
+
+def drift(r: LoadCellReadings) -> LoadCellReadings:
+    ramp = np.linspace(0.0, 0.06, len(r))[:, None]
+    return changed(r, signal=r.signal + ramp)
+
+
+def rubs(r: LoadCellReadings) -> LoadCellReadings:
+    return take(Cell(hysteresis=8.0), np.random.default_rng(5))
+
+
+def few_angles(r: LoadCellReadings) -> LoadCellReadings:
+    return take(Cell(), np.random.default_rng(5), angles=2)
+
+
+def not_a_number(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[17, 1] = np.nan
+    return changed(r, signal=signal)
+
+
+def grams(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, mass=1000.0 * r.mass)
+
+
+def radians(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, angle=np.radians(r.angle))
+
+
+def dead(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[:, 1] = 0.003
+    return changed(r, signal=signal)
+
+
+def copied(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[55:66] = signal[44:55]
+    return changed(r, signal=signal)
+
+
+def no_zero(r: LoadCellReadings) -> LoadCellReadings:
+    keep = r.mass > 0.0
+    return LoadCellReadings(
+        tuple(s for s, k in zip(r.series, keep, strict=True) if k),
+        r.step[keep],
+        r.mass[keep],
+        r.angle[keep],
+        r.signal[keep],
+    )
+
+
+def overload(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, mass=1.5 * r.mass)
+
+
+MISTAKES: list[tuple[str, Plant]] = [
+    ("wrong_weight", wrong_weight),
+    ("swapped_steps", swapped_steps),
+    ("skipped_step", skipped_step),
+    ("axes_swapped", swapped_axes),
+    ("axis_reversed", reversed_axis),
+    ("axes_reversed", reversed_both),
+    ("scatter", swinging),
+    ("angle_off", angle_off),
+    ("cable_loose", loose_cable),
+    ("saturated", saturated),
+    ("drift", drift),
+    ("hysteresis", rubs),
+    ("too_few_angles", few_angles),
+    ("not_a_number", not_a_number),
+    ("mass_unit", grams),
+    ("angle_unit", radians),
+    ("bridge_dead", dead),
+    ("copied_series", copied),
+    ("no_zero", no_zero),
+    ("overload", overload),
+]
+
+
+@pytest.mark.parametrize(("code", "plant"), MISTAKES, ids=[code for code, _ in MISTAKES])
+def test_planted_mistake_is_named(code: str, plant: Plant, rng: np.random.Generator) -> None:
+    found = codes(plant(take(Cell(), rng)))
+    assert code in found
+
+
+@pytest.mark.parametrize(("gravity", "expected"), [(981.0, None), (9.70, None), (9.7803, 9.8123)])
+def test_wrong_gravity_is_named(
+    gravity: float, expected: float | None, rng: np.random.Generator
+) -> None:
+    settings = replace(SETTINGS, place=Place(gravity, 1e-4), gravity_expected=expected)
+    assert "wrong_gravity" in codes(take(Cell(), rng), settings)
+
+
+def test_standard_gravity_is_only_a_hint(rng: np.random.Generator) -> None:
+    settings = replace(SETTINGS, place=Place(9.80665, 1e-4))
+    assert codes(take(Cell(), rng), settings) == set()
+    assert "standard_gravity" in codes(take(Cell(), rng), settings, blocking=False)
+
+
+def test_stated_intervals_cover_the_truth() -> None:
+    """1000 virtual calibrations: 95 % intervals of the matrix cover in 93-97 %."""
+    master = np.random.default_rng(2026)
+    inside = np.zeros(4)
+    count = 1000
+    for _ in range(count):
+        truth = np.array([[0.005, 0.0], [0.0, 0.005]]) * (1.0 + master.normal(0.0, 0.01, (2, 2)))
+        truth += master.normal(0.0, 1e-4, (2, 2))
+        cell = Cell(
+            sensitivity=truth,
+            zero=master.normal(0.0, 0.01, 2),
+            hysteresis=master.uniform(0.0, 0.6),
+            drift=master.normal(0.0, 0.3),
+            offset=master.normal(0.0, SETTINGS.angle_uncertainty),
+            scale=1.0 + master.normal(0.0, 5.1e-5),
+        )
+        found = calibrate_load_cell(take(cell, master, angles=8), SETTINGS)
+        assert found.fit is not None
+        assert found.covariance is not None
+        error = (found.fit.matrix - np.linalg.inv(truth)).ravel()
+        inside += np.abs(error) < 1.96 * np.sqrt(np.diag(found.covariance))
+    assert np.all(inside / count > 0.925), inside
+    assert np.all(inside / count < 0.975), inside
+    assert 0.93 < inside.mean() / count < 0.97
