@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,7 @@ from rigapp.gui.frames import COMPONENT_NAMES, Frame, to_frame
 from rigapp.gui.header import ElidedLabel
 from rigapp.gui.palette import Theme, measured_pen, model_pen
 from rigapp.gui.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.pyramid import thinned
 from rigapp.gui.ranges import SteadyRange
 from rigapp.gui.series import LiveData, MeasuredCycle, PredictedCycle
 
@@ -26,14 +28,16 @@ COMPONENT_SYMBOLS = {Frame.CRANK: "F₁", Frame.FOLLOWER: "F₁", Frame.GLOBAL: 
 class Shown:
     """The arrays on the screen: crank angle, |F| and components of measurement and model.
 
-    ``model`` is on the measured angles too, so that ``measured - model`` is the residual.
+    ``model`` is on the model's own angles, ``residual`` (measured - model) on the measured ones.
     """
 
     angle_deg: Floats
     measured: dict[str, Floats]
-    model: dict[str, Floats] | None
     measured_revolution: int
-    model_revolution: int | None
+    model_angle_deg: Floats | None = None
+    model: dict[str, Floats] | None = None
+    residual: dict[str, Floats] | None = None
+    model_revolution: int | None = None
 
 
 def compose(
@@ -42,22 +46,34 @@ def compose(
     frame: Frame,
     crank_over_follower: float | None,
 ) -> Shown:
-    """Return measurement and model of one revolution in a frame, on the measured angles."""
+    """Return measurement, model and their difference over one revolution in a frame."""
     angle = cycle.angle_deg.astype(np.float64)
-    channels = cycle.channels
-    one, two = to_frame(channels["force_1"], channels["force_2"], angle, frame, crank_over_follower)
-    measured = {"force": channels["force"].astype(np.float64), "force_1": one, "force_2": two}
+    measured = _in_frame(angle, cycle.channels, frame, crank_over_follower)
     if prediction is None:
-        return Shown(angle, measured, None, cycle.revolution, None)
-    model_1, model_2 = to_frame(
-        prediction.at(angle, "force_1"),
-        prediction.at(angle, "force_2"),
+        return Shown(angle, measured, cycle.revolution)
+    model_angle = np.append(prediction.angle_deg, 360.0)
+    curves = {name: np.append(values, values[0]) for name, values in prediction.curves.items()}
+    on_measured = {name: prediction.at(angle, name) for name in CURVES}
+    model = _in_frame(angle, on_measured, frame, crank_over_follower)
+    return Shown(
         angle,
-        frame,
-        crank_over_follower,
+        measured,
+        cycle.revolution,
+        model_angle,
+        _in_frame(model_angle, curves, frame, crank_over_follower),
+        {name: measured[name] - model[name] for name in CURVES},
+        prediction.revolution,
     )
-    model = {"force": prediction.at(angle, "force"), "force_1": model_1, "force_2": model_2}
-    return Shown(angle, measured, model, cycle.revolution, prediction.revolution)
+
+
+def _in_frame(
+    angle_deg: Floats,
+    curves: Mapping[str, NDArray[np.floating]],
+    frame: Frame,
+    crank_over_follower: float | None,
+) -> dict[str, Floats]:
+    one, two = to_frame(curves["force_1"], curves["force_2"], angle_deg, frame, crank_over_follower)
+    return {"force": curves["force"].astype(np.float64), "force_1": one, "force_2": two}
 
 
 class OverlayPanel(QWidget):
@@ -155,27 +171,29 @@ class OverlayPanel(QWidget):
     def draw(self, shown: Shown) -> None:
         """Draw arrays."""
         self.shown = shown
-        low = min(float(values.min()) for values in shown.measured.values())
-        high = max(float(values.max()) for values in shown.measured.values())
+        buckets = max(self.plot.width(), 200)
         for name in CURVES:
-            self._measured[name].setData(shown.angle_deg, shown.measured[name])
+            self._measured[name].setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
+        shapes = [*shown.measured.values()]
         text = f"Measured: revolution {shown.measured_revolution}"
-        if shown.model is None:
+        if shown.model is None or shown.residual is None:
             for name in CURVES:
                 self._model[name].setData([], [])
                 self._residual[name].setData([], [])
             self.title.show_text(f"{text}.  No prediction yet")
         else:
-            residuals = {name: shown.measured[name] - shown.model[name] for name in CURVES}
+            shapes += shown.model.values()
             for name in CURVES:
-                self._model[name].setData(shown.angle_deg, shown.model[name])
-                self._residual[name].setData(shown.angle_deg, residuals[name])
-            low = min(low, *(float(values.min()) for values in shown.model.values()))
-            high = max(high, *(float(values.max()) for values in shown.model.values()))
-            worst = max(float(np.abs(values).max()) for values in residuals.values())
+                self._model[name].setData(shown.model_angle_deg, shown.model[name])
+                self._residual[name].setData(
+                    *thinned(shown.angle_deg, shown.residual[name], buckets)
+                )
+            worst = max(float(np.abs(values).max()) for values in shown.residual.values())
             if self._residual_range.update(-worst, worst):
                 self.residual_plot.setYRange(*self._known(self._residual_range), padding=0.0)
             self.title.show_text(f"{text}.  Model: revolution {shown.model_revolution}")
+        low = min(float(values.min()) for values in shapes)
+        high = max(float(values.max()) for values in shapes)
         if self._range.update(low, high):
             self.plot.setYRange(*self._known(self._range), padding=0.0)
 

@@ -64,6 +64,7 @@ class Pyramid:
         self._base = GrowingArray(np.float32, capacity)
         self._low: list[GrowingArray] = []
         self._high: list[GrowingArray] = []
+        self._settled = 0
 
     def __len__(self) -> int:
         return len(self._base)
@@ -74,28 +75,32 @@ class Pyramid:
         return self._base.values
 
     def extend(self, values: NDArray[np.floating]) -> None:
-        """Append values and bring every level up to date; costs the new rows only."""
+        """Append values; the levels follow when they are looked at."""
         self.write(len(self._base), values)
 
     def write(self, start: int, values: NDArray[np.floating]) -> None:
         """Write values from row ``start`` (at most the present length) on."""
-        if len(values) == 0:
+        if len(values):
+            self._base.write(start, values)
+            self._settled = min(self._settled, start)
+
+    def settle(self) -> None:
+        """Bring every level up to date; costs the rows written since the last time only."""
+        first, stop = self._settled, len(self._base)
+        if first == stop:
             return
-        self._base.write(start, values)
+        self._settled = stop
         low = high = self._base
-        level, first, stop = 0, start, start + len(values)
+        level = 0
         while len(low) > FACTOR:
             if level == len(self._low):
                 size = self._capacity // FACTOR ** (level + 1) + 16
                 self._low.append(GrowingArray(np.float32, size))
                 self._high.append(GrowingArray(np.float32, size))
                 first = 0
-                stop = len(low)
             first //= FACTOR
-            stop = -(-stop // FACTOR)
-            span = slice(first * FACTOR, stop * FACTOR)
-            self._low[level].write(first, _reduce(np.fmin, low.values[span], FACTOR))
-            self._high[level].write(first, _reduce(np.fmax, high.values[span], FACTOR))
+            self._low[level].write(first, _reduce(np.fmin, low.values[first * FACTOR :], FACTOR))
+            self._high[level].write(first, _reduce(np.fmax, high.values[first * FACTOR :], FACTOR))
             low, high = self._low[level], self._high[level]
             level += 1
 
@@ -105,6 +110,7 @@ class Pyramid:
         Buckets are aligned to multiples of their own size, so that a growing or moving view does
         not shimmer; the first and the last may reach over the ends of the view.
         """
+        self.settle()
         stop = min(stop, len(self._base))
         start = max(0, min(start, stop))
         size = bucket_size(stop - start, buckets)
@@ -132,9 +138,9 @@ def _level_of(size: int) -> int:
     return (size.bit_length() - 1) // 4
 
 
-def _reduce(operation: np.ufunc, values: NDArray[np.floating], ratio: int) -> Singles:
+def _reduce(operation: np.ufunc, values: NDArray[np.floating], ratio: int) -> NDArray[np.floating]:
     if ratio == 1 or len(values) == 0:
-        return values.astype(np.float32, copy=False)
+        return values
     whole = len(values) // ratio * ratio
     head = operation.reduce(values[:whole].reshape(-1, ratio), axis=1)
     if whole == len(values):
@@ -161,4 +167,21 @@ def polyline(x: Floats, envelope: Envelope) -> tuple[Floats, Floats]:
     if unknown.any():
         keep = ~(unknown & np.concatenate(([True], unknown[:-1])))
         points, values = points[keep], values[keep]
+    return points, values
+
+
+def thinned(
+    x: Floats, y: NDArray[np.floating], buckets: int
+) -> tuple[Floats, NDArray[np.floating]]:
+    """Return a curve with at most about two points a bucket that keeps every extreme.
+
+    x, y: (n,), x ascending, y finite. Curves short enough come back as they are.
+    """
+    ratio = -(-len(x) // max(buckets, 1))
+    if ratio <= 2:
+        return x, y
+    points = np.repeat(x[::ratio], 2)
+    values = np.empty(len(points), dtype=y.dtype)
+    values[0::2] = _reduce(np.fmin, y, ratio)
+    values[1::2] = _reduce(np.fmax, y, ratio)
     return points, values

@@ -53,6 +53,8 @@ def load_history(path: Path, planned: int = 0) -> History:
         predictions = test.predictions()
         if len(predictions["revolution"]):
             data.predictions.load(predictions)
+        data.rows.settle()
+        data.predictions.settle()
         return History(data, recipe_of(test), test.cycle_revolutions())
 
 

@@ -72,6 +72,11 @@ class Table:
                 else np.asarray(values, dtype=np.float32)
             )
 
+    def settle(self) -> None:
+        """Build every level of detail now, so that nobody waits for it later."""
+        for series in self._series.values():
+            series.settle()
+
     def last(self, name: str) -> float:
         """Return the newest value of a series, NaN when there is none."""
         values = self._series[name].values

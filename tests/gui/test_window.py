@@ -233,10 +233,14 @@ def test_the_residual_is_measured_minus_model(
     attach()
     shown = window.overview.shown
     assert shown is not None
-    assert shown.model is not None
+    assert shown.residual is not None
+    residual = shown.residual["force"]
+    middle = slice(len(residual) // 2 - 50, len(residual) // 2 + 50)
+    assert residual[middle].mean() == pytest.approx(1.0, abs=0.4)
+    assert shown.measured["force"][middle].mean() == pytest.approx(97.0, abs=0.4)
     drawn = window.overview._residual["force"].getData()[1]
-    assert drawn == pytest.approx(shown.measured["force"] - shown.model["force"])
-    assert abs(drawn[len(drawn) // 2] - 1.0) < 3.0
+    assert drawn.max() == residual.max()
+    assert drawn.min() == residual.min()
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
