@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.storage.create import refuse_little_space, sync_folder
+from rigapp.storage.create import refuse_little_space, short_reason, sync_folder
 from rigapp.storage.duplicate import first_difference, write_duplicate
 from rigapp.storage.errors import StorageFailed
 from rigapp.storage.layout import streams_of
@@ -87,8 +87,14 @@ def _replace_by_copy(reader: TestReader) -> None:
     hidden.unlink(missing_ok=True)
     with contextlib.ExitStack() as undo:
         undo.callback(lambda: hidden.unlink(missing_ok=True))
-        write_duplicate(target, hidden, sizes)
-        _sync_file(hidden)
+        try:
+            write_duplicate(target, hidden, sizes)
+            _sync_file(hidden)
+        except (OSError, RuntimeError) as error:
+            raise StorageFailed(
+                f"{target}: the compressed copy could not be written ({short_reason(error)}); "
+                "the original is untouched, free some space"
+            ) from error
         difference = first_difference(target, hidden, sizes)
         if difference:
             raise StorageFailed(

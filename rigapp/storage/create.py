@@ -144,7 +144,7 @@ def reserve_stream(disk: Disk, stream: Stream, places: Places, first: int, rows:
 def check_places(disk: Disk, file: Path, streams: Mapping[str, Stream], places: Places) -> None:
     """Write a mark through each place, read it back through h5py, and clear it again.
 
-    Raises AssertionError when the library's offsets do not hold: then no test may start.
+    Raises StorageFailed when the library's offsets do not hold: then no test may start.
     """
     marks: list[tuple[str, int, int, bytes]] = []
     for stream in streams.values():
@@ -158,9 +158,11 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, Stream], places: 
     with h5py.File(file, "r", locking=False) as opened:
         for path, row, offset, mark in marks:
             found = np.asarray(opened[path][row])
-            data = found.tobytes() if found.dtype.kind != "S" else bytes(found[()])
-            assert data == mark[: len(data)], f"{path} row {row} is not at offset {offset}"
-            assert data
+            if found.tobytes() != mark:
+                raise StorageFailed(
+                    f"{disk.path}: {path} row {row} is not where HDF5 says ({offset}); "
+                    "no test can be stored with this HDF5 library, run rigapp doctor"
+                )
     for _, _, offset, mark in marks:
         disk.write(bytes(len(mark)), offset)
     for stream in streams.values():
@@ -194,6 +196,11 @@ def _space_errors(path: Path) -> Iterator[None]:
         raise UnusableInput(f"{path}: the file exists and is not overwritten") from error
     except StorageFailed as error:
         raise UnusableInput(str(error)) from error
+    except RuntimeError as error:
+        raise UnusableInput(
+            f"{path}: HDF5 could not write the file ({short_reason(error)}); "
+            "free some space or choose another folder"
+        ) from error
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
             raise UnusableInput(
@@ -203,6 +210,13 @@ def _space_errors(path: Path) -> Iterator[None]:
         raise UnusableInput(
             f"{path}: the file cannot be created ({error.strerror or error}); choose another folder"
         ) from error
+
+
+def short_reason(error: Exception) -> str:
+    """Return the operating system's words out of HDF5's long message, or its first line."""
+    text = str(error)
+    _, found, rest = text.partition("error message = '")
+    return rest.partition("'")[0] if found else text.partition("\n")[0]
 
 
 def move_into_place(hidden: Path, path: Path) -> None:

@@ -63,7 +63,10 @@ class TestReader:
     def __init__(self, path: Path, file: h5py.File) -> None:
         self.path = path
         self._file = file
-        self.plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
+        try:
+            self.plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
+        except msgspec.DecodeError as error:
+            raise UnusableInput(f"{path}: the file is damaged, its plan cannot be read") from error
         self._streams = streams_of(self.plan)
 
     def close(self) -> None:
@@ -85,7 +88,7 @@ class TestReader:
         """Return the safe rows of a stream: revolutions, cycles, prediction, curves, events."""
         found = self._streams[stream]
         if stream == "samples":
-            return self._committed_samples()
+            return self.first_free_sample(self.committed("cycles"))
         return int(self._file[found.path(found.counter)][()])
 
     def stored_status(self) -> str:
@@ -160,6 +163,13 @@ class TestReader:
         """Return the numbers of the revolutions whose whole cycle is saved."""
         return np.asarray(self._file["/entry/cycles/revolution"][: self.committed("cycles")])
 
+    def first_free_sample(self, cycles: int) -> int:
+        """Return the number of samples in the first ``cycles`` saved cycles."""
+        if cycles == 0:
+            return 0
+        group = self._file["/entry/cycles"]
+        return int(group["first"][cycles - 1]) + int(group["count"][cycles - 1])
+
     def cycle(self, index: int) -> StoredCycle:
         """Return the saved cycle ``index``, negative from the end; raises IndexError."""
         number = self.committed("cycles")
@@ -181,11 +191,15 @@ class TestReader:
         """Return the committed rows of the twin's stream, one array a column."""
         return self._table("prediction", first)
 
+    def curve_revolutions(self) -> NDArray[np.int64]:
+        """Return the numbers of the revolutions whose predicted curves are saved."""
+        saved = self._file["/entry/prediction/curve_revolution"]
+        return np.asarray(saved[: self.committed("curves")])
+
     def predicted_curve(self, revolution: int) -> Columns | None:
         """Return the predicted curves of a revolution with their ``angle``, None when not saved."""
         group = self._file["/entry/prediction"]
-        saved = group["curve_revolution"][: self.committed("curves")]
-        places = np.flatnonzero(saved == revolution)
+        places = np.flatnonzero(self.curve_revolutions() == revolution)
         if places.size == 0:
             return None
         row = int(places[-1])
@@ -242,13 +256,6 @@ class TestReader:
             one.name: np.asarray(self._file[found.path(one.name)][first:end])
             for one in found.fields
         }
-
-    def _committed_samples(self) -> int:
-        number = self.committed("cycles")
-        if number == 0:
-            return 0
-        group = self._file["/entry/cycles"]
-        return int(group["first"][number - 1]) + int(group["count"][number - 1])
 
     def _status(self, revolutions: int) -> tuple[str, str]:
         stored = self.stored_status()

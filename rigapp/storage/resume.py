@@ -8,6 +8,9 @@ import os
 import time
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import Event
 from rigapp.storage.create import (
@@ -110,12 +113,14 @@ def _refuse_replaced(path: Path, fd: int) -> None:
 def _counts(reader: TestReader) -> tuple[Counts, bytes, int]:
     """Return the committed counts, the last digest of the log and the last revolution."""
     revolutions = reader.committed()
+    last = int(reader.column("revolution")[-1]) if revolutions else reader.plan.first_revolution - 1
+    cycles = _rows_up_to(reader.cycle_revolutions(), last)
     counts = Counts(
         revolutions=revolutions,
-        cycles=reader.committed("cycles"),
-        samples=reader.committed("samples"),
-        prediction=reader.committed("prediction"),
-        curves=reader.committed("curves"),
+        cycles=cycles,
+        samples=reader.first_free_sample(cycles),
+        prediction=_rows_up_to(reader.predictions()["revolution"], last),
+        curves=_rows_up_to(reader.curve_revolutions(), last),
         events=reader.committed("events"),
         **{
             name: reader.state(name)
@@ -125,8 +130,17 @@ def _counts(reader: TestReader) -> tuple[Counts, bytes, int]:
         },
     )  # fmt: skip
     digest = reader.last_digest() or seed_of(reader.metadata()["identifier"])
-    last = int(reader.column("revolution")[-1]) if revolutions else reader.plan.first_revolution - 1
     return counts, digest, last
+
+
+def _rows_up_to(revolutions: NDArray[np.int64], last: int) -> int:
+    """Return the rows without those at the end that belong to revolutions after ``last``.
+
+    A commit may have caught a cycle or a prediction whose own revolution it did not: that number
+    is measured anew.
+    """
+    kept = np.flatnonzero(revolutions <= last)
+    return int(kept[-1]) + 1 if kept.size else 0
 
 
 def _reserve(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> dict[str, int]:

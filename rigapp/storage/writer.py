@@ -109,7 +109,7 @@ class TestWriter:
         self._counts = counts
         self._streams = fitted_streams(plan, places)
         self._digest = digest
-        self._written: dict[str, int] = {name: getattr(counts, name) for name in _COUNTERS}
+        self._written = dict.fromkeys(_COUNTERS, -1)
         self._rooms = {
             name: Room(disk, stream, self._offsets(stream), reserved[name])
             for name, stream in self._streams.items()

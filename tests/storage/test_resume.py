@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from storage_samples import check, new_test, row, write
+from storage_samples import check, curves, cycle, new_test, prediction, row, write
 
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import Event
@@ -39,6 +39,25 @@ def test_resumed_test_goes_on_after_its_committed_rows(quick_folder: Path) -> No
         assert reader.first_altered_event() is None
         assert reader.cycle_revolutions().tolist() == list(range(10, 121, 10))
     assert stat.S_IMODE(path.stat().st_mode) == 0o444
+
+
+def test_what_belongs_to_no_committed_revolution_is_measured_anew(quick_folder: Path) -> None:
+    path = quick_folder / "test.h5"
+    with new_test(quick_folder) as writer:
+        write(writer, 1, 19)
+        writer.append_cycle(20, cycle(20))
+        writer.append_prediction(prediction(20), curves(20))
+    with open_test(path) as reader:
+        assert reader.cycle_revolutions().tolist() == [10, 20]
+    with reopen_test(path) as writer:
+        with open_test(path) as reader:
+            assert reader.cycle_revolutions().tolist() == [10]
+            assert reader.predictions()["revolution"].tolist() == list(range(1, 20))
+            assert reader.predicted_curve(20) is None
+        write(writer, 20, 40)
+    with open_test(path) as reader:
+        assert check(reader) == 40
+        assert reader.cycle_revolutions().tolist() == [10, 20, 30, 40]
 
 
 def test_resuming_an_empty_test_counts_no_gap(quick_folder: Path) -> None:
