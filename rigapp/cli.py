@@ -28,7 +28,13 @@ model_app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
 )
+calibrate_app = typer.Typer(
+    help="Fit dead-weight and micrometer readings; certificates.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
 app.add_typer(model_app, name="model")
+app.add_typer(calibrate_app, name="calibrate")
 
 RigOption = Annotated[Path, typer.Option("--rig", help="Rig file (devices, inputs, calibration).")]
 OutOption = Annotated[Path, typer.Option("--out", help="HDF5 file to make; never overwritten.")]
@@ -140,6 +146,32 @@ def picture(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")], to:
     from rigapp.commands.window import draw_picture
 
     raise typer.Exit(draw_picture(file, to))
+
+
+ReadingsOption = Annotated[Path, typer.Option("--readings", help="CSV of readings as taken.")]
+SettingsOption = Annotated[Path, typer.Option("--settings", help="Settings file (TOML).")]
+RecordOption = Annotated[Path, typer.Option("--to", help="Record to make; never overwritten.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+
+
+@calibrate_app.command("load-cell")
+def calibrate_load_cell(
+    readings: ReadingsOption, settings: SettingsOption, to: RecordOption, json: JsonOption = False
+) -> None:
+    """Fit dead-weight readings of the load cell; a bad fit is refused, not saved."""
+    from rigapp.commands.calibrate import calibrate_cell
+
+    raise typer.Exit(calibrate_cell(readings, settings, to, as_json=json))
+
+
+@calibrate_app.command("probes")
+def calibrate_probes(
+    readings: ReadingsOption, settings: SettingsOption, to: RecordOption, json: JsonOption = False
+) -> None:
+    """Fit micrometer readings of a probe; a bad fit is refused, not saved."""
+    from rigapp.commands.calibrate import calibrate_probes as calibrate
+
+    raise typer.Exit(calibrate(readings, settings, to, as_json=json))
 
 
 @app.command()

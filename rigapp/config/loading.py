@@ -19,7 +19,7 @@ from rigapp.config.rig import RigFile
 
 SCHEMA = 1
 
-Record = TypeVar("Record", RigFile, TestFile, ParameterFile)
+Record = TypeVar("Record", bound=msgspec.Struct)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,21 +33,21 @@ class Document(Generic[Record]):
 
 def read_rig(path: Path) -> Document[RigFile]:
     """Read a rig file; raise UnusableInput."""
-    document = _read(path, RigFile)
+    document = read_document(path, RigFile)
     _check_references(path, document.record)
     return document
 
 
 def read_test(path: Path) -> Document[TestFile]:
     """Read a test file; raise UnusableInput."""
-    document = _read(path, TestFile)
+    document = read_document(path, TestFile)
     _check_test(path, document.record)
     return document
 
 
 def read_parameter_file(path: Path) -> Document[ParameterFile]:
     """Read a parameter file of the model; raise UnusableInput."""
-    return _read(path, ParameterFile)
+    return read_document(path, ParameterFile)
 
 
 def parse_test(text: str, name: str) -> TestFile:
@@ -66,7 +66,8 @@ def parse_rig(text: str, name: str) -> RigFile:
     return rig
 
 
-def _read(path: Path, record: type[Record]) -> Document[Record]:
+def read_document(path: Path, record: type[Record]) -> Document[Record]:
+    """Read a TOML file as a record that has a ``schema``; raise UnusableInput."""
     try:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError as error:

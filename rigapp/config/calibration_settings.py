@@ -1,0 +1,172 @@
+"""The settings file of a calibration: the text side, with the units in the keys."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated, Literal
+
+import msgspec
+
+from calibration.settings import CellSettings, LoadCellSettings, ProbeSettings
+from calibration.weights import Place, WeightSet, normal_gravity
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_document
+
+Positive = Annotated[float, msgspec.Meta(gt=0)]
+NotNegative = Annotated[float, msgspec.Meta(ge=0)]
+
+LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
+STATED_GRAVITY_UNCERTAINTY = 1e-5
+"""Relative: of a value from latitude and height, and of a stated local value."""
+
+
+class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[cell]: the load cell."""
+
+    name: str
+    full_scale_N: Positive = 400.0
+    resolution_N: Positive = 2.0
+    signal_unit: str = "mV/V"
+
+
+class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[weights]: how their mass is stated, density, uncertainty, hanger."""
+
+    mass_kind: Literal["conventional", "true"] = "conventional"
+    density_kg_per_m3: Positive = 8000.0
+    density_standard_uncertainty_kg_per_m3: NotNegative = 100.0
+    relative_standard_uncertainty: NotNegative = 5e-5
+    hanger_mass_kg: NotNegative = 0.0
+
+
+class PlaceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[place]: gravity, or latitude and height; the air."""
+
+    gravity_m_s2: Positive | None = None
+    latitude_deg: Annotated[float, msgspec.Meta(ge=-90, le=90)] | None = None
+    height_m: float = 0.0
+    gravity_relative_standard_uncertainty: NotNegative | None = None
+    air_density_kg_per_m3: NotNegative = 1.2
+    air_density_standard_uncertainty_kg_per_m3: NotNegative = 0.05
+    temperature_degC: float | None = None
+    humidity_percent: float | None = None
+    pressure_hPa: float | None = None
+
+
+class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[angle]: the result of the angle reference step."""
+
+    offset_deg: float = 0.0
+    standard_uncertainty_deg: NotNegative = 0.05
+
+
+class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[paperwork]: what the certificate names beside the numbers; all optional."""
+
+    laboratory: str = ""
+    place: str = ""
+    operator: str = ""
+    reviewer: str = ""
+    serial_number: str = ""
+    amplifier: str = ""
+    cable: str = ""
+    excitation: str = ""
+    standards: str = ""
+    notes: str = ""
+    valid_days: Annotated[int, msgspec.Meta(ge=1)] = 365
+
+
+class LoadCellFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A settings file for ``rigapp calibrate load-cell``."""
+
+    schema: int
+    cell: CellSection
+    weights: WeightsSection = WeightsSection()
+    place: PlaceSection = PlaceSection()
+    angle: AngleSection = AngleSection()
+    paperwork: PaperworkSection = PaperworkSection()
+
+
+class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[probe]: the probe, its micrometer and, for a cylindrical target, the geometry."""
+
+    name: str
+    range_V: Positive = 10.0
+    resolution_V: NotNegative = 0.0
+    micrometer_standard_uncertainty_um: NotNegative = 0.5
+    target_radius_mm: Positive | None = None
+    sensor_radius_mm: Positive | None = None
+    gap_at_zero_um: Positive | None = None
+
+
+class ProbeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A settings file for ``rigapp calibrate probes``."""
+
+    schema: int
+    probe: ProbeSection = ProbeSection(name="probe")
+    paperwork: PaperworkSection = PaperworkSection()
+
+
+def read_load_cell_settings(path: Path) -> tuple[LoadCellFile, LoadCellSettings]:
+    """Read settings and return the file and its meaning in SI; raise UnusableInput."""
+    given = read_document(path, LoadCellFile).record
+    place = given.place
+    expected = None
+    if place.latitude_deg is not None:
+        expected = normal_gravity(math.radians(place.latitude_deg), place.height_m)
+    gravity = place.gravity_m_s2 if place.gravity_m_s2 is not None else expected
+    if gravity is None:
+        raise UnusableInput(
+            f"{path}: place.gravity_m_s2 is missing; write the local gravity, or latitude_deg and"
+            " height_m."
+        )
+    relative = place.gravity_relative_standard_uncertainty
+    if relative is None:
+        stated = place.gravity_m_s2 is not None
+        relative = STATED_GRAVITY_UNCERTAINTY if stated else LATITUDE_GRAVITY_UNCERTAINTY
+    weights = given.weights
+    return given, LoadCellSettings(
+        cell=CellSettings(
+            given.cell.name,
+            given.cell.full_scale_N,
+            given.cell.resolution_N,
+            given.cell.signal_unit,
+        ),
+        weights=WeightSet(
+            weights.mass_kind,
+            weights.density_kg_per_m3,
+            weights.density_standard_uncertainty_kg_per_m3,
+            weights.relative_standard_uncertainty,
+            weights.hanger_mass_kg,
+        ),
+        place=Place(
+            gravity,
+            relative * gravity,
+            place.air_density_kg_per_m3,
+            place.air_density_standard_uncertainty_kg_per_m3,
+        ),
+        angle_offset=math.radians(given.angle.offset_deg),
+        angle_uncertainty=math.radians(given.angle.standard_uncertainty_deg),
+        gravity_stated=place.gravity_m_s2 is not None,
+        gravity_expected=expected,
+    )
+
+
+def read_probe_settings(path: Path) -> tuple[ProbeFile, ProbeSettings]:
+    """Read settings and return the file and its meaning in SI; raise UnusableInput."""
+    given = read_document(path, ProbeFile).record
+    probe = given.probe
+    return given, ProbeSettings(
+        name=probe.name,
+        range_volts=probe.range_V,
+        micrometer_uncertainty=1e-6 * probe.micrometer_standard_uncertainty_um,
+        resolution_volts=probe.resolution_V,
+        target_radius=_scaled(probe.target_radius_mm, 1e-3),
+        sensor_radius=_scaled(probe.sensor_radius_mm, 1e-3),
+        gap_at_zero=_scaled(probe.gap_at_zero_um, 1e-6),
+    )
+
+
+def _scaled(value: float | None, unit: float) -> float | None:
+    return None if value is None else unit * value
