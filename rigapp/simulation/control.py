@@ -1,0 +1,79 @@
+"""Control channel of the simulated rig: JSON lines in, one JSON line back for each.
+
+::
+
+    {"fault": "cable_pull", "device": "daq", "duration_s": 1.0}    -> {"ok": true}
+    {"clear": "emergency_stop"}                                    -> {"ok": true}
+    {"query": "state"}                                             -> the plant's truth
+    anything else                                                  -> {"error": "a sentence"}
+
+A new command is one more verb in ``VERBS``: a function of the rig and the message's table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.simulation.faults import fault_of
+from rigapp.simulation.rig import RigSimulation
+
+Table = dict[str, Any]
+LONGEST_LINE = 65536
+
+
+def _inject(rig: RigSimulation, message: Table) -> Table:
+    data = dict(message)
+    data["kind"] = data.pop("fault")
+    rig.inject(fault_of(data))
+    return {"ok": True}
+
+
+def _clear(rig: RigSimulation, message: Table) -> Table:
+    rig.clear(str(message["clear"]))
+    return {"ok": True}
+
+
+def _query(rig: RigSimulation, message: Table) -> Table:
+    if message["query"] != "state":
+        raise UnusableInput(f"query {message['query']!r} is not known; the only one is 'state'.")
+    return rig.report()
+
+
+VERBS: Mapping[str, Callable[[RigSimulation, Table], Table]] = {
+    "fault": _inject,
+    "clear": _clear,
+    "query": _query,
+}
+
+
+def answer(rig: RigSimulation, line: bytes) -> bytes:
+    """Obey one line and return the line that answers it, with its newline."""
+    try:
+        message = msgspec.json.decode(line, type=dict[str, Any])
+        verbs = [verb for verb in VERBS if verb in message]
+        if len(verbs) != 1:
+            raise UnusableInput(f"a message has one of the keys {', '.join(VERBS)}.")
+        reply = VERBS[verbs[0]](rig, message)
+    except msgspec.DecodeError as error:
+        reply = {"error": f"not a JSON object on one line: {error}"}
+    except UnusableInput as error:
+        reply = {"error": str(error)}
+    return msgspec.json.encode(reply) + b"\n"
+
+
+class Lines:
+    """Cut what arrives into lines; a line without end is dropped at 64 KiB."""
+
+    def __init__(self) -> None:
+        self._rest = b""
+
+    def feed(self, data: bytes) -> list[bytes]:
+        """Return the lines that are complete, without empty ones."""
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        if len(self._rest) > LONGEST_LINE:
+            self._rest = b""
+        return [line for line in lines if line.strip()]

@@ -1,0 +1,93 @@
+"""Faults of the signals between the plant and the terminals, and of the shaft itself."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import replace
+
+import numpy as np
+
+from rigapp.simulation.layout import Array
+from rigapp.simulation.plant import Samples
+from rigapp.simulation.sensing import uniform
+
+CHANNELS = {
+    "force_1": "bridge_1",
+    "force_2": "bridge_2",
+    "probe_1": "probe_1",
+    "probe_2": "probe_2",
+}
+FAR_OUT = {"bridge_1": 1e3, "bridge_2": 1e3, "probe_1": 1e3, "probe_2": 1e3}
+_SPIKES = np.uint64(17)
+
+
+class SignalFault(enum.StrEnum):
+    """Name what can happen to a signal; ``value`` of the fault is what stands behind it."""
+
+    STUCK_VALUE = "stuck_value"  # the input keeps the value it had
+    SATURATED_INPUT = "saturated_input"  # sign of the overload, +1 by default
+    BROKEN_BRIDGE_WIRE = "broken_bridge_wire"  # the bridge's input floats to one side
+    SLIP_RING_SPIKES = "slip_ring_spikes"  # mV/V, about ``rate_per_s`` of them, either sign
+    JAM = "jam"  # N m of dry friction on the shaft
+
+
+class Disturbances:
+    """Apply the signal faults that are on to the samples; the same for every cut into chunks."""
+
+    def __init__(self, seed: int) -> None:
+        self._seed = np.uint64(seed % 2**64)
+        self._channels: dict[tuple[SignalFault, str], float] = {}
+        self._stuck: dict[str, float] = {}
+        self._spike_rate = 0.0
+        self.jam_Nm = 0.0
+
+    def start(self, fault: SignalFault, channel: str, value: float | None, rate: float) -> None:
+        """Let a fault begin; channel: force_1, force_2, probe_1 or probe_2, "" for both forces."""
+        if fault is SignalFault.JAM:
+            self.jam_Nm = 1e3 if value is None else value
+            return
+        default = 1.5 if fault is SignalFault.SLIP_RING_SPIKES else 1.0
+        for name in _terminals(channel):
+            self._channels[fault, name] = default if value is None else value
+        self._spike_rate = rate
+
+    def stop(self, fault: SignalFault, channel: str) -> None:
+        """Let a fault end."""
+        if fault is SignalFault.JAM:
+            self.jam_Nm = 0.0
+            return
+        for name in _terminals(channel):
+            self._channels.pop((fault, name), None)
+            self._stuck.pop(name, None)
+
+    def apply(self, samples: Samples, sample_rate_Hz: float) -> Samples:
+        """Return the samples with the faults in them."""
+        if not self._channels or samples.shaft_revolutions.size == 0:
+            return samples
+        changed: dict[str, Array] = {}
+        for (fault, name), value in self._channels.items():
+            signal = changed.get(name, getattr(samples, name))
+            changed[name] = self._disturbed(fault, name, value, signal, samples, sample_rate_Hz)
+        return replace(samples, **changed)  # type: ignore[arg-type]
+
+    def _disturbed(
+        self,
+        fault: SignalFault,
+        name: str,
+        value: float,
+        signal: Array,
+        samples: Samples,
+        rate: float,
+    ) -> Array:
+        if fault is SignalFault.STUCK_VALUE:
+            return np.full_like(signal, self._stuck.setdefault(name, float(signal[0])))
+        if fault is SignalFault.SLIP_RING_SPIKES:
+            chance = uniform(self._seed, _SPIKES, samples.first_sample, signal.size)
+            threshold = self._spike_rate / rate
+            spikes = np.where(chance < 0.5 * threshold, value, -value)
+            return signal + np.where(chance < threshold, spikes, 0.0)
+        return np.full_like(signal, np.copysign(FAR_OUT[name], value))
+
+
+def _terminals(channel: str) -> tuple[str, ...]:
+    return (CHANNELS[channel],) if channel else ("bridge_1", "bridge_2")

@@ -1,0 +1,153 @@
+"""The fault list as data, and its timetable.
+
+A fault file is TOML::
+
+    schema = 1
+    [[fault]]
+    kind = "cable_pull"       # what
+    device = "daq"            # where: a device of the rig file (wire and device faults)
+    at_revolution = 10.0      # when: at_s or at_revolution of the plant, at once without either
+    duration_s = 2.0          # for how long; without it, for good
+    [[fault]]
+    kind = "stuck_value"
+    channel = "probe_1"       # signal faults: force_1, force_2, probe_1, probe_2
+    at_s = 30.0
+
+Triggers are in plant time. The duration of a signal fault is plant time; that of a wire or device
+fault is the wall clock's, which the wire, the drive's watchdog and the host's time-outs live on.
+
+Wire: cable_pull, hang, garbage (value: bytes), truncated (value: bytes), split (value: bytes a
+piece), slow (value: s). Signal: see ``disturbances.SignalFault``; slip_ring_spikes also takes
+rate_per_s. Any other kind goes to the device's simulator, which has its own list; value and count
+go with it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Any, Literal, Protocol
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.simulation.disturbances import CHANNELS, SignalFault
+from rigapp.simulation.link import WireFault
+
+NotNegative = Annotated[float, msgspec.Meta(ge=0)]
+
+WIRE_KINDS = frozenset(WireFault)
+SIGNAL_KINDS = frozenset(SignalFault)
+
+
+class FaultRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One fault: what, where, when, for how long, how much."""
+
+    kind: str
+    device: str = ""
+    channel: Literal["", "force_1", "force_2", "probe_1", "probe_2"] = ""
+    at_s: NotNegative | None = None
+    at_revolution: NotNegative | None = None
+    duration_s: NotNegative | None = None
+    value: float | None = None
+    count: Annotated[int, msgspec.Meta(ge=1)] | None = None
+    rate_per_s: NotNegative = 1.0
+
+    @property
+    def on_plant_clock(self) -> bool:
+        """Tell whether the duration is plant time."""
+        return self.kind in SIGNAL_KINDS
+
+
+class FaultFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A fault file."""
+
+    schema: int
+    fault: tuple[FaultRecord, ...] = ()
+
+
+class Victim(Protocol):
+    """Suffer faults: the simulated rig."""
+
+    def begin(self, fault: FaultRecord) -> None:
+        """Let a fault begin."""
+        ...
+
+    def end(self, fault: FaultRecord) -> None:
+        """Let a fault end."""
+        ...
+
+
+def read_faults(path: Path) -> tuple[FaultRecord, ...]:
+    """Read a fault file; raise UnusableInput."""
+    try:
+        file = msgspec.toml.decode(path.read_text("utf-8"), type=FaultFile)
+    except (OSError, UnicodeDecodeError) as error:
+        raise UnusableInput(f"{path}: cannot be read ({error}).") from error
+    except msgspec.DecodeError as error:
+        raise UnusableInput(f"{path}: not a list of faults: {error}.") from error
+    if file.schema != 1:
+        raise UnusableInput(f"{path}: schema = {file.schema} is not readable; write schema = 1.")
+    return file.fault
+
+
+def fault_of(tree: dict[str, Any]) -> FaultRecord:
+    """Return the fault of a control message's table; raise UnusableInput."""
+    try:
+        return msgspec.convert(tree, FaultRecord)
+    except msgspec.ValidationError as error:
+        raise UnusableInput(f"fault: {error}.") from error
+
+
+def check_fault(fault: FaultRecord, devices: Sequence[str]) -> None:
+    """Refuse a fault that names no device of the rig or no channel; raise UnusableInput."""
+    if fault.kind in SIGNAL_KINDS:
+        if fault.kind == SignalFault.STUCK_VALUE and not fault.channel:
+            known = ", ".join(CHANNELS)
+            raise UnusableInput(f"fault {fault.kind}: channel is missing; choose one of {known}.")
+        return
+    if fault.device not in devices:
+        known = ", ".join(devices)
+        raise UnusableInput(
+            f"fault {fault.kind}: device = {fault.device!r} is not in the rig; it has {known}."
+        )
+
+
+class Timetable:
+    """Begin and end faults when their time has come."""
+
+    def __init__(self, faults: Sequence[FaultRecord] = ()) -> None:
+        self._waiting = list(faults)
+        self._active: list[tuple[FaultRecord, float]] = []
+
+    def add(self, fault: FaultRecord) -> None:
+        """Put a fault on the timetable."""
+        self._waiting.append(fault)
+
+    def act(self, victim: Victim, now_s: float, plant_s: float, revolutions: float) -> None:
+        """Begin what is due and end what is over."""
+        for fault in [f for f in self._waiting if _due(f, plant_s, revolutions)]:
+            self._waiting.remove(fault)
+            victim.begin(fault)
+            clock = plant_s if fault.on_plant_clock else now_s
+            span = math.inf if fault.duration_s is None else fault.duration_s
+            self._active.append((fault, clock + span))
+        for entry in list(self._active):
+            fault, end = entry
+            if (plant_s if fault.on_plant_clock else now_s) >= end:
+                self._active.remove(entry)
+                victim.end(fault)
+
+    def clear(self, victim: Victim, kind: str) -> None:
+        """End the active faults of a kind now and forget the waiting ones."""
+        self._waiting = [fault for fault in self._waiting if fault.kind != kind]
+        for entry in [e for e in self._active if e[0].kind == kind]:
+            self._active.remove(entry)
+            victim.end(entry[0])
+
+
+def _due(fault: FaultRecord, plant_s: float, revolutions: float) -> bool:
+    if fault.at_s is not None and plant_s < fault.at_s:
+        return False
+    return fault.at_revolution is None or abs(revolutions) >= fault.at_revolution

@@ -1,0 +1,178 @@
+"""Start the simulated rig as a process of its own, and hold it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+from typing import IO, Any, Literal
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.parameters import ParameterFile
+
+ANSWER_S = 5.0
+_CLOSE_S = 5.0
+_READ_SIZE = 65536
+
+
+class SimulationFailed(Exception):
+    """The simulated rig's process did not start, has died, or does not answer."""
+
+
+class SimulatedRig:
+    """Hold a running simulated rig; ``urls`` gives a URL a device of the rig file."""
+
+    def __init__(
+        self, process: subprocess.Popen[bytes], complaints: IO[bytes], urls: dict[str, str]
+    ) -> None:
+        self.urls = urls
+        self._process = process
+        self._complaints = complaints
+        self._lock = threading.Lock()
+
+    @property
+    def pid(self) -> int:
+        """Return the process id."""
+        return self._process.pid
+
+    def alive(self) -> bool:
+        """Tell whether the process runs."""
+        return self._process.poll() is None
+
+    def inject(self, kind: str, **fault: Any) -> None:
+        """Let a fault happen, keys as in a fault file; raise UnusableInput, SimulationFailed."""
+        self._obey({"fault": kind, **fault})
+
+    def clear(self, kind: str) -> None:
+        """End all faults of a kind; raise SimulationFailed."""
+        self._obey({"clear": kind})
+
+    def state(self) -> dict[str, Any]:
+        """Return the plant's truth: angle, speed, wear, drive, links; raise SimulationFailed."""
+        return self._obey({"query": "state"})
+
+    def close(self) -> None:
+        """End the process; never raises; safe to call twice."""
+        with contextlib.suppress(OSError):
+            self._process.terminate()
+        try:
+            self._process.wait(_CLOSE_S)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout, self._complaints):
+            if stream is not None:
+                with contextlib.suppress(OSError):
+                    stream.close()
+
+    def __enter__(self) -> SimulatedRig:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _obey(self, message: dict[str, Any]) -> dict[str, Any]:
+        assert self._process.stdin is not None
+        with self._lock:
+            try:
+                self._process.stdin.write(msgspec.json.encode(message) + b"\n")
+                self._process.stdin.flush()
+                line = _read_line(self._process, ANSWER_S)
+            except (OSError, ValueError) as error:
+                raise SimulationFailed(f"the simulated rig has ended ({error}).") from error
+        reply = msgspec.json.decode(line, type=dict[str, Any])
+        if "error" in reply:
+            raise UnusableInput(reply["error"])
+        return reply
+
+
+def start_simulated_rig(
+    rig_path: Path,
+    *,
+    speed: float | Literal["max"],
+    parameters: ParameterFile | None,
+    faults: Path | None = None,
+    truth: Path | None = None,
+    timeout_s: float = 30.0,
+) -> SimulatedRig:
+    """Start the devices of a rig file in a process of their own and wait until they answer.
+
+    parameters: the mechanism, the packaged one if None. The process outlives this one until the
+    spindle stands still, at most 10 s, and does not hear this one's Ctrl-C. Raises UnusableInput
+    with the process's own sentence, SimulationFailed when it dies otherwise or is late.
+    """
+    command = [sys.executable, "-m", "rigapp.simulation.process", str(rig_path)]
+    command += ["--speed", str(speed), "--exit-with-parent"]
+    command += ["--faults", str(faults)] if faults is not None else []
+    command += ["--truth", str(truth)] if truth is not None else []
+    with contextlib.ExitStack() as stack:
+        if parameters is not None:
+            folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="rigapp-sim-"))
+            path = Path(folder) / "parameters.toml"
+            path.write_bytes(msgspec.toml.encode(_without_none(parameters)))
+            command += ["--parameters", str(path)]
+        complaints = tempfile.TemporaryFile()  # noqa: SIM115 - the handle closes it
+        process = subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=complaints,
+            start_new_session=True,
+        )
+        handle = SimulatedRig(process, complaints, {})
+        try:
+            line = _read_line(process, timeout_s)
+        except OSError as error:
+            raise _failure(handle, process, complaints, error) from error
+        handle.urls = msgspec.json.decode(line, type=dict[str, str])
+        return handle
+
+
+def _failure(
+    handle: SimulatedRig,
+    process: subprocess.Popen[bytes],
+    complaints: IO[bytes],
+    error: OSError,
+) -> Exception:
+    handle_alive = process.poll() is None
+    if not handle_alive:
+        complaints.seek(0)
+        said = complaints.read().decode("utf-8", "replace").strip()
+        status = process.returncode
+    handle.close()
+    if handle_alive:
+        return SimulationFailed(f"the simulated rig did not answer: {error}")
+    if status == 2 and said:
+        return UnusableInput(said)
+    return SimulationFailed(f"the simulated rig ended with status {status}: {said or error}")
+
+
+def _without_none(parameters: ParameterFile) -> dict[str, Any]:
+    tree = msgspec.to_builtins(parameters)
+    return {key: value for key, value in tree.items() if value is not None}
+
+
+def _read_line(process: subprocess.Popen[bytes], timeout_s: float) -> bytes:
+    """Return one line of the process's stdout; raise TimeoutError or EOFError (as OSError)."""
+    assert process.stdout is not None
+    descriptor = process.stdout.fileno()
+    deadline = time.monotonic() + timeout_s
+    line = b""
+    while not line.endswith(b"\n"):
+        left = deadline - time.monotonic()
+        if left <= 0.0 or not select.select([descriptor], [], [], left)[0]:
+            raise TimeoutError(f"no line from the simulated rig within {timeout_s:g} s")
+        part = os.read(descriptor, _READ_SIZE)
+        if not part:
+            process.wait(_CLOSE_S)
+            raise BrokenPipeError("the simulated rig's output ended")
+        line += part
+    return line

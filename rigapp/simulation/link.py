@@ -1,0 +1,196 @@
+"""The wire between a simulated device and the host: bounded queue, and the wire's own faults.
+
+A pty or socket holds data back; a device loses it. So what does not go at once waits in a bounded
+queue, and when that is full the OLDEST measured data are dropped, whole deliveries at a time, never
+one that is half sent. Answers are kept. Faults act between queue and endpoint, on the wire's clock.
+"""
+
+from __future__ import annotations
+
+import collections
+import enum
+import math
+import random
+from dataclasses import dataclass
+
+from rigapp.simulation.endpoints import Endpoint
+
+QUEUE_BYTES = 65536
+HANDOVER_S = 0.0002
+
+
+class WireFault(enum.StrEnum):
+    """Name what can happen to a wire."""
+
+    CABLE_PULL = "cable_pull"
+    HANG = "hang"
+    GARBAGE = "garbage"
+    TRUNCATED = "truncated"
+    SPLIT = "split"
+    SLOW = "slow"
+
+
+@dataclass(slots=True)
+class _Delivery:
+    data: bytes
+    due_s: float
+    droppable: bool
+
+
+class OutputQueue:
+    """Keep what the host has not taken, at most ``limit`` bytes."""
+
+    def __init__(self, limit: int = QUEUE_BYTES) -> None:
+        self.limit = limit
+        self.bytes = 0
+        self._deliveries: collections.deque[_Delivery] = collections.deque()
+        self._sent = 0
+
+    def push(self, data: bytes, due_s: float, droppable: bool) -> bool:
+        """Append a delivery; return False when older ones had to be dropped for it."""
+        self._deliveries.append(_Delivery(data, due_s, droppable))
+        self.bytes += len(data)
+        kept_all = True
+        while self.bytes > self.limit and len(self._deliveries) > 1:
+            self._drop_oldest()
+            kept_all = False
+        return kept_all
+
+    def head(self, now_s: float) -> memoryview:
+        """Return what is to be sent next, empty when nothing is due."""
+        if not self._deliveries or self._deliveries[0].due_s > now_s:
+            return memoryview(b"")
+        return memoryview(self._deliveries[0].data)[self._sent :]
+
+    def next_due_s(self) -> float | None:
+        """Return when the next delivery is due, None when there is none."""
+        return self._deliveries[0].due_s if self._deliveries else None
+
+    def sent(self, count: int) -> None:
+        """Take note that ``count`` bytes of the head went."""
+        self._sent += count
+        self.bytes -= count
+        if self._sent == len(self._deliveries[0].data):
+            self._deliveries.popleft()
+            self._sent = 0
+
+    def clear(self) -> None:
+        """Forget everything."""
+        self._deliveries.clear()
+        self.bytes = 0
+        self._sent = 0
+
+    def _drop_oldest(self) -> None:
+        first = 1 if self._sent else 0
+        last = len(self._deliveries) - 1
+        for position in range(first, last):
+            if self._deliveries[position].droppable:
+                break
+        else:
+            position = min(first, last)
+        self.bytes -= len(self._deliveries[position].data)
+        del self._deliveries[position]
+
+
+class Wire:
+    """Carry bytes between one simulated device and whoever opens its endpoint.
+
+    Fault options: garbage ``bytes`` before each delivery, truncated ``bytes`` cut out of one,
+    split into pieces of ``bytes``, slow by ``delay_s``.
+    """
+
+    def __init__(self, endpoint: Endpoint, *, seed: int = 1, limit: int = QUEUE_BYTES) -> None:
+        self.endpoint = endpoint
+        self.dropped = 0
+        self._fresh = 0
+        self._fresh_s = -math.inf
+        self._queue = OutputQueue(limit)
+        self._random = random.Random(seed)
+        self._faults: dict[WireFault, float] = {}
+
+    def start_fault(self, fault: WireFault, value: float = 0.0) -> None:
+        """Let a fault begin; value: bytes or seconds, see the class."""
+        self._faults[fault] = value
+        if fault is WireFault.CABLE_PULL:
+            self._queue.clear()
+            self.endpoint.pull()
+
+    def stop_fault(self, fault: WireFault) -> None:
+        """Let a fault end; nothing happens when it is not there."""
+        self._faults.pop(fault, None)
+        if fault is WireFault.CABLE_PULL:
+            self.endpoint.restore()
+
+    def connected(self) -> bool:
+        """Tell whether a host has the port open."""
+        connected = self.endpoint.connected()
+        if not connected:
+            self._queue.clear()
+        return connected
+
+    def receive(self) -> bytes:
+        """Return what the host sent; a device that hangs hears nothing."""
+        data = self.endpoint.read()
+        return b"" if WireFault.HANG in self._faults else data
+
+    def send(self, data: bytes, now_s: float, *, droppable: bool) -> bool:
+        """Queue a delivery and send what goes; return False when older data were dropped."""
+        if not data or WireFault.HANG in self._faults or not self.endpoint.connected():
+            return True
+        data = self._spoilt(data)
+        if not data:
+            return True
+        due = now_s + self._faults.get(WireFault.SLOW, 0.0)
+        kept_all = self._queue.push(data, due, droppable)
+        self.dropped += not kept_all
+        self.flush(now_s)
+        return kept_all
+
+    def flush(self, now_s: float) -> None:
+        """Send what is due, as much as the endpoint takes."""
+        piece = int(self._faults.get(WireFault.SPLIT, 0.0))
+        while head := self._queue.head(now_s):
+            offered = head[:piece] if piece else head
+            count = self.endpoint.write(offered)
+            if count:
+                self._queue.sent(count)
+                self._note(count, now_s)
+            if count < len(offered) or piece:
+                return
+
+    def waiting(self) -> int:
+        """Return the bytes in the queue."""
+        return self._queue.bytes
+
+    def backlog(self, now_s: float) -> int:
+        """Return the bytes in the queue and those that the host has not yet read.
+
+        The kernel passes what was written on a little later: what went just now counts as unread.
+        """
+        fresh = self._fresh if now_s - self._fresh_s < HANDOVER_S else 0
+        return self._queue.bytes + max(fresh, self.endpoint.unread())
+
+    def wake_s(self) -> float | None:
+        """Return when the wire has something to send by itself, None when it has not."""
+        return self._queue.next_due_s()
+
+    def close(self) -> None:
+        """Release the endpoint; never raises."""
+        self.endpoint.close()
+
+    def _note(self, count: int, now_s: float) -> None:
+        if now_s - self._fresh_s >= HANDOVER_S:
+            self._fresh = 0
+        self._fresh += count
+        self._fresh_s = now_s
+
+    def _spoilt(self, data: bytes) -> bytes:
+        truncated = self._faults.get(WireFault.TRUNCATED)
+        if truncated is not None:
+            cut = min(max(1, int(truncated)), len(data))
+            start = self._random.randrange(len(data) - cut + 1)
+            data = data[:start] + data[start + cut :]
+        garbage = self._faults.get(WireFault.GARBAGE)
+        if garbage is not None:
+            data = self._random.randbytes(max(1, int(garbage))) + data
+        return data

@@ -1,0 +1,299 @@
+"""The simulated rig: plant, device simulators and wires in one loop, one thread.
+
+A pass takes what the hosts wrote, answers it, and advances the plant by the chunks that are due.
+Within a chunk the drive's command is constant but for its ramp, so a chunk is short: at most 20 ms
+of wall time and 1/30 revolution; with what the host has yet to read, a command takes effect within
+1/20 revolution of what the host has seen.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from drivers.api import DriveCommand, DriveMode, MotorState
+from rigapp.config.errors import UnusableInput
+from rigapp.config.parameters import ParameterFile
+from rigapp.config.rig import RigFile
+from rigapp.simulation import layout
+from rigapp.simulation.constants import Machine, plant_constants, plant_section, seed_of
+from rigapp.simulation.devices import (
+    MakeEndpoint,
+    check_devices,
+    data_device,
+    drive_device,
+    inputs_of,
+)
+from rigapp.simulation.disturbances import Disturbances, SignalFault
+from rigapp.simulation.faults import (
+    SIGNAL_KINDS,
+    WIRE_KINDS,
+    FaultRecord,
+    Timetable,
+    check_fault,
+)
+from rigapp.simulation.layout import Drive
+from rigapp.simulation.link import WireFault
+from rigapp.simulation.pacing import Pace
+from rigapp.simulation.plant import Plant, PlantState, Samples
+from rigapp.simulation.truth import TruthRecorder
+
+CHUNK_S = 0.02
+CHUNK_REVOLUTIONS = 1.0 / 30.0
+LONGEST_PASS_CHUNKS = 8
+IDLE_S = 0.01
+HOST_WAIT_S = 0.0003
+TURN = 2.0 * math.pi
+FULL_GAUGE_BYTES = 3072
+
+
+class RigSimulation:
+    """Run a rig file's devices around one plant; call ``step`` again and again.
+
+    speed: times real time, inf for as fast as the host takes the data.
+    """
+
+    def __init__(
+        self,
+        rig: RigFile,
+        parameters: ParameterFile,
+        make_endpoint: MakeEndpoint,
+        *,
+        speed: float,
+        now_s: float,
+        faults: Sequence[FaultRecord] = (),
+        truth: TruthRecorder | None = None,
+    ) -> None:
+        """Open all ports; raise UnusableInput."""
+        check_devices(rig)
+        for fault in faults:
+            check_fault(fault, list(rig.devices))
+        seed = seed_of(rig)
+        self._inputs = inputs_of(rig)
+        self._machine = Machine()
+        constants = plant_constants(parameters, rig, self._machine)
+        self._daq = data_device(rig, make_endpoint, seed)
+        self._drive = drive_device(rig, make_endpoint, seed)
+        self._wires = {self._daq.name: self._daq.wire, self._drive.name: self._drive.wire}
+        self.plant = Plant(
+            constants,
+            seed=seed,
+            filter_delay_s=plant_section(rig).filter_delay_ms * 1e-3,
+            sample_rate_Hz=self._daq.simulator.sample_rate_Hz,
+        )
+        self._start_angle = self.plant.state().angle_rad
+        self._disturbances = Disturbances(seed)
+        self._timetable = Timetable(faults)
+        self._truth = truth
+        self._pace = Pace(speed, now_s)
+        self._now = now_s
+        self._command = DriveCommand(DriveMode.OFF)
+        self._speed_wanted = 0.0
+        self._chunk_bytes = 0
+        self._connected = False
+
+    @property
+    def urls(self) -> dict[str, str]:
+        """Return what the host opens, a URL a device."""
+        return {name: wire.endpoint.url for name, wire in self._wires.items()}
+
+    def waitable(self) -> list[int]:
+        """Return the descriptors whose readability should end a wait."""
+        return [d for wire in self._wires.values() for d in wire.endpoint.waitable()]
+
+    def step(self, now_s: float) -> float:
+        """Do what is due; return for how many seconds nothing else will be."""
+        self._now = now_s
+        state = self.plant.state()
+        self._timetable.act(self, now_s, state.time_s, self._revolutions(state))
+        self._connected = self._daq.wire.connected()
+        self._drive.wire.connected()
+        self._converse(now_s)
+        self.plant.set_sample_rate(self._daq.simulator.sample_rate_Hz)
+        self._pace.tick(now_s)
+        for _ in range(LONGEST_PASS_CHUNKS):
+            state = self.plant.state()
+            steps = self._chunk_steps(state)
+            chunk_s = steps * self.plant.step_s
+            if not self._pace.due(chunk_s, taken=self._taken()):
+                break
+            self._advance(steps, chunk_s, state, now_s)
+            self._pace.advanced(chunk_s)
+        for wire in self._wires.values():
+            wire.flush(now_s)
+        return self._wait_s()
+
+    def begin(self, fault: FaultRecord) -> None:
+        """Let a fault begin (the timetable calls this)."""
+        if fault.kind in WIRE_KINDS:
+            default = 1.0 if fault.kind != WireFault.SLOW else 0.2
+            value = default if fault.value is None else fault.value
+            self._wires[fault.device].start_fault(WireFault(fault.kind), value)
+        elif fault.kind in SIGNAL_KINDS:
+            kind = SignalFault(fault.kind)
+            self._disturbances.start(kind, fault.channel, fault.value, fault.rate_per_s)
+        else:
+            self._strike(fault)
+
+    def end(self, fault: FaultRecord) -> None:
+        """Let a fault end (the timetable calls this)."""
+        if fault.kind in WIRE_KINDS:
+            self._wires[fault.device].stop_fault(WireFault(fault.kind))
+        elif fault.kind in SIGNAL_KINDS:
+            self._disturbances.stop(SignalFault(fault.kind), fault.channel)
+        else:
+            self._simulator(fault.device).clear(fault.kind)
+
+    def inject(self, fault: FaultRecord) -> None:
+        """Put a fault on the timetable; raise UnusableInput for one that nothing here can have."""
+        check_fault(fault, list(self._wires))
+        self._timetable.add(fault)
+        state = self.plant.state()
+        self._timetable.act(self, self._now, state.time_s, self._revolutions(state))
+
+    def clear(self, kind: str) -> None:
+        """End all faults of a kind."""
+        self._timetable.clear(self, kind)
+
+    def still(self) -> bool:
+        """Tell whether the spindle stands still and nothing drives it."""
+        return self.plant.state().speed_rad_per_s == 0.0 and self._speed_wanted == 0.0
+
+    def report(self) -> dict[str, Any]:
+        """Return the truth as a JSON-ready table: angle, speed, wear, drive, links."""
+        state = self.plant.state()
+        return {
+            "time_s": state.time_s,
+            "samples": state.samples,
+            "angle_deg": math.degrees(state.angle_rad) % 360.0,
+            "revolutions": self._revolutions(state),
+            "speed_rpm": state.speed_rad_per_s / TURN * 60.0,
+            "joint_force_N": state.joint_force_N,
+            "motor_torque_Nm": state.motor_torque_Nm,
+            "motor_current_A": state.motor_current_A,
+            "wear_depth_um": state.wear_depth_m * 1e6,
+            "worn_area_mm2": state.worn_area_m2 * 1e6,
+            "drive_mode": str(self._command.mode),
+            "setpoint_rpm": self._speed_wanted / TURN * 60.0,
+            "watchdog_tripped": bool(getattr(self._drive.simulator, "watchdog_tripped", False)),
+            "streaming": self._daq.simulator.streaming,
+            "sample_rate_Hz": self._daq.simulator.sample_rate_Hz,
+            "connected": {n: w.endpoint.connected() for n, w in self._wires.items()},
+            "overruns": {n: w.dropped for n, w in self._wires.items()},
+        }
+
+    def close(self) -> None:
+        """Release all ports and write the truth file; safe to call twice."""
+        for wire in self._wires.values():
+            wire.close()
+        if self._truth is not None:
+            self._truth.save()
+            self._truth = None
+
+    def _converse(self, now_s: float) -> None:
+        """Answer the hosts."""
+        data = self._daq.wire.receive()
+        if data:
+            reply = self._daq.simulator.receive(data, now_s)
+            self._daq.wire.send(reply, now_s, droppable=False)
+        wire, drive = self._drive.wire, self._drive.simulator
+        data = wire.receive()
+        if data:
+            wire.send(drive.receive(data, now_s), now_s, droppable=False)
+        wire.send(drive.emit(now_s), now_s, droppable=True)
+
+    def _advance(self, steps: int, chunk_s: float, state: PlantState, now_s: float) -> None:
+        """Advance the plant by one chunk under the drive's command and send its samples."""
+        command = self._drive.simulator.command(chunk_s, now_s)
+        samples = self.plant.advance(steps, self._act(command, state))
+        self._observe()
+        samples = self._disturbances.apply(samples, self.plant.sample_rate_Hz)
+        if self._truth is not None:
+            self._truth.take(samples)
+        self._deliver(samples, now_s)
+
+    def _deliver(self, samples: Samples, now_s: float) -> None:
+        if samples.shaft_revolutions.size == 0:
+            return
+        data = self._daq.simulator.sample(self._inputs.signals(samples), now_s)
+        self._chunk_bytes = len(data)
+        if not self._daq.wire.send(data, now_s, droppable=True):
+            self._daq.simulator.overrun(now_s)
+
+    def _act(self, command: DriveCommand, state: PlantState) -> Drive:
+        """Turn the drive's command into what acts on the motor during the chunk."""
+        before, self._command = self._command, command
+        jam = self._disturbances.jam_Nm
+        supply = self._machine.supply_V
+        start = self._speed_wanted
+        self._speed_wanted = 0.0
+        if command.mode == DriveMode.OFF:
+            return Drive(layout.OFF, 0.0, 0.0, 0.0, supply, jam)
+        sense = self._drive.direction
+        if command.mode == DriveMode.DUTY:
+            self._speed_wanted = (
+                sense * command.duty * supply / self._machine.torque_constant_Nm_per_A
+            )
+            return Drive(layout.DUTY, 0.0, 0.0, sense * command.duty, supply, jam)
+        speed = sense * TURN * command.speed_count_per_s / self._drive.counts_per_revolution
+        if before.mode != DriveMode.VELOCITY:
+            start = state.speed_rad_per_s
+        self._speed_wanted = speed
+        return Drive(layout.VELOCITY, start, speed, 0.0, supply, jam)
+
+    def _observe(self) -> None:
+        """Let the drive see its encoder, current and supply."""
+        state = self.plant.state()
+        counts = self._drive.direction * self._drive.counts_per_revolution / TURN
+        self._drive.simulator.observe(
+            MotorState(
+                position_count=math.floor((state.angle_rad - self._start_angle) * counts),
+                speed_count_per_s=state.speed_rad_per_s * counts,
+                current_A=self._drive.direction * state.motor_current_A,
+                supply_V=self._machine.supply_V,
+            )
+        )
+
+    def _chunk_steps(self, state: PlantState) -> int:
+        speed = max(abs(state.speed_rad_per_s), abs(self._speed_wanted))
+        chunk_s = CHUNK_S * min(max(self._pace.speed, 1.0), 2.5)
+        if speed > 0.0:
+            chunk_s = min(chunk_s, CHUNK_REVOLUTIONS * TURN / speed)
+        return max(1, int(chunk_s / self.plant.step_s))
+
+    def _taken(self) -> bool:
+        """Tell whether a host streams and has read nearly all of what it got."""
+        if not (self._pace.fast and self._streamed()):
+            return False
+        return self._daq.wire.backlog(self._now) <= min(self._chunk_bytes // 2, FULL_GAUGE_BYTES)
+
+    def _streamed(self) -> bool:
+        return self._connected and self._daq.simulator.streaming
+
+    def _wait_s(self) -> float:
+        if any(wire.waiting() for wire in self._wires.values()):
+            return HOST_WAIT_S if self._pace.fast else 0.001
+        chunk_s = self._chunk_steps(self.plant.state()) * self.plant.step_s
+        wait = self._pace.wait_s(chunk_s, may_be_taken=self._streamed())
+        return min(max(wait, HOST_WAIT_S), IDLE_S)
+
+    def _revolutions(self, state: PlantState) -> float:
+        return (state.angle_rad - self._start_angle) / TURN
+
+    def _simulator(self, device: str) -> Any:
+        return self._daq.simulator if device == self._daq.name else self._drive.simulator
+
+    def _strike(self, fault: FaultRecord) -> None:
+        """Hand a fault to the device's simulator, in the simulator's own words."""
+        data: dict[str, Any] = {}
+        if fault.value is not None:
+            data["value"] = fault.value
+        if fault.count is not None:
+            data["count"] = fault.count
+        try:
+            self._simulator(fault.device).inject(fault.kind, **data)
+        except (AttributeError, TypeError, ValueError) as error:
+            raise UnusableInput(
+                f"fault {fault.kind}: device {fault.device} cannot have it ({error})."
+            ) from error

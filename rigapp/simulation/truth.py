@@ -1,0 +1,75 @@
+"""Keep the plant's truth for end-to-end tests, thinned so that memory stays bounded."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+
+from rigapp.simulation.layout import Array
+from rigapp.simulation.plant import Samples
+
+COLUMNS = (
+    "sample",
+    "time_s",
+    "shaft_revolutions",
+    "angle_rad",
+    "speed_rad_per_s",
+    "force_e1_N",
+    "force_n1_N",
+    "wear_depth_m",
+)
+ROOM = 1 << 20
+
+
+class TruthRecorder:
+    """Record every n-th sample's truth; when the room is full, every second row goes, n doubles."""
+
+    def __init__(self, path: Path, stride: int = 4, room: int = ROOM) -> None:
+        self._path = path
+        self._stride = stride
+        self._rows = np.empty((len(COLUMNS), room))
+        self._count = 0
+
+    def take(self, samples: Samples) -> None:
+        """Take a chunk's truth."""
+        truth = samples.truth
+        number = samples.first_sample + np.arange(samples.shaft_revolutions.size)
+        kept = number % self._stride == 0
+        block = np.vstack(
+            [
+                number[kept],
+                truth.time_s[kept],
+                samples.shaft_revolutions[kept],
+                truth.angle_rad[kept],
+                truth.speed_rad_per_s[kept],
+                truth.force_e1_N[kept],
+                truth.force_n1_N[kept],
+                truth.wear_depth_m[kept],
+            ]
+        )
+        while self._count + block.shape[1] > self._rows.shape[1]:
+            self._thin()
+            block = block[:, block[0] % self._stride == 0]
+        self._rows[:, self._count : self._count + block.shape[1]] = block
+        self._count += block.shape[1]
+
+    def arrays(self) -> dict[str, Array]:
+        """Return what was kept, a column a name."""
+        return {name: self._rows[i, : self._count] for i, name in enumerate(COLUMNS)}
+
+    def save(self) -> None:
+        """Write the file whole: first beside it, then in its place."""
+        fresh = self._path.with_name(self._path.name + ".new")
+        with fresh.open("wb") as file:
+            np.savez(file, allow_pickle=False, **self.arrays())
+            file.flush()
+            os.fsync(file.fileno())
+        fresh.replace(self._path)
+
+    def _thin(self) -> None:
+        self._stride *= 2
+        kept = self._rows[:, : self._count][:, self._rows[0, : self._count] % self._stride == 0]
+        self._count = kept.shape[1]
+        self._rows[:, : self._count] = kept

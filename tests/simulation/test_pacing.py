@@ -1,0 +1,75 @@
+"""The rule of the plant's time: never slower than real time, never faster than it is taken."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, Pace
+
+
+def run(pace: Pace, wall_s: float, *, taken: bool, chunk_s: float = 0.01) -> float:
+    """Return the plant time of ``wall_s`` seconds in passes of 5 ms, at most 100 chunks each."""
+    plant = 0.0
+    start = pace._last
+    for step in range(1, round(wall_s / 0.005) + 1):
+        pace.tick(start + step * 0.005)
+        for _ in range(100):
+            if not pace.due(chunk_s, taken=taken):
+                break
+            pace.advanced(chunk_s)
+            plant += chunk_s
+    return plant
+
+
+@pytest.mark.parametrize(
+    ("speed", "taken", "expected"),
+    [
+        (1.0, True, 10.0),
+        (1.0, False, 10.0),
+        (20.0, True, 200.0),
+        (20.0, False, 10.0),
+        (math.inf, False, 10.0),
+        (0.5, True, 5.0),
+    ],
+)
+def test_plant_time_in_ten_seconds(speed: float, taken: bool, expected: float) -> None:
+    assert run(Pace(speed, 100.0), 10.0, taken=taken) == pytest.approx(expected, rel=0.01)
+
+
+def test_as_fast_as_taken_is_bounded_by_the_work_only() -> None:
+    assert run(Pace(math.inf, 0.0), 1.0, taken=True) == pytest.approx(200 * 100 * 0.01)
+
+
+def test_a_stall_of_the_host_gives_no_credit_beyond_real_time() -> None:
+    pace = Pace(20.0, 0.0)
+    run(pace, 5.0, taken=False)
+    # Afterwards the plant runs at 20 times, plus one burst of a tenth of a second.
+    assert run(pace, 1.0, taken=True) == pytest.approx(20.0, abs=2.1)
+
+
+def test_a_suspended_process_catches_up_one_second_only() -> None:
+    pace = Pace(1.0, 0.0)
+    pace.tick(60.0)
+    plant = 0.0
+    while pace.due(0.01, taken=False):
+        pace.advanced(0.01)
+        plant += 0.01
+    assert plant == pytest.approx(LONGEST_CATCH_UP_S, abs=0.011)
+
+
+def test_running_ahead_does_not_pay_for_standing_later() -> None:
+    pace = Pace(math.inf, 0.0)
+    run(pace, 1.0, taken=True)
+    assert run(pace, 2.0, taken=False) == pytest.approx(2.0, rel=0.02)
+
+
+def test_wait_is_until_the_next_chunk() -> None:
+    pace = Pace(1.0, 0.0)
+    pace.tick(0.004)
+    assert pace.wait_s(0.01, may_be_taken=True) == pytest.approx(0.006)
+    fast = Pace(math.inf, 0.0)
+    fast.tick(0.0)
+    assert fast.wait_s(0.01, may_be_taken=True) == 0.0
+    assert fast.wait_s(0.01, may_be_taken=False) == pytest.approx(0.01)
