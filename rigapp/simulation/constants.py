@@ -123,6 +123,10 @@ def plant_constants(
         offset_2=rig.probes.offset_V[1],
         index_angle=math.radians(rig.encoder.index_angle_deg),
         encoder_direction=rig.encoder.direction,
+        bench=0.0,
+        weight=0.0,
+        micrometer_1=0.0,
+        micrometer_2=0.0,
     )
     return Constants(*map(float, constants))
 

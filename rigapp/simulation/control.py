@@ -5,6 +5,7 @@
     {"fault": "cable_pull", "device": "daq", "duration_s": 1.0}    -> {"ok": true}
     {"clear": "emergency_stop"}                                    -> {"ok": true}
     {"query": "state"}                                             -> the plant's truth
+    {"hand": "turn_pin", "angle_deg": 90.0}                        -> {"ok": true}, see ``hands``
     anything else                                                  -> {"error": "a sentence"}
 
 A new command is one more verb in ``VERBS``: a function of the rig and the message's table.
@@ -19,6 +20,7 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.simulation.faults import fault_of
+from rigapp.simulation.hands import hand_of
 from rigapp.simulation.rig import RigSimulation
 
 Table = dict[str, Any]
@@ -43,10 +45,16 @@ def _query(rig: RigSimulation, message: Table) -> Table:
     return rig.report()
 
 
+def _hand(rig: RigSimulation, message: Table) -> Table:
+    rig.hands.do(hand_of(message))
+    return {"ok": True}
+
+
 VERBS: Mapping[str, Callable[[RigSimulation, Table], Table]] = {
     "fault": _inject,
     "clear": _clear,
     "query": _query,
+    "hand": _hand,
 }
 
 

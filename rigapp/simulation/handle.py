@@ -55,6 +55,10 @@ class SimulatedRig:
         """End all faults of a kind; raise SimulationFailed."""
         self._obey({"clear": kind})
 
+    def hand(self, what: str, **details: Any) -> None:
+        """Do by hand what ``hands`` lists; raise UnusableInput, SimulationFailed."""
+        self._obey({"hand": what, **details})
+
     def state(self) -> dict[str, Any]:
         """Return the plant's truth: angle, speed, wear, drive, links; raise SimulationFailed."""
         return self._obey({"query": "state"})

@@ -12,7 +12,11 @@ Array = NDArray[np.float64]
 
 
 class Constants(NamedTuple):
-    """Hold everything that does not change while the plant runs; SI units."""
+    """Hold everything that does not change while the plant runs; SI units.
+
+    bench: 1 with the follower taken off, for calibration: the pin then carries a weight (N, towards
+    -y) and the probes face micrometers (m); 0 with the mechanism together.
+    """
 
     crank_radius: float
     follower_length: float
@@ -61,6 +65,10 @@ class Constants(NamedTuple):
     offset_2: float
     index_angle: float
     encoder_direction: float
+    bench: float
+    weight: float
+    micrometer_1: float
+    micrometer_2: float
 
 
 class Drive(NamedTuple):

@@ -135,6 +135,25 @@ class Plant:
         )
         return _samples(first, out[:, :count])
 
+    def bench(self, weight_N: float, micrometers_m: tuple[float, float]) -> None:
+        """Take the follower off: a weight hangs on the pin, micrometers face the probes."""
+        self.constants = self.constants._replace(
+            bench=1.0,
+            weight=weight_N,
+            micrometer_1=micrometers_m[0],
+            micrometer_2=micrometers_m[1],
+        )
+
+    def assemble(self) -> None:
+        """Put the follower on again."""
+        self.constants = self.constants._replace(bench=0.0)
+
+    def turn_by_hand(self, angle_rad: float) -> None:
+        """Turn the crank to an angle of its present revolution and leave it at rest."""
+        turns = math.floor(self._state[layout.ANGLE] / (2.0 * math.pi))
+        self._state[layout.ANGLE] = 2.0 * math.pi * turns + angle_rad % (2.0 * math.pi)
+        self._state[layout.SPEED] = 0.0
+
     def state(self) -> PlantState:
         """Return the present state."""
         s = self._state

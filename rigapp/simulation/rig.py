@@ -33,6 +33,7 @@ from rigapp.simulation.faults import (
     Timetable,
     check_fault,
 )
+from rigapp.simulation.hands import Hands
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.link import WireFault
 from rigapp.simulation.pacing import Pace
@@ -82,6 +83,7 @@ class RigSimulation:
             filter_delay_s=plant_section(rig).filter_delay_ms * 1e-3,
             sample_rate_Hz=self._daq.simulator.sample_rate_Hz,
         )
+        self.hands = Hands(self.plant)
         self._start_angle = self.plant.state().angle_rad
         self._disturbances = Disturbances(seed)
         self._timetable = Timetable(faults)
@@ -224,7 +226,7 @@ class RigSimulation:
     def _act(self, command: DriveCommand, state: PlantState) -> Drive:
         """Turn the drive's command into what acts on the motor during the chunk."""
         before, self._command = self._command, command
-        jam = self._disturbances.jam_Nm
+        jam = self._disturbances.jam_Nm + self.hands.lock_Nm
         supply = self._machine.supply_V
         start = self._speed_wanted
         self._speed_wanted = 0.0

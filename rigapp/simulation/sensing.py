@@ -104,8 +104,13 @@ def views(
     """Return (F_e1, F_n1, pin along e2, pin along n2): N, N, m, m.
 
     F is the normal force turned by the friction angle in the sense of sliding; an eccentric pin
-    adds its run-out, which turns with the pin against the follower.
+    adds its run-out, which turns with the pin against the follower. On the bench the pin carries
+    the weight alone (its force on the pin is -F, so the sign turns) and the probes see micrometers.
     """
+    if k.bench == 1.0:
+        sin_t = math.sin(angle)
+        cos_t = math.cos(angle)
+        return k.weight * sin_t, k.weight * cos_t, k.micrometer_1, k.micrometer_2
     sin_t, cos_t, sin_p, cos_p, _, _, _, _, _ = geometry(k, angle, depth)
     e1 = fx * cos_t + fy * sin_t
     n1 = -fx * sin_t + fy * cos_t

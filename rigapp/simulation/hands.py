@@ -1,0 +1,120 @@
+"""What a person does at the rig to calibrate it: weights, the pin turned, micrometers.
+
+A hand is a table from the control channel::
+
+    {"hand": "take_off_follower"}      the pin is free for the dead-weight calibration
+    {"hand": "hang_weight", "mass_kg": 5.0, "gravity_m_s2": 9.8123}     0 takes it off
+    {"hand": "turn_pin", "angle_deg": 90.0}
+    {"hand": "set_micrometer", "probe": 1, "position_um": -200.0}
+    {"hand": "put_on_follower"}
+
+The crank is locked while the follower is off. A weight is conventional mass: steel of 8000 kg/m3 in
+air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Literal
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.simulation.plant import Plant
+
+BUOYANCY = 1.0 - 1.2 / 8000.0
+LOCK_Nm = 1e6
+HEAVIEST_KG = 100.0
+
+
+class TakeOffFollower(
+    msgspec.Struct,
+    frozen=True,
+    forbid_unknown_fields=True,
+    tag_field="hand",
+    tag="take_off_follower",
+):
+    """Take the follower off the pin."""
+
+
+class PutOnFollower(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="put_on_follower"
+):
+    """Put the follower on the pin."""
+
+
+class HangWeight(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="hang_weight"
+):
+    """Hang a weight on the pin in place of the present one."""
+
+    mass_kg: Annotated[float, msgspec.Meta(ge=0, le=HEAVIEST_KG)]
+    gravity_m_s2: Annotated[float, msgspec.Meta(gt=9.7, lt=9.9)] = 9.80665
+
+
+class TurnPin(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="turn_pin"
+):
+    """Turn the crank to an angle from +x."""
+
+    angle_deg: Annotated[float, msgspec.Meta(ge=-360, le=360)]
+
+
+class SetMicrometer(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="set_micrometer"
+):
+    """Set what a probe faces to a position."""
+
+    probe: Literal[1, 2]
+    position_um: Annotated[float, msgspec.Meta(ge=-5000, le=5000)]
+
+
+Hand = TakeOffFollower | PutOnFollower | HangWeight | TurnPin | SetMicrometer
+
+
+class Hands:
+    """Work on a plant that stands still."""
+
+    def __init__(self, plant: Plant) -> None:
+        self._plant = plant
+        self._off = False
+        self._weight_N = 0.0
+        self._micrometers_um = [0.0, 0.0]
+
+    @property
+    def lock_Nm(self) -> float:
+        """Return the friction that holds the crank while the follower is off."""
+        return LOCK_Nm if self._off else 0.0
+
+    def do(self, hand: Hand) -> None:
+        """Do what is asked; raise UnusableInput where a person could not."""
+        if self._plant.state().speed_rad_per_s != 0.0:
+            raise UnusableInput("hand: the spindle turns; stop it first.")
+        if isinstance(hand, HangWeight | SetMicrometer) and not self._off:
+            raise UnusableInput("hand: the follower is on the pin; take_off_follower first.")
+        match hand:
+            case TakeOffFollower():
+                self._off = True
+            case PutOnFollower():
+                self._off = False
+                self._weight_N = 0.0
+            case HangWeight(mass_kg=mass, gravity_m_s2=gravity):
+                self._weight_N = mass * gravity * BUOYANCY
+            case TurnPin(angle_deg=angle):
+                self._plant.turn_by_hand(math.radians(angle))
+            case SetMicrometer(probe=probe, position_um=position):
+                self._micrometers_um[probe - 1] = position
+        if self._off:
+            first, second = self._micrometers_um
+            self._plant.bench(self._weight_N, (first * 1e-6, second * 1e-6))
+        else:
+            self._plant.assemble()
+
+
+def hand_of(tree: dict[str, object]) -> Hand:
+    """Return the hand of a control message's table; raise UnusableInput."""
+    try:
+        hand: Hand = msgspec.convert(tree, Hand)
+    except msgspec.ValidationError as error:
+        raise UnusableInput(f"hand: {error}.") from error
+    return hand
