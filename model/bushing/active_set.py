@@ -42,9 +42,9 @@ def place_pin(surface, axis, pin_radius, pin, frame, gap):  # type: ignore[no-un
 @njit("float64(float64[:,:,::1], float64[:,::1], int64, int64)", cache=True, inline="always")
 def normal_compliance(polar, frame, i, j):  # type: ignore[no-untyped-def]
     """Return the normal displacement at node i by a unit normal force at node j."""
-    return frame[i, 2] * (
-        polar[0, i, j] * frame[j, 2] + polar[1, i, j] * frame[j, 3]
-    ) + frame[i, 3] * (polar[1, j, i] * frame[j, 2] + polar[2, i, j] * frame[j, 3])
+    return frame[i, 2] * (polar[0, i, j] * frame[j, 2] + polar[1, i, j] * frame[j, 3]) + frame[
+        i, 3
+    ] * (polar[1, j, i] * frame[j, 2] + polar[2, i, j] * frame[j, 3])
 
 
 @njit("int64(boolean[::1], float64[::1], int64[::1])", cache=True)
@@ -105,6 +105,67 @@ def revise(polar, frame, gap, touching, pressed, nodes, count, reach, single):  
 
 
 @njit(
+    "float64[:,::1](float64[:,::1], float64[::1], float64[::1], int64[::1], int64, float64)",
+    cache=True,
+)
+def turning_stiffness(frame, gap, pressed, nodes, count, pin_radius):  # type: ignore[no-untyped-def]
+    """Return how the forces given turn when the pin moves, (2, 2), N/m per metre of width.
+
+    A normal turns by the pin's tangential move over its distance; without this term the pin finds
+    its place sideways only slowly.
+    """
+    turning = np.zeros((2, 2))
+    for p in range(count):
+        i = nodes[p]
+        rate = max(pressed[i], 0.0) / (pin_radius + gap[i])
+        for u in range(2):
+            for v in range(2):
+                turning[u, v] += rate * ((1.0 if u == v else 0.0) - frame[i, u] * frame[i, v])
+    return turning
+
+
+@njit("float64[::1](float64[:,::1], float64[:,::1], float64[::1])", cache=True)
+def pin_move(stiffness, turning, pull):  # type: ignore[no-untyped-def]
+    """Solve for the pin's move, (2,); without the turning where that would be unstable.
+
+    Not a number when the stiffness is singular: all normals are then the same.
+    """
+    move = np.empty(2)
+    trace = stiffness[0, 0] + stiffness[1, 1]
+    for share in (1.0, 0.5, 0.0):
+        s00 = stiffness[0, 0] - share * turning[0, 0]
+        s01 = stiffness[0, 1] - share * turning[0, 1]
+        s11 = stiffness[1, 1] - share * turning[1, 1]
+        determinant = s00 * s11 - s01 * s01
+        plain = stiffness[0, 0] * stiffness[1, 1] - stiffness[0, 1] ** 2
+        if determinant > 0.3 * plain and plain > 1e-15 * trace * trace:
+            move[0] = (s11 * pull[0] - s01 * pull[1]) / determinant
+            move[1] = (s00 * pull[1] - s01 * pull[0]) / determinant
+            return move
+    move[:] = np.nan
+    return move
+
+
+@njit(
+    "int64(float64[::1], boolean[::1], float64[::1], float64[::1], float64[:,::1], float64)",
+    cache=True,
+)
+def verdict(force, touching, pressed, gap, frame, reach):  # type: ignore[no-untyped-def]
+    """Return CARRIED if all conditions of contact hold, else NOT_SETTLED."""
+    x, y = -force[0], -force[1]
+    for i in range(touching.size):
+        x += pressed[i] * frame[i, 0]
+        y += pressed[i] * frame[i, 1]
+        if pressed[i] < 0.0 or gap[i] < -1e-6 * reach:
+            return NOT_SETTLED
+        if touching[i] and gap[i] > 1e-6 * reach:
+            return NOT_SETTLED
+    if x * x + y * y > 1e-12 * (force[0] ** 2 + force[1] ** 2):
+        return NOT_SETTLED
+    return CARRIED
+
+
+@njit(
     "Tuple((int64, int64))(float64[:,::1], float64[:,::1], float64[:,:,::1], float64[::1],"
     " float64, float64[::1], float64[::1], boolean[::1], float64[::1], float64[::1],"
     " float64[:,::1])",
@@ -121,44 +182,43 @@ def solve(  # type: ignore[no-untyped-def]
     """
     n = surface.shape[0]
     nodes = np.empty(n, dtype=np.int64)
-    a = np.empty((n, n))
-    columns = np.empty((n, 3))
+    capacity = 0
     place_pin(surface, axis, pin_radius, pin, frame, gap)
     for iteration in range(1, _LIMIT + 1):
         count = list_touching(touching, gap, nodes)
+        if count > capacity:
+            capacity = count + 16
+            a = np.empty((capacity, capacity))
+            rows = np.empty((3, capacity))
+        turning = turning_stiffness(frame, gap, pressed, nodes, count, pin_radius)
         for p in range(count):
             i = nodes[p]
-            for q in range(p + 1):
+            for q in range(p, count):
                 a[p, q] = normal_compliance(polar, frame, i, nodes[q])
             a[p, p] += extra[i]
-            columns[p, 0] = frame[i, 0]
-            columns[p, 1] = frame[i, 1]
-            columns[p, 2] = gap[i]
+            rows[0, p] = frame[i, 0]
+            rows[1, p] = frame[i, 1]
+            rows[2, p] = gap[i]
         if factorise(a, count) <= 0.0:
             return NOT_SETTLED, iteration
-        substitute(a, count, columns, 3)
-        s00 = s01 = s11 = 0.0
-        t0, t1 = force[0], force[1]
+        substitute(a, count, rows, 3)
+        stiffness = np.zeros((2, 2))
+        pull = force.copy()
         for p in range(count):
-            x = frame[nodes[p], 0]
-            y = frame[nodes[p], 1]
-            s00 += x * columns[p, 0]
-            s01 += x * columns[p, 1]
-            s11 += y * columns[p, 1]
-            t0 += x * columns[p, 2]
-            t1 += y * columns[p, 2]
-        determinant = s00 * s11 - s01 * s01
-        if not determinant > 1e-15 * (s00 + s11) ** 2:
+            for u in range(2):
+                for v in range(2):
+                    stiffness[u, v] += frame[nodes[p], u] * rows[v, p]
+                pull[u] += frame[nodes[p], u] * rows[2, p]
+        move = pin_move(stiffness, turning, pull)
+        length = np.sqrt(move[0] ** 2 + move[1] ** 2)
+        if not np.isfinite(length):
             return ONE_SIDED, iteration
-        move_x = (s11 * t0 - s01 * t1) / determinant
-        move_y = (s00 * t1 - s01 * t0) / determinant
         pressed[:] = 0.0
         for p in range(count):
-            pressed[nodes[p]] = columns[p, 0] * move_x + columns[p, 1] * move_y - columns[p, 2]
-        move = np.sqrt(move_x * move_x + move_y * move_y)
-        step = min(1.0, 0.1 * pin_radius / move) if move > 0.0 else 1.0
-        pin[0] += step * move_x
-        pin[1] += step * move_y
+            value = rows[0, p] * move[0] + rows[1, p] * move[1] - rows[2, p]
+            pressed[nodes[p]] = value
+        step = min(1.0, 0.1 * pin_radius / length) if length > 0.0 else 1.0
+        pin += step * move
         place_pin(surface, axis, pin_radius, pin, frame, gap)
         reach = 0.0
         for p in range(count):
@@ -166,10 +226,10 @@ def solve(  # type: ignore[no-untyped-def]
         broken = revise(
             polar, frame, gap, touching, pressed, nodes, count, reach, iteration > _PATIENCE
         )
-        if broken == 0 and step == 1.0 and move <= 1e-9 * reach + 1e-16:
+        if broken == 0 and length <= 1e-8 * reach + 1e-16:
             for i in range(n):
+                gap[i] += extra[i] * pressed[i]
                 for p in range(count):
                     gap[i] += pressed[nodes[p]] * normal_compliance(polar, frame, i, nodes[p])
-                gap[i] += extra[i] * pressed[i]
-            return CARRIED, iteration
+            return verdict(force, touching, pressed, gap, frame, reach), iteration
     return NOT_SETTLED, _LIMIT

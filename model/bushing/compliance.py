@@ -20,13 +20,13 @@ class SurfaceCompliance:
     ``nodes``: their numbers round the ring, (N,); ``axis``: unit vectors (N, 2), the radial
     direction of each node; ``polar``: (3, N, N), m^2/N, radial by radial, radial by tangential
     and tangential by tangential: entry [1, i, j] is the radial displacement at i by a tangential
-    unit force at j. ``whole``: whether the nodes are all of the ring.
+    unit force at j. ``ends``: positions in ``nodes`` whose neighbour on the ring is not among them.
     """
 
     nodes: NDArray[np.int64]
     axis: Array
     polar: Array
-    whole: bool
+    ends: NDArray[np.int64]
 
 
 def surface_angles(sectors: int) -> Array:
@@ -35,6 +35,12 @@ def surface_angles(sectors: int) -> Array:
     With an even number of sectors the node at 0 is an element's corner.
     """
     return np.pi * (np.arange(2 * sectors) - sectors) / sectors
+
+
+def arc_ends(nodes: NDArray[np.int64], around: int) -> NDArray[np.int64]:
+    """Return the positions in ``nodes`` that have a ring neighbour which is not among them."""
+    inside = np.isin(np.stack([nodes - 1, nodes + 1]) % around, nodes)
+    return np.flatnonzero(~inside.all(axis=0))
 
 
 def circular_compliance(
@@ -64,4 +70,4 @@ def circular_compliance(
     for part, (a, b) in enumerate(((0, 0), (0, 1), (1, 1))):
         polar[part] = kernel[i, a, j, b, apart]
     axis = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    return SurfaceCompliance(nodes, axis, polar, len(nodes) == 2 * sectors)
+    return SurfaceCompliance(nodes, axis, polar, arc_ends(nodes, 2 * sectors))

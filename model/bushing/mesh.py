@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import splu
 
-from model.bushing.compliance import SurfaceCompliance, surface_angles
-from model.bushing.element import Plane, elasticity, stiffness
+from model.bushing.compliance import SurfaceCompliance, arc_ends, surface_angles
+from model.bushing.element import Plane, elasticity, integration_points, stiffness
 from model.bushing.sector import SectorMesh
 from model.errors import ModelError
 
@@ -78,11 +78,12 @@ def general_compliance(
     points, elements = ring_mesh(surface, outer, mesh)
     free = 2 * (len(points) - 2 * mesh.sectors)
     dofs = (2 * elements[:, :, None] + np.arange(2)).reshape(len(elements), 16)
-    blocks = stiffness(points[elements], elasticity(youngs_modulus, poissons_ratio, plane))
+    matrix = elasticity(youngs_modulus, poissons_ratio, plane)
+    blocks = stiffness(points[elements], matrix, integration_points(poissons_ratio, plane))
     rows = np.repeat(dofs, 16, axis=1).ravel()
     columns = np.tile(dofs, (1, 16)).ravel()
     inside = (rows < free) & (columns < free)
-    matrix = csc_matrix(
+    system = csc_matrix(
         (blocks.ravel()[inside], (rows[inside], columns[inside])), shape=(free, free)
     )
     if nodes is None:
@@ -94,10 +95,10 @@ def general_compliance(
     each = np.arange(count)
     load[2 * nodes, each], load[2 * nodes + 1, each] = cosine, sine
     load[2 * nodes, count + each], load[2 * nodes + 1, count + each] = -sine, cosine
-    moved = splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(load)
+    moved = splu(system, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(load)
     x, y = moved[2 * nodes], moved[2 * nodes + 1]
     radial = cosine[:, None] * x + sine[:, None] * y
     tangential = cosine[:, None] * y - sine[:, None] * x
     polar = np.stack([radial[:, :count], radial[:, count:], tangential[:, count:]])
     axis = np.stack([cosine, sine], axis=1)
-    return SurfaceCompliance(nodes, axis, polar, count == 2 * mesh.sectors)
+    return SurfaceCompliance(nodes, axis, polar, arc_ends(nodes, 2 * mesh.sectors))

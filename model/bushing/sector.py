@@ -16,7 +16,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from model.bushing.element import Plane, elasticity, stiffness
+from model.bushing.element import Plane, elasticity, integration_points, stiffness
 from model.errors import ModelError
 
 Array = NDArray[np.float64]
@@ -89,7 +89,9 @@ def surface_spectrum(
     """
     mesh = mesh or SectorMesh()
     n = mesh.sectors
-    layers = _polar_layers(inner, outer, elasticity(youngs_modulus, poissons_ratio, plane), mesh)
+    matrix = elasticity(youngs_modulus, poissons_ratio, plane)
+    points = integration_points(poissons_ratio, plane)
+    layers = _polar_layers(mesh.radii(inner, outer), matrix, mesh.sectors, points)
     condensed = _condense(layers, n, n // 2 + 1)
     harmonic = np.arange(n // 2 + 1)
     quarter = np.array([1.0, 1j])
@@ -103,20 +105,19 @@ def surface_spectrum(
     return kernel.reshape(2, 2, 2, 2, n)
 
 
-def _polar_layers(inner: float, outer: float, matrix: Array, mesh: SectorMesh) -> Array:
+def _polar_layers(radii: Array, matrix: Array, sectors: int, points: int) -> Array:
     """Return each layer's element stiffness in polar components, shape (layers, 16, 16)."""
-    radii = mesh.radii(inner, outer)
     low, high = radii[:-1], radii[1:]
     middle = 0.5 * (low + high)
     radius = np.stack([low, high, high, low, middle, high, middle, low], axis=1)
-    angle = _TURN * (np.pi / mesh.sectors)
+    angle = _TURN * (np.pi / sectors)
     cosine, sine = np.cos(angle), np.sin(angle)
     nodes = np.stack([radius * cosine, radius * sine], axis=2)
     turn = np.zeros((16, 16))
     even = np.arange(0, 16, 2)
     turn[even, even] = turn[even + 1, even + 1] = cosine
     turn[even, even + 1], turn[even + 1, even] = -sine, sine
-    return np.ascontiguousarray(turn.T @ stiffness(nodes, matrix) @ turn)
+    return np.ascontiguousarray(turn.T @ stiffness(nodes, matrix, points) @ turn)
 
 
 _FOLD_DOFS = np.ascontiguousarray((_FOLD[:, None] + np.arange(2)).ravel())

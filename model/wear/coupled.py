@@ -1,0 +1,258 @@
+"""One implicit wear step for all crank positions of a cycle together, compiled.
+
+All positions wear the same profile: the wear of one opens the gap of the others. With backward
+Euler the step is one convex problem. For given touching sets and normals, the normal forces of
+position k are lam_k = B_k Q_k (F_k + B_k^T (g_k + h)) - A_k^-1 (g_k + h) with B_k = A_k^-1 N_k and
+Q_k = (N_k^T B_k)^-1, and the wear h on all nodes follows from sum s_k lam_k = h / D, where s_k is
+the slip of the position, D = K dN / w. Sets, normals and pins are then revised.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from model.bushing.active_set import (
+    CARRIED,
+    NOT_SETTLED,
+    ONE_SIDED,
+    list_touching,
+    normal_compliance,
+    pin_move,
+    place_pin,
+    revise,
+)
+from model.bushing.linear import factorise, substitute
+
+_LIMIT = 120
+# After so many sweeps each position changes its set one node at a time.
+_PATIENCE = 25
+
+
+@njit(
+    "boolean(float64[:,:,::1], float64[:,::1], float64[::1], int64[::1], int64, float64[:,::1],"
+    " float64[:,::1], float64[:,::1])",
+    cache=True,
+)
+def _invert(polar, frame, gap, nodes, count, rows, work, inverse):  # type: ignore[no-untyped-def]
+    """Fill the upper triangle of A^-1, and rows = A^-1 of the normals' x, y and of the gap.
+
+    False when A is not positive definite. ``work`` and ``inverse`` are count x count at least.
+    """
+    for p in range(count):
+        i = nodes[p]
+        for q in range(p, count):
+            work[p, q] = normal_compliance(polar, frame, i, nodes[q])
+        rows[0, p] = frame[i, 0]
+        rows[1, p] = frame[i, 1]
+        rows[2, p] = gap[i]
+    if not factorise(work, count) > 0.0:
+        return False
+    substitute(work, count, rows, 3)
+    # The lower triangle becomes W = U^-T; then A^-1 = W^T W.
+    for i in range(count):
+        scale = 1.0 / work[i, i]
+        for j in range(i):
+            work[i, j] = 0.0
+        for k in range(i):
+            ratio = work[k, i] * scale
+            for j in range(k + 1):
+                work[i, j] -= ratio * work[k, j]
+        work[i, i] = scale
+    for i in range(count):
+        for j in range(i, count):
+            inverse[i, j] = 0.0
+    for k in range(count):
+        for i in range(k + 1):
+            ratio = work[k, i]
+            for j in range(i, k + 1):
+                inverse[i, j] += ratio * work[k, j]
+    return True
+
+
+@njit(
+    "void(float64[:,::1], int64[::1], int64, int64[::1], float64, float64[:,::1], float64[:,::1],"
+    " float64[:,::1], float64[::1], float64[:,::1], float64[::1])",
+    cache=True,
+)
+def _gather(frame, nodes, count, place, slip, rows, inverse, q, force, system, pull):  # type: ignore[no-untyped-def]
+    """Add one position's slip x T to the system and slip x b to its right-hand side."""
+    t0, t1 = force[0], force[1]
+    for p in range(count):
+        t0 += frame[nodes[p], 0] * rows[2, p]
+        t1 += frame[nodes[p], 1] * rows[2, p]
+    u0 = q[0, 0] * t0 + q[0, 1] * t1
+    u1 = q[1, 0] * t0 + q[1, 1] * t1
+    for i in range(count):
+        bx, by = rows[0, i], rows[1, i]
+        row = place[nodes[i]]
+        c0 = q[0, 0] * bx + q[0, 1] * by
+        c1 = q[1, 0] * bx + q[1, 1] * by
+        pull[row] += slip * (bx * u0 + by * u1 - rows[2, i])
+        for j in range(i, count):
+            system[row, place[nodes[j]]] += slip * (
+                inverse[i, j] - c0 * rows[0, j] - c1 * rows[1, j]
+            )
+
+
+@njit(
+    "float64[::1](int64[::1], int64, float64[:,::1], float64[::1], float64[:,::1], float64[:,::1],"
+    " float64[:,::1], float64[::1], float64[::1])",
+    cache=True,
+)
+def _press(nodes, count, frame, wear, rows, inverse, q, force, load):  # type: ignore[no-untyped-def]
+    """Fill the normal forces of one position for a wear; return the pin's move, (2,)."""
+    opened = np.zeros(count)
+    for i in range(count):
+        h = wear[nodes[i]]
+        opened[i] += inverse[i, i] * h
+        for j in range(i + 1, count):
+            opened[i] += inverse[i, j] * wear[nodes[j]]
+            opened[j] += inverse[i, j] * h
+    t = force.copy()
+    for p in range(count):
+        for u in range(2):
+            t[u] += frame[nodes[p], u] * (rows[2, p] + opened[p])
+    move = np.zeros(2)
+    for u in range(2):
+        move[u] = q[u, 0] * t[0] + q[u, 1] * t[1]
+    for p in range(count):
+        load[p] = rows[0, p] * move[0] + rows[1, p] * move[1] - rows[2, p] - opened[p]
+    return move
+
+
+@njit(
+    "Tuple((int64, int64))(float64[:,::1], float64[:,::1], float64[:,:,::1], float64[::1],"
+    " float64, float64[:,::1], float64[::1], float64, float64[:,::1], boolean[:,::1],"
+    " float64[:,::1], float64[:,::1])",
+    cache=True,
+)
+def wear_step(  # type: ignore[no-untyped-def]
+    surface,
+    axis,
+    polar,
+    resistance,
+    pin_radius,
+    forces,
+    slips,
+    tolerance,
+    pins,
+    touching,
+    pressed,
+    offset,
+):
+    """Advance all positions by one step; pins, touching, pressed and offset are changed in place.
+
+    surface (N, 2); resistance (N,): w / (K dN), what a unit of wear takes; forces (M, 2) per
+    metre of width; slips (M,); pins (M, 2), touching and pressed (M, N): a start, then the
+    result; offset (N, 2): the wear as a displacement of the nodes. Returns status and sweeps.
+    """
+    positions, n = touching.shape
+    frames = np.empty((positions, n, 4))
+    gaps = np.empty((positions, n))
+    lists = np.empty((positions, n), dtype=np.int64)
+    counts = np.zeros(positions, dtype=np.int64)
+    place = np.empty(n, dtype=np.int64)
+    wear = np.zeros(n)
+    for k in range(positions):
+        place_pin(surface, axis, pin_radius, pins[k], frames[k], gaps[k])
+    for sweep in range(1, _LIMIT + 1):
+        largest = 0
+        for k in range(positions):
+            counts[k] = list_touching(touching[k], gaps[k], lists[k])
+            largest = max(largest, counts[k])
+        union = 0
+        for i in range(n):
+            place[i] = -1
+            for k in range(positions):
+                if touching[k, i]:
+                    place[i] = union
+                    union += 1
+                    break
+        system = np.zeros((union, union))
+        pull = np.zeros((1, union))
+        for i in range(n):
+            if place[i] >= 0:
+                system[place[i], place[i]] = resistance[i]
+        rows = np.empty((positions, 3, largest))
+        inverses = np.empty((positions, largest, largest))
+        work = np.empty((largest, largest))
+        turns = np.empty((positions, 2, 2))
+        for k in range(positions):
+            count = counts[k]
+            frame, nodes = frames[k], lists[k]
+            if not _invert(polar, frame, gaps[k], nodes, count, rows[k], work, inverses[k]):
+                return NOT_SETTLED, sweep
+            stiffness = np.zeros((2, 2))
+            for p in range(count):
+                for u in range(2):
+                    for v in range(2):
+                        stiffness[u, v] += frame[nodes[p], u] * rows[k, v, p]
+            for v in range(2):
+                unit = np.zeros(2)
+                unit[v] = 1.0
+                turns[k, :, v] = pin_move(stiffness, np.zeros((2, 2)), unit)
+            if not np.isfinite(turns[k, 0, 0]):
+                return ONE_SIDED, sweep
+            _gather(
+                frame,
+                nodes,
+                count,
+                place,
+                slips[k],
+                rows[k],
+                inverses[k],
+                turns[k],
+                forces[k],
+                system,
+                pull[0],
+            )
+        if not factorise(system, union) > 0.0:
+            return NOT_SETTLED, sweep
+        substitute(system, union, pull, 1)
+        for i in range(n):
+            wear[i] = pull[0, place[i]] if place[i] >= 0 else 0.0
+        broken = 0
+        travel = 0.0
+        deepest = 0.0
+        for k in range(positions):
+            count = counts[k]
+            frame, nodes = frames[k], lists[k]
+            load = np.empty(count)
+            move = _press(
+                nodes, count, frame, wear, rows[k], inverses[k], turns[k], forces[k], load
+            )
+            length = np.sqrt(move[0] ** 2 + move[1] ** 2)
+            if length > 0.1 * pin_radius:
+                move *= 0.1 * pin_radius / length
+            pins[k] += move
+            travel = max(travel, length)
+            pressed[k, :] = 0.0
+            for p in range(count):
+                pressed[k, nodes[p]] = load[p]
+            place_pin(surface, axis, pin_radius, pins[k], frame, gaps[k])
+            reach = 0.0
+            for p in range(count):
+                reach = max(reach, abs(gaps[k, nodes[p]] + wear[nodes[p]]))
+            deepest = max(deepest, reach)
+            broken += revise(
+                polar,
+                frame,
+                gaps[k] + wear,
+                touching[k],
+                pressed[k],
+                nodes,
+                count,
+                reach,
+                sweep > _PATIENCE,
+            )
+        if broken == 0 and travel <= tolerance * deepest:
+            offset[:] = 0.0
+            for k in range(positions):
+                for p in range(counts[k]):
+                    i = lists[k, p]
+                    share = slips[k] * pressed[k, i] / resistance[i]
+                    offset[i, 0] += share * frames[k, i, 0]
+                    offset[i, 1] += share * frames[k, i, 1]
+            return CARRIED, sweep
+    return NOT_SETTLED, _LIMIT
