@@ -174,6 +174,17 @@ def calibrate_probes(
     raise typer.Exit(calibrate(readings, settings, to, as_json=json))
 
 
+@calibrate_app.command("certificate")
+def calibrate_certificate(
+    record: Annotated[Path, typer.Argument(help="Calibration record.")],
+    to: Annotated[Path, typer.Option("--to", help="FILE.pdf or FILE.html")],
+) -> None:
+    """Write the certificate of a record, the same bytes each time."""
+    from rigapp.commands.calibrate import write_certificate
+
+    raise typer.Exit(write_certificate(record, to))
+
+
 @app.command()
 def doctor() -> None:
     """Show versions, ports, adapters and permissions; test the window's libraries."""

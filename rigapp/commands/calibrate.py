@@ -238,3 +238,26 @@ def _probe_lines(found: ProbeCalibration) -> list[str]:
         f"Linearity {found.linearity:.3f} % of the range; expanded uncertainty"
         f" {1e6 * found.expanded:.2f} um (k = {found.coverage_factor:.2f}).",
     ]
+
+
+def write_certificate(record: Path, to: Path) -> int:
+    """Write the certificate of a record as PDF or HTML; return the exit status."""
+    from calibration.records import RecordError, unseal
+    from rigapp.report.certificate import as_html, as_pdf, certificate_of
+
+    writers = {".pdf": as_pdf, ".html": as_html}
+    writer = writers.get(to.suffix.lower())
+    if writer is None:
+        raise UnusableInput(f"{to}: a certificate is .pdf or .html; name it so.")
+    try:
+        sealed = unseal(record.read_bytes())
+    except FileNotFoundError as error:
+        raise UnusableInput(f"{record}: there is no such record; check the name.") from error
+    except (OSError, RecordError) as error:
+        raise UnusableInput(f"{record}: {error}.") from error
+    try:
+        to.write_bytes(writer(certificate_of(sealed)))
+    except OSError as error:
+        raise UnusableInput(f"{to}: cannot be written ({error}).") from error
+    print(f"The certificate is {to}.")
+    return 0

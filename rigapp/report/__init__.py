@@ -1,0 +1,1 @@
+"""Reports, certificates and the paper's figures."""

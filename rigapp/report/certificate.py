@@ -1,0 +1,325 @@
+"""The certificate of a calibration record: PDF or HTML, the same bytes each time.
+
+Everything comes from the record, nothing from the clock or the machine, so that anyone can make the
+certificate again and compare it byte for byte.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+from base64 import b64encode
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from calibration.readings import parse_load_cell, parse_probe
+from calibration.records import Record
+
+Row = Sequence[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table of the certificate; without a header its first column is bold."""
+
+    title: str
+    rows: tuple[Row, ...]
+    header: Row = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A picture of the certificate as PNG bytes, with the words for who cannot see it."""
+
+    title: str
+    png: bytes
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
+class Certificate:
+    """What a certificate says, before it is set as a page."""
+
+    title: str
+    number: str
+    paragraphs: tuple[str, ...]
+    tables: tuple[Table, ...]
+    figures: tuple[Figure, ...]
+    digest_note: str
+
+
+def certificate_of(record: Record) -> Certificate:
+    """Compose the certificate of a record."""
+    content, result = record.content, record.content["result"]
+    cell = record.kind == "load cell"
+    tables = [_identity(record), _conditions(content)]
+    tables += _cell_tables(content) if cell else _probe_tables(content)
+    tables.append(_readings_table(content, cell))
+    figures = _cell_figures(content) if cell else _probe_figures(content)
+    return Certificate(
+        title=f"Certificate of calibration: {_item(content)}",
+        number=record.number,
+        paragraphs=tuple(_statements(content, result, cell)),
+        tables=tuple(tables),
+        figures=tuple(figures),
+        digest_note=(
+            f"Number {record.number} is the beginning of the SHA-256 digest of the record, readings"
+            f" included. Made by {content['software']}."
+        ),
+    )
+
+
+def _item(content: Mapping[str, Any]) -> str:
+    settings = content["settings"]
+    return str((settings.get("cell") or settings.get("probe"))["name"])
+
+
+def _joined(*texts: str) -> str:
+    return ", ".join(filter(None, texts)) or "not stated"
+
+
+def _identity(record: Record) -> Table:
+    content = record.content
+    paper = content["settings"]["paperwork"]
+    rows = [
+        ("Number", record.number),
+        ("Item", _item(content)),
+        ("Serial number", _joined(paper["serial_number"])),
+        ("Amplifier, cable", _joined(paper["amplifier"], paper["cable"])),
+        ("Excitation, range, filter", _joined(paper["excitation"])),
+        ("Laboratory, place", _joined(paper["laboratory"], paper["place"])),
+        ("Calibrated", content["calibrated_at"]),
+        ("Due", content["due_at"]),
+        ("Standards used", _joined(paper["standards"])),
+    ]
+    if paper["notes"]:
+        rows.append(("Deviations, remarks", paper["notes"]))
+    return Table("Identification", tuple(rows))
+
+
+def _conditions(content: Mapping[str, Any]) -> Table:
+    settings = content["settings"]
+    place = settings.get("place")
+    if place is None:
+        probe = settings["probe"]
+        rows: list[Row] = [
+            ("Micrometer", f"u = {probe['micrometer_standard_uncertainty_um']:g} um"),
+            ("Range", f"{probe['range_V']:g} V"),
+        ]
+        if probe.get("target_radius_mm"):
+            rows.append(("Cylindrical target", f"radius {probe['target_radius_mm']:g} mm"))
+        return Table("Conditions", tuple(rows))
+    weights, angle = settings["weights"], settings["angle"]
+    stated = place.get("gravity_m_s2")
+    if stated is not None:
+        gravity = f"{stated:.6g} m/s2 (stated)"
+    else:
+        gravity = f"from latitude {place['latitude_deg']:g} deg, height {place['height_m']:g} m"
+    rows = [
+        ("Local gravity", gravity),
+        ("Air density", f"{place['air_density_kg_per_m3']:g} kg/m3"),
+        *(
+            (name, f"{place[key]:g} {unit}")
+            for name, key, unit in (
+                ("Temperature", "temperature_degC", "degC"),
+                ("Humidity", "humidity_percent", "%"),
+                ("Pressure", "pressure_hPa", "hPa"),
+            )
+            if place.get(key) is not None
+        ),
+        ("Weights", f"{weights['mass_kind']} mass, density {weights['density_kg_per_m3']:g} kg/m3,"
+                    f" relative u = {weights['relative_standard_uncertainty']:g}"),
+        ("Hanger", f"{weights['hanger_mass_kg']:g} kg"),
+        ("Angle reference", f"offset {angle['offset_deg']:g} deg,"
+                            f" u = {angle['standard_uncertainty_deg']:g} deg"),
+    ]  # fmt: skip
+    return Table("Conditions", tuple(rows))
+
+
+def _statements(content: Mapping[str, Any], result: Mapping[str, Any], cell: bool) -> list[str]:
+    factor = f"{result['coverage_factor']:.2f}"
+    if not cell:
+        return [
+            "Method: micrometer steps; voltage fitted as a straight line of position (least"
+            " squares, best-fit line).",
+            f"The expanded uncertainty of one position is {result['expanded_uncertainty_um']:.2f}"
+            f" um with a coverage factor k = {factor} (about 95 %).",
+        ]
+    line = result["uncertainty_line_N"]
+    return [
+        "Method: dead weights at several angles of the pin. The procedure follows the ideas of ASTM"
+        " E74 and ISO 376, which are for one axis and static forces; it does not comply with them.",
+        result["classification"],
+        f"The expanded uncertainty of one reading is U(F) = {line['constant_N']:.2f} N +"
+        f" {line['per_N']:.5f} F with a coverage factor k = {factor} (about 95 %). It holds for the"
+        " conditions and the time of the calibration. Creep was not measured.",
+        "A common error of the pin angle leaves no residual; it is covered by the uncertainty of"
+        " the angle reference only.",
+    ]
+
+
+def _cell_tables(content: Mapping[str, Any]) -> list[Table]:
+    result, unit = content["result"], content["settings"]["cell"]["signal_unit"]
+    matrix = result["matrix_N_per_unit"]
+    spread = result["matrix_standard_uncertainty_N_per_unit"]
+    rows: list[Row] = [
+        (f"K{i + 1}{j + 1}", f"{matrix[i][j]:.5f}", f"{spread[i][j]:.5f}")
+        for i in range(2)
+        for j in range(2)
+    ]
+    fit = Table(
+        f"Force on the pin = K (signal - zero); N per {unit}", tuple(rows), ("", "value", "u")
+    )
+    zero = Table(
+        "Zero and residuals",
+        (
+            ("Zero", ", ".join(f"{value:.6f}" for value in result["zero"]) + f" {unit}"),
+            ("Model", result["terms"]),
+            ("Residual standard deviation", f"{result['residual_std_N']:.3f} N"),
+        ),
+    )
+    covariance = Table(
+        "Covariance of K11, K12, K21, K22",
+        tuple(tuple(f"{value:.4e}" for value in row) for row in result["matrix_covariance"]),
+        ("K11", "K12", "K21", "K22"),
+    )
+    names = {
+        "reproducibility_b": "b, reproducibility",
+        "repeatability_b_prime": "b', repeatability",
+        "interpolation_fc": "fc, interpolation",
+        "zero_return_f0": "f0, zero return",
+        "reversibility_v": "v, reversibility",
+        "creep_c": "c, creep",
+    }
+    traits = Table(
+        "Characteristics, per cent",
+        tuple(
+            (words, "not measured" if value is None else f"{value:.3f}")
+            for key, words in names.items()
+            for value in (result["characteristics_percent"][key],)
+        ),
+    )
+    budget = Table(
+        f"Uncertainty at {result['full_scale_N']:g} N",
+        (
+            *((one["name"], f"{one['standard_uncertainty_N']:.3f} N") for one in result["budget"]),
+            ("expanded", f"{result['expanded_uncertainty_N']:.3f} N"),
+        ),
+    )
+    return [fit, zero, covariance, traits, budget]
+
+
+def _probe_tables(content: Mapping[str, Any]) -> list[Table]:
+    result = content["result"]
+    hysteresis = result["hysteresis_um"]
+    return [
+        Table(
+            "Position = sensitivity (voltage - offset)",
+            (
+                ("Sensitivity", f"{result['sensitivity_um_per_V']:.5f} um/V"),
+                ("relative u", f"{result['sensitivity_relative_standard_uncertainty']:.2e}"),
+                ("Offset", f"{result['offset_V']:.6f} V"),
+                ("Linearity, best-fit line", f"{result['linearity_percent']:.3f} %"),
+                ("Residual standard deviation", f"{result['residual_std_um']:.3f} um"),
+                ("Backlash", "not measured" if hysteresis is None else f"{hysteresis:.3f} um"),
+                ("Cylinder gain", f"{result['cylinder_gain']:.5f}"),
+            ),
+        )
+    ]
+
+
+def _readings_table(content: Mapping[str, Any], cell: bool) -> Table:
+    text, result = content["readings_csv"], content["result"]
+    if not cell:
+        probe = parse_probe(text)
+        rows = [
+            (s, str(k), f"{1e6 * p:.3f}", f"{v:.6f}", f"{r:.3f}")
+            for s, k, p, v, r in zip(
+                probe.series, probe.step, probe.position, probe.signal, result["residual_um"],
+                strict=True,
+            )
+        ]  # fmt: skip
+        return Table("Readings", tuple(rows), ("series", "step", "position um", "V", "residual um"))
+    taken = parse_load_cell(text)
+    cell_rows = [
+        (name, str(step), f"{mass:g}", f"{math.degrees(angle):.3f}", f"{one:.6f}", f"{two:.6f}",
+         f"{off[0]:.3f}", f"{off[1]:.3f}")
+        for name, step, mass, angle, (one, two), off in zip(
+            taken.series, taken.step, taken.mass, taken.angle, taken.signal, result["residual_N"],
+            strict=True,
+        )
+    ]  # fmt: skip
+    header = ("series", "step", "kg", "angle deg", "signal 1", "signal 2", "res. 1 N", "res. 2 N")
+    return Table("Readings", tuple(cell_rows), header)
+
+
+def _cell_figures(content: Mapping[str, Any]) -> list[Figure]:
+    taken, result = parse_load_cell(content["readings_csv"]), content["result"]
+    residual = np.array(result["residual_N"])
+    load = np.hypot(*np.array(result["applied_N"]).T)
+    angle = np.mod(np.degrees(taken.angle), 360.0)
+    return [
+        _scatter("Residual against force", "applied force (N)", load, residual, "residual (N)"),
+        _scatter("Residual against pin angle", "pin angle (deg)", angle, residual, "residual (N)"),
+    ]
+
+
+def _probe_figures(content: Mapping[str, Any]) -> list[Figure]:
+    taken = parse_probe(content["readings_csv"])
+    residual = np.array(content["result"]["residual_um"])[:, None]
+    position = 1e6 * taken.position
+    return [
+        _scatter("Residual against position", "position (um)", position, residual, "residual (um)")
+    ]
+
+
+def _scatter(title: str, x_label: str, x: Any, residual: Any, y_label: str) -> Figure:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure as Canvas
+
+    canvas = Canvas(figsize=(6.0, 2.6), dpi=150, layout="constrained")
+    axes = canvas.add_subplot()
+    for axis, (colour, marker) in zip(
+        range(residual.shape[1]), (("#0072B2", "o"), ("#D55E00", "s")), strict=False
+    ):
+        label = f"signal {axis + 1}" if residual.shape[1] > 1 else "probe"
+        axes.plot(x, residual[:, axis], marker, color=colour, ms=3.5, mfc="none", label=label)
+    axes.axhline(0.0, color="#000000", lw=0.6)
+    axes.set_xlabel(x_label)
+    axes.set_ylabel(y_label)
+    axes.set_title(title, fontsize=9)
+    if residual.shape[1] > 1:
+        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    FigureCanvasAgg(canvas)
+    stream = io.BytesIO()
+    canvas.savefig(stream, format="png", metadata={"Software": None})
+    words = f"{title}: largest {np.abs(residual).max():.3g}."
+    return Figure(title, stream.getvalue(), words)
+
+
+def as_html(certificate: Certificate) -> bytes:
+    """Return the certificate as one HTML file with its pictures inside."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    environment = Environment(
+        loader=PackageLoader("rigapp.report", "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    pictures = [(figure, b64encode(figure.png).decode()) for figure in certificate.figures]
+    text = environment.get_template("certificate.html").render(
+        certificate=certificate, pictures=pictures
+    )
+    return text.encode()
+
+
+def as_pdf(certificate: Certificate) -> bytes:
+    """Return the certificate as PDF, pages numbered n of m."""
+    from rigapp.report.pdf import set_pages
+
+    return set_pages(certificate)

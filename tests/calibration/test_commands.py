@@ -1,0 +1,192 @@
+"""`rigapp calibrate` as a person types it: results, refusals, records, certificates."""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from calibration.readings import LoadCellReadings
+from calibration.records import RecordError, seal, unseal
+from tests.calibration.simulated_cell import Cell, take
+
+SETTINGS = """
+schema = 1
+[cell]
+name = "pin load cell"
+[place]
+gravity_m_s2 = 9.8123
+"""
+
+
+def rigapp(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "rigapp", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+
+
+def as_csv(readings: LoadCellReadings) -> str:
+    lines = ["series,step,mass_kg,pin_angle_deg,signal_1,signal_2"]
+    for i in range(len(readings)):
+        degrees = np.degrees(readings.angle[i])
+        one, two = readings.signal[i]
+        lines.append(
+            f"{readings.series[i]},{readings.step[i]},{readings.mass[i]},{degrees},{one},{two}"
+        )
+    return "\n".join(lines) + "\n"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    readings = take(Cell(), np.random.default_rng(4), angles=4)
+    (tmp_path / "readings.csv").write_text(as_csv(readings))
+    (tmp_path / "settings.toml").write_text(SETTINGS)
+    return tmp_path
+
+
+def fit(folder: Path, record: str, *more: str) -> subprocess.CompletedProcess[str]:
+    return rigapp(
+        "calibrate", "load-cell", "--readings", folder / "readings.csv",
+        "--settings", folder / "settings.toml", "--to", folder / record, *more,
+    )  # fmt: skip
+
+
+def test_good_readings_make_a_sealed_record_and_a_repeatable_certificate(folder: Path) -> None:
+    done = fit(folder, "record.json", "--json")
+    assert done.returncode == 0, done.stderr
+    result = json.loads(done.stdout)
+    assert result["accepted"] is True
+    assert np.array(result["matrix_N_per_unit"]) == pytest.approx(
+        np.linalg.inv(Cell().sensitivity), abs=1.5
+    )
+    assert {"zero", "residual_std_N", "expanded_uncertainty_N", "coverage_factor"} <= set(result)
+    record = folder / "record.json"
+    assert not record.stat().st_mode & stat.S_IWUSR
+    assert unseal(record.read_bytes()).kind == "load cell"
+    for ending in ("pdf", "html"):
+        for name in ("a", "b"):
+            made = rigapp("calibrate", "certificate", record, "--to", folder / f"{name}.{ending}")
+            assert made.returncode == 0, made.stderr
+        first = (folder / f"a.{ending}").read_bytes()
+        assert first == (folder / f"b.{ending}").read_bytes()
+    assert b"Not classifiable" in (folder / "a.html").read_bytes()
+    assert (folder / "a.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_existing_record_is_not_overwritten(folder: Path) -> None:
+    (folder / "record.json").write_text("precious")
+    done = fit(folder, "record.json")
+    assert done.returncode == 2
+    assert "never overwritten" in done.stderr
+    assert (folder / "record.json").read_text() == "precious"
+
+
+def test_bad_fit_is_refused_and_not_saved(folder: Path) -> None:
+    readings = take(Cell(hysteresis=9.0), np.random.default_rng(4), angles=4)
+    (folder / "readings.csv").write_text(as_csv(readings))
+    done = fit(folder, "record.json", "--json")
+    assert done.returncode == 1
+    result = json.loads(done.stdout)
+    assert result["accepted"] is False
+    assert "hysteresis" in [one["code"] for one in result["problems"]]
+    assert not os.path.lexists(folder / "record.json")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "needle"),
+    [
+        ("mass_kg", "mass_g", "column mass_kg is missing"),
+        ("1,2,8.0", "1,2,eight", "line 3: mass_kg 'eight' is not a number"),
+        ("1,2,8.0", "1,2,", "line 3 has an empty field"),
+    ],
+)
+def test_unreadable_readings_are_named(folder: Path, old: str, new: str, needle: str) -> None:
+    path = folder / "readings.csv"
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new, 1))
+    done = fit(folder, "record.json")
+    assert done.returncode == 2
+    assert needle in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_missing_gravity_is_asked_for(folder: Path) -> None:
+    text = SETTINGS.replace("gravity_m_s2 = 9.8123", "")
+    (folder / "settings.toml").write_text(text)
+    done = fit(folder, "record.json")
+    assert done.returncode == 2
+    assert "place.gravity_m_s2" in done.stderr
+
+
+def test_latitude_replaces_gravity(folder: Path) -> None:
+    text = SETTINGS.replace("gravity_m_s2 = 9.8123", "latitude_deg = 52.0\nheight_m = 50.0")
+    (folder / "settings.toml").write_text(text)
+    assert fit(folder, "record.json").returncode == 0
+
+
+def test_changed_record_is_refused(folder: Path) -> None:
+    data = seal({"kind": "probe", "result": {"sensitivity_um_per_V": 50.0}})
+    assert unseal(data).content["result"] == {"sensitivity_um_per_V": 50.0}
+    with pytest.raises(RecordError, match="changed"):
+        unseal(data.replace(b"50.0", b"51.0"))
+    with pytest.raises(RecordError, match="not a calibration record"):
+        unseal(b"{}")
+
+
+def probe_csv(noise: float = 0.0, backlash: float = 0.0) -> str:
+    rng = np.random.default_rng(2)
+    lines = ["series,step,position_um,signal_V"]
+    up = np.linspace(0.0, 1000.0, 11)
+    for series in range(3):
+        for step, (position, down) in enumerate([(p, 0) for p in up] + [(p, 1) for p in up[::-1]]):
+            voltage = -5.0 + 0.01 * (position + down * backlash) + rng.normal(0.0, noise)
+            lines.append(f"{series + 1},{step + 1},{position},{voltage}")
+    return "\n".join(lines) + "\n"
+
+
+def probes(folder: Path, text: str) -> subprocess.CompletedProcess[str]:
+    (folder / "probe.csv").write_text(text)
+    (folder / "probe.toml").write_text('schema = 1\n[probe]\nname = "probe 1"\n')
+    return rigapp(
+        "calibrate", "probes", "--readings", folder / "probe.csv",
+        "--settings", folder / "probe.toml", "--to", folder / "probe.json", "--json",
+    )  # fmt: skip
+
+
+def test_probe_is_recovered(folder: Path) -> None:
+    done = probes(folder, probe_csv(noise=0.001))
+    assert done.returncode == 0, done.stderr
+    result = json.loads(done.stdout)
+    assert result["sensitivity_um_per_V"] == pytest.approx(100.0, rel=1e-3)
+    assert result["offset_V"] == pytest.approx(-5.0, abs=2e-3)
+    assert result["linearity_percent"] < 0.1
+    made = rigapp("calibrate", "certificate", folder / "probe.json", "--to", folder / "probe.pdf")
+    assert made.returncode == 0, made.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        (probe_csv(noise=0.001, backlash=15.0), "backlash"),
+        (probe_csv(noise=0.001).replace("1,4,300.0", "1,4,350.0"), "wrong_position"),
+        (probe_csv(noise=0.001).replace("1,4,300.0,", "1,4,300.0,nan #"), "not_a_number"),
+        ("series,step,position_um,signal_V\n1,1,0,0\n1,2,10,1\n", "too_few_positions"),
+    ],
+    ids=["backlash", "wrong position", "not a number", "too few"],
+)
+def test_probe_mistakes_are_named(folder: Path, text: str, code: str) -> None:
+    text = "\n".join(line.split(" #")[0] for line in text.splitlines()) + "\n"
+    done = probes(folder, text)
+    assert done.returncode == 1, done.stderr
+    assert code in [one["code"] for one in json.loads(done.stdout)["problems"]]
