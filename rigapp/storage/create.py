@@ -18,10 +18,6 @@ from rigapp.storage.build import build_file
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import StorageFailed
 from rigapp.storage.layout import (
-    END_TIME,
-    STATE,
-    STATE_FIELDS,
-    TIME_DTYPE,
     FilePlan,
     Stream,
     declared_bytes,
@@ -97,7 +93,7 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
             for stream in streams_of(plan).values():
                 reserve_stream(disk, stream, places, 0, stream.planned)
             check_places(disk, hidden, streams_of(plan), places)
-            os.fchmod(fd, 0o444)
+            protect(fd)
             os.fsync(fd)
             if not hold_writer_lock(fd):
                 raise UnusableInput(f"{path}: another process took the new file; try again")
@@ -170,10 +166,10 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, Stream], places: 
             assert places[stream.path(stream.counter)][0] % 8 == 0
 
 
-def state_dtypes() -> dict[str, str]:
-    """Return the dtype of each scalar that is overwritten in place, by path."""
-    state = {f"{STATE}/{name}": dtype for name, (dtype, _) in STATE_FIELDS.items()}
-    return {**state, END_TIME: TIME_DTYPE}
+def protect(fd: int) -> None:
+    """Make a file read-only for everybody, where the file system knows modes."""
+    with contextlib.suppress(OSError):
+        os.fchmod(fd, 0o444)
 
 
 def sync_folder(folder: Path) -> None:

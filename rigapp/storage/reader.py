@@ -184,8 +184,15 @@ class TestReader:
 
     def cycles(self) -> Iterator[StoredCycle]:
         """Yield the saved cycles in order."""
-        for index in range(self.committed("cycles")):
-            yield self.cycle(index)
+        group = self._file["/entry/cycles"]
+        datasets = {one.name: group[one.name] for one in self._streams["samples"].fields}
+        number = self.committed("cycles")
+        index = (group["revolution"][:number], group["first"][:number], group["count"][:number])
+        for revolution, first, count in zip(*(one.tolist() for one in index), strict=True):
+            samples = slice(first, first + count)
+            yield StoredCycle(
+                revolution, {name: np.asarray(one[samples]) for name, one in datasets.items()}
+            )
 
     def predictions(self, first: int = 0) -> Columns:
         """Return the committed rows of the twin's stream, one array a column."""

@@ -17,6 +17,7 @@ from rigapp.storage.create import (
     Places,
     fitted_streams,
     places_of,
+    protect,
     refuse_little_space,
     reserve_stream,
 )
@@ -25,7 +26,8 @@ from rigapp.storage.events import seed_of
 from rigapp.storage.layout import FilePlan, planned_rows
 from rigapp.storage.locks import hold_writer_lock
 from rigapp.storage.reader import TestReader, open_test
-from rigapp.storage.writer import Counts, TestWriter
+from rigapp.storage.scalars import Counts
+from rigapp.storage.writer import TestWriter
 
 
 def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
@@ -88,15 +90,13 @@ def _refuse_finished(reader: TestReader) -> None:
 
 
 def _open_for_writing(path: Path) -> int:
-    """Open the write-protected file of our own; its mode is back before this returns."""
+    """Open a write-protected file of our own; it is protected again when this returns."""
     try:
         if not os.access(path, os.W_OK):
             path.chmod(0o644)
-            try:
-                return os.open(path, os.O_RDWR)
-            finally:
-                path.chmod(0o444)
-        return os.open(path, os.O_RDWR)
+        fd = os.open(path, os.O_RDWR)
+        protect(fd)
+        return fd
     except OSError as error:
         raise UnusableInput(
             f"{path}: the file cannot be opened for writing ({error.strerror}); "

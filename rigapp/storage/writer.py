@@ -7,7 +7,6 @@ import socket
 import threading
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -23,50 +22,17 @@ from rigapp.storage.create import (
     create_file,
     fitted_streams,
     refuse_little_space,
-    state_dtypes,
 )
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import NoRoom, StorageFailed
 from rigapp.storage.events import columns_of, rows_of, seed_of
 from rigapp.storage.layout import END_TIME, STATE, FilePlan, Stream, planned_rows, streams_of
 from rigapp.storage.metadata import TestMetadata, iso_time
+from rigapp.storage.scalars import COUNTERS, FINAL_STATUSES, Counts, Scalars
 from rigapp.storage.streams import RecordPlacer, Room, RowBuffer
 
 ROWS_BUFFERED = 256
 EVENTS_KEPT_BACK = 64
-FINAL_STATUSES = ("complete", "stopped", "fault")
-
-
-@dataclass(slots=True)
-class Counts:
-    """Count the rows of each stream, and what was refused."""
-
-    revolutions: int = 0
-    cycles: int = 0
-    samples: int = 0
-    prediction: int = 0
-    curves: int = 0
-    events: int = 0
-    gaps: int = 0
-    resumed: int = 0
-    cycles_refused: int = 0
-    events_refused: int = 0
-    planned_revolutions: int = 0
-
-
-_COUNTERS = {
-    "cycles": "/entry/cycles/committed",
-    "curves": "/entry/prediction/committed_curves",
-    "prediction": "/entry/prediction/committed",
-    "events": "/entry/events/committed",
-    "gaps": f"{STATE}/gaps",
-    "resumed": f"{STATE}/resumed",
-    "cycles_refused": f"{STATE}/cycles_refused",
-    "events_refused": f"{STATE}/events_refused",
-    "planned_revolutions": f"{STATE}/planned_revolutions",
-    "revolutions": "/entry/revolutions/committed",
-}
-"""Counters in the order in which a commit writes them."""
 
 
 def create_test(path: str | os.PathLike[str], plan: FilePlan, metadata: TestMetadata) -> TestWriter:
@@ -106,10 +72,11 @@ class TestWriter:
         self._disk = disk
         self._backlog = Backlog(disk)
         self._places = places
+        self._scalars = Scalars(disk, places)
         self._counts = counts
         self._streams = fitted_streams(plan, places)
         self._digest = digest
-        self._written = dict.fromkeys(_COUNTERS, -1)
+        self._written = dict.fromkeys(COUNTERS, -1)
         self._rooms = {
             name: Room(disk, stream, self._offsets(stream), reserved[name])
             for name, stream in self._streams.items()
@@ -133,7 +100,7 @@ class TestWriter:
         self._samples_synced = counts.samples
         self._closed = False
         self._finished = False
-        self._put("writer", f"process {os.getpid()} on {socket.gethostname()}")
+        self._scalars.put_state("writer", f"process {os.getpid()} on {socket.gethostname()}")
 
     @property
     def bytes_written(self) -> int:
@@ -189,7 +156,7 @@ class TestWriter:
             with self._count_lock:
                 counts.samples = first + number
                 counts.cycles = row + 1
-        self._backlog.assist(4)
+        self._backlog.assist(2)
         return True
 
     def append_prediction(
@@ -278,8 +245,8 @@ class TestWriter:
         with self._commit_lock:
             self._commit()
             for path in (f"{STATE}/reason_code", f"{STATE}/reason", END_TIME):
-                self._put_at(path, "")
-            self._put("status", "running")
+                self._scalars.put(path, "")
+            self._scalars.put_state("status", "running")
             self._disk.sync()
 
     def commit(self) -> int:
@@ -299,11 +266,11 @@ class TestWriter:
         with self._commit_lock:
             self._refuse_closed()
             self._commit()
-            self._put("reason_code", reason_code)
-            self._put("reason", sentence)
-            self._put_at(END_TIME, iso_time(time.time()))
+            self._scalars.put_state("reason_code", reason_code)
+            self._scalars.put_state("reason", sentence)
+            self._scalars.put(END_TIME, iso_time(time.time()))
             self._disk.sync()
-            self._put("status", status)
+            self._scalars.put_state("status", status)
             self._disk.sync()
             self._finished = True
 
@@ -329,18 +296,18 @@ class TestWriter:
         with self._count_lock:
             now = {
                 name: getattr(self._counts, name)
-                for name in _COUNTERS
+                for name in COUNTERS
                 if name not in ("revolutions", "prediction")
             }
             samples = self._counts.samples
         now["revolutions"] = self._rows.hand_over_pending()
         now["prediction"] = self._predictions.hand_over_pending()
         self._backlog.drain()
-        changed = [name for name in _COUNTERS if now[name] != self._written[name]]
+        changed = [name for name in COUNTERS if now[name] != self._written[name]]
         if changed:
             self._disk.sync()
             for name in changed:
-                self._put_at(_COUNTERS[name], now[name])
+                self._scalars.put(COUNTERS[name], now[name])
             self._disk.sync()
             self._forget_samples(self._samples_synced, samples)
             self._written = now
@@ -392,18 +359,6 @@ class TestWriter:
 
     def _offsets(self, stream: Stream) -> dict[str, int]:
         return {one.name: self._places[stream.path(one.name)][0] for one in stream.fields}
-
-    def _put(self, name: str, value: int | str) -> None:
-        self._put_at(f"{STATE}/{name}", value)
-
-    def _put_at(self, path: str, value: int | str) -> None:
-        offset, length = self._places[path]
-        if isinstance(value, int):
-            data = value.to_bytes(8, "little", signed=True)
-        else:
-            data = value.encode()[:length].decode(errors="ignore").encode().ljust(length, b"\0")
-        assert path in _COUNTERS.values() or path in state_dtypes()
-        self._disk.write(data, offset)
 
     def _refuse_closed(self) -> None:
         if self._closed:

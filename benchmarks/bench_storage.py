@@ -1,0 +1,369 @@
+"""Records stored per second, in place and by other means, the same records in one run.
+
+Run with ``python benchmarks/bench_storage.py [--seconds 3] [--folder DIR]``. A record is one
+revolution: its row of statistics and, every tenth, its whole cycle of 3600 samples. Each way stores
+for the same time, commits once a second, and syncs at the end: "taken" is the rate until then,
+"on disk" the rate with that sync. The ways take turns, ROUNDS times; the table shows medians and
+the ratio to the in-place file.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+import resource
+import shutil
+import tempfile
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Protocol
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.storage import FilePlan, TestMetadata, create_test, open_test
+
+SAMPLES = 3600
+EVERY = 10
+ROUNDS = 3
+BATCH = 64
+METADATA = TestMetadata(title="benchmark", rig_text="", test_text="")
+PLAN = FilePlan(revolutions=1, cycles=1, samples_per_cycle=SAMPLES, prediction=False)
+ROW_NAMES = [one.name for one in PLAN.revolution_columns]
+CYCLE_TYPES = {one.name: one.dtype for one in PLAN.cycle_columns}
+ROW_BYTES = sum(np.dtype(one.dtype).itemsize for one in PLAN.revolution_columns)
+CYCLE_BYTES = SAMPLES * sum(np.dtype(one).itemsize for one in CYCLE_TYPES.values())
+
+Row = NDArray[np.float64]
+Cycle = dict[str, NDArray[np.float32]]
+
+
+class Way(Protocol):
+    """Store records one way."""
+
+    def row(self, values: Row) -> None: ...
+
+    def cycle(self, number: int, columns: Cycle) -> None: ...
+
+    def commit(self) -> None: ...
+
+    def close(self) -> None: ...
+
+
+class InPlace:
+    """Store in the file made beforehand; commits come from a thread, as in the engine."""
+
+    def __init__(self, folder: Path, revolutions: int) -> None:
+        plan = FilePlan(revolutions, revolutions // EVERY, SAMPLES, prediction=False)
+        self.path = folder / "in-place.h5"
+        self._writer = create_test(self.path, plan, METADATA)
+        self.row = self._writer.append_row
+        self.cycle = self._writer.append_cycle
+        self._due = threading.Event()
+        self._ended = False
+        self._thread = threading.Thread(target=self._commit_when_due, name="committer")
+        self._thread.start()
+
+    def commit(self) -> None:
+        self._due.set()
+
+    def close(self) -> None:
+        self._ended = True
+        self._due.set()
+        self._thread.join()
+        self._writer.close()
+        self.bytes_written = self._writer.bytes_written
+
+    def _commit_when_due(self) -> None:
+        while not self._ended:
+            self._due.wait()
+            self._due.clear()
+            self._writer.commit()
+
+
+class Columns:
+    """Store with h5py, one resizable dataset a column, resized for every revolution."""
+
+    def __init__(self, folder: Path, revolutions: int) -> None:
+        self._file = h5py.File(folder / "columns.h5", "w")
+        self._rows = [_growing(self._file, f"rows/{name}", "<f8", 4096) for name in ROW_NAMES]
+        self._cycles = {
+            name: _growing(self._file, f"cycles/{name}", dtype, 16384)
+            for name, dtype in CYCLE_TYPES.items()
+        }
+
+    def row(self, values: Row) -> None:
+        for dataset, value in zip(self._rows, values, strict=True):
+            size = dataset.shape[0]
+            dataset.resize(size + 1, axis=0)
+            dataset[size] = value
+
+    def cycle(self, number: int, columns: Cycle) -> None:
+        for name, dataset in self._cycles.items():
+            size = dataset.shape[0]
+            dataset.resize(size + SAMPLES, axis=0)
+            dataset[size:] = columns[name]
+
+    def commit(self) -> None:
+        self._file.flush()
+
+    def close(self) -> None:
+        name = self._file.filename
+        self._file.close()
+        _sync(Path(name))
+
+
+class Table(Columns):
+    """Store with h5py at its best: one compound table, 64 rows at a time, SWMR."""
+
+    def __init__(self, folder: Path, revolutions: int) -> None:
+        self._file = h5py.File(folder / "table.h5", "w", libver="latest")
+        self._table = self._file.create_dataset(
+            "rows", (0,), np.dtype([(name, "<f8") for name in ROW_NAMES]), maxshape=(None,),
+            chunks=(1024,),
+        )  # fmt: skip
+        self._cycles = {
+            name: _growing(self._file, f"cycles/{name}", dtype, 16384)
+            for name, dtype in CYCLE_TYPES.items()
+        }
+        self._file.swmr_mode = True
+        self._batch = np.zeros(BATCH, self._table.dtype)
+        self._flat = self._batch.view("<f8").reshape(BATCH, len(ROW_NAMES))
+        self._fill = 0
+
+    def row(self, values: Row) -> None:
+        self._flat[self._fill] = values
+        self._fill += 1
+        if self._fill == BATCH:
+            self._append()
+
+    def commit(self) -> None:
+        self._append()
+        self._file.flush()
+
+    def close(self) -> None:
+        self._append()
+        super().close()
+
+    def _append(self) -> None:
+        size = self._table.shape[0]
+        self._table.resize(size + self._fill, axis=0)
+        self._table[size:] = self._batch[: self._fill]
+        self._fill = 0
+
+
+class PyMeasureCsv:
+    """Store rows as PyMeasure does: its CSV formatter and a log file handler; no whole cycles."""
+
+    def __init__(self, folder: Path, revolutions: int) -> None:
+        import logging
+
+        from pymeasure.experiment.results import CSVFormatter
+
+        self._handler = logging.FileHandler(folder / "pymeasure.csv")
+        self._handler.setFormatter(CSVFormatter(columns=ROW_NAMES))
+        self._record = logging.makeLogRecord
+
+    def row(self, values: Row) -> None:
+        data = dict(zip(ROW_NAMES, values.tolist(), strict=True))
+        self._handler.emit(self._record({"msg": data}))
+
+    def cycle(self, number: int, columns: Cycle) -> None:
+        return
+
+    def commit(self) -> None:
+        self._handler.flush()
+
+    def close(self) -> None:
+        self._handler.close()
+        _sync(Path(self._handler.baseFilename))
+
+
+class BlueskyJson:
+    """Store rows as bluesky does: event documents as JSON lines; no whole cycles."""
+
+    def __init__(self, folder: Path, revolutions: int) -> None:
+        from bluesky.callbacks.json_writer import JSONLinesWriter
+
+        self._folder = folder
+        self._write = JSONLinesWriter(str(folder), "bluesky.jsonl")
+        self._write("start", {"uid": "run", "time": 0.0})
+        self._number = 0
+
+    def row(self, values: Row) -> None:
+        self._number += 1
+        data = dict(zip(ROW_NAMES, values.tolist(), strict=True))
+        stamps = dict.fromkeys(ROW_NAMES, 0.0)
+        event = {"uid": str(self._number), "descriptor": "d", "seq_num": self._number, "time": 0.0}
+        self._write("event", {**event, "data": data, "timestamps": stamps, "filled": {}})
+
+    def cycle(self, number: int, columns: Cycle) -> None:
+        return
+
+    def commit(self) -> None:
+        return
+
+    def close(self) -> None:
+        _sync(self._folder / "bluesky.jsonl")
+
+
+WAYS: dict[str, tuple[Callable[[Path, int], Way], str]] = {
+    "in place": (InPlace, ""),
+    "h5py, compound table, SWMR, 64 rows a time": (Table, ""),
+    "h5py, one dataset a column, resized": (Columns, ""),
+    "PyMeasure CSV (rows only)": (PyMeasureCsv, "pymeasure"),
+    "bluesky JSON lines (rows only)": (BlueskyJson, "bluesky"),
+}
+
+
+def store(way: Way, seconds: float, most: int) -> tuple[int, float, float, NDArray[np.int64]]:
+    """Store records for so long; return their number, the time, that with the last sync, calls."""
+    values = np.arange(len(ROW_NAMES), dtype=np.float64)
+    noise = np.random.default_rng(1).normal(0.0, 50.0, SAMPLES)
+    columns = {name: noise.astype(dtype) for name, dtype in CYCLE_TYPES.items()}
+    calls = np.empty(most + most // EVERY + 1, np.int64)
+    clock = time.perf_counter_ns
+    start = clock()
+    end, due = start + int(seconds * 1e9), start + 1_000_000_000
+    number = call = 0
+    before = start
+    while before < end and number < most:
+        number += 1
+        values[0] = number
+        before = clock()
+        way.row(values)
+        calls[call] = clock() - before
+        call += 1
+        if number % EVERY == 0:
+            before = clock()
+            way.cycle(number, columns)
+            calls[call] = clock() - before
+            call += 1
+        if before > due:
+            way.commit()
+            due += 1_000_000_000
+    taken = clock() - start
+    way.close()
+    return number, taken / 1e9, (clock() - start) / 1e9, calls[:call]
+
+
+def main() -> None:
+    """Print the tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=1.5)
+    parser.add_argument("--folder", type=Path, default=None, help="on the disk to be measured")
+    parser.add_argument("--rows", type=int, default=1_000_000, help="of the test of memory")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory(dir=options.folder) as name:
+        compare(Path(name), options.seconds)
+        watch_memory(Path(name), options.rows)
+        count_pages(Path(name))
+
+
+def compare(folder: Path, seconds: float) -> None:
+    """Let the ways take turns; print records per second, calls and bytes."""
+    most = int(min(80_000 * seconds, shutil.disk_usage(folder).free / 4 / (CYCLE_BYTES / EVERY)))
+    rates: dict[str, list[tuple[float, float]]] = {}
+    calls: list[NDArray[np.int64]] = []
+    amplification = 0.0
+    for _ in range(ROUNDS):
+        for name, (make, package) in WAYS.items():
+            if package and not _present(package):
+                continue
+            way = make(folder, most)
+            number, taken, synced, times = store(way, seconds, most)
+            rates.setdefault(name, []).append((number / taken, number / synced))
+            if isinstance(way, InPlace):
+                calls.append(times)
+                payload = number * ROW_BYTES + number // EVERY * CYCLE_BYTES
+                amplification = max(amplification, way.bytes_written / payload)
+                with open_test(way.path) as reader:
+                    assert reader.committed() == number
+            for path in folder.iterdir():
+                path.unlink()
+    own = np.median(rates["in place"], axis=0)
+    print(f"{'records a second (row, every tenth a whole cycle)':<48}", end="")
+    print(f"{'taken':>10}{'ratio':>8}{'on disk':>10}{'ratio':>8}")
+    for name, (_, package) in WAYS.items():
+        if name in rates:
+            rate = np.median(rates[name], axis=0)
+            pairs = zip(rate, rate / own, strict=True)
+            print(
+                f"{name:<48}" + "".join(f"{value:>10,.0f}{share:>8.3f}" for value, share in pairs)
+            )
+        else:
+            print(f"{name:<48}   skipped: {package} is not installed")
+    times = np.concatenate(calls) / 1e3
+    print(
+        f"\nin place, one call: median {np.median(times):.1f} us, 99 % {_part(times, 99)},", end=""
+    )
+    print(f" 99.9 % {_part(times, 99.9)} (goal 150 us), longest {times.max() / 1e3:.1f} ms")
+    print(f"in place, bytes written per byte of payload: {amplification:.4f} (goal 1.05)")
+
+
+def watch_memory(folder: Path, rows: int) -> None:
+    """Store rows only, committing every 20,000; print how the peak of memory grows."""
+    plan = FilePlan(rows, 0, 0, prediction=False)
+    values = np.arange(len(ROW_NAMES), dtype=np.float64)
+    with create_test(folder / "memory.h5", plan, METADATA) as writer:
+        peak = 0
+        start = time.perf_counter()
+        for number in range(1, rows + 1):
+            values[0] = number
+            writer.append_row(values)
+            if number % 20_000 == 0:
+                writer.commit()
+            if number == rows // 10:
+                peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        took = time.perf_counter() - start
+    grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - peak
+    print(f"in place, {rows:,} rows without cycles: {rows / took:,.0f} per s, ", end="")
+    print(f"peak of memory grew by {grown / 1024:.1f} MB after the first tenth")
+    (folder / "memory.h5").unlink()
+
+
+def count_pages(folder: Path) -> None:
+    """Commit single rows, as a slow test does; print what the disk has to write."""
+    commits = 30
+    with create_test(
+        folder / "slow.h5", FilePlan(1000, 0, 0, prediction=False), METADATA
+    ) as writer:
+        before, start = _disk_bytes(), time.perf_counter()
+        for number in range(commits):
+            writer.append_row(np.full(len(ROW_NAMES), float(number)))
+            writer.commit()
+        took = (time.perf_counter() - start) / commits
+    written = (_disk_bytes() - before) / commits
+    print(f"in place, a commit of one row ({ROW_BYTES} bytes): ", end="")
+    print(f"{took * 1e3:.1f} ms, {written / 1024:.0f} kB of disk pages")
+
+
+def _growing(file: h5py.File, name: str, dtype: str, chunk: int) -> h5py.Dataset:
+    return file.create_dataset(name, (0,), dtype, maxshape=(None,), chunks=(chunk,))
+
+
+def _present(package: str) -> bool:
+    return importlib.util.find_spec(package) is not None
+
+
+def _part(times: NDArray[np.float64], percent: float) -> str:
+    return f"{np.percentile(times, percent):.0f} us"
+
+
+def _disk_bytes() -> int:
+    lines = Path("/proc/self/io").read_text().splitlines()
+    return next(int(line.split()[1]) for line in lines if line.startswith("write_bytes"))
+
+
+def _sync(path: Path) -> None:
+    fd = os.open(path, os.O_RDONLY)
+    os.fsync(fd)
+    os.close(fd)
+
+
+if __name__ == "__main__":
+    main()
