@@ -1,0 +1,128 @@
+"""Say status codes and value errors of the GSV-8 in plain words (SPEC p17-21)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+STATUS_WORDS: dict[int, str] = {
+    0x00: "done",
+    0x01: "done, and other parameters changed with it",
+    0x40: "the device does not know this command",
+    0x41: "this device does not have this command",
+    0x42: "the request ended wrongly",
+    0x43: "the checksum of the request was wrong",
+    0x50: "a parameter is wrong",
+    0x51: "the index, channel or address does not exist",
+    0x52: "the value is not one of those allowed",
+    0x53: "some bits of the value are not allowed",
+    0x54: "the value is too big",
+    0x55: "the value is too small",
+    0x56: "this combination of parameters is not allowed",
+    0x57: "the value is too big for the other settings",
+    0x58: "the value is too small for the other settings",
+    0x59: "this function of the parameter is not available",
+    0x5A: "the parameters came too late (more than 200 ms)",
+    0x5B: "the number of parameters is wrong",
+    0x5C: "the value does not fit the other settings",
+    0x5D: "another function uses this hardware",
+    0x60: "there are no data",
+    0x61: "the stored data are inconsistent",
+    0x62: "the device is in the wrong state for it",
+    0x63: "the device does not support it",
+    0x64: "the data rate is too high for the other settings",
+    0x6E: "a condition for the memory is not met",
+    0x6F: "the memory denies access",
+    0x70: "access denied",
+    0x71: "writing is locked in the device; unlock it with the maker's program",
+    0x72: "a password is missing; unlock the device with the maker's program",
+    0x74: "the allowed number of executions is used up",
+    0x75: "another port (a field bus or a second program) has write access; release it there",
+    0x76: "the setting can only be read",
+    0x80: "internal fault of the device",
+    0x81: "arithmetic fault in the device",
+    0x82: "the analog-to-digital converter is faulty",
+    0x83: "the measured value is not suitable for it",
+    0x84: "the settings memory (EEPROM) is faulty",
+    0x85: "external hardware is missing",
+    0x86: "the memory card is missing or faulty",
+    0x87: "the memory card refused the access",
+    0x91: "the transmit buffer overran: measured values were lost",
+    0x92: "the device is busy",
+    0x99: "the receive buffer of the device is full",
+    0xC0: "the radio link failed",
+}
+
+
+def status_words(code: int) -> str:
+    """Return what a status code means."""
+    if 0xB0 <= code <= 0xB8:
+        return f"the sensor's memory (TEDS) cannot be used (status {code:02X})"
+    words = STATUS_WORDS.get(code, "a status that this program does not know")
+    return f"{words} (status {code:02X})"
+
+
+@dataclass(frozen=True, slots=True)
+class ValueFault:
+    """A fault of measured values as the device remembers it (command 43)."""
+
+    kind: int
+    operating_minutes: int
+    flags: int
+
+    @property
+    def words(self) -> str:
+        """Return the fault in words."""
+        return value_fault_words(self.kind, self.flags)
+
+
+def decode_value_fault(data: bytes) -> ValueFault | None:
+    """Return the fault in the six bytes of command 43, or None when there is none."""
+    bits = int.from_bytes(data[:6], "big")
+    kind = bits >> 45
+    if kind == 0:
+        return None
+    return ValueFault(kind, (bits >> 16) & 0x1FFFFFFF, bits & 0xFFFF)
+
+
+def encode_value_fault(fault: ValueFault) -> bytes:
+    """Return the six bytes of command 43."""
+    bits = fault.kind << 45 | (fault.operating_minutes & 0x1FFFFFFF) << 16 | fault.flags
+    return bits.to_bytes(6, "big")
+
+
+def value_fault_words(kind: int, flags: int) -> str:
+    """Return a value error in words, with the channels that it names."""
+    if kind == 1:
+        return f"input saturated: {_listed(_signed_channels(flags))}"
+    if kind == 2:
+        channels = [f"channel {n + 1}" for n in range(8) if flags >> n & 1]
+        return f"measured value beyond its maximum: {_listed(channels)}"
+    if kind == 3:
+        wires = [
+            f"channel {n // 2 + 1} Ud{'-' if n % 2 else '+'}" for n in range(16) if flags >> n & 1
+        ]
+        return f"sensor or its cable is broken: {_listed(wires)}"
+    if kind == 4:
+        return f"analog output: {_output_words(flags)}"
+    if kind == 5:
+        lines = [f"DIO {n + 1}" for n in range(16) if flags >> n & 1]
+        return f"short circuit of a digital line: {_listed(lines)}"
+    return f"value error of unknown kind {kind} with flags {flags:04X}"
+
+
+def _signed_channels(flags: int) -> list[str]:
+    above = [f"channel {n + 1} above its range" for n in range(8) if flags >> n & 1]
+    below = [f"channel {n + 1} below its range" for n in range(8) if flags >> (8 + n) & 1]
+    return above + below
+
+
+def _output_words(flags: int) -> str:
+    if flags == 0xFFFF:
+        return "unknown output"
+    opened = [f"current loop {n + 1} open" for n in range(8) if flags >> n & 1]
+    hot = [f"driver {n + 1} too hot" for n in range(8) if flags >> (8 + n) & 1]
+    return _listed(opened + hot)
+
+
+def _listed(parts: list[str]) -> str:
+    return ", ".join(parts) if parts else "no channel named"
