@@ -20,8 +20,9 @@ import pyqtgraph as pg
 from PySide6.QtWidgets import QApplication, QGridLayout, QWidget
 
 from rigapp.engine.columns import prediction_columns, revolution_columns
+from rigapp.gui.comparison import CURVES, compose
 from rigapp.gui.frames import Frame
-from rigapp.gui.overlay import CURVES, OverlayPanel, compose
+from rigapp.gui.overlay import OverlayPanel
 from rigapp.gui.palette import LIGHT, apply_theme
 from rigapp.gui.series import LiveData, MeasuredCycle, PredictedCycle
 from rigapp.gui.trend import TrendPanel

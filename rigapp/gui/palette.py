@@ -108,10 +108,14 @@ def measured_pen(theme: Theme, role: str) -> QPen:
     return _pen(theme.curves[role], Qt.PenStyle.SolidLine)
 
 
-def model_pen(theme: Theme, *, stale: bool = False) -> QPen:
-    """Return the pen of a predicted curve: dashed; grey when the prediction is stale."""
+def model_pen(theme: Theme, *, stale: bool = False, width: float = 1.0) -> QPen:
+    """Return the pen of a predicted curve: dashed; grey when the prediction is stale.
+
+    width: in pixels; more than one only for curves of few points.
+    """
     pen = _pen(theme.curves["frozen" if stale else "model"], Qt.PenStyle.CustomDashLine)
-    pen.setDashPattern([6.0, 5.0])
+    pen.setWidthF(width)
+    pen.setDashPattern([6.0 / width + 2.0, 4.0 / width + 2.0])
     return pen
 
 
@@ -147,6 +151,8 @@ def qt_palette(theme: Theme) -> QPalette:
         role.Highlight: theme.highlight,
         role.HighlightedText: theme.highlighted_text,
         role.Link: theme.highlight,
+        role.Light: theme.alternate,
+        role.Midlight: theme.button,
         role.Mid: theme.border,
         role.Dark: theme.border,
     }

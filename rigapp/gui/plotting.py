@@ -30,8 +30,12 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.disableAutoRange()
         self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
         self.setMinimumSize(QSize(120, 60))
+        metrics = QFontMetrics(self.font())
+        self.getPlotItem().layout.setContentsMargins(
+            0, metrics.height() // 2, metrics.horizontalAdvance("00"), 0
+        )
         self._guides: list[pg.InfiniteLine] = []
-        self.getAxis("left").setWidth(QFontMetrics(self.font()).horizontalAdvance("−0000.00") + 34)
+        self.getAxis("left").setWidth(metrics.horizontalAdvance("−00.00") + 2 * metrics.height())
         for side in ("left", "bottom"):
             self.getAxis(side).enableAutoSIPrefix(False)
         self.dress(theme)
@@ -64,6 +68,18 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._guides.append(line)
         return line
 
+    def band(self, theme: Theme) -> pg.LinearRegionItem:
+        """Add a horizontal band behind the curves, hidden until it is given a height."""
+        item = pg.LinearRegionItem(
+            (0.0, 0.0), orientation="horizontal", movable=False, brush=theme.band
+        )
+        for line in item.lines:
+            line.setPen(line_pen(theme.band))
+        item.setZValue(-20)
+        item.hide()
+        self.addItem(item, ignoreBounds=True)
+        return item
+
     def show_crank_angle(self, theme: Theme, *, label: bool = True) -> None:
         """Set the x axis to one revolution with ticks and lines at every quarter."""
         self.setXRange(0.0, 360.0, padding=0.0)
@@ -75,7 +91,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             self.label("bottom", "Crank angle (deg)")
         else:
             axis.setStyle(showValues=False)
-            axis.setHeight(10)
+            axis.setHeight(6)
         for at in (90.0, 180.0, 270.0):
             self.guide(at, horizontal=False, theme=theme)
 

@@ -23,13 +23,13 @@ from PySide6.QtWidgets import (
 from rigapp.engine.messages import Snapshot, Status
 from rigapp.gui.alarms import AlarmPanel
 from rigapp.gui.controls import ControlRow, StartBar
+from rigapp.gui.cycle import CyclePanel
 from rigapp.gui.header import Header
 from rigapp.gui.headline import STALE_TWIN_S, headline
 from rigapp.gui.help import HelpWindow
 from rigapp.gui.link import Link
 from rigapp.gui.overlay import OverlayPanel
 from rigapp.gui.palette import THEMES, Theme, apply_theme
-from rigapp.gui.probes import ProbePanel
 from rigapp.gui.session import Session
 from rigapp.gui.trend import TrendPanel
 from rigapp.gui.watchdog import Watchdog
@@ -73,11 +73,17 @@ class MainWindow(QMainWindow):
         self.overview = OverlayPanel("overview", theme)
         self.overview_trend = TrendPanel("overview", theme)
         self.overview_alarms = AlarmPanel("overview", theme)
-        self.cycle = OverlayPanel("cycle", theme)
-        self.probes = ProbePanel("cycle", theme)
+        self.overview_wear = TrendPanel("overview_wear", theme, "wear", access_keys=False)
+        self.cycle = CyclePanel(theme)
         self.trend_upper = TrendPanel("upper", theme, "force")
         self.trend_lower = TrendPanel("lower", theme, "wear", access_keys=False)
         self.alarms = AlarmPanel("all", theme)
+        self._trends = (
+            self.overview_trend,
+            self.overview_wear,
+            self.trend_upper,
+            self.trend_lower,
+        )
         self._splitters: list[QSplitter] = []
         self._build()
         self._connect()
@@ -116,14 +122,14 @@ class MainWindow(QMainWindow):
         data = self._session.data
         ratio = self._session.crank_over_follower
         stale = status is not None and status.twin_age_s > STALE_TWIN_S
-        for overlay in (self.overview, self.cycle):
-            if overlay.isVisible():
-                overlay.set_mechanism(ratio)
-                overlay.refresh(data, stale=stale)
-        if self.probes.isVisible():
-            self.probes.refresh(data)
+        if self.overview.isVisible():
+            self.overview.set_mechanism(ratio)
+            self.overview.refresh(data, stale=stale)
+        if self.cycle.isVisible():
+            self.cycle.overlay.set_mechanism(ratio)
+            self.cycle.show_newest(data, stale=stale)
         if at_once or self._ticks % TREND_EVERY == 0:
-            for trend in (self.overview_trend, self.trend_upper, self.trend_lower):
+            for trend in self._trends:
                 if trend.isVisible():
                     trend.refresh(data)
 
@@ -152,8 +158,8 @@ class MainWindow(QMainWindow):
             self.overview,
             self.overview_trend,
             self.overview_alarms,
+            self.overview_wear,
             self.cycle,
-            self.probes,
             self.trend_upper,
             self.trend_lower,
             self.alarms,
@@ -178,31 +184,38 @@ class MainWindow(QMainWindow):
 
     def _take(self, snapshot: Snapshot) -> None:
         self._session.take(snapshot)
+        for overlay in (self.overview, self.cycle.overlay):
+            overlay.set_channels(snapshot.status.channels)
         self.overview_alarms.show_alarms(snapshot.status.alarms)
         self.alarms.show_alarms(snapshot.status.alarms)
         title = snapshot.status.test or "rigapp"
         if self.windowTitle() != title:
             self.setWindowTitle(title)
 
+    def _ask_revolution(self, revolution: int) -> None:
+        def failed(error: Exception) -> None:
+            self.controls.show_answer(f"No stored revolution: {error}", good=False)
+            self.cycle.no_revolution()
+
+        self._session.ask_revolution(revolution, self.cycle.show_revolution, failed)
+
     def _build(self) -> None:
         right = self._splitter("overview_right", Qt.Orientation.Vertical)
         right.addWidget(self.overview_trend)
+        right.addWidget(self.overview_wear)
         right.addWidget(self.overview_alarms)
-        right.setSizes([500, 200])
+        right.setSizes([330, 220, 150])
         overview = self._splitter("overview_split", Qt.Orientation.Horizontal)
         overview.addWidget(self.overview)
         overview.addWidget(right)
         overview.setSizes([700, 700])
-        cycle = self._splitter("cycle_split", Qt.Orientation.Horizontal)
-        cycle.addWidget(self.cycle)
-        cycle.addWidget(self.probes)
-        cycle.setSizes([800, 600])
+        self._splitters += [self.cycle, self.cycle.right]
         trends = self._splitter("trend_split", Qt.Orientation.Vertical)
         trends.addWidget(self.trend_upper)
         trends.addWidget(self.trend_lower)
         for widget, text in (
             (overview, "1 Overview"),
-            (cycle, "2 Cycle"),
+            (self.cycle, "2 Cycle"),
             (trends, "3 Trends"),
             (self.alarms, "4 Alarms"),
         ):
@@ -243,6 +256,7 @@ class MainWindow(QMainWindow):
         self.start_bar.started.connect(partial(self.controls.send, "start"))
         for panel in (self.overview_alarms, self.alarms):
             panel.wanted.connect(self.controls.send)
+        self.cycle.revolution_wanted.connect(self._ask_revolution)
         self.tabs.currentChanged.connect(lambda _: self.draw_now())
         self.help_button.clicked.connect(self.show_help)
         self.theme_button.clicked.connect(self.switch_theme)

@@ -221,9 +221,9 @@ def test_only_what_can_be_seen_is_drawn(window: MainWindow, engine: Any, attach:
     engine.say(count=5)
     attach()
     assert window.overview.shown is not None
-    assert window.cycle.shown is None
+    assert window.cycle.overlay.shown is None
     window.tabs.setCurrentIndex(1)
-    assert window.cycle.shown is not None
+    assert window.cycle.overlay.shown is not None
 
 
 def test_the_residual_is_measured_minus_model(
@@ -238,9 +238,11 @@ def test_the_residual_is_measured_minus_model(
     middle = slice(len(residual) // 2 - 50, len(residual) // 2 + 50)
     assert residual[middle].mean() == pytest.approx(1.0, abs=0.4)
     assert shown.measured["force"][middle].mean() == pytest.approx(97.0, abs=0.4)
-    drawn = window.overview._residual["force"].getData()[1]
+    drawn = window.overview._raw_residual.getData()[1]
     assert drawn.max() == residual.max()
     assert drawn.min() == residual.min()
+    angle, means = window.overview._residual["force"].getData()
+    assert means[abs(angle - 180.0) < 20.0].mean() == pytest.approx(1.0, abs=0.3)
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
