@@ -122,15 +122,17 @@ def encode_frames(
 
     samples must be a multiple of sequences; saturated: (samples,) flags, any one marks its frame.
     """
-    payload = encode(values, layout.data_type).reshape(
-        -1, sequences * values.shape[0] * layout.data_type.width
-    )
+    objects, count = values.shape
+    width = sequences * objects * layout.data_type.width
+    payload = encode(values, layout.data_type).reshape(count // sequences, width)
     frames = np.empty((len(payload), layout.length(sequences)), dtype=np.uint8)
     frames[:, 0] = PREFIX
     frames[:, 1] = layout.header(sequences)
     frames[:, 2] = layout.third
     if saturated is not None:
-        frames[:, 2] |= saturated.reshape(-1, sequences).any(axis=1).astype(np.uint8)
+        frames[:, 2] |= (
+            saturated.reshape(count // sequences, sequences).any(axis=1).astype(np.uint8)
+        )
     frames[:, 3 : 3 + payload.shape[1]] = payload
     if layout.checksum:
         crc = crc16_of_rows(frames[:, 1:-3])

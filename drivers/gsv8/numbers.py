@@ -71,9 +71,10 @@ def encode(values: NDArray[np.generic], data_type: DataType) -> NDArray[np.uint8
 
     values: floats for float32; signed codes for the integers, made offset-binary.
     """
-    count = values.shape[1]
+    objects, count = values.shape
     if data_type is DataType.FLOAT32:
-        return values.T.astype(">f4", order="C").view(np.uint8).reshape(count, -1)
+        return values.T.astype(">f4", order="C").view(np.uint8).reshape(count, objects * 4)
     code = values.T.astype(np.int64) + (1 << (data_type.bits - 1))
-    octets = code.astype(">u4", order="C").view(np.uint8).reshape(count, -1, 4)
-    return np.ascontiguousarray(octets[:, :, 4 - data_type.width :]).reshape(count, -1)
+    octets = code.astype(">u4", order="C").view(np.uint8).reshape(count, objects, 4)
+    used = np.ascontiguousarray(octets[:, :, 4 - data_type.width :])
+    return used.reshape(count, objects * data_type.width)
