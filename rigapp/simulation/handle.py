@@ -10,6 +10,7 @@ import sys
 import tempfile
 import threading
 import time
+from collections.abc import Mapping
 from pathlib import Path
 from typing import IO, Any, Literal
 
@@ -47,9 +48,15 @@ class SimulatedRig:
         """Tell whether the process runs."""
         return self._process.poll() is None
 
-    def inject(self, kind: str, **fault: Any) -> None:
-        """Let a fault happen, keys as in a fault file; raise UnusableInput, SimulationFailed."""
-        self._obey({"fault": kind, **fault})
+    def inject(self, fault: Mapping[str, object]) -> None:
+        """Let a fault happen; raise UnusableInput, SimulationFailed.
+
+        Keys as in a fault file; its kind may also stand under ``fault``, as on the control channel.
+        """
+        message = dict(fault)
+        if "kind" in message:
+            message["fault"] = message.pop("kind")
+        self._obey(message)
 
     def clear(self, kind: str) -> None:
         """End all faults of a kind; raise SimulationFailed."""

@@ -78,7 +78,7 @@ def speed_of(text: str | None) -> float:
 
 
 def _run(options: argparse.Namespace, stack: contextlib.ExitStack) -> int:
-    stopping = _stop_on_signals()
+    stopping = _stop_on_signals(stack)
     from rigapp.simulation.constants import packaged_parameters
     from rigapp.simulation.faults import read_faults
     from rigapp.simulation.rig import RigSimulation
@@ -117,15 +117,15 @@ def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], An
     return lambda name: PtyEndpoint(folder / name)
 
 
-def _stop_on_signals() -> list[int]:
+def _stop_on_signals(stack: contextlib.ExitStack) -> list[int]:
     """Return a list that is no longer empty once SIGINT or SIGTERM came."""
     caught: list[int] = []
 
     def catch(number: int, frame: FrameType | None) -> None:
         caught.append(number)
 
-    signal.signal(signal.SIGINT, catch)
-    signal.signal(signal.SIGTERM, catch)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        stack.callback(signal.signal, number, signal.signal(number, catch))
     return caught
 
 
