@@ -275,7 +275,8 @@ class RoboClaw:
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
         """Ramp to a speed in rev/s, signed as the rig; 0 is the controlled stop.
 
-        Raises SettingRefused for a speed that may not or cannot be reached.
+        Raises SettingRefused for a speed that may not or cannot be reached, DeviceFault after the
+        watchdog has fired, until ``reset_fault`` or ``configure``.
         """
         with self._lock:
             link, request = self._link(), self._configured()
@@ -287,8 +288,15 @@ class RoboClaw:
                 )
             acceleration = min(max(1, round(ramp)), _MAXIMUM_ACCELERATION)
             command = self._of(Command.RAMP_SPEED_M1, Command.RAMP_SPEED_M2)
+            if speed and self._silence_s:
+                raise DeviceFault(
+                    self.name,
+                    self.port,
+                    f"{self._silence_words()}; reset the fault before the next start.",
+                )
+            if link.hurry.is_set():
+                raise DeviceFault(self.name, self.port, "a stop came before the speed was set.")
             self._target = speed
-            self._silence_s = 0.0
             link.write(
                 command, acceleration, speed, in_effect=lambda: self._turns_towards(link, speed)
             )
@@ -385,10 +393,7 @@ class RoboClaw:
         words = describe_status(read.state, link.generation.status_bits)
         faults = words.faults
         if self._silence_s:
-            faults += (
-                f"watchdog: the host was silent for {self._silence_s:.2f} s and the drive has "
-                "stopped the motor",
-            )
+            faults += (self._silence_words(),)
         target = self._target or 0
         setpoint = target if read.setpoint is None or self._target is None else read.setpoint
         scale = request.direction / request.counts_per_revolution
@@ -413,6 +418,12 @@ class RoboClaw:
         if self._target is not None and silence_s > self._watchdog_units * TIMEOUT_UNIT_S:
             self._off(link)
             self._silence_s = silence_s
+
+    def _silence_words(self) -> str:
+        return (
+            f"watchdog: the host was silent for {self._silence_s:.2f} s and the drive has stopped "
+            "the motor"
+        )
 
     def _check_watchdog(self, link: Link) -> None:
         (found,) = link.read(Command.GET_TIMEOUT)

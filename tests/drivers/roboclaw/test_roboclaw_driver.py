@@ -299,6 +299,9 @@ def test_a_silent_host_stops_the_spindle_and_is_told_so(
     assert any("watchdog" in fault for fault in status.faults)
     assert not status.enabled
     assert status.setpoint_rev_per_s == 0.0
+    with pytest.raises(DeviceFault, match="reset the fault"):
+        drive.set_speed(0.5, 1000.0)
+    drive.reset_fault()
     drive.set_speed(0.5, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 1800, "a new command")
     assert not drive.status().faults

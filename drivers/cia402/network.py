@@ -1,0 +1,268 @@
+"""One CANopen node on a CAN bus through python-can and canopen: frames, SDO, host heartbeat.
+
+An own thread receives, because python-can's notifier dies silently of the first exception. One
+lock serialises the SDOs. Imported when a drive is opened: both libraries are slow to import.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, Final
+
+import can
+import canopen
+from canopen.sdo import SdoClient
+
+from drivers.api import ConnectionFailed, DeviceError, DeviceLost, ReplyTimeout, SettingRefused
+from drivers.cia402.protocol import (
+    HEARTBEAT_BASE,
+    NMT_ID,
+    SDO_REPLY_BASE,
+    SDO_REQUEST_BASE,
+    Nmt,
+    NodeState,
+)
+
+TRIES: Final = 3
+_OBJECTS: Final = Path(__file__).with_name("objects.eds")
+_WAIT_S: Final = 0.05
+_SEND_S: Final = 0.2
+_JOIN_S: Final = 2.0
+_MISSING: Final = (0x0602_0000, 0x0609_0011)
+
+Taker = Callable[[bytes, int], None]
+
+
+class _Bus(canopen.Network):
+    """Let canopen's SDO client send through the node, with a time-out."""
+
+    def __init__(self, send: Callable[[int, bytes], None]) -> None:
+        super().__init__()
+        self._send = send
+
+    def send_message(self, can_id: int, data: bytes, remote: bool = False) -> None:
+        """Send one frame."""
+        self._send(can_id, bytes(data))
+
+
+class CanNode:
+    """Speak to one node. ``send`` may be called by any thread; SDOs are serialised.
+
+    ``hurry`` ends the retries of an SDO under way, so that a stop need not wait for them.
+    """
+
+    def __init__(
+        self, device: str, port: str, node_id: int, bus_options: Mapping[str, Any], timeout_s: float
+    ) -> None:
+        self.device = device
+        self.port = port
+        self.node_id = node_id
+        self.hurry = threading.Event()
+        self.bad_frames = 0
+        self.last_beat_ns = 0
+        self._bus_options = dict(bus_options)
+        self._timeout_s = timeout_s
+        self._host_id: int | None = None
+        self._bus: Any = None
+        self._thread: threading.Thread | None = None
+        self._closing = threading.Event()
+        self._failure: Exception | None = None
+        self._takers: dict[int, Taker] = {}
+        self._sending = threading.Lock()
+        self._transfer = threading.RLock()
+        self._network = _Bus(self.send)
+        self._sdo = self._client()
+
+    def _client(self) -> Any:
+        objects = canopen.import_od(str(_OBJECTS), self.node_id)
+        client = SdoClient(SDO_REQUEST_BASE + self.node_id, SDO_REPLY_BASE + self.node_id, objects)
+        client.RESPONSE_TIMEOUT = self._timeout_s
+        client.network = self._network
+        self._takers[SDO_REPLY_BASE + self.node_id] = lambda data, _: client.on_response(0, data, 0)
+        return client
+
+    # --- bus -------------------------------------------------------------------------------------
+
+    def open(self) -> None:
+        """Open the bus and start to receive; raise ConnectionFailed."""
+        try:
+            self._bus = can.Bus(**self._bus_options)
+        except Exception as error:  # each interface has errors of its own
+            interface = self._bus_options["interface"]
+            raise ConnectionFailed(
+                self.device,
+                self.port,
+                f"the CAN interface {interface} cannot be opened ({error}); check the channel's "
+                "name, the adapter and that no other program uses it.",
+            ) from error
+        name = f"{self.device} CAN receiver"
+        self._thread = threading.Thread(target=self._receive, name=name, daemon=True)
+        self._thread.start()
+
+    def listen(self, identifier: int, taker: Taker) -> None:
+        """Call taker(data, host_time_ns) in the receiving thread for frames of an identifier."""
+        self._takers[identifier] = taker
+
+    def send(self, identifier: int, data: bytes) -> None:
+        """Send one frame; raise DeviceLost."""
+        self._check()
+        message = can.Message(arbitration_id=identifier, data=data, is_extended_id=False)
+        try:
+            with self._sending:
+                self._bus.send(message, timeout=_SEND_S)
+        except Exception as error:
+            raise self._lost(error) from error
+
+    def close(self) -> None:
+        """Stop receiving and release the bus; never raises."""
+        self._closing.set()
+        thread, self._thread = self._thread, None
+        if thread is not None and thread is not threading.current_thread():
+            thread.join(_JOIN_S)
+        bus, self._bus = self._bus, None
+        if bus is not None:
+            try:
+                bus.shutdown()
+            except Exception:
+                _close_port(bus)
+
+    def _receive(self) -> None:
+        bus = self._bus
+        while not self._closing.is_set():
+            try:
+                message = bus.recv(_WAIT_S)
+            except (ValueError, IndexError):  # slcan: a line that is no frame
+                self.bad_frames += 1
+                continue
+            except Exception as error:
+                self._failure = error
+                return
+            if message is not None:
+                self._deliver(message)
+
+    def _deliver(self, message: Any) -> None:
+        if message.is_error_frame:
+            self.bad_frames += 1
+            return
+        taker = self._takers.get(message.arbitration_id)
+        if taker is not None and not message.is_remote_frame and not message.is_extended_id:
+            taker(bytes(message.data), time.monotonic_ns())
+
+    def _check(self) -> None:
+        failure = self._failure
+        if failure is not None:
+            raise self._lost(failure) from failure
+        if self._bus is None:
+            raise DeviceLost(self.device, self.port, "the CAN bus is not open.")
+
+    def _lost(self, error: Exception) -> DeviceError:
+        return DeviceLost(
+            self.device,
+            self.port,
+            f"the CAN adapter broke off ({error}); check its cable and the bus.",
+        )
+
+    # --- node ------------------------------------------------------------------------------------
+
+    def command(self, command: Nmt) -> None:
+        """Send a network management command to the node."""
+        self.send(NMT_ID, bytes((command, self.node_id)))
+
+    def start_beating(self, host_id: int) -> None:
+        """Send the host's heartbeat from now on with every ``beat`` and every SDO."""
+        self._host_id = host_id
+        self.beat()
+
+    def stop_beating(self) -> None:
+        """Send no more heartbeats."""
+        self._host_id = None
+
+    def beat(self) -> None:
+        """Send one heartbeat of the host: no thread sends it when nobody calls."""
+        if self._host_id is not None:
+            self.send(HEARTBEAT_BASE + self._host_id, bytes((NodeState.OPERATIONAL,)))
+            self.last_beat_ns = time.monotonic_ns()
+
+    # --- SDO -------------------------------------------------------------------------------------
+
+    def read(self, index: int, subindex: int = 0, tries: int = TRIES) -> int:
+        """Return a number; raise SettingRefused on an abort, ReplyTimeout, DeviceLost."""
+        variable = self._variable(index, subindex)
+        data = self._try(index, subindex, tries, lambda: self._sdo.upload(index, subindex))
+        try:
+            return int(variable.decode_raw(data))
+        except Exception as error:
+            raise self._refused(
+                index, subindex, f"was answered by {len(data)} bytes ({error})"
+            ) from error
+
+    def read_if_there(self, index: int, subindex: int = 0) -> int | None:
+        """Return a number, None when the drive has no such object."""
+        try:
+            return self.read(index, subindex)
+        except SettingRefused as refusal:
+            cause = refusal.__cause__
+            if isinstance(cause, canopen.SdoAbortedError) and cause.code in _MISSING:
+                return None
+            raise
+
+    def read_text(self, index: int) -> str:
+        """Return a text, "" when the drive has none."""
+        try:
+            data = self._try(index, 0, TRIES, lambda: self._sdo.upload(index, 0))
+        except SettingRefused:
+            return ""
+        return bytes(data).decode("ascii", "replace").rstrip("\0 ")
+
+    def write(self, index: int, value: int, subindex: int = 0, tries: int = TRIES) -> None:
+        """Set a number; errors as ``read``."""
+        data = self._variable(index, subindex).encode_raw(value)
+        self._try(index, subindex, tries, lambda: self._sdo.download(index, subindex, data))
+
+    def _variable(self, index: int, subindex: int) -> Any:
+        return self._sdo.od.get_variable(index, subindex)
+
+    def _try(self, index: int, subindex: int, tries: int, transfer: Callable[[], Any]) -> Any:
+        with self._transfer:
+            for attempt in range(1, tries + 1):
+                self._check()
+                self.beat()
+                try:
+                    return transfer()
+                except canopen.SdoAbortedError as error:
+                    raise self._refused(index, subindex, f"was refused: {error}") from error
+                except canopen.SdoCommunicationError as error:
+                    self._check()
+                    if attempt == tries or self.hurry.is_set():
+                        raise ReplyTimeout(
+                            self.device,
+                            self.port,
+                            f"node {self.node_id} did not answer object {_shown(index, subindex)} "
+                            f"in {attempt} tries of {self._timeout_s * 1e3:.0f} ms: check power, "
+                            "wiring, terminators, node id and bit rate.",
+                        ) from error
+        raise AssertionError("at least one try")
+
+    def _refused(self, index: int, subindex: int, what: str) -> SettingRefused:
+        return SettingRefused(
+            self.device,
+            self.port,
+            f"object {_shown(index, subindex)} of node {self.node_id} {what}.",
+        )
+
+
+def _shown(index: int, subindex: int) -> str:
+    return f"{index:04X}:{subindex}"
+
+
+def _close_port(bus: Any) -> None:
+    """Close the serial port of an slcan bus whose shutdown failed half-way (cable pulled)."""
+    port = getattr(bus, "serialPortOrig", None)
+    if port is not None:
+        try:
+            port.close()
+        except Exception:
+            return

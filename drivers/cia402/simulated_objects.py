@@ -1,0 +1,192 @@
+"""The object dictionary of a simulated CiA 402 drive: entries, access, abort codes."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+Key = tuple[int, int]
+
+
+class Abort(enum.IntEnum):
+    """Name the SDO abort codes in use (CiA 301)."""
+
+    TOGGLE = 0x0503_0000
+    COMMAND = 0x0504_0001
+    WRITE_ONLY = 0x0601_0001
+    READ_ONLY = 0x0601_0002
+    NO_OBJECT = 0x0602_0000
+    NOT_MAPPABLE = 0x0604_0041
+    MAPPING_TOO_LONG = 0x0604_0042
+    LENGTH = 0x0607_0010
+    NO_SUBINDEX = 0x0609_0011
+    VALUE = 0x0609_0030
+    CANNOT_STORE = 0x0800_0020
+    STATE = 0x0800_0022
+
+
+class AbortTransfer(Exception):
+    """Carry an abort code to the SDO server."""
+
+    def __init__(self, code: int) -> None:
+        super().__init__(f"abort {code:08X}")
+        self.code = code
+
+
+@dataclass(slots=True)
+class Entry:
+    """Hold one object: kind as u8, i16, u32, ... or text; access ro or rw; mappable into PDOs.
+
+    read, when set, computes the value; written, when set, judges and obeys a new value.
+    """
+
+    kind: str
+    value: int | str = 0
+    access: str = "rw"
+    mappable: bool = False
+    read: Callable[[], int] | None = None
+    written: Callable[[int], None] | None = None
+
+    @property
+    def length(self) -> int:
+        """Return the length in bytes of a number."""
+        return int(self.kind[1:]) // 8
+
+    @property
+    def signed(self) -> bool:
+        """Tell whether the number has a sign."""
+        return self.kind.startswith("i")
+
+
+class Dictionary:
+    """Read and write objects as bytes."""
+
+    def __init__(self) -> None:
+        self.entries: dict[Key, Entry] = {}
+
+    def add(self, index: int, subindex: int, entry: Entry) -> None:
+        """Add an object."""
+        self.entries[index, subindex] = entry
+
+    def number(self, index: int, subindex: int = 0) -> int:
+        """Return the present value of a number."""
+        entry = self.entries[index, subindex]
+        value = entry.value if entry.read is None else entry.read()
+        assert isinstance(value, int)
+        return value
+
+    def set(self, index: int, value: int, subindex: int = 0) -> None:
+        """Set a number from inside the drive."""
+        self.entries[index, subindex].value = value
+
+    def find(self, index: int, subindex: int) -> Entry:
+        """Return an entry; raise AbortTransfer when there is none."""
+        entry = self.entries.get((index, subindex))
+        if entry is None:
+            known = any(key[0] == index for key in self.entries)
+            raise AbortTransfer(Abort.NO_SUBINDEX if known else Abort.NO_OBJECT)
+        return entry
+
+    def read(self, index: int, subindex: int) -> bytes:
+        """Return an object's bytes, little-endian; raise AbortTransfer."""
+        entry = self.find(index, subindex)
+        if entry.kind == "text":
+            return str(entry.value).encode("ascii")
+        value = self.number(index, subindex)
+        return (value & (1 << 8 * entry.length) - 1).to_bytes(entry.length, "little")
+
+    def write(self, index: int, subindex: int, data: bytes) -> None:
+        """Take bytes from outside; raise AbortTransfer."""
+        entry = self.find(index, subindex)
+        if entry.access == "ro":
+            raise AbortTransfer(Abort.READ_ONLY)
+        if entry.kind == "text" or len(data) != entry.length:
+            raise AbortTransfer(Abort.LENGTH)
+        value = int.from_bytes(data, "little", signed=entry.signed)
+        if entry.written is not None:
+            entry.written(value)
+        entry.value = value
+
+
+PDO_COUNT: Final = 4
+PDO_ENTRIES: Final = 8
+
+
+def add_communication(objects: Dictionary, name: str) -> None:
+    """Add the objects of CiA 301 besides the PDOs."""
+    objects.add(0x1000, 0, Entry("u32", 0x0002_0192, "ro"))
+    objects.add(0x1001, 0, Entry("u8", 0, "ro", mappable=True))
+    objects.add(0x1005, 0, Entry("u32", 0x80, "ro"))
+    objects.add(0x1008, 0, Entry("text", name, "ro"))
+    for index in (0x1010, 0x1011):
+        objects.add(index, 0, Entry("u8", 1, "ro"))
+        objects.add(index, 1, Entry("u32", 1))
+    objects.add(0x1016, 0, Entry("u8", 2, "ro"))
+    objects.add(0x1016, 1, Entry("u32"))
+    objects.add(0x1016, 2, Entry("u32"))
+    objects.add(0x1017, 0, Entry("u16"))
+    objects.add(0x1029, 0, Entry("u8", 1, "ro"))
+    objects.add(0x1029, 1, Entry("u8"))
+    objects.add(0x1003, 0, Entry("u8"))
+    for subindex in range(1, PDO_ENTRIES + 1):
+        objects.add(0x1003, subindex, Entry("u32", 0, "ro"))
+
+
+def add_identity(objects: Dictionary, numbers: tuple[int, int, int, int]) -> None:
+    """Add 1018: vendor, product, revision, serial number."""
+    objects.add(0x1018, 0, Entry("u8", 4, "ro"))
+    for subindex, value in enumerate(numbers, start=1):
+        objects.add(0x1018, subindex, Entry("u32", value, "ro"))
+
+
+def add_profile(objects: Dictionary) -> None:
+    """Add the objects of CiA 402 with the defaults of the EPOS4."""
+    objects.add(0x6007, 0, Entry("i16", 3))
+    objects.add(0x603F, 0, Entry("u16", 0, "ro", mappable=True))
+    objects.add(0x6040, 0, Entry("u16", 0, mappable=True))
+    objects.add(0x6041, 0, Entry("u16", 0, "ro", mappable=True))
+    objects.add(0x605A, 0, Entry("i16", 6))
+    objects.add(0x605B, 0, Entry("i16", 0))
+    objects.add(0x605C, 0, Entry("i16", 1))
+    objects.add(0x605E, 0, Entry("i16", 2))
+    objects.add(0x6060, 0, Entry("i8", 1, mappable=True))
+    objects.add(0x6061, 0, Entry("i8", 1, "ro", mappable=True))
+    for index in (0x6064, 0x606B, 0x606C):
+        objects.add(index, 0, Entry("i32", 0, "ro", mappable=True))
+    objects.add(0x6077, 0, Entry("i16", 0, "ro", mappable=True))
+    objects.add(0x607A, 0, Entry("i32", 0, mappable=True))
+    objects.add(0x607F, 0, Entry("u32", 50000, mappable=True))
+    objects.add(0x6080, 0, Entry("u32", 50000, mappable=True))
+    for index in (0x6083, 0x6084, 0x6085):
+        objects.add(index, 0, Entry("u32", 10000, mappable=True))
+    objects.add(0x6086, 0, Entry("i16", 0))
+    objects.add(0x60A9, 0, Entry("u32", 0x00B4_4700))
+    objects.add(0x60FF, 0, Entry("i32", 0, mappable=True))
+    objects.add(0x6402, 0, Entry("u16", 1))
+    objects.add(0x6502, 0, Entry("u32", 0x3FF, "ro"))
+
+
+def add_epos(objects: Dictionary, node_id: int, encoder_pulses: int) -> None:
+    """Add the maker's objects that this program reads."""
+    objects.add(0x2000, 0, Entry("u8", node_id))
+    objects.add(0x2001, 0, Entry("u8", 0))
+    objects.add(0x2200, 0, Entry("u8", 1, "ro"))
+    objects.add(0x2200, 1, Entry("u16", 480, "ro", mappable=True))
+    objects.add(0x3001, 0, Entry("u8", 4, "ro"))
+    objects.add(0x3001, 1, Entry("u32", 12000))
+    objects.add(0x3001, 2, Entry("u32", 15000))
+    objects.add(0x3001, 3, Entry("u8", 1))
+    objects.add(0x3001, 4, Entry("u16", 40))
+    objects.add(0x3010, 0, Entry("u8", 1, "ro"))
+    objects.add(0x3010, 1, Entry("u32", encoder_pulses))
+    objects.add(0x30D1, 0, Entry("u8", 2, "ro"))
+    objects.add(0x30D1, 1, Entry("i32", 0, "ro", mappable=True))
+    objects.add(0x30D1, 2, Entry("i32", 0, "ro", mappable=True))
+    objects.add(0x30D3, 0, Entry("u8", 1, "ro"))
+    objects.add(0x30D3, 1, Entry("i32", 0, "ro", mappable=True))
+    objects.add(0x3201, 0, Entry("u8", 1, "ro"))
+    objects.add(0x3201, 1, Entry("i16", 315, "ro", mappable=True))
+    objects.add(0x3202, 0, Entry("u8", 1, "ro"))
+    objects.add(0x3202, 1, Entry("u8", 3, "ro", mappable=True))

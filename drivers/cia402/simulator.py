@@ -1,0 +1,109 @@
+"""A CiA 402 drive behind an slcan adapter at the byte level: text lines in, text lines out.
+
+Heartbeats, their supervision, SDO and PDO run on the time of the wire (``now_s``), the ramps on
+the time of the plant (``elapsed_s``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Final
+
+from drivers.api import DriveCommand, MotorState
+from drivers.cia402.protocol import RPM, VENDOR_MAXON
+from drivers.cia402.simulated_faults import FaultKind
+from drivers.cia402.simulated_node import Cia402Node, NodeOptions
+from drivers.cia402.slcan import SlcanAdapter, encode_frame
+from drivers.simulated_faults import Fault, FaultPlan
+
+_GARBLED: Final = b"t1x5zz\r"
+
+
+class Cia402Simulator:
+    """Answer as an EPOS4, or another CiA 402 drive, does; a ``drivers.api.SimulatedDrive``.
+
+    node_id and bit_rate: as set on the drive; at another bit rate of the adapter it hears nothing.
+    counts_per_revolution: of the motor's encoder after quadrature, a multiple of 4 (object 3010
+    holds a quarter of it). velocity_unit: object 60A9 at power-on. tpdo1_period_s: send TPDO1 so
+    often besides on every change; None is the EPOS4's own behaviour. vendor: a value other than
+    maxon's makes a drive with the objects of CiA 301 and CiA 402 only. faults: ``Fault`` records or
+    tables of their fields.
+    """
+
+    def __init__(
+        self,
+        *,
+        node_id: int = 1,
+        bit_rate: int = 500_000,
+        counts_per_revolution: int = 3600,
+        velocity_unit: int = RPM,
+        vendor: int = VENDOR_MAXON,
+        device_name: str = "Simulated CiA 402 drive",
+        tpdo1_period_s: float | None = None,
+        faults: Iterable[Fault[FaultKind] | Mapping[str, Any]] = (),
+    ) -> None:
+        if counts_per_revolution < 4 or counts_per_revolution % 4:
+            raise ValueError(
+                f"{counts_per_revolution} counts per revolution are not four times a whole number"
+            )
+        self._plan = FaultPlan(FaultKind, faults)
+        self._bit_rate = bit_rate
+        self._adapter = SlcanAdapter()
+        self._start_s: float | None = None
+        self.node = Cia402Node(
+            NodeOptions(
+                node_id=node_id,
+                encoder_pulses=counts_per_revolution // 4,
+                vendor=vendor,
+                name=device_name,
+                velocity_unit=velocity_unit,
+                tpdo1_period_s=tpdo1_period_s,
+            ),
+            self._plan,
+        )
+
+    def receive(self, data: bytes, now_s: float) -> bytes:
+        """Take lines from the host and return the lines that they cause."""
+        time_s = self._time(now_s)
+        frames, answers = self._adapter.receive(data)
+        for frame in frames:
+            if self._hears:
+                self.node.take(frame, time_s)
+        return answers + self._advance(time_s)
+
+    def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
+        """Advance the ramps, judge heartbeats and faults, return what drives the motor."""
+        self.node.tick(self._time(now_s))
+        return self.node.advance(elapsed_s)
+
+    def observe(self, state: MotorState) -> None:
+        """Take the motor's state for later replies."""
+        self.node.observe(state)
+
+    def emit(self, now_s: float) -> bytes:
+        """Return the lines that the drive causes by itself: heartbeat, TPDO, emergency."""
+        return self._advance(self._time(now_s))
+
+    def inject(self, kind: FaultKind | str, **data: Any) -> None:
+        """Add a fault while the simulation runs, at once unless ``start_s`` says else."""
+        self._plan.add(kind, **data)
+
+    def clear(self, kind: FaultKind | str) -> None:
+        """Take a fault away."""
+        self._plan.clear(kind)
+
+    def _time(self, now_s: float) -> float:
+        if self._start_s is None:
+            self._start_s = now_s
+        return now_s - self._start_s
+
+    @property
+    def _hears(self) -> bool:
+        return self._adapter.bit_rate in (None, self._bit_rate)
+
+    def _advance(self, time_s: float) -> bytes:
+        self.node.tick(time_s)
+        lines = b"".join(encode_frame(frame) for frame in self.node.collect(time_s))
+        if self._plan.strike(FaultKind.GARBLED_LINE, time_s, 0) is not None:
+            lines = _GARBLED + lines
+        return lines if self._adapter.is_open and self._hears else b""
