@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,7 +64,7 @@ class Revolution:
     """Carry one revolution, raw.
 
     ordinal: revolutions of the crank since the first one cut, lost ones counted.
-    values: (channels, before + samples + after), a view; the revolution itself starts at ``before``.
+    values: (channels, before + samples + after), a view; the revolution starts at ``before``.
     counts: (samples,) unwrapped counts from the index at its beginning, whole numbers, positive in
     the rig's sense. end_count: the same of the first sample after it.
     segments: (k, 2) int64, place in the revolution and device sample index of each run of samples
@@ -105,12 +106,15 @@ class Revolution:
 class Motion:
     """Show the newest motion of the crank: what interlocks and the screen look at.
 
-    count: unwrapped position; phase: counts from the index, 0 .. counts_per_revolution - 1.
+    count: unwrapped position, corrected at every index; phase: counts from the index, 0 ..
+    counts_per_revolution - 1. travel: counts turned up to the block's first and last sample, never
+    corrected, so that a lost count does not look like speed.
     standing_samples: device samples since the count last changed.
     """
 
     count: int = 0
     phase: int = 0
+    travel: tuple[int, int] = (0, 0)
     locked: bool = False
     standing_samples: int = 0
     turned_without_index: float = 0.0
@@ -190,6 +194,15 @@ class Assembler:
         self._state[S.INSIDE] = 0
         self._begin = None
         self._waiting.clear()
+
+    def flag_time_jump(self) -> None:
+        """Flag the revolution under way: device and host time have parted."""
+        self._state[S.FLAGS] |= int(Flag.TIME_JUMP)
+
+    @property
+    def ordinal(self) -> int:
+        """Return the ordinal of the revolution under way."""
+        return int(self._state[S.ORDINAL])
 
     def push(self, block: Block) -> list[Revolution]:
         """Take a Block and return the revolutions that it completes, in order."""
@@ -289,12 +302,12 @@ class Assembler:
         alive = self._fill - start
         size = max(FIRST_BUFFER, 4 * (alive + kept))
         # A new buffer instead of moving the old one: revolutions are views that may still be read.
-        grown: Values = np.empty((values.shape[0], size), values.dtype)
+        grown = np.empty((values.shape[0], size), values.dtype)
         positions = np.empty(size, np.int64)
         if alive:
             grown[:, :alive] = self._values[:, start : self._fill]
             positions[:alive] = self._positions[start : self._fill]
-        self._values, self._positions = grown, positions
+        self._values, self._positions = cast(Values, grown), positions
         self._origin, self._fill = oldest, alive
 
     def _take(self, event: NDArray[np.int64], block: Block, n: int) -> None:
@@ -322,6 +335,7 @@ class Assembler:
     def _look(self, position: NDArray[np.int64], block: Block, n: int) -> None:
         state, turn = self._state, self.encoder.counts_per_revolution
         motion = self.motion
+        motion.travel = (int(state[S.TRAVEL_FIRST]), int(state[S.TRAVEL]))
         motion.count = int(position[-1])
         motion.phase = motion.count % turn
         motion.locked = bool(state[S.LOCKED])

@@ -57,7 +57,9 @@ class S(IntEnum):
     OTHER = 25
     OTHER_VALID = 26
     PENDING_POSITION = 27
-    SIZE = 28
+    TRAVEL = 28
+    TRAVEL_FIRST = 29
+    SIZE = 30
 
 
 class P(IntEnum):
@@ -111,7 +113,7 @@ _LOCKED, _INSIDE, _PENDING, _PENDING_KEPT, _PENDING_SAMPLE = 5, 6, 7, 8, 9
 _RUN, _KEPT, _FLAGS, _LOST_COUNT, _IDLE, _ORDINAL, _HIGH = 10, 11, 12, 13, 14, 15, 16
 _ODD, _ODD_STEP, _SKIPPING, _TURN, _START_KEPT = 17, 18, 19, 20, 21
 _INDEX_EVENTS, _COUNT_ERRORS, _LAST_MOVED, _OTHER, _OTHER_VALID = 22, 23, 24, 25, 26
-_PENDING_POSITION = 27
+_PENDING_POSITION, _TRAVEL, _TRAVEL_FIRST = 27, 28, 29
 _CUT, _BEGIN, _BREAK = CUT, BEGIN, BREAK
 
 
@@ -192,6 +194,7 @@ def scan(
             state[_LOCKED] = 0 if restarts else 1
             state[_LAST_MOVED] = sample
             state[_STEP] = 0
+            state[_TRAVEL_FIRST] = state[_TRAVEL]
             position[i] = start
             keep[i] = 1
             state[_KEPT] += 1
@@ -208,11 +211,13 @@ def scan(
         seen = False
         odd = False
         other = False
+        move = step
 
         if gap:
             if restarts:
                 foreseen = mean_step[0] * (max(lost, 0) + 1)
                 step += turn * int(np.floor((foreseen - step) / turn + 0.5))
+                move = step
             now = before + step
             if state[_LOCKED] and restarts:
                 now += wrap(count - now, turn)
@@ -225,6 +230,8 @@ def scan(
             slack = min(8 + 4 * tolerance + abs(expected) // 8, turn // 4)
             allowed = 2 + tolerance + abs(expected) // 50
             odd = abs(step - expected) > slack
+            if odd:
+                move = expected
             wrapped = restarts and delta != step
             phase = wrap(count, turn) if restarts else 0
             at_zero = restarts and (
@@ -295,6 +302,7 @@ def scan(
                     state[_ODD] = 0
                 elif state[_ODD] and abs(step - state[_ODD_STEP]) <= slack:
                     now = before + step
+                    move = step
                     state[_STEP] = step
                     state[_ODD] = 0
                 else:
@@ -314,6 +322,9 @@ def scan(
         state[_PREVIOUS] = count
         state[_POSITION] = now
         state[_OTHER_VALID] = 1 if other else 0
+        state[_TRAVEL] += move
+        if i == 0:
+            state[_TRAVEL_FIRST] = state[_TRAVEL]
         state[_FLAGS] |= flags
         if seen:
             state[_HIGH] = now

@@ -1,0 +1,180 @@
+"""The alarm list, after ISA-18.2: what is wrong now, what was, and what the operator did about it.
+
+States of an alarm: *unacknowledged* and *acknowledged* while its condition holds; *returned* when
+it went away before anyone acknowledged; *latched* when it went away but must be reset; *shelved*
+for a limited time, with a reason. A normal alarm is not on the list. Shelving hides the
+annunciation only: limits and interlocks act all the same.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from rigapp.engine.causes import Cause
+from rigapp.engine.messages import Alarm, Severity
+from rigapp.engine.run import Refused
+
+LONGEST_SHELF_S = 12 * 3600.0
+
+Changed = Callable[[Alarm, str, str], None]
+"""Told of every change: the alarm, what happened, and who or what did it."""
+
+
+@dataclass(slots=True)
+class _Entry:
+    cause: Cause
+    raised_at: float
+    revolution: int
+    first_out: bool
+    active: bool = True
+    acknowledged: bool = False
+    shelved_until: float = 0.0
+
+    def state(self, now: float) -> str:
+        if self.shelved_until > now:
+            return "shelved"
+        if self.active:
+            return "acknowledged" if self.acknowledged else "unacknowledged"
+        return "latched" if self.cause.latched else "returned"
+
+    def alarm(self, now: float) -> Alarm:
+        cause = self.cause
+        return Alarm(
+            key=cause.key,
+            severity=cause.severity,
+            title=cause.title,
+            cause=cause.cause,
+            consequence=cause.consequence,
+            action=cause.action,
+            raised_at=self.raised_at,
+            revolution=self.revolution,
+            active=self.active,
+            acknowledged=self.acknowledged,
+            first_out=self.first_out,
+            state=self.state(now),
+        )
+
+
+class AlarmBook:
+    """Keep the alarm list; any thread may call it.
+
+    clock: UTC seconds. on_change: told outside the lock, in the caller's thread.
+    """
+
+    def __init__(self, clock: Callable[[], float], on_change: Changed) -> None:
+        self._clock = clock
+        self._on_change = on_change
+        self._entries: dict[str, _Entry] = {}
+        self._lock = threading.Lock()
+        self._first_out_given = False
+
+    def raise_alarm(self, cause: Cause, revolution: int = 0) -> bool:
+        """Raise an alarm, or renew its words when it is active already; True when it is new."""
+        now = self._clock()
+        with self._lock:
+            entry = self._entries.get(cause.key)
+            if entry is not None and entry.active:
+                entry.cause = cause
+                return False
+            first = cause.severity is Severity.CRITICAL and not self._first_out_given
+            self._first_out_given |= first
+            fresh = _Entry(cause, now, revolution, first)
+            if entry is not None:
+                fresh.shelved_until = entry.shelved_until
+            self._entries[cause.key] = fresh
+            alarm = fresh.alarm(now)
+        self._on_change(alarm, "raised", "engine")
+        return True
+
+    def clear(self, key: str) -> None:
+        """Take note that the condition of an alarm has gone."""
+        now = self._clock()
+        with self._lock:
+            entry = self._entries.get(key)
+            if entry is None or not entry.active:
+                return
+            entry.active = False
+            alarm = entry.alarm(now)
+            if entry.acknowledged and not entry.cause.latched and entry.shelved_until <= now:
+                del self._entries[key]
+        self._on_change(alarm, "cleared", "engine")
+
+    def acknowledge(self, key: str, operator: str) -> Alarm:
+        """Acknowledge an alarm; raise Refused when there is none of that key."""
+        now = self._clock()
+        with self._lock:
+            entry = self._find(key)
+            entry.acknowledged = True
+            alarm = entry.alarm(now)
+            if not entry.active and not entry.cause.latched:
+                del self._entries[key]
+        self._on_change(alarm, "acknowledged", operator)
+        return alarm
+
+    def shelve(self, key: str, reason: str, seconds: float, operator: str) -> Alarm:
+        """Hide an alarm for a limited time, with a reason; raise Refused."""
+        if not reason.strip():
+            raise Refused("an alarm is shelved only with a reason; say why")
+        if not 0 < seconds <= LONGEST_SHELF_S:
+            raise Refused(
+                f"an alarm can be shelved for at most {LONGEST_SHELF_S / 3600:g} h, "
+                f"not {seconds / 3600:g} h"
+            )
+        now = self._clock()
+        with self._lock:
+            entry = self._find(key)
+            entry.shelved_until = now + seconds
+            alarm = entry.alarm(now)
+        self._on_change(alarm, f"shelved for {seconds:g} s: {reason.strip()}", operator)
+        return alarm
+
+    def reset(self, operator: str) -> None:
+        """Take latched and returned alarms off the list; raise Refused while one is active
+        or not acknowledged."""
+        now = self._clock()
+        with self._lock:
+            for entry in self._entries.values():
+                if entry.cause.severity is not Severity.CRITICAL:
+                    continue
+                if entry.active:
+                    raise Refused(f'"{entry.cause.title}" is still active: {entry.cause.action}')
+                if not entry.acknowledged:
+                    raise Refused(f'"{entry.cause.title}" is not acknowledged; do that first')
+            gone = [entry.alarm(now) for entry in self._entries.values() if not entry.active]
+            self._entries = {k: e for k, e in self._entries.items() if e.active}
+            self._first_out_given = False
+        for alarm in gone:
+            self._on_change(alarm, "reset", operator)
+
+    def blocking(self) -> Alarm | None:
+        """Return a critical alarm that forbids a start, or None."""
+        now = self._clock()
+        with self._lock:
+            for entry in self._entries.values():
+                if entry.cause.severity is Severity.CRITICAL:
+                    return entry.alarm(now)
+        return None
+
+    def is_active(self, key: str) -> bool:
+        """Tell whether the condition of an alarm holds."""
+        with self._lock:
+            entry = self._entries.get(key)
+            return entry is not None and entry.active
+
+    def alarms(self) -> tuple[Alarm, ...]:
+        """Return the list: critical first, then the oldest first."""
+        now = self._clock()
+        with self._lock:
+            found = [entry.alarm(now) for entry in self._entries.values()]
+        return tuple(
+            sorted(found, key=lambda one: (one.severity is not Severity.CRITICAL, one.raised_at))
+        )
+
+    def _find(self, key: str) -> _Entry:
+        entry = self._entries.get(key)
+        if entry is None:
+            known = ", ".join(self._entries) or "none"
+            raise Refused(f'there is no alarm "{key}"; on the list are: {known}')
+        return entry

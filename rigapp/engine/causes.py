@@ -1,0 +1,282 @@
+"""The alarms that the engine can raise: cause, consequence and action in an operator's words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rigapp.engine.messages import Severity
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """Describe an alarm. latched: it stays on the list until it is reset."""
+
+    key: str
+    severity: Severity
+    title: str
+    cause: str
+    consequence: str
+    action: str
+    latched: bool = False
+
+
+def _critical(key: str, title: str, cause: str, consequence: str, action: str) -> Cause:
+    return Cause(key, Severity.CRITICAL, title, cause, consequence, action, latched=True)
+
+
+def _warning(key: str, title: str, cause: str, consequence: str, action: str) -> Cause:
+    return Cause(key, Severity.WARNING, title, cause, consequence, action)
+
+
+def overload(force_N: float, limit_N: float) -> Cause:
+    """The joint force of one sample exceeds the overload limit."""
+    return _critical(
+        "overload",
+        "Overload",
+        f"The joint force reached {force_N:.1f} N; the limit is {limit_N:g} N.",
+        "The drive was switched off to protect the load cell.",
+        "Look at joint, spring and guide; check the zero; then reset and start again.",
+    )
+
+
+def invalid_signal() -> Cause:
+    """A sample of the load cell is not a number."""
+    return _critical(
+        "invalid_signal",
+        "Load cell signal invalid",
+        "The load cell sent a value that is not a number.",
+        "The force is not known, so the drive was switched off.",
+        "Check the load cell's cable and the amplifier's input; then reset.",
+    )
+
+
+def overspeed(speed_rpm: float, limit_rpm: float, by: str) -> Cause:
+    """The crank turns faster than the limit."""
+    return _critical(
+        "overspeed",
+        "Overspeed",
+        f"The {by} shows {speed_rpm:.1f} rpm; the limit is {limit_rpm:g} rpm.",
+        "The drive was switched off.",
+        "Check the drive's tuning and its encoder; then reset and start again.",
+    )
+
+
+def stale_data(device: str, port: str, age_s: float) -> Cause:
+    """No samples came for too long."""
+    return _critical(
+        "stale_data",
+        "No data",
+        f"{device} on {port} has sent no samples for {age_s:.1f} s.",
+        "Force and angle are unknown, so the drive was switched off.",
+        "Check the cable and the power of the device; then reconnect.",
+    )
+
+
+def encoder_lost(drive_rpm: float) -> Cause:
+    """The drive says that it turns, and the count does not move."""
+    return _critical(
+        "encoder_lost",
+        "Encoder lost",
+        f"The drive reports {drive_rpm:.1f} rpm, but the crank encoder does not move.",
+        "The crank angle is unknown, so the drive was switched off.",
+        "Check the encoder's cable, its supply and its coupling; then reset.",
+    )
+
+
+def index_missed(revolutions: float) -> Cause:
+    """The index did not come."""
+    return _critical(
+        "index_missed",
+        "Encoder index missing",
+        f"The encoder counted {revolutions:.1f} revolutions without its index pulse.",
+        "Revolutions cannot be cut at the index, so the test was stopped.",
+        "Check the index line of the encoder and restarts_at_index in the rig file.",
+    )
+
+
+def count_mismatch(revolution: int) -> Cause:
+    """The count at the index is wrong."""
+    return _warning(
+        "count_mismatch",
+        "Encoder counts lost",
+        f"In revolution {revolution} the count at the index differs from a whole turn.",
+        "Angles of that revolution are uncertain; its row is flagged.",
+        "If it comes again, check the encoder's cable, shield and supply.",
+    )
+
+
+def lost_samples(device: str, samples: int) -> Cause:
+    """Samples were lost."""
+    return _warning(
+        "lost_samples",
+        "Samples lost",
+        f"{samples} samples of {device} were lost in all.",
+        "The revolutions concerned are flagged; nothing is interpolated.",
+        "Close other programs, check the USB cable, or lower the sample rate.",
+    )
+
+
+def overrun(device: str, blocks: int) -> Cause:
+    """The engine could not keep up, and data were dropped."""
+    return _warning(
+        "overrun",
+        "Engine too slow",
+        f"The queue behind {device} was full; {blocks} blocks were dropped.",
+        "The revolutions concerned are flagged as gaps.",
+        "Close other programs or lower the sample rate.",
+    )
+
+
+def time_jump(seconds: float) -> Cause:
+    """The device's clock and the host's have parted."""
+    return _warning(
+        "time_jump",
+        "Clocks parted",
+        f"The device's samples lag {seconds:.2f} s more behind this computer's clock than before.",
+        "Samples may have been lost unseen; the revolution is flagged.",
+        "Check for suspend mode and load of this computer.",
+    )
+
+
+def device_lost(device: str, port: str, sentence: str) -> Cause:
+    """A device is gone."""
+    return _critical(
+        f"device_lost:{device}",
+        f"{device} lost",
+        f"{device} on {port}: {sentence}",
+        "The test was ended and the spindle stopped.",
+        "Check cable and power, then reconnect.",
+    )
+
+
+def drive_fault(drive: str, faults: str) -> Cause:
+    """The drive reports faults."""
+    return _critical(
+        "drive_fault",
+        "Drive fault",
+        f"{drive} reports: {faults}.",
+        "The test was ended; the drive has taken or lost its power.",
+        "Remove the cause as the drive's manual says, then reset.",
+    )
+
+
+def emergency_stop(drive: str) -> Cause:
+    """The emergency stop is pressed."""
+    return _critical(
+        "emergency_stop",
+        "Emergency stop",
+        f"{drive} reports that the emergency stop is pressed.",
+        "The motor has no power; the test was ended.",
+        "Make the rig safe, release the button, then reset. Nothing restarts by itself.",
+    )
+
+
+def drive_silent(drive: str, port: str, sentence: str) -> Cause:
+    """The drive does not answer."""
+    return _critical(
+        "drive_silent",
+        "Drive does not answer",
+        f"{drive} on {port}: {sentence}",
+        "Its own watchdog stops the motor.",
+        "Check cable and power of the drive, then reconnect.",
+    )
+
+
+def drive_warning(drive: str, warnings: str) -> Cause:
+    """The drive warns."""
+    return _warning(
+        "drive_warning",
+        "Drive warning",
+        f"{drive} warns: {warnings}.",
+        "The drive may switch off by itself soon.",
+        "Look at supply, temperature and load of the drive.",
+    )
+
+
+def thread_dead(name: str, sentence: str) -> Cause:
+    """A thread of the engine died or hangs."""
+    return _critical(
+        f"thread:{name}",
+        "Internal failure",
+        f'The engine\'s part "{name}" failed: {sentence}',
+        "The test was ended and the spindle stopped; the data so far are safe.",
+        "Save the log and report it; reconnect before the next test.",
+    )
+
+
+def storage_failed(sentence: str) -> Cause:
+    """The file cannot be written."""
+    return _critical(
+        "storage",
+        "File cannot be written",
+        sentence,
+        "The test was ended; the committed revolutions are safe.",
+        "Check the disk; start again with another file.",
+    )
+
+
+def will_not_stop(sentence: str) -> Cause:
+    """The spindle could not be shown to stand."""
+    return _critical(
+        "will_not_stop",
+        "Spindle not shown to stand",
+        sentence,
+        "THE SPINDLE MAY STILL TURN.",
+        "Press the emergency stop. Do not touch the rig before the crank stands.",
+    )
+
+
+def start_failed(sentence: str) -> Cause:
+    """The set speed was not reached."""
+    return _critical(
+        "start_failed",
+        "Set speed not reached",
+        sentence,
+        "The test was stopped.",
+        "Check the mechanism for stiffness, the drive's current limit and its tuning.",
+    )
+
+
+def pause_failed(sentence: str) -> Cause:
+    """The pause angle was not reached."""
+    return _critical(
+        "pause_failed",
+        "Pause not reached",
+        sentence,
+        "The test was stopped.",
+        "Check the drive's tuning at low speed.",
+    )
+
+
+def cycles_refused(number: int) -> Cause:
+    """Whole cycles had no room."""
+    return _warning(
+        "cycles_refused",
+        "Whole cycles not kept",
+        f"{number} whole cycles had no reserved room in the file.",
+        "Their statistics are kept, their samples are not.",
+        "Plan fewer whole cycles, or a new test.",
+    )
+
+
+def rule(
+    quantity: str, severity: Severity, value: float, limit: float, above: bool, action: str
+) -> Cause:
+    """A limit of the test is exceeded."""
+    side = "above" if above else "below"
+    consequences = {
+        "none": "Nothing was done.",
+        "warn": "The test goes on.",
+        "pause": "The test pauses at the safe angle.",
+        "stop": "The test was stopped.",
+        "drive_off": "The drive was switched off.",
+    }
+    return Cause(
+        key=f"rule:{quantity}:{severity.value}:{side}",
+        severity=severity,
+        title=f"{quantity} {side} limit",
+        cause=f"{quantity} is {value:.6g}, {side} the {severity.value} limit {limit:.6g}.",
+        consequence=consequences[action],
+        action="Look at the trend of this quantity; acknowledge, or change the limit with reason.",
+        latched=severity is Severity.CRITICAL,
+    )

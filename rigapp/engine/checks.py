@@ -1,0 +1,47 @@
+"""Look at every sample of a block before anything else: the fastest of the interlocks."""
+
+from __future__ import annotations
+
+import math
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.engine.assembler import Values
+from rigapp.engine.calibrate import Calibration
+
+Array = NDArray[np.float64]
+
+_SIGNATURE = "float64({0}[::1], {0}[::1], float64[:, ::1], float64[::1])"
+
+
+def _peak(raw_1: Array, raw_2: Array, gain: Array, bias: Array) -> float:
+    largest = 0.0
+    for i in range(raw_1.shape[0]):
+        x = gain[0, 0] * raw_1[i] + gain[0, 1] * raw_2[i] + bias[0]
+        y = gain[1, 0] * raw_1[i] + gain[1, 1] * raw_2[i] + bias[1]
+        square = x * x + y * y
+        if not square <= largest:
+            if math.isnan(square):
+                return square
+            largest = square
+    return largest
+
+
+_peak_kernel = numba.njit(
+    [_SIGNATURE.format("float32"), _SIGNATURE.format("int32")], cache=True, nogil=True
+)(_peak)
+
+
+class PeakForce:
+    """Find the largest joint force of a block, from the samples as they came."""
+
+    def __init__(self, calibration: Calibration) -> None:
+        self._rows = calibration.rows
+        self._gain, self._bias = calibration.gains()
+
+    def of(self, values: Values) -> float:
+        """Return the largest |F| of a block in N; NaN when a sample is not a number."""
+        square = _peak_kernel(values[self._rows[0]], values[self._rows[1]], self._gain, self._bias)
+        return math.sqrt(square) if not math.isnan(square) else math.nan

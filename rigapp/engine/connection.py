@@ -1,0 +1,317 @@
+"""The threads between the devices and the file, from connect to disconnect.
+
+=============  ===================================================================================
+thread         does
+=============  ===================================================================================
+``read NAME``  blocks on one data source and queues its Blocks; never calculates
+``process``    overload, assemble, calibrate, reduce, limits, store, publish
+``commit``     makes the file safe about once a second, and finishes it
+``drive``      polls the drive and so feeds its watchdog, while all others are well; stops it
+``supervise``  looks at all of them, at the age of the data and at the time a stop takes
+=============  ===================================================================================
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from drivers.api import Block, DataOverrun, DeviceError, DeviceLost, StreamSetup
+from rigapp.engine import causes
+from rigapp.engine.calibrate import Calibration
+from rigapp.engine.core import Core
+from rigapp.engine.devices import Devices
+from rigapp.engine.driving import SpindleControl
+from rigapp.engine.guard import Guard
+from rigapp.engine.messages import FinishReason, RevolutionMeasured, RunState
+from rigapp.engine.processing import Processor
+from rigapp.engine.run import ACTIVE, TURNING, Ending, Trigger
+from rigapp.engine.sequences import Do, Seen
+from rigapp.engine.supervisor import Supervisor
+from rigapp.engine.threads import BlockQueue, Worker
+
+SMALLEST_QUEUE = 16384
+
+
+class Connection:
+    """Open devices with their threads."""
+
+    def __init__(
+        self,
+        core: Core,
+        devices: Devices,
+        setup: StreamSetup,
+        calibration: Calibration,
+        on_measured: Callable[[RevolutionMeasured], None] | None,
+    ) -> None:
+        self.core = core
+        self.devices = devices
+        self.setup = setup
+        timing = core.timing
+        simulated = core.rig.record.simulation is not None
+        self.guard = Guard(core, self, on_measured)
+        self.processor = Processor(
+            calibration, self.guard, lambda: core.limits.overload_N, real_time=not simulated
+        )
+        held = timing.queue if not simulated else 1.0
+        self.queue = BlockQueue(
+            max(SMALLEST_QUEUE, round(held * setup.sample_rate_Hz)), wait=simulated
+        )
+        self.control = SpindleControl(devices.spindle, timing, self._look, self.slow)
+        core.control = self.control
+        self.received_s = time.monotonic()
+        self.source_errors = 0
+        self.last_source_error = ""
+        self._pending: Block | None = None
+        self._overrun = False
+        self._turning_blind_since: float | None = None
+        self._drive_polled_s = 0.0
+        silence = timing.silence
+        self.reader = Worker(f"read {devices.source.name}", self._read, self._died, silence)
+        self.process = Worker("process", self._process, self._died, silence)
+        self.commit = Worker("commit", self._commit, self._died, timing.silence_commit)
+        self.drive = Worker("drive", self._drive, self._died, silence)
+        self.supervisor = Supervisor(core, self)
+        self.supervise = Worker("supervise", self.supervisor.step, self._died, silence)
+        self.workers = (self.reader, self.process, self.commit, self.drive, self.supervise)
+
+    # --- life ------------------------------------------------------------------------------------
+
+    def start(self) -> None:
+        """Start the stream and the threads; raise DeviceError."""
+        self.devices.source.start()
+        self.received_s = time.monotonic()
+        for worker in self.workers:
+            worker.start()
+
+    def close(self, timeout_s: float = 5.0) -> tuple[str, ...]:
+        """Stop the motor, end the threads, release the devices; return threads that hang."""
+        self.control.stop_now(off=True)
+        for worker in reversed(self.workers):
+            worker.halt()
+        deadline = time.monotonic() + timeout_s
+        hanging = [
+            worker.name
+            for worker in self.workers
+            if not worker.join(max(0.0, deadline - time.monotonic()))
+        ]
+        try:
+            self.devices.source.stop()
+        except DeviceError as error:
+            self.last_source_error = error.sentence
+        self.devices.close()
+        return tuple(hanging)
+
+    # --- read ------------------------------------------------------------------------------------
+
+    def _read(self) -> None:
+        block = self._pending
+        if block is None:
+            try:
+                block = self.devices.source.read(self.core.timing.read)
+            except DataOverrun as error:
+                self._note(error)
+                self.core.warn(causes.lost_samples(error.device, 0))
+                return
+            except DeviceError as error:
+                self._note(error)
+                self._lost_device(error)
+                self.reader.halt()
+                return
+            if block is None:
+                return
+            self.received_s = time.monotonic()
+        if self.queue.put(block, 0.1):
+            self._pending = None
+        elif self.core.rig.record.simulation is not None:
+            self._pending = block
+        else:
+            self._overrun = True
+            self.core.warn(causes.overrun(block.device, self.queue.refused_blocks))
+
+    def _note(self, error: DeviceError) -> None:
+        self.source_errors += 1
+        self.last_source_error = error.sentence
+
+    def _lost_device(self, error: DeviceError) -> None:
+        if self.reader.halting:
+            return
+        cause = causes.device_lost(error.device, error.port, error.sentence)
+        sentence = f"{error.device} on {error.port}: {error.sentence}"
+        self.core.trip(Ending(FinishReason.DEVICE, sentence), cause)
+
+    # --- process ---------------------------------------------------------------------------------
+
+    def _process(self) -> None:
+        block = self.queue.get(0.1)
+        if block is None:
+            return
+        self.processor.handle(block)
+        if self._overrun and self.queue.samples == 0:
+            self._overrun = False
+            self.core.alarms.clear("overrun")
+
+    # --- commit ----------------------------------------------------------------------------------
+
+    def _commit(self) -> None:
+        core = self.core
+        deadline = time.monotonic() + core.timing.commit
+        while time.monotonic() < deadline and not self.commit.halting:
+            if core.finish_due:
+                core.finish()
+                return
+            self.commit.pause(min(0.02, core.timing.commit))
+            self.commit.beat()
+        core.commit()
+
+    # --- drive -----------------------------------------------------------------------------------
+
+    def _drive(self) -> None:
+        core, control, timing = self.core, self.control, self.core.timing
+        now = time.monotonic()
+        busy = control.busy
+        due = now - self._drive_polled_s >= (min(0.02, timing.poll) if busy else timing.poll)
+        stands = core.state not in TURNING
+        if due and (stands or core.state is RunState.STOPPING or self.all_well()):
+            self._drive_polled_s = now
+            self._watch_drive()
+        do = control.step()
+        self.follow(do)
+        self.drive.pause(timing.aim if busy else min(0.02, timing.poll))
+
+    def all_well(self) -> bool:
+        """Tell whether the drive's watchdog may be fed: threads well and data fresh."""
+        others = (self.reader, self.process, self.commit, self.supervise)
+        age = time.monotonic() - self.received_s
+        return all(one.well for one in others) and age < self.core.limits.stale_data_s
+
+    def _watch_drive(self) -> None:
+        core, control = self.core, self.control
+        spindle = self.devices.spindle
+        status = control.poll()
+        if status is None:
+            error = control.last_error
+            silent = time.monotonic() - control.answered_s
+            if (
+                isinstance(error, DeviceLost)
+                or silent > self.devices.drive_request.watchdog_timeout_s
+            ):
+                sentence = error.sentence if error is not None else "it does not answer"
+                cause = causes.drive_silent(spindle.name, spindle.port, sentence)
+                text = f"{spindle.name} on {spindle.port}: {sentence}"
+                core.trip(Ending(FinishReason.DEVICE, text), cause)
+            return
+        rpm = status.speed_rev_per_s * 60.0
+        if status.emergency_stop:
+            cause = causes.emergency_stop(spindle.name)
+            core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
+        else:
+            core.alarms.clear("emergency_stop")
+        if status.faults:
+            cause = causes.drive_fault(spindle.name, ", ".join(status.faults))
+            core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
+        elif not status.emergency_stop:
+            core.alarms.clear("drive_fault")
+        if status.warnings:
+            core.warn(causes.drive_warning(spindle.name, ", ".join(status.warnings)))
+        else:
+            core.alarms.clear("drive_warning")
+        limit = core.limits.overspeed_rpm
+        if core.state in TURNING and abs(rpm) > limit:
+            cause = causes.overspeed(rpm, limit, "drive")
+            core.trip(Ending(FinishReason.LIMIT, cause.cause, off=True), cause)
+        self._watch_encoder(rpm)
+
+    def _watch_encoder(self, rpm: float) -> None:
+        core, session = self.core, self.core.session
+        blind = (
+            session is not None
+            and core.state in (RunState.STARTING, RunState.RUNNING)
+            and abs(rpm) > max(1.0, 0.05 * session.target_rpm)
+            and self.processor.motion.standing(core.timing.standing)
+        )
+        now = time.monotonic()
+        if not blind:
+            self._turning_blind_since = None
+            core.alarms.clear("encoder_lost")
+        elif self._turning_blind_since is None:
+            self._turning_blind_since = now
+        elif now - self._turning_blind_since > 2 * core.timing.standing:
+            cause = causes.encoder_lost(rpm)
+            core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
+
+    def follow(self, do: Do) -> None:
+        core, control = self.core, self.control
+        stop = control.stopping
+        if stop is None:
+            if do is Do.STANDING:
+                angle = self.processor.motion.angle_deg(time.monotonic())
+                where = f"at {angle:.1f} deg" if angle is not None else "at an unknown angle"
+                core.fire_if(Trigger.STANDING, f"paused {where}")
+            elif do is Do.GIVE_UP:
+                cause = causes.pause_failed("The spindle did not come to rest for the pause.")
+                core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
+            return
+        if do is Do.STANDING:
+            core.stood(stop.witnesses, stop.escalated)
+        elif do is Do.GIVE_UP:
+            core.will_not_stop(
+                f"The stop was commanded, the power was cut, and still the spindle is not seen to "
+                f"stand (asked: {stop.witnesses})."
+            )
+
+    def begin_test(self) -> None:
+        """Let the revolutions from the next index on belong to the test."""
+        self.processor.begin_test()
+
+    def pause(self, reason: str) -> None:
+        """Begin to pause at the safe angle, when the state allows it."""
+        session = self.core.session
+        if session is not None and self.core.fire_if(Trigger.PAUSE, reason):
+            self.control.pause_at(session.test.record.run.pause_angle_deg)
+
+    # --- what the crank encoder shows -------------------------------------------------------------
+
+    def data_age_s(self) -> float:
+        """Return the seconds since the last samples came."""
+        return time.monotonic() - self.received_s
+
+    def _look(self, drive_rpm: float | None) -> Seen:
+        now = time.monotonic()
+        motion = self.processor.motion
+        newest = motion.newest()
+        fresh = (
+            newest is not None
+            and now - newest.host_s < max(0.5, 2 * self.core.timing.standing)
+            and self.process.well
+        )
+        if newest is None or not fresh:
+            return Seen(now, drive_rpm, None, None, drive_s=self.control.answered_s)
+        rpm = motion.speed_rpm()
+        return Seen(
+            now_s=now,
+            drive_rpm=drive_rpm,
+            encoder_rpm=rpm,
+            encoder_stands=motion.standing(self.core.timing.standing),
+            angle_deg=motion.angle_deg(now),
+            deg_per_s=rpm * 6.0 * motion.pace(),
+            drive_s=self.control.answered_s,
+            encoder_s=newest.host_s,
+        )
+
+    def slow(self) -> float:
+        """Return how many times slower than real time the rig runs, 1 for a real one."""
+        if self.core.rig.record.simulation is None:
+            return 1.0
+        return 1.0 / min(1.0, max(0.02, self.processor.motion.pace()))
+
+    # --- death -----------------------------------------------------------------------------------
+
+    def _died(self, worker: Worker, error: BaseException) -> None:
+        """Bring the rig into a safe state: a thread has died."""
+        sentence = f"{type(error).__name__}: {error}"
+        cause = causes.thread_dead(worker.name, sentence)
+        text = f"The engine's thread {worker.name!r} died ({sentence})."
+        self.core.trip(Ending(FinishReason.INTERNAL, text), cause)
+        if self.core.state in ACTIVE and worker is self.drive:
+            self.control.stop_now(off=True)

@@ -1,0 +1,323 @@
+"""What the engine's threads share: state, the test under way, alarms, and the way to end a test.
+
+Lock order: the core's lock is never held while a device, a file or a viewer is called.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rigapp.config.loading import Document
+from rigapp.config.recipe import LimitsSection, TestFile
+from rigapp.config.rig import RigFile
+from rigapp.engine import causes
+from rigapp.engine.alarms import AlarmBook
+from rigapp.engine.causes import Cause
+from rigapp.engine.columns import prediction_columns, revolution_columns
+from rigapp.engine.driving import SpindleControl
+from rigapp.engine.messages import Alarm, Event, FinishReason, Prediction, RunState
+from rigapp.engine.publish import (
+    AlarmChanged,
+    Committed,
+    Finished,
+    Publisher,
+    StateChanged,
+)
+from rigapp.engine.recorder import Recorder
+from rigapp.engine.run import ACTIVE, Ending, Refused, Trigger, allowed, transition
+from rigapp.engine.testrun import TestRun
+from rigapp.engine.timing import Timing
+
+
+@dataclass(slots=True, eq=False)
+class Session:
+    """One test under way, or the last one. steady_from: ordinal of the first whole revolution at
+    the set speed, None while the speed changes."""
+
+    test: Document[TestFile]
+    path: Path
+    run: TestRun
+    recorder: Recorder
+    limits: LimitsSection
+    operator: str
+    started_at: float
+    deadline_s: float
+    steady_from: int | None = None
+    ending: Ending | None = None
+    fault_sentence: str = ""
+    off: bool = False
+    stopping_since: float = 0.0
+    stood: bool = False
+    finished: bool = False
+    outcome: Finished | None = None
+    prediction: Prediction | None = None
+    prediction_at: float = 0.0
+    committed: int = -1
+    cycles_refused: int = 0
+    finishing: threading.Lock = field(default_factory=threading.Lock)
+
+    @property
+    def target_rpm(self) -> float:
+        """Return the set speed."""
+        return self.test.record.run.speed_rpm
+
+
+class Core:
+    """The shared heart of the engine; any thread may call it."""
+
+    def __init__(self, rig: Document[RigFile], timing: Timing) -> None:
+        self.rig = rig
+        self.timing = timing
+        self.alarms = AlarmBook(time.time, self._alarm_changed)
+        self.publisher = Publisher(len(revolution_columns()), len(prediction_columns()))
+        self.session: Session | None = None
+        self.control: SpindleControl | None = None
+        self.anchor = (time.monotonic_ns(), time.time())
+        self._no_limits = LimitsSection()
+        self._state = RunState.IDLE
+        self._reason = ""
+        self._changed = threading.Condition()
+
+    # --- state -----------------------------------------------------------------------------------
+
+    @property
+    def state(self) -> RunState:
+        """Return the present state."""
+        return self._state
+
+    @property
+    def reason(self) -> str:
+        """Return the sentence that goes with the state."""
+        return self._reason
+
+    def fire(self, trigger: Trigger, reason: str = "") -> RunState:
+        """Carry out a transition and tell everyone; raise Refused."""
+        with self._changed:
+            state = self._set(transition(self._state, trigger), reason)
+        self._announce(state, reason)
+        return state
+
+    def fire_if(self, trigger: Trigger, reason: str = "", only: Iterable[RunState] = ()) -> bool:
+        """Carry out a transition when it is possible (and the state is one of ``only``)."""
+        with self._changed:
+            if not allowed(self._state, trigger) or (only and self._state not in set(only)):
+                return False
+            state = self._set(transition(self._state, trigger), reason)
+        self._announce(state, reason)
+        return True
+
+    def wait(self, until: Iterable[RunState], timeout_s: float) -> RunState:
+        """Wait for one of some states; raise TimeoutError that names what it waited for."""
+        wanted = frozenset(until)
+        with self._changed:
+            if not self._changed.wait_for(lambda: self._state in wanted, timeout_s):
+                names = " or ".join(sorted(wanted))
+                raise TimeoutError(
+                    f"the engine is still {self._state.value} after {timeout_s:g} s of waiting "
+                    f"for {names}"
+                )
+            return self._state
+
+    def _set(self, state: RunState, reason: str) -> RunState:
+        self._state = state
+        self._reason = reason
+        self._changed.notify_all()
+        return state
+
+    def _announce(self, state: RunState, reason: str) -> None:
+        self.publisher.notice(StateChanged(state, reason))
+        self.event("state", "engine", reason or f"the run is {state.value}", after=state.value)
+
+    # --- events and alarms -----------------------------------------------------------------------
+
+    @property
+    def revolution(self) -> int:
+        """Return the number of the last revolution recorded."""
+        return self.session.run.number if self.session is not None else 0
+
+    @property
+    def limits(self) -> LimitsSection:
+        """Return the limits in force: those of the test, or the defaults without one."""
+        return self.session.limits if self.session is not None else self._no_limits
+
+    def event(self, kind: str, source: str, text: str, before: str = "", after: str = "") -> None:
+        """Write to the log of the test under way and show it to every viewer."""
+        event = Event(time.time(), self.revolution, kind, source, text, before, after)
+        session = self.session
+        if session is not None:
+            try:
+                session.recorder.event(event)
+            except Exception as error:
+                self.storage_failed(error)
+        self.publisher.event(event)
+
+    def gap(self, text: str) -> None:
+        """Write an interruption of the data to the log, and count it."""
+        event = Event(time.time(), self.revolution, "gap", "engine", text)
+        if self.session is not None:
+            self.session.recorder.gap(event)
+        self.publisher.event(event)
+
+    def _alarm_changed(self, alarm: Alarm, what: str, who: str) -> None:
+        self.publisher.notice(AlarmChanged(alarm))
+        self.event("alarm", who, f"{alarm.title}: {what}. {alarm.cause}", after=alarm.state)
+
+    def warn(self, cause: Cause) -> None:
+        """Raise an alarm that does nothing else."""
+        self.alarms.raise_alarm(cause, self.revolution)
+
+    # --- ending a test ---------------------------------------------------------------------------
+
+    def trip(self, ending: Ending, cause: Cause | None = None) -> bool:
+        """End the test under way: the drive is commanded before this returns. True for the first.
+
+        Without a test, a fault leads to the state fault and the power is taken off.
+        """
+        first, command = False, False
+        announce: RunState | None = None
+        with self._changed:
+            session = self.session
+            if self._state in ACTIVE and session is not None:
+                first = session.ending is None
+                if first:
+                    session.ending = ending
+                    session.stopping_since = time.monotonic()
+                    announce = self._set(transition(self._state, Trigger.STOP), ending.sentence)
+                elif session.ending is not None and ending.fault > session.ending.fault:
+                    session.fault_sentence = session.fault_sentence or ending.sentence
+                command = first or (ending.off and not session.off)
+                session.off |= ending.off
+            elif (
+                ending.fault
+                and self._state is not RunState.FAULT
+                and allowed(self._state, Trigger.FAILED)
+            ):
+                announce = self._set(RunState.FAULT, ending.sentence)
+                command = True
+        control = self.control
+        if command and control is not None:
+            control.stop_now(off=ending.off or session is None or session.ending is None)
+        if cause is not None:
+            self.alarms.raise_alarm(cause, self.revolution)
+        if announce is not None:
+            self._announce(announce, ending.sentence)
+        return first
+
+    def storage_failed(self, error: BaseException) -> None:
+        """End the test because its file cannot be written."""
+        session = self.session
+        name = str(session.path) if session is not None else "the file"
+        sentence = str(error) if name in str(error) else f"{name}: {error}"
+        if self.alarms.is_active("storage"):
+            return
+        self.trip(Ending(FinishReason.STORAGE, sentence), causes.storage_failed(sentence))
+
+    def stood(self, witnesses: str, escalated: bool) -> None:
+        """Take note that the spindle stands without power; the file can be finished."""
+        session = self.session
+        if session is None or session.stood:
+            return
+        how = "after the power was cut" if escalated else "without power"
+        self.event("stopped", "drive", f"the spindle stands {how}; seen by {witnesses}")
+        session.stood = True
+
+    def will_not_stop(self, sentence: str) -> None:
+        """Take note that the spindle could not be shown to stand."""
+        session = self.session
+        self.alarms.raise_alarm(causes.will_not_stop(sentence), self.revolution)
+        if session is None or session.stood:
+            return
+        session.fault_sentence = session.fault_sentence or sentence
+        session.stood = True
+
+    # --- the file --------------------------------------------------------------------------------
+
+    def commit(self) -> None:
+        """Make the rows so far safe and announce them."""
+        session = self.session
+        if session is None or session.finished:
+            return
+        try:
+            safe = session.recorder.commit()
+        except Exception as error:
+            self.storage_failed(error)
+            return
+        if safe != session.committed:
+            session.committed = safe
+            self.publisher.notice(Committed(safe))
+        refused = session.recorder.cycles_refused
+        if refused != session.cycles_refused:
+            session.cycles_refused = refused
+            self.warn(causes.cycles_refused(refused))
+
+    @property
+    def finish_due(self) -> bool:
+        """Tell whether a test waits for its file to be finished."""
+        session = self.session
+        return session is not None and session.stood and not session.finished
+
+    def finish(self) -> None:
+        """Finish the file of a test whose spindle stands, and reach stopped or fault."""
+        session = self.session
+        if session is None or not session.stood:
+            return
+        with session.finishing:
+            if session.finished:
+                return
+            ending = session.ending or Ending(FinishReason.INTERNAL, "the test ended by itself")
+            ending = self._close_file(session, ending)
+            fault = ending.fault or bool(session.fault_sentence)
+            sentence = ending.sentence
+            if session.fault_sentence and session.fault_sentence not in sentence:
+                sentence = f"{sentence} Then: {session.fault_sentence}"
+            rows = session.recorder.committed
+            session.finished = True
+            if rows != session.committed:
+                session.committed = rows
+                self.publisher.notice(Committed(rows))
+            outcome = Finished(ending.code, sentence, ending.status, rows, str(session.path))
+            session.outcome = outcome
+        self.fire_if(Trigger.FAILED if fault else Trigger.ENDED, sentence)
+        self.publisher.notice(outcome)
+
+    def _close_file(self, session: Session, ending: Ending) -> Ending:
+        recorder = session.recorder
+        if ending.code is FinishReason.STORAGE:
+            try:
+                recorder.finish(ending.status, ending.code.value, ending.sentence)
+            except Exception:
+                recorder.abandon()
+            return ending
+        try:
+            recorder.finish(ending.status, ending.code.value, ending.sentence)
+        except Exception as error:
+            recorder.abandon()
+            sentence = f"{ending.sentence} The file could not be finished: {error}"
+            self.alarms.raise_alarm(causes.storage_failed(sentence), self.revolution)
+            return Ending(FinishReason.STORAGE, sentence)
+        return ending
+
+    # --- time ------------------------------------------------------------------------------------
+
+    def utc(self, host_time_ns: int, later_s: float) -> float:
+        """Return UTC seconds of a monotonic time, less ``later_s`` in a rig in real time."""
+        ns, seconds = self.anchor
+        if self.rig.record.simulation is not None:
+            later_s = 0.0
+        return seconds + (host_time_ns - ns) * 1e-9 - later_s
+
+    def anchor_time(self) -> float:
+        """Tie the monotonic clock to UTC anew; return the seconds by which UTC has jumped."""
+        now = (time.monotonic_ns(), time.time())
+        jump = now[1] - self.utc(now[0], 0.0)
+        self.anchor = now
+        return jump
+
+    def require(self, condition: bool, sentence: str) -> None:
+        """Raise Refused unless a condition holds."""
+        if not condition:
+            raise Refused(sentence)

@@ -1,0 +1,531 @@
+"""Run tests on a rig: the one object that a service, a command line or a script talks to.
+
+Every public method may be called from any thread. A command returns when it is accepted, not when
+it is carried out; ``wait`` waits for a state. A command that means nothing now raises ``Refused``;
+one with unusable words raises ``UnusableInput``; one that a device fails raises ``DeviceError``.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from drivers.api import DeviceError
+from drivers.registry import load_driver
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document
+from rigapp.config.recipe import LimitsSection, TestFile
+from rigapp.config.rig import RigFile
+from rigapp.engine import causes
+from rigapp.engine.calibrate import calibration_of
+from rigapp.engine.connection import Connection
+from rigapp.engine.core import Core, Session
+from rigapp.engine.devices import LoadDriver, make_devices
+from rigapp.engine.driving import Ramp
+from rigapp.engine.limits import RuleMonitor
+from rigapp.engine.messages import (
+    FinishReason,
+    Prediction,
+    RevolutionMeasured,
+    RunState,
+    Snapshot,
+    Status,
+)
+from rigapp.engine.publish import Finished, NoticeStream, Subscription
+from rigapp.engine.recorder import Recorder
+from rigapp.engine.run import ACTIVE, ENDED, Ending, Refused, Trigger, transition
+from rigapp.engine.schedule import Schedule
+from rigapp.engine.store import OpenRequest, OpenStore, open_file
+from rigapp.engine.testrun import TestRun
+from rigapp.engine.timing import Timing
+from rigapp.engine.views import build_status
+
+FEWEST_SAMPLES = 16
+"""Samples that a revolution must have at least."""
+
+CHANNEL_PAIRS = {"load_cell": (0, 1), "probes": (2, 3)}
+
+
+class Engine:
+    """Conduct a rig.
+
+    rig: the rig file as read. ports: device name -> port in place of the rig file's (the simulated
+    rig's). load: finds drivers by name. open_store: makes the test file. on_measured: told of every
+    sound revolution, in the processing thread; must return at once.
+    """
+
+    def __init__(
+        self,
+        rig: Document[RigFile],
+        *,
+        ports: Mapping[str, str] | None = None,
+        load: LoadDriver = load_driver,
+        open_store: OpenStore = open_file,
+        timing: Timing | None = None,
+        on_measured: Callable[[RevolutionMeasured], None] | None = None,
+    ) -> None:
+        self._core = Core(rig, timing or Timing())
+        self._ports = dict(ports or {})
+        self._load = load
+        self._open_store = open_store
+        self._on_measured = on_measured
+        self._connection: Connection | None = None
+        self._command = threading.Lock()
+        self._operator = ""
+
+    # --- connection ------------------------------------------------------------------------------
+
+    def connect(self, ports: Mapping[str, str] | None = None) -> None:
+        """Open and configure the devices and begin to read; blocks until ready.
+
+        From idle, ready, stopped or fault (then it is a reconnection). Raises UnusableInput,
+        DeviceError or Refused; after the first two the state is fault.
+        """
+        with self._command:
+            if ports is not None:
+                self._ports = dict(ports)
+            self._core.fire(Trigger.CONNECT)
+            self._release()
+            try:
+                self._connection = self._open()
+            except BaseException as error:
+                self._core.fire_if(Trigger.FAILED, str(error))
+                if isinstance(error, DeviceError):
+                    cause = causes.device_lost(error.device, error.port, error.sentence)
+                    self._core.warn(cause)
+                raise
+            self._clear_connection_alarms()
+            self._core.fire_if(Trigger.CONNECTED)
+
+    def reconnect(self) -> None:
+        """Close and open the devices again; as ``connect``."""
+        self.connect()
+
+    def _open(self) -> Connection:
+        core = self._core
+        devices = make_devices(core.rig.record, self._ports, self._load)
+        setup = devices.open()
+        try:
+            calibration = calibration_of(core.rig.record, setup)
+            connection = Connection(core, devices, setup, calibration, self._on_measured)
+            connection.start()
+        except BaseException:
+            core.control = None
+            devices.close()
+            raise
+        return connection
+
+    def _release(self) -> None:
+        connection, self._connection = self._connection, None
+        if connection is None:
+            return
+        hanging = connection.close()
+        self._core.control = None
+        for name in hanging:
+            self._core.warn(causes.thread_dead(name, "it does not end"))
+
+    def _clear_connection_alarms(self) -> None:
+        for alarm in self._core.alarms.alarms():
+            if alarm.key.startswith(("device_lost:", "thread:")) or alarm.key in (
+                "stale_data",
+                "drive_silent",
+                "storage",
+            ):
+                self._core.alarms.clear(alarm.key)
+
+    def shutdown(self, timeout_s: float = 60.0) -> None:
+        """Stop a test under way, finish its file, release the devices. Safe to call twice."""
+        if self._core.state in ACTIVE:
+            self._core.trip(
+                Ending(FinishReason.OPERATOR, "The engine was shut down during the test.")
+            )
+            self._core.wait((RunState.STOPPED, RunState.FAULT), timeout_s)
+        with self._command:
+            self._release()
+            self._core.fire_if(Trigger.DISCONNECT)
+
+    # --- a test ----------------------------------------------------------------------------------
+
+    def start(
+        self,
+        test: Document[TestFile],
+        path: Path,
+        *,
+        operator: str = "",
+        resume: bool = False,
+    ) -> None:
+        """Make the file of a test (or reopen it: ``resume``) and start to turn.
+
+        Raises Refused, UnusableInput (the test contradicts the rig, the file cannot be made) or
+        DeviceError (the drive refuses); the spindle does not turn then.
+        """
+        with self._command:
+            core, connection = self._core, self._connection
+            transition(core.state, Trigger.START)
+            if connection is None:
+                raise Refused("no devices are connected; connect first")
+            self._operator = operator
+            monitor = self._check_start(test.record, connection)
+            session = self._open_session(test, path, operator, resume, monitor, connection)
+            core.publisher.restart(session.recorder.rows)
+            core.session = session
+            run = test.record.run
+            connection.control.arm(Ramp(run.speed_rpm, run.acceleration_rpm_per_s))
+            try:
+                core.fire(Trigger.START, f"started by {operator}" if operator else "")
+            except Refused as error:
+                session.finished = True
+                session.recorder.finish("fault", FinishReason.DEVICE.value, str(error))
+                raise
+            connection.begin_test()
+            try:
+                connection.control.run()
+            except DeviceError as error:
+                core.trip(Ending(FinishReason.DEVICE, str(error)))
+                raise
+
+    def _check_start(self, test: TestFile, connection: Connection) -> RuleMonitor:
+        core, run = self._core, test.run
+        blocking = core.alarms.blocking()
+        if blocking is not None:
+            raise Refused(
+                f'"{blocking.title}" is on the alarm list: acknowledge and reset it first'
+            )
+        age = connection.data_age_s()
+        core.require(
+            age < test.limits.stale_data_s, f"no samples came for {age:.1f} s; check the device"
+        )
+        status = connection.control.status
+        core.require(
+            status is not None and connection.control.answering, "the drive does not answer"
+        )
+        fastest = core.rig.record.spindle.maximum_speed_rpm
+        if run.speed_rpm > fastest:
+            raise UnusableInput(
+                f"run.speed_rpm = {run.speed_rpm:g} is above the rig's spindle.maximum_speed_rpm "
+                f"= {fastest:g}"
+            )
+        if test.limits.overspeed_rpm <= run.speed_rpm:
+            raise UnusableInput(
+                f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
+                f"run.speed_rpm = {run.speed_rpm:g}"
+            )
+        samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
+        if samples < FEWEST_SAMPLES:
+            raise UnusableInput(
+                f"run.speed_rpm = {run.speed_rpm:g}: {connection.setup.sample_rate_Hz:g} samples/s "
+                f"give {samples:.0f} samples a revolution, {FEWEST_SAMPLES} are needed; "
+                "raise the sample rate"
+            )
+        return RuleMonitor(test.limits.rule)
+
+    def _open_session(
+        self,
+        test: Document[TestFile],
+        path: Path,
+        operator: str,
+        resume: bool,
+        monitor: RuleMonitor,
+        connection: Connection,
+    ) -> Session:
+        core, run = self._core, test.record.run
+        calibration = connection.processor.calibration
+        opened = self._open_store(
+            OpenRequest(
+                path=path,
+                rig=core.rig,
+                test=test,
+                calibration=calibration,
+                devices=connection.devices.readback,
+                operator=operator,
+                resume=resume,
+            )
+        )
+        if opened.last_revolution >= run.revolutions:
+            opened.store.close()
+            raise UnusableInput(
+                f"{path}: holds revolution {opened.last_revolution} of {run.revolutions} planned; "
+                "nothing is left to do"
+            )
+        gap_s = max(0.0, time.time() - opened.last_host_time) if opened.rows else 0.0
+        offset_s = opened.last_time_s + gap_s
+        slow = connection.slow()
+        ramp_s = run.speed_rpm / run.acceleration_rpm_per_s
+        return Session(
+            test=test,
+            path=path,
+            run=TestRun(
+                calibration=calibration,
+                monitor=monitor,
+                first=opened.last_revolution + 1,
+                planned=run.revolutions,
+                time_offset_s=offset_s,
+                utc=core.utc,
+                resumed=resume,
+            ),
+            recorder=Recorder(
+                opened.store,
+                Schedule(test.record.cycles, run.revolutions),
+                calibration,
+                offset_s,
+            ),
+            limits=test.record.limits,
+            operator=operator,
+            started_at=time.time(),
+            deadline_s=time.monotonic() + core.timing.start_margin + 2.0 * slow * ramp_s,
+        )
+
+    def pause(self, operator: str = "", reason: str = "") -> None:
+        """Slow down and come to rest at the safe angle; the drive holds the crank there."""
+        with self._command:
+            transition(self._core.state, Trigger.PAUSE)
+            assert self._connection is not None
+            self._note_command("pause", operator, reason)
+            self._connection.pause(reason or f"pausing for {operator or 'the operator'}")
+
+    def resume(self, operator: str = "") -> None:
+        """Go on after a pause; raises DeviceError when the drive refuses."""
+        with self._command:
+            core, connection = self._core, self._connection
+            transition(core.state, Trigger.RESUME)
+            session = core.session
+            assert connection is not None
+            assert session is not None
+            run = session.test.record.run
+            ramp_s = run.speed_rpm / run.acceleration_rpm_per_s
+            session.deadline_s = (
+                time.monotonic() + core.timing.start_margin + 2.0 * connection.slow() * ramp_s
+            )
+            self._note_command("resume", operator, "")
+            core.fire(Trigger.RESUME)
+            try:
+                connection.control.resume()
+            except DeviceError as error:
+                core.trip(Ending(FinishReason.DEVICE, str(error)))
+                raise
+
+    def stop(self, operator: str = "", reason: str = "") -> None:
+        """End the test with a controlled stop; raise Refused when none is under way."""
+        self._end(operator, reason, off=False)
+
+    def drive_off(self, operator: str = "", reason: str = "") -> None:
+        """Take the power off the motor at once and end the test.
+
+        Without a test under way the power is taken off all the same. This is not an emergency
+        stop: that one is hardware.
+        """
+        if self._core.state not in ACTIVE:
+            connection = self._connection
+            if connection is None:
+                raise Refused("no drive is connected")
+            self._note_command("drive_off", operator, reason)
+            connection.control.stop_now(off=True)
+            return
+        self._end(operator, reason, off=True)
+
+    def _end(self, operator: str, reason: str, off: bool) -> None:
+        if self._core.state not in ACTIVE:
+            transition(self._core.state, Trigger.STOP)
+        who = operator or "the operator"
+        what = "switched the drive off" if off else "stopped the test"
+        sentence = f"{who} {what}" + (f": {reason.strip()}" if reason.strip() else ".")
+        sentence = sentence[0].upper() + sentence[1:]
+        self._note_command("drive_off" if off else "stop", operator, reason)
+        self._core.trip(Ending(FinishReason.OPERATOR, sentence, off=off))
+
+    def reset(self, operator: str = "") -> None:
+        """Go from stopped or fault back to ready: the deliberate action before another start.
+
+        Raises Refused while a critical alarm is active or not acknowledged, or a device is lost.
+        """
+        with self._command:
+            core, connection = self._core, self._connection
+            transition(core.state, Trigger.RESET)
+            core.alarms.reset(operator)
+            if connection is None or any(worker.ended for worker in connection.workers):
+                raise Refused("the connection to the devices is broken; reconnect")
+            core.fire(Trigger.RESET, f"reset by {operator}" if operator else "")
+
+    # --- alarms, notes, limits, zero -------------------------------------------------------------
+
+    def acknowledge(self, key: str = "", operator: str = "") -> None:
+        """Acknowledge an alarm, or all of them; raise Refused for an unknown key."""
+        keys = [key] if key else [a.key for a in self._core.alarms.alarms() if not a.acknowledged]
+        for one in keys:
+            self._core.alarms.acknowledge(one, operator)
+
+    def shelve(self, key: str, reason: str, minutes: float, operator: str = "") -> None:
+        """Hide an alarm for a limited time, with a reason; raise Refused."""
+        self._core.alarms.shelve(key, reason, minutes * 60.0, operator)
+
+    def note(self, text: str, operator: str = "") -> None:
+        """Write an operator's note to the log of the test."""
+        if not text.strip():
+            raise Refused("the note is empty")
+        self._core.event("note", operator or "operator", text.strip())
+
+    def set_limit(self, name: str, value: float, operator: str = "", reason: str = "") -> None:
+        """Change a limit of the test under way; the change is logged with before and after.
+
+        name: ``overload_N``, ``overspeed_rpm``, ``stale_data_s``, or ``QUANTITY.LEVEL`` of a rule
+        of the test, for example ``force_max.critical_above``. Raises Refused, UnusableInput.
+        """
+        with self._command:
+            session = self._core.session
+            if session is None or self._core.state not in ACTIVE:
+                raise Refused("limits are changed in the test file while no test is under way")
+            before, limits = changed_limits(session.limits, name, float(value))
+            if limits.overspeed_rpm <= session.target_rpm:
+                raise UnusableInput(
+                    f"overspeed_rpm = {limits.overspeed_rpm:g} must be above the set speed "
+                    f"{session.target_rpm:g} rpm"
+                )
+            session.run.monitor.replace(limits.rule)
+            session.limits = limits
+            why = f": {reason.strip()}" if reason.strip() else ""
+            self._core.event(
+                "limit_changed",
+                operator or "operator",
+                f"limit {name} changed{why}",
+                before=f"{before:g}" if before is not None else "none",
+                after=f"{value:g}",
+            )
+
+    def zero(
+        self, what: Sequence[str] = ("load_cell",), operator: str = "", reason: str = ""
+    ) -> dict[str, tuple[float, float]]:
+        """Take the present signals as zero of the load cell; returns it in signal units.
+
+        The crank must stand and the pin must be unloaded. The zero is a tare beside the
+        calibration, which it does not touch. Only while no test is under way. Raises Refused,
+        TimeoutError.
+        """
+        unknown = [one for one in what if one != "load_cell"]
+        if unknown:
+            raise Refused(f"only the load_cell can be zeroed, not {', '.join(unknown)}")
+        with self._command:
+            core, connection = self._core, self._connection
+            core.require(
+                connection is not None and core.state in (RunState.READY, RunState.STOPPED),
+                f"the zero is taken before a test, not while {core.state.value}",
+            )
+            assert connection is not None
+            processor = connection.processor
+            core.require(
+                processor.motion.standing(core.timing.standing), "the crank turns; let it stand"
+            )
+            averaging = processor.average(
+                max(8, round(core.timing.zero * connection.setup.sample_rate_Hz))
+            )
+            if not averaging.done.wait(core.timing.zero * 4 + core.timing.start_margin):
+                raise TimeoutError("the zero needs samples, and none came; check the device")
+            calibration = processor.calibration
+            before = calibration.tare
+            tare = averaging.mean[:2] - calibration.zero
+            processor.set_tare(tare.tolist())
+            why = f": {reason.strip()}" if reason.strip() else ""
+            shown = [np.array2string(one, precision=6) for one in (before, tare)]
+            core.event("zero", operator or "operator", f"load cell zeroed{why}", shown[0], shown[1])
+            return {"load_cell": (float(tare[0]), float(tare[1]))}
+
+    def _note_command(self, verb: str, operator: str, reason: str) -> None:
+        self._core.event("command", operator or "operator", f"{verb} {reason}".strip())
+
+    # --- what is going on ------------------------------------------------------------------------
+
+    @property
+    def state(self) -> RunState:
+        """Return the present state."""
+        return self._core.state
+
+    @property
+    def outcome(self) -> Finished | None:
+        """Return how the last test ended, None before one has."""
+        session = self._core.session
+        return session.outcome if session is not None else None
+
+    def status(self) -> Status:
+        """Return everything a header shows, at this moment."""
+        return build_status(self._core, self._connection, self._operator)
+
+    def wait(self, until: Iterable[RunState] = ENDED, timeout_s: float = 60.0) -> RunState:
+        """Wait for one of some states; raise TimeoutError. A test has ended in ``run.ENDED``."""
+        return self._core.wait(until, timeout_s)
+
+    def subscribe(self, rows: int = 100_000, events: int = 10_000) -> Subscription:
+        """Return a bounded collection of rows, events, predictions and the newest cycle."""
+        return self._core.publisher.subscribe(rows, events)
+
+    def unsubscribe(self, subscription: Subscription) -> None:
+        """Forget a viewer."""
+        self._core.publisher.unsubscribe(subscription)
+
+    def watch(self, bound: int = 4096) -> NoticeStream:
+        """Return a bounded stream of Committed, StateChanged, AlarmChanged and Finished."""
+        return self._core.publisher.watch(bound)
+
+    def unwatch(self, stream: NoticeStream) -> None:
+        """Forget a follower."""
+        self._core.publisher.unwatch(stream)
+
+    def snapshot(self, subscription: Subscription) -> Snapshot:
+        """Return what is new for a viewer, with the status, as one message."""
+        update = subscription.take()
+        return Snapshot(
+            status=msgspec.structs.replace(self.status(), rows_dropped=subscription.rows_dropped),
+            first_row=update.first_row,
+            rows=np.ascontiguousarray(update.rows, "<f8").tobytes(),
+            predictions=np.ascontiguousarray(update.predictions, "<f8").tobytes(),
+            cycle=update.cycle,
+            prediction=update.prediction,
+        )
+
+    def submit_prediction(self, prediction: Prediction) -> None:
+        """Take a prediction of the twin: store it, judge it by the rules, publish it."""
+        core, session = self._core, self._core.session
+        if session is None or core.state not in ACTIVE:
+            return
+        try:
+            values = session.recorder.prediction(prediction)
+        except Exception as error:
+            core.storage_failed(error)
+            return
+        session.prediction = prediction
+        session.prediction_at = time.monotonic()
+        core.publisher.prediction(values, prediction)
+        if self._connection is not None:
+            self._connection.guard.predicted(session, values)
+
+
+def changed_limits(
+    limits: LimitsSection, name: str, value: float
+) -> tuple[float | None, LimitsSection]:
+    """Return the former value and the limits with one changed; raise UnusableInput."""
+    if not np.isfinite(value):
+        raise UnusableInput(f"limit {name} = {value} is not a finite number")
+    plain = ("overload_N", "overspeed_rpm", "stale_data_s")
+    if name in plain:
+        if value <= 0:
+            raise UnusableInput(f"limit {name} = {value:g} must be positive")
+        return getattr(limits, name), msgspec.structs.replace(limits, **{name: value})
+    quantity, _, level = name.partition(".")
+    for place, rule in enumerate(limits.rule):
+        if rule.quantity == quantity and getattr(rule, level, None) is not None:
+            before = getattr(rule, level)
+            if not isinstance(before, float | int) or isinstance(before, bool):
+                break
+            changed = msgspec.structs.replace(rule, **{level: value})
+            rules = (*limits.rule[:place], changed, *limits.rule[place + 1 :])
+            return float(before), msgspec.structs.replace(limits, rule=rules)
+    known = [
+        f"{rule.quantity}.{level}"
+        for rule in limits.rule
+        for level in ("warning_above", "critical_above", "warning_below", "critical_below")
+        if getattr(rule, level) is not None
+    ]
+    raise UnusableInput(f"there is no limit {name!r}; there are: {', '.join((*plain, *known))}")

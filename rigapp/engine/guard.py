@@ -1,0 +1,215 @@
+"""Judge what the samples show and act on it, in the processing thread."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.engine import causes
+from rigapp.engine.assembler import Revolution
+from rigapp.engine.columns import prediction_columns
+from rigapp.engine.core import Core, Session
+from rigapp.engine.limits import Verdict
+from rigapp.engine.messages import FinishReason, Flag, RevolutionMeasured, RunState
+from rigapp.engine.recorder import cycle_message, measured_history
+from rigapp.engine.run import ACTIVE, TURNING, Ending, Trigger
+from rigapp.engine.testrun import Row
+
+if TYPE_CHECKING:
+    from rigapp.engine.connection import Connection
+
+Array = NDArray[np.float64]
+
+PREDICTED_NAMES = tuple(column.name for column in prediction_columns())
+
+AT_SPEED = 0.05
+"""The set speed is reached within this share of it."""
+
+MISSED_INDEX_LIMIT = 2
+"""Revolutions in a row without an index that end the test."""
+
+INDEX_SEARCH_REVOLUTIONS = 2.5
+
+UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
+"""Revolutions with one of these flags are no food for the prediction."""
+
+
+class Guard:
+    """The engine's judgement; see ``processing.Judge``."""
+
+    def __init__(
+        self,
+        core: Core,
+        connection: Connection,
+        on_measured: Callable[[RevolutionMeasured], None] | None,
+    ) -> None:
+        self._core = core
+        self._connection = connection
+        self._on_measured = on_measured
+        self._missed = 0
+
+    # --- every block -----------------------------------------------------------------------------
+
+    def begun(self, sample: int) -> None:
+        """Start the test's time."""
+        session = self._core.session
+        self._missed = 0
+        if session is not None:
+            session.run.begin(sample)
+            session.recorder.begin(sample)
+
+    def overload(self, force_N: float) -> None:
+        """Take the power off: a sample is above the overload limit, or not a number."""
+        core = self._core
+        if math.isnan(force_N):
+            cause = causes.invalid_signal()
+            ending = Ending(FinishReason.DEVICE, cause.cause, off=True)
+        else:
+            cause = causes.overload(force_N, core.limits.overload_N)
+            ending = Ending(FinishReason.LIMIT, cause.cause, off=True)
+        if core.state in ACTIVE:
+            core.trip(ending, cause)
+        else:
+            core.warn(cause)
+
+    def calm(self) -> None:
+        """Take note that the force of a whole block is within the limit."""
+        self._core.alarms.clear("overload")
+        self._core.alarms.clear("invalid_signal")
+
+    def motion(self, speed_rpm: float) -> None:
+        """Look for overspeed, for a missing index, and for the set speed."""
+        core = self._core
+        state = core.state
+        limit = core.limits.overspeed_rpm
+        if abs(speed_rpm) > limit and state in TURNING:
+            cause = causes.overspeed(speed_rpm, limit, "crank encoder")
+            core.trip(Ending(FinishReason.LIMIT, cause.cause, off=True), cause)
+        elif core.alarms.is_active("overspeed") and abs(speed_rpm) < 0.9 * limit:
+            core.alarms.clear("overspeed")
+        session = core.session
+        if session is None or state not in (RunState.STARTING, RunState.RUNNING):
+            if session is not None:
+                session.steady_from = None
+            return
+        assembler = self._connection.processor.assembler
+        lost = assembler.motion.turned_without_index
+        if lost > INDEX_SEARCH_REVOLUTIONS:
+            self._no_index(lost)
+            return
+        if state is RunState.STARTING:
+            session.steady_from = None
+            if abs(speed_rpm - session.target_rpm) <= AT_SPEED * session.target_rpm:
+                core.fire_if(Trigger.AT_SPEED, only=(RunState.STARTING,))
+        elif session.steady_from is None:
+            session.steady_from = assembler.ordinal + 1
+
+    def lost(self, samples: int) -> None:
+        """Warn of lost samples."""
+        core = self._core
+        core.warn(causes.lost_samples(self._connection.devices.source.name, samples))
+
+    def time_jump(self, seconds: float) -> None:
+        """Warn of clocks that parted."""
+        self._core.warn(causes.time_jump(seconds))
+
+    # --- every revolution ------------------------------------------------------------------------
+
+    def revolution(self, revolution: Revolution) -> None:
+        """Number, reduce, judge, store and publish a revolution, in this order."""
+        core = self._core
+        session = core.session
+        if session is None or core.state not in ACTIVE or session.stood:
+            return
+        steady = session.steady_from is not None and revolution.ordinal >= session.steady_from
+        row = session.run.take(revolution, steady)
+        if row is None:
+            return
+        self._act(session, row)
+        try:
+            self._store(session, row)
+        except Exception as error:
+            core.storage_failed(error)
+            return
+        number, calibration = row.number, session.run.calibration
+        core.publisher.row(row.values, lambda: cycle_message(number, revolution, calibration))
+        self._tell_twin(row, session)
+        if row.last:
+            core.trip(
+                Ending(FinishReason.COMPLETE, f"The planned {number} revolutions are recorded.")
+            )
+
+    def _act(self, session: Session, row: Row) -> None:
+        flags = row.revolution.flags
+        if flags & Flag.MISSED_INDEX:
+            self._missed += 1
+            if self._missed >= MISSED_INDEX_LIMIT:
+                self._no_index(float(self._missed))
+        else:
+            self._missed = 0
+            self._core.alarms.clear("index_missed")
+        if flags & Flag.COUNT_MISMATCH:
+            self._core.warn(causes.count_mismatch(row.number))
+        else:
+            self._core.alarms.clear("count_mismatch")
+        if not flags & (Flag.LOST_SAMPLES | Flag.GAP_BEFORE):
+            self._core.alarms.clear("lost_samples")
+        if not flags & Flag.TIME_JUMP:
+            self._core.alarms.clear("time_jump")
+        for verdict in row.verdicts:
+            self.verdict(session, verdict)
+
+    def predicted(self, session: Session, values: Array) -> None:
+        """Judge what the twin predicts by the rules of the test."""
+        named = dict(zip(PREDICTED_NAMES, values.tolist(), strict=True))
+        for verdict in session.run.monitor.judge(named):
+            self.verdict(session, verdict)
+
+    def verdict(self, session: Session, verdict: Verdict) -> None:
+        """Carry out what a rule of the test wants."""
+        core = self._core
+        cause = causes.rule(
+            verdict.quantity,
+            verdict.severity,
+            verdict.value,
+            verdict.limit,
+            verdict.above,
+            verdict.action,
+        )
+        if not verdict.active:
+            core.alarms.clear(cause.key)
+            return
+        if verdict.action == "none":
+            core.event("limit", "limits", cause.cause)
+        elif verdict.action == "warn":
+            core.warn(cause)
+        elif verdict.action == "pause":
+            core.warn(cause)
+            self._connection.pause(cause.cause)
+        else:
+            off = verdict.action == "drive_off"
+            core.trip(Ending(FinishReason.LIMIT, cause.cause, off=off), cause)
+
+    def _store(self, session: Session, row: Row) -> None:
+        revolution = row.revolution
+        session.recorder.row(row.number, row.values, revolution)
+        if revolution.flags & Flag.GAP_BEFORE:
+            lost = revolution.lost_samples
+            self._core.gap(f"samples are missing before revolution {row.number}: {lost} lost")
+
+    def _tell_twin(self, row: Row, session: Session) -> None:
+        if self._on_measured is None or row.revolution.flags & UNTRUE:
+            return
+        try:
+            self._on_measured(measured_history(row.number, row.revolution, session.run.calibration))
+        except Exception as error:
+            self._core.event("twin", "engine", f"the prediction was not asked: {error}")
+            self._on_measured = None
+
+    def _no_index(self, revolutions: float) -> None:
+        cause = causes.index_missed(revolutions)
+        self._core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)

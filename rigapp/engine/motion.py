@@ -1,0 +1,111 @@
+"""The newest motion of the crank over the last moments, for interlocks, pausing and stopping."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from dataclasses import dataclass
+
+STANDING_COUNTS = 2
+"""A crank whose count moves no more than this stands: an edge of the encoder may dither."""
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """The end of one block. sample: device sample index. count: counts turned, in the rig's sense.
+    phase: counts from the index, None while the index is not known."""
+
+    sample: int
+    count: int
+    host_s: float
+    phase: int | None
+
+
+class MotionWindow:
+    """Remember the ends of the last blocks; the processing thread writes, any thread reads."""
+
+    def __init__(
+        self, counts_per_revolution: int, sample_rate_Hz: float, index_angle_deg: float
+    ) -> None:
+        self._turn = counts_per_revolution
+        self._rate = sample_rate_Hz
+        self._index_deg = index_angle_deg
+        self._points: deque[Point] = deque(maxlen=4096)
+        self._lock = threading.Lock()
+
+    def add(self, first: Point | None, last: Point, keep_s: float = 2.0) -> None:
+        """Add the ends of a block; points older than keep_s of host and device time go."""
+        with self._lock:
+            if first is not None and not self._points:
+                self._points.append(first)
+            if self._points and last.sample <= self._points[-1].sample:
+                self._points.clear()
+            self._points.append(last)
+            points = self._points
+            while (
+                len(points) > 2
+                and last.host_s - points[1].host_s > keep_s
+                and last.sample - points[1].sample > keep_s * self._rate
+            ):
+                points.popleft()
+
+    def clear(self) -> None:
+        """Forget everything."""
+        with self._lock:
+            self._points.clear()
+
+    def newest(self) -> Point | None:
+        """Return the end of the newest block."""
+        with self._lock:
+            return self._points[-1] if self._points else None
+
+    def speed_rpm(self, window_s: float = 0.05) -> float:
+        """Return the mean speed over the last window_s of device time, one block at least."""
+        with self._lock:
+            if len(self._points) < 2:
+                return 0.0
+            last = self._points[-1]
+            first = self._back(window_s)
+        turned = (last.count - first.count) / self._turn
+        return 60.0 * turned * self._rate / (last.sample - first.sample)
+
+    def standing(self, window_s: float) -> bool:
+        """Tell whether the count has stood for window_s of device time."""
+        with self._lock:
+            if not self._points:
+                return False
+            last = self._points[-1]
+            low = high = last.count
+            for point in reversed(self._points):
+                low, high = min(low, point.count), max(high, point.count)
+                if high - low > STANDING_COUNTS:
+                    return False
+                if last.sample - point.sample >= window_s * self._rate:
+                    return True
+        return False
+
+    def pace(self) -> float:
+        """Return seconds of device time per second of host time: 1 but for a simulated rig."""
+        with self._lock:
+            if len(self._points) < 2:
+                return 1.0
+            first, last = self._points[0], self._points[-1]
+        elapsed = last.host_s - first.host_s
+        return (last.sample - first.sample) / self._rate / elapsed if elapsed > 0.05 else 1.0
+
+    def angle_deg(self, now_s: float) -> float | None:
+        """Return the crank angle at a host time, extrapolated; None when it is not known."""
+        pace = self.pace()
+        speed = self.speed_rpm()
+        last = self.newest()
+        if last is None or last.phase is None:
+            return None
+        ahead = speed * 6.0 * pace * max(0.0, now_s - last.host_s)
+        return (self._index_deg + 360.0 * last.phase / self._turn + ahead) % 360.0
+
+    def _back(self, window_s: float) -> Point:
+        last = self._points[-1]
+        for point in reversed(self._points):
+            if last.sample - point.sample >= window_s * self._rate:
+                return point
+        return self._points[0]

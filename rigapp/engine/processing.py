@@ -1,0 +1,199 @@
+"""What happens to a Block, in order: look for overload, assemble, look at the motion, hand over."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.api import Block
+from rigapp.engine.assembler import Assembler, Revolution
+from rigapp.engine.calibrate import Calibration
+from rigapp.engine.checks import PeakForce
+from rigapp.engine.motion import MotionWindow, Point
+from rigapp.engine.timewatch import TimeWatch
+
+
+class Judge(Protocol):
+    """Act on what the samples show; called in the processing thread."""
+
+    def begun(self, sample: int) -> None:
+        """Take note that the test begins with this device sample."""
+        ...
+
+    def overload(self, force_N: float) -> None:
+        """Act on a force above the limit, or NaN."""
+        ...
+
+    def calm(self) -> None:
+        """Take note that the force is within its limit again."""
+        ...
+
+    def motion(self, speed_rpm: float) -> None:
+        """Act on the newest speed."""
+        ...
+
+    def revolution(self, revolution: Revolution) -> None:
+        """Take a revolution."""
+        ...
+
+    def lost(self, samples: int) -> None:
+        """Take note that samples were lost; all of them so far."""
+        ...
+
+    def time_jump(self, seconds: float) -> None:
+        """Take note that device and host time parted."""
+        ...
+
+
+@dataclass(slots=True, eq=False)
+class Averaging:
+    """Average the analog signals over some samples, for a zero."""
+
+    wanted: int
+    total: NDArray[np.float64] = field(default_factory=lambda: np.zeros(4))
+    squares: NDArray[np.float64] = field(default_factory=lambda: np.zeros(4))
+    samples: int = 0
+    done: threading.Event = field(default_factory=threading.Event)
+
+    def add(self, signals: NDArray[np.float64]) -> None:
+        """Add signals (4, samples)."""
+        self.total += signals.sum(axis=1)
+        self.squares += (signals**2).sum(axis=1)
+        self.samples += signals.shape[1]
+        if self.samples >= self.wanted:
+            self.done.set()
+
+    @property
+    def mean(self) -> NDArray[np.float64]:
+        """Return the mean signals (4,)."""
+        return np.asarray(self.total / max(self.samples, 1), np.float64)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Live:
+    """The newest block's last sample: electrical signals (4,) and engineering values (4,)."""
+
+    signals: NDArray[np.float64]
+    values: NDArray[np.float64]
+    count: float
+    host_s: float
+    peak_N: float
+
+
+class Processor:
+    """Process the Blocks of one connection; ``handle`` belongs to the processing thread."""
+
+    def __init__(
+        self,
+        calibration: Calibration,
+        judge: Judge,
+        overload_N: Callable[[], float],
+        real_time: bool,
+    ) -> None:
+        self._judge = judge
+        self._overload_N = overload_N
+        self._watch = TimeWatch(calibration.sample_rate_Hz) if real_time else None
+        self._averaging: Averaging | None = None
+        self._discard = threading.Event()
+        self._lost = 0
+        self._over = False
+        self._set(calibration)
+        self.assembler = Assembler(
+            calibration.encoder,
+            calibration.counter_row,
+            calibration.sample_rate_Hz,
+            calibration.margins,
+            scale=calibration.counter_scale,
+            offset=calibration.counter_offset,
+        )
+        self.motion = MotionWindow(
+            calibration.encoder.counts_per_revolution,
+            calibration.sample_rate_Hz,
+            math.degrees(calibration.index_angle_rad),
+        )
+        self.live: Live | None = None
+        self.next_sample = 0
+
+    def _set(self, calibration: Calibration) -> None:
+        self.calibration = calibration
+        self._peak = PeakForce(calibration)
+        self._gain, self._bias = calibration.gains()
+
+    def set_tare(self, tare: Sequence[float]) -> None:
+        """Use another tare from the next block on; not while a test is recorded."""
+        self._set(self.calibration.with_tare(tare))
+
+    def begin_test(self) -> None:
+        """Let the next revolution begin at the next index, as of the next block."""
+        self._discard.set()
+
+    def average(self, samples: int) -> Averaging:
+        """Begin to average the next samples."""
+        averaging = Averaging(samples)
+        self._averaging = averaging
+        return averaging
+
+    def handle(self, block: Block) -> None:
+        """Process a block."""
+        n = block.values.shape[1]
+        if n == 0:
+            return
+        peak = self._peak.of(block.values)
+        if not peak <= self._overload_N():
+            self._over = True
+            self._judge.overload(peak)
+        elif self._over:
+            self._over = False
+            self._judge.calm()
+        if self._discard.is_set():
+            self._discard.clear()
+            self.assembler.discard()
+            self._judge.begun(block.first_sample)
+        assembler = self.assembler
+        revolutions = assembler.push(block)
+        self.next_sample = block.first_sample + n
+        self._look(block, n, peak)
+        if assembler.lost_samples != self._lost:
+            self._lost = assembler.lost_samples
+            self._judge.lost(self._lost)
+            if self._watch is not None:
+                self._watch.restart()
+        for revolution in revolutions:
+            self._judge.revolution(revolution)
+
+    def _look(self, block: Block, n: int, peak: float) -> None:
+        host_s = block.host_time_ns * 1e-9
+        motion = self.assembler.motion
+        first, last = motion.travel
+        phase = motion.phase if motion.locked else None
+        self.motion.add(
+            Point(block.first_sample, first, host_s, None),
+            Point(block.first_sample + n - 1, last, host_s, phase),
+        )
+        newest = block.values[:, -1:]
+        signals = self.calibration.signals(newest)
+        raw = newest[list(self.calibration.rows), 0].astype(np.float64)
+        self.live = Live(
+            signals=signals[:, 0],
+            values=self._gain @ raw + self._bias,
+            count=float(newest[self.calibration.counter_row, 0]),
+            host_s=host_s,
+            peak_N=peak,
+        )
+        averaging = self._averaging
+        if averaging is not None:
+            averaging.add(self.calibration.signals(block.values))
+            if averaging.done.is_set():
+                self._averaging = None
+        self._judge.motion(self.motion.speed_rpm())
+        if self._watch is not None:
+            jump = self._watch.add(block.first_sample + n, host_s)
+            if jump > 0:
+                self.assembler.flag_time_jump()
+                self._judge.time_jump(jump)

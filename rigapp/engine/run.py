@@ -1,0 +1,129 @@
+"""The states of a run and what leads from one to the next, as one table.
+
+::
+
+    idle -> connecting -> ready -> starting -> running -> pausing -> paused
+                            ^         |  ^        |          |         |
+                            |         |  +--------|----------|--resume-+
+                            |         +-----------+----------+---------+--> stopping
+                            +--reset-- stopped <------------------------------+
+                            +--reset-- fault   <------------------------------+
+
+Every way out of starting, running, pausing and paused leads through stopping, where the spindle is
+brought to a stand and the file is finished; only then is the state stopped or fault.
+"""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+from rigapp.engine.messages import FinishReason, RunState
+
+
+class Trigger(enum.StrEnum):
+    """What can happen to a run."""
+
+    CONNECT = "connect"
+    CONNECTED = "connected"
+    START = "start"
+    AT_SPEED = "at speed"
+    PAUSE = "pause"
+    STANDING = "standing"
+    RESUME = "resume"
+    STOP = "stop"
+    ENDED = "ended"
+    FAILED = "failed"
+    RESET = "reset"
+    DISCONNECT = "disconnect"
+
+
+_R, _T = RunState, Trigger
+
+TABLE: dict[tuple[RunState, Trigger], RunState] = {
+    (_R.IDLE, _T.CONNECT): _R.CONNECTING,
+    (_R.IDLE, _T.DISCONNECT): _R.IDLE,
+    (_R.CONNECTING, _T.CONNECTED): _R.READY,
+    (_R.CONNECTING, _T.FAILED): _R.FAULT,
+    (_R.READY, _T.START): _R.STARTING,
+    (_R.READY, _T.CONNECT): _R.CONNECTING,
+    (_R.READY, _T.FAILED): _R.FAULT,
+    (_R.READY, _T.RESET): _R.READY,
+    (_R.READY, _T.DISCONNECT): _R.IDLE,
+    (_R.STARTING, _T.AT_SPEED): _R.RUNNING,
+    (_R.STARTING, _T.PAUSE): _R.PAUSING,
+    (_R.STARTING, _T.STOP): _R.STOPPING,
+    (_R.RUNNING, _T.PAUSE): _R.PAUSING,
+    (_R.RUNNING, _T.STOP): _R.STOPPING,
+    (_R.PAUSING, _T.STANDING): _R.PAUSED,
+    (_R.PAUSING, _T.STOP): _R.STOPPING,
+    (_R.PAUSED, _T.RESUME): _R.STARTING,
+    (_R.PAUSED, _T.STOP): _R.STOPPING,
+    (_R.STOPPING, _T.STOP): _R.STOPPING,
+    (_R.STOPPING, _T.ENDED): _R.STOPPED,
+    (_R.STOPPING, _T.FAILED): _R.FAULT,
+    (_R.STOPPED, _T.START): _R.STARTING,
+    (_R.STOPPED, _T.RESET): _R.READY,
+    (_R.STOPPED, _T.CONNECT): _R.CONNECTING,
+    (_R.STOPPED, _T.FAILED): _R.FAULT,
+    (_R.STOPPED, _T.DISCONNECT): _R.IDLE,
+    (_R.FAULT, _T.RESET): _R.READY,
+    (_R.FAULT, _T.CONNECT): _R.CONNECTING,
+    (_R.FAULT, _T.FAILED): _R.FAULT,
+    (_R.FAULT, _T.DISCONNECT): _R.IDLE,
+}
+"""(state, trigger) -> next state; what is not here is refused."""
+
+TURNING = frozenset({_R.STARTING, _R.RUNNING, _R.PAUSING, _R.STOPPING})
+"""States in which the spindle may turn."""
+
+ACTIVE = TURNING | {_R.PAUSED}
+"""States in which a test is open."""
+
+ENDED = frozenset({_R.STOPPED, _R.FAULT})
+"""States in which a test has ended."""
+
+FAULTS = frozenset({FinishReason.DEVICE, FinishReason.STORAGE, FinishReason.INTERNAL})
+"""Reasons that end in the state fault."""
+
+
+class Refused(Exception):
+    """Say in one sentence why a command cannot be carried out now, and what to do."""
+
+
+def transition(state: RunState, trigger: Trigger) -> RunState:
+    """Return the next state; raise Refused when the trigger means nothing in this state."""
+    following = TABLE.get((state, trigger))
+    if following is None:
+        possible = [one.value for (at, one) in TABLE if at is state]
+        raise Refused(
+            f'"{trigger.value}" is not possible while {state.value}; possible now: '
+            f"{', '.join(possible) or 'nothing, wait'}"
+        )
+    return following
+
+
+def allowed(state: RunState, trigger: Trigger) -> bool:
+    """Tell whether a trigger is possible in a state."""
+    return (state, trigger) in TABLE
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """Say why a run ends. off: take the power off at once instead of a controlled stop."""
+
+    code: FinishReason
+    sentence: str
+    off: bool = False
+
+    @property
+    def fault(self) -> bool:
+        """Tell whether the run ends in the state fault."""
+        return self.code in FAULTS
+
+    @property
+    def status(self) -> str:
+        """Return the status that the file shows: complete, stopped or fault."""
+        if self.code is FinishReason.COMPLETE:
+            return "complete"
+        return "fault" if self.fault else "stopped"

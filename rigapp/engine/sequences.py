@@ -1,0 +1,190 @@
+"""How the spindle is brought to a stand: sequences of small decisions, without I/O or clock.
+
+A sequence is asked again and again what to do now, and is told what drive and encoder show.
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from dataclasses import dataclass
+
+STANDING_RPM = 1.0
+RETRY_S = 0.1
+CREEP_RPM = 10.0
+
+
+class Do(enum.Enum):
+    """What to do now."""
+
+    WAIT = "wait"
+    RAMP_DOWN = "ramp down"
+    CREEP = "creep"
+    POWER_OFF = "power off"
+    STANDING = "standing"
+    GIVE_UP = "give up"
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """What is known of the spindle now.
+
+    drive_rpm: what the drive says, None when it does not answer. encoder_rpm, encoder_stands: what
+    the crank encoder says, None when its data are stale. drive_s, encoder_s: host time of the two.
+    angle_deg: crank angle now, extrapolated. deg_per_s: its change per second of host time.
+    """
+
+    now_s: float
+    drive_rpm: float | None
+    encoder_rpm: float | None
+    encoder_stands: bool | None
+    angle_deg: float | None = None
+    deg_per_s: float = 0.0
+    drive_s: float = math.inf
+    encoder_s: float = math.inf
+
+    def later_than(self, time_s: float) -> bool:
+        """Tell whether what is seen was seen after a host time."""
+        drive = self.drive_rpm is None or self.drive_s > time_s
+        return drive and (self.encoder_stands is None or self.encoder_s > time_s)
+
+    @property
+    def stands(self) -> bool:
+        """Tell whether all that can be known says that the spindle stands."""
+        known = False
+        if self.drive_rpm is not None:
+            if abs(self.drive_rpm) >= STANDING_RPM:
+                return False
+            known = True
+        if self.encoder_stands is not None:
+            return self.encoder_stands
+        return known
+
+    @property
+    def witnesses(self) -> str:
+        """Return who confirms the stand, in words."""
+        drive, encoder = self.drive_rpm is not None, self.encoder_stands is not None
+        if drive and encoder:
+            return "drive and encoder"
+        return "the drive only" if drive else "the encoder only" if encoder else "nobody"
+
+
+class StopSequence:
+    """Stop: ramp down, see that it stands, take the power off; escalate when it does not stand.
+
+    off: skip the ramp. ramp_s, coast_s: longest time for the ramp and for coasting without power.
+    """
+
+    def __init__(self, off: bool, now_s: float, ramp_s: float, coast_s: float) -> None:
+        self._off = off
+        self._off_done = False
+        self._ramp_done = False
+        self._last_try = -1e9
+        self._commanded_s = -math.inf
+        self._coast_s = coast_s
+        self._deadline = now_s + (coast_s if off else ramp_s)
+        self.done = False
+        self.escalated = False
+        self.witnesses = ""
+
+    def commanded(self, do: Do, now_s: float) -> None:
+        """Take note that the drive has accepted a command."""
+        self._commanded_s = now_s
+        if do is Do.RAMP_DOWN:
+            self._ramp_done = True
+        elif do is Do.POWER_OFF:
+            self._off_done = True
+
+    def cut_power(self, now_s: float) -> None:
+        """Go over to the stop without power."""
+        if not self._off:
+            self._off = True
+            self._deadline = now_s + self._coast_s
+
+    def step(self, seen: Seen) -> Do:
+        """Return what to do now; STANDING and GIVE_UP come once, at the end."""
+        if self.done:
+            return Do.WAIT
+        stands = seen.stands and seen.later_than(self._commanded_s)
+        if not self._off:
+            if stands and self._ramp_done:
+                self.cut_power(seen.now_s)
+            elif seen.now_s > self._deadline:
+                self.escalated = True
+                self.cut_power(seen.now_s)
+            elif not self._ramp_done:
+                return self._try(Do.RAMP_DOWN, seen.now_s)
+            else:
+                return Do.WAIT
+            self._last_try = -1e9
+        if stands and (self._off_done or seen.drive_rpm is None):
+            self.witnesses = seen.witnesses
+            self.done = True
+            return Do.STANDING
+        if seen.now_s > self._deadline:
+            self.witnesses = seen.witnesses
+            self.done = True
+            return Do.GIVE_UP
+        return Do.WAIT if self._off_done else self._try(Do.POWER_OFF, seen.now_s)
+
+    def _try(self, do: Do, now_s: float) -> Do:
+        if now_s - self._last_try < RETRY_S:
+            return Do.WAIT
+        self._last_try = now_s
+        return do
+
+
+class PauseSequence:
+    """Pause: slow down to a creep, stop so that the crank comes to rest at the wanted angle.
+
+    deceleration_rpm_per_s: of the drive's ramp. limit_s: longest time for all of it.
+    """
+
+    def __init__(
+        self,
+        angle_deg: float,
+        target_rpm: float,
+        deceleration_rpm_per_s: float,
+        now_s: float,
+        limit_s: float,
+    ) -> None:
+        self._angle = angle_deg
+        self._creep = min(target_rpm, CREEP_RPM)
+        self._deceleration = deceleration_rpm_per_s
+        self._deadline = now_s + limit_s
+        self._phase = Do.CREEP
+        self._before: float | None = None
+
+    @property
+    def creep_rpm(self) -> float:
+        """Return the speed at which the angle is approached."""
+        return self._creep
+
+    def step(self, seen: Seen) -> Do:
+        """Return what to do now; the caller carries out every CREEP and RAMP_DOWN once."""
+        if seen.now_s > self._deadline:
+            return Do.GIVE_UP
+        if self._phase is Do.CREEP:
+            self._phase = Do.WAIT
+            return Do.CREEP
+        if self._phase is Do.WAIT:
+            if seen.encoder_rpm is None or seen.angle_deg is None:
+                return Do.WAIT
+            if abs(seen.encoder_rpm) > 1.15 * self._creep + 0.5:
+                return Do.WAIT
+            if not self._reached(seen):
+                return Do.WAIT
+            self._phase = Do.RAMP_DOWN
+            return Do.RAMP_DOWN
+        return Do.STANDING if seen.stands else Do.WAIT
+
+    def _reached(self, seen: Seen) -> bool:
+        assert seen.angle_deg is not None
+        assert seen.encoder_rpm is not None
+        # rpm^2 / (2 rpm/s) is in rev/min s: times 6 in degrees.
+        braking = 6.0 * seen.encoder_rpm**2 / (2.0 * self._deceleration)
+        sense = 1.0 if seen.encoder_rpm >= 0 else -1.0
+        to_go = (sense * (self._angle - seen.angle_deg) - braking) % 360.0
+        before, self._before = self._before, to_go
+        passed = before is not None and to_go > before + 180.0
+        return passed or to_go < abs(seen.deg_per_s) * 0.0025

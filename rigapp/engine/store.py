@@ -1,0 +1,192 @@
+"""What the engine wants of a test file, and how it gets one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import msgspec
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rigapp.config.loading import Document
+from rigapp.config.recipe import TestFile
+from rigapp.config.rig import RigFile
+from rigapp.engine.calibrate import Calibration
+from rigapp.engine.messages import Event
+from rigapp.engine.schedule import Schedule
+
+
+class Store(Protocol):
+    """Keep a test. ``append_*`` come from several threads and do not wait for the disk."""
+
+    @property
+    def revolutions(self) -> int:
+        """Return the rows appended."""
+        ...
+
+    @property
+    def cycles_refused(self) -> int:
+        """Return the whole cycles that had no room."""
+        ...
+
+    def append_row(self, values: NDArray[np.float64]) -> None:
+        """Append a row in the order of ``revolution_columns``."""
+        ...
+
+    def append_cycle(self, revolution: int, columns: Mapping[str, ArrayLike]) -> bool:
+        """Append a whole cycle; False when there is no room for it."""
+        ...
+
+    def append_prediction(
+        self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike] | None = None
+    ) -> bool:
+        """Append a prediction; False when there is no room for it."""
+        ...
+
+    def append_event(self, event: Event) -> bool:
+        """Append to the log; False when it is full."""
+        ...
+
+    def note_gap(self, event: Event) -> None:
+        """Count an interruption and log it."""
+        ...
+
+    def commit(self) -> int:
+        """Make everything safe and return the number of safe rows."""
+        ...
+
+    def finish(self, status: str, reason_code: str, sentence: str) -> None:
+        """Commit, and say how the test ended: complete, stopped or fault."""
+        ...
+
+    def close(self) -> None:
+        """Let go of the file."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """A test file that is ready for rows. rows: already in it; last_*: of the last of these."""
+
+    store: Store
+    rows: int = 0
+    last_revolution: int = 0
+    last_time_s: float = 0.0
+    last_host_time: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OpenRequest:
+    """Everything that goes into a new file before its first row."""
+
+    path: Path
+    rig: Document[RigFile]
+    test: Document[TestFile]
+    calibration: Calibration
+    devices: Mapping[str, Mapping[str, str | float | int]]
+    operator: str
+    resume: bool
+
+
+OpenStore = Callable[[OpenRequest], Opened]
+"""Create or reopen a test file; raises UnusableInput and leaves nothing behind."""
+
+
+def open_file(request: OpenRequest) -> Opened:
+    """Create the HDF5 file of a test, or reopen it to go on; raise UnusableInput."""
+    return _resume(request) if request.resume else _create(request)
+
+
+def _create(request: OpenRequest) -> Opened:
+    from rigapp.storage.layout import FilePlan
+    from rigapp.storage.metadata import TestMetadata
+    from rigapp.storage.writer import create_test
+
+    test, rig = request.test.record, request.rig.record
+    schedule = Schedule(test.cycles, test.run.revolutions)
+    plan = FilePlan(
+        revolutions=test.run.revolutions,
+        cycles=schedule.planned(),
+        samples_per_cycle=math.ceil(
+            60.0 / test.run.speed_rpm * request.calibration.sample_rate_Hz * 1.05
+        ),
+        prediction=test.prediction.enabled,
+    )
+    metadata = TestMetadata(
+        title=test.title,
+        rig_text=request.rig.text,
+        test_text=request.test.text,
+        parameters=msgspec.to_builtins(test.model),
+        calibration={**calibration_record(request.calibration), **_plain(request.devices)},
+        rig_name=rig.name,
+        operator=request.operator or test.metadata.operator,
+        specimen=test.metadata.specimen,
+        bushing=test.metadata.bushing,
+        notes=test.metadata.notes,
+        simulated=rig.simulation is not None,
+    )
+    return Opened(create_test(request.path, plan, metadata))
+
+
+def _resume(request: OpenRequest) -> Opened:
+    from rigapp.storage.reader import open_test
+    from rigapp.storage.resume import reopen_test
+
+    store = reopen_test(request.path)
+    try:
+        with open_test(request.path) as reader:
+            rows = store.revolutions
+            if rows == 0:
+                return Opened(store)
+            return Opened(
+                store,
+                rows=rows,
+                last_revolution=int(reader.column("revolution")[rows - 1]),
+                last_time_s=float(reader.column("time")[rows - 1]),
+                last_host_time=float(reader.column("host_time")[rows - 1]),
+            )
+    except BaseException:
+        store.close()
+        raise
+
+
+def calibration_record(calibration: Calibration) -> dict[str, Any]:
+    """Return a calibration as nested plain values, units in the keys."""
+    encoder = calibration.encoder
+    return {
+        "load_cell": {
+            "record": calibration.names[0],
+            "matrix_N_per_mV_per_V": calibration.matrix.tolist(),
+            "zero_mV_per_V": calibration.zero.tolist(),
+            "tare_mV_per_V": calibration.tare.tolist(),
+            "latency_ms": (calibration.latency_s[:2] * 1e3).tolist(),
+            "frame": "crank",
+            "sign": "F on the follower by the pin = - matrix (signal - zero - tare)",
+        },
+        "probes": {
+            "record": calibration.names[1],
+            "sensitivity_um_per_V": calibration.sensitivity.tolist(),
+            "offset_V": calibration.probe_offset.tolist(),
+            "latency_ms": (calibration.latency_s[2:] * 1e3).tolist(),
+            "frame": "follower",
+        },
+        "encoder": {
+            "counts_per_revolution": encoder.counts_per_revolution,
+            "direction": encoder.direction,
+            "restarts_at_index": int(encoder.restarts_at_index),
+            "index_angle_deg": math.degrees(calibration.index_angle_rad),
+        },
+        "acquisition": {
+            "sample_rate_Hz": calibration.sample_rate_Hz,
+            "scale": calibration.scale.tolist(),
+            "offset": calibration.offset.tolist(),
+        },
+    }
+
+
+def _plain(devices: Mapping[str, Mapping[str, str | float | int]]) -> dict[str, Any]:
+    return {f"device_{name}": dict(readback) for name, readback in devices.items()}

@@ -1,0 +1,122 @@
+"""Look at threads, data and stops, and do a dead thread's safety work."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from rigapp.engine import causes
+from rigapp.engine.core import Core
+from rigapp.engine.messages import FinishReason, RunState
+from rigapp.engine.run import ACTIVE, Ending
+
+if TYPE_CHECKING:
+    from rigapp.engine.connection import Connection
+
+ANCHOR_S = 60.0
+CLOCK_JUMP_S = 1.0
+
+
+class Supervisor:
+    """The supervising thread's work; ``step`` is one look."""
+
+    def __init__(self, core: Core, connection: Connection) -> None:
+        self._core = core
+        self._connection = connection
+        self._helpers: dict[str, threading.Thread] = {}
+        self._silent: set[str] = set()
+        self._anchored_s = time.monotonic()
+
+    def step(self) -> None:
+        """Look once."""
+        self._look_at_threads()
+        self._look_at_data()
+        self._look_at_start()
+        self._look_at_stop()
+        self._look_at_clock()
+        self._connection.supervise.pause(self._core.timing.supervise)
+
+    def _look_at_threads(self) -> None:
+        for worker in self._connection.workers:
+            if worker.well or worker.halting or worker.name in self._silent:
+                continue
+            self._silent.add(worker.name)
+            if worker.error is not None:
+                continue  # the dying thread has told itself
+            sentence = f"no sign of life for {worker.silent_for():.1f} s"
+            text = f"The engine's thread {worker.name!r} gives {sentence}."
+            ending = Ending(FinishReason.INTERNAL, text)
+            cause = causes.thread_dead(worker.name, sentence)
+            self._help(f"trip {worker.name}", partial(self._core.trip, ending, cause))
+
+    def _look_at_data(self) -> None:
+        core, connection = self._core, self._connection
+        age = connection.data_age_s()
+        if age <= core.limits.stale_data_s:
+            core.alarms.clear("stale_data")
+            return
+        if connection.reader.ended or core.alarms.is_active("stale_data"):
+            return
+        source = connection.devices.source
+        cause = causes.stale_data(source.name, source.port, age)
+        core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
+
+    def _look_at_start(self) -> None:
+        core, session = self._core, self._core.session
+        if session is None or core.state is not RunState.STARTING:
+            return
+        if time.monotonic() > session.deadline_s:
+            rpm = self._connection.processor.motion.speed_rpm()
+            cause = causes.start_failed(
+                f"The crank turns at {rpm:.1f} rpm instead of {session.target_rpm:g} rpm "
+                "after the time granted for the start."
+            )
+            core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
+
+    def _look_at_stop(self) -> None:
+        core, connection, timing = self._core, self._connection, self._core.timing
+        session = core.session
+        if session is None or core.state is not RunState.STOPPING:
+            return
+        if not connection.drive.well and not session.stood:
+            self._help("stop", self._stop_in_place_of_the_drive_thread)
+        run = session.test.record.run
+        ramp = 1.5 * run.speed_rpm / run.acceleration_rpm_per_s * connection.slow()
+        longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
+        if not session.stood and time.monotonic() - session.stopping_since > longest:
+            core.will_not_stop("The stop was commanded, but the drive could not be asked.")
+        if core.finish_due and not connection.commit.well:
+            self._help("finish", core.finish)
+
+    def _stop_in_place_of_the_drive_thread(self) -> None:
+        """Cut the power and watch the spindle come to a stand; runs in a helper thread."""
+        connection = self._connection
+        connection.control.stop_now(off=True)
+        while self._core.state in ACTIVE and not connection.supervise.halting:
+            connection.control.poll()
+            connection.follow(connection.control.step())
+            session = self._core.session
+            if session is None or session.stood:
+                return
+            connection.supervise.pause(0.02)
+
+    def _look_at_clock(self) -> None:
+        now = time.monotonic()
+        if now - self._anchored_s < ANCHOR_S:
+            return
+        self._anchored_s = now
+        jump = self._core.anchor_time()
+        if abs(jump) > CLOCK_JUMP_S:
+            self._core.event("clock", "engine", f"this computer's UTC clock jumped by {jump:.1f} s")
+
+    def _help(self, name: str, work: Callable[[], object]) -> None:
+        """Do something that may block in a thread of its own, once at a time."""
+        present = self._helpers.get(name)
+        if present is not None and present.is_alive():
+            return
+        helper = threading.Thread(target=work, name=f"rigapp {name}", daemon=True)
+        self._helpers[name] = helper
+        helper.start()

@@ -1,0 +1,136 @@
+"""Threads with a name, a heartbeat and a death that cannot pass unseen; queues with a bound."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+
+from drivers.api import Block
+
+
+class Worker:
+    """Run a step again and again in a thread of its own.
+
+    step: does a piece of work and returns within a fraction of a second; returning False ends the
+    thread as intended. on_death: told once, in the dying thread, when step raised.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        step: Callable[[], bool | None],
+        on_death: Callable[[Worker, BaseException], None],
+        silence_s: float,
+    ) -> None:
+        self.name = name
+        self.silence_s = silence_s
+        self.error: BaseException | None = None
+        self.ended = False
+        self._step = step
+        self._on_death = on_death
+        self._halt = threading.Event()
+        self._beat = time.monotonic()
+        self._thread = threading.Thread(target=self._run, name=f"rigapp {name}", daemon=True)
+
+    def start(self) -> None:
+        """Start the thread."""
+        self._beat = time.monotonic()
+        self._thread.start()
+
+    def halt(self) -> None:
+        """Ask the thread to end after its present step."""
+        self._halt.set()
+
+    @property
+    def halting(self) -> bool:
+        """Tell whether the thread was asked to end."""
+        return self._halt.is_set()
+
+    def pause(self, seconds: float) -> None:
+        """Wait inside a step, but no longer than until the thread is asked to end."""
+        self._halt.wait(seconds)
+
+    def join(self, timeout_s: float) -> bool:
+        """Wait for the end of the thread; False when it did not come in time."""
+        if self._thread.ident is None or self._thread is threading.current_thread():
+            return True
+        self._thread.join(timeout_s)
+        return not self._thread.is_alive()
+
+    def beat(self) -> None:
+        """Give a sign of life from within a long step."""
+        self._beat = time.monotonic()
+
+    def silent_for(self) -> float:
+        """Return the seconds since the last sign of life."""
+        return time.monotonic() - self._beat
+
+    @property
+    def well(self) -> bool:
+        """Tell whether the thread lives and beats, or ended as intended."""
+        if self.ended and self.error is None:
+            return True
+        return self._thread.is_alive() and self.silent_for() < self.silence_s
+
+    def _run(self) -> None:
+        try:
+            while not self._halt.is_set():
+                self._beat = time.monotonic()
+                if self._step() is False:
+                    break
+        except BaseException as error:
+            self.error = error
+            self._on_death(self, error)
+        finally:
+            self.ended = True
+
+
+class BlockQueue:
+    """Hand Blocks from the reader to the processing thread, bounded by samples.
+
+    Policy when full: ``wait=False`` (a real device) refuses the newest block, which shows as a gap;
+    ``wait=True`` (a simulated rig, whose time waits for us) makes the reader wait.
+    """
+
+    def __init__(self, samples: int, wait: bool) -> None:
+        self.limit = samples
+        self._wait = wait
+        self._blocks: deque[Block] = deque()
+        self._samples = 0
+        self._condition = threading.Condition()
+        self.refused_blocks = 0
+
+    def put(self, block: Block, timeout_s: float) -> bool:
+        """Add a block; False when it was refused because the queue is full."""
+        size = block.values.shape[1]
+        with self._condition:
+            if self._wait:
+                self._condition.wait_for(lambda: self._room(size), timeout_s)
+            if not self._room(size):
+                self.refused_blocks += 1
+                return False
+            self._blocks.append(block)
+            self._samples += size
+            self._condition.notify_all()
+        return True
+
+    def get(self, timeout_s: float) -> Block | None:
+        """Return the oldest block, or None when none came in time."""
+        with self._condition:
+            self._condition.wait_for(lambda: bool(self._blocks), timeout_s)
+            if not self._blocks:
+                return None
+            block = self._blocks.popleft()
+            self._samples -= block.values.shape[1]
+            self._condition.notify_all()
+        return block
+
+    @property
+    def samples(self) -> int:
+        """Return the samples waiting."""
+        return self._samples
+
+    def _room(self, size: int) -> bool:
+        return not self._blocks or self._samples + size <= self.limit

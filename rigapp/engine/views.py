@@ -1,0 +1,184 @@
+"""Show the engine at one moment."""
+
+from __future__ import annotations
+
+import math
+import os
+import time
+
+import numpy as np
+
+from rigapp.engine.connection import Connection
+from rigapp.engine.core import Core, Session
+from rigapp.engine.messages import (
+    ChannelView,
+    DeviceView,
+    DriveView,
+    Status,
+    as_array,
+)
+from rigapp.engine.reduce import NAMES
+from rigapp.engine.run import ACTIVE
+
+NO_MARGIN = 1e9
+"""Shown when nothing is limited."""
+
+
+def build_status(core: Core, connection: Connection | None, operator: str) -> Status:
+    """Return the status."""
+    session = core.session
+    rig = core.rig.record
+    simulation = rig.simulation
+    margin, margin_name = _margin(core, connection, session)
+    speed = connection.processor.motion.speed_rpm() if connection is not None else 0.0
+    prediction = session.prediction if session is not None else None
+    residual = float(as_array(prediction.values, "<f8")[1]) if prediction is not None else math.nan
+    return Status(
+        state=core.state,
+        reason=core.reason,
+        rig=rig.name,
+        test=session.test.record.title if session is not None else "",
+        file=str(session.path) if session is not None else "",
+        revolution=core.revolution,
+        planned=session.run.planned if session is not None else 0,
+        committed=max(0, session.committed) if session is not None else 0,
+        first_revolution=session.run.first if session is not None else 0,
+        target_rpm=session.target_rpm if session is not None else 0.0,
+        speed_rpm=speed,
+        started_at=session.started_at if session is not None else 0.0,
+        expected_end_at=_expected_end(core, connection, session),
+        data_age_s=connection.data_age_s() if connection is not None else math.inf,
+        host_time=time.time(),
+        simulated=simulation is not None,
+        simulated_speed=_simulated_speed(core, connection),
+        worst_margin_percent=margin,
+        worst_margin=margin_name,
+        twin_revolution=prediction.revolution if prediction is not None else 0,
+        twin_age_s=(
+            time.monotonic() - session.prediction_at
+            if session is not None and prediction is not None
+            else math.inf
+        ),
+        residual_rms_N=residual,
+        alarms=core.alarms.alarms(),
+        drive=_drive(connection),
+        devices=_devices(connection),
+        channels=_channels(core, connection),
+        operator=operator,
+        engine_pid=os.getpid(),
+    )
+
+
+def _margin(
+    core: Core, connection: Connection | None, session: Session | None
+) -> tuple[float, str]:
+    """Return the smallest distance to any limit in percent, and which limit."""
+    if session is None or session.run.newest is None:
+        return NO_MARGIN, ""
+    values = dict(zip(NAMES, session.run.newest.values.tolist(), strict=True))
+    worst, name = session.run.monitor.worst_margin(values)
+    limits = session.limits
+    for value, limit, label in (
+        (values["force_max"], limits.overload_N, "overload"),
+        (abs(values["speed_max"]), limits.overspeed_rpm, "overspeed"),
+    ):
+        margin = 100.0 * (limit - value) / limit
+        if margin < worst:
+            worst, name = margin, label
+    if core.state in ACTIVE and connection is not None:
+        margin = 100.0 * (1.0 - connection.data_age_s() / limits.stale_data_s)
+        if margin < worst:
+            worst, name = margin, "stale data"
+    return (worst, name) if math.isfinite(worst) else (NO_MARGIN, "")
+
+
+def _simulated_speed(core: Core, connection: Connection | None) -> float:
+    simulation = core.rig.record.simulation
+    if simulation is None:
+        return 1.0
+    if connection is not None:
+        return connection.processor.motion.pace()
+    return simulation.speed if isinstance(simulation.speed, float) else 0.0
+
+
+def _expected_end(core: Core, connection: Connection | None, session: Session | None) -> float:
+    if session is None or connection is None or core.state not in ACTIVE:
+        return 0.0
+    left = session.run.planned - session.run.number
+    pace = 1.0
+    if core.rig.record.simulation is not None:
+        pace = max(connection.processor.motion.pace(), 1e-3)
+    return time.time() + left * 60.0 / session.target_rpm / pace
+
+
+def _drive(connection: Connection | None) -> DriveView | None:
+    status = connection.control.status if connection is not None else None
+    if status is None:
+        return None
+    return DriveView(
+        speed_rpm=status.speed_rev_per_s * 60.0,
+        setpoint_rpm=status.setpoint_rev_per_s * 60.0,
+        current_A=status.current_A,
+        supply_V=status.supply_V,
+        temperature_C=status.temperature_C,
+        enabled=status.enabled,
+        emergency_stop=status.emergency_stop,
+        faults=status.faults,
+        warnings=status.warnings,
+    )
+
+
+def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
+    if connection is None:
+        return ()
+    devices, control = connection.devices, connection.control
+    views = []
+    for device in (devices.source, devices.spindle):
+        identity = devices.identities.get(device.name)
+        source = device is devices.source
+        error = control.last_error
+        views.append(
+            DeviceView(
+                name=device.name,
+                driver=devices.drivers[device.name],
+                port=device.port,
+                connected=not connection.reader.ended if source else control.answering,
+                identity=f"{identity.maker} {identity.model} {identity.firmware} "
+                f"{identity.serial_number}".strip()
+                if identity is not None
+                else "",
+                sample_rate_Hz=connection.setup.sample_rate_Hz if source else 0.0,
+                lost_samples=connection.processor.assembler.lost_samples if source else 0,
+                errors=connection.source_errors if source else control.errors,
+                last_error=connection.last_source_error
+                if source
+                else (error.sentence if error is not None else ""),
+            )
+        )
+    return tuple(views)
+
+
+def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, ...]:
+    live = connection.processor.live if connection is not None else None
+    if connection is None or live is None:
+        return ()
+    calibration = connection.processor.calibration
+    names = ("force_1", "force_2", "probe_1", "probe_2")
+    records = (calibration.names[0],) * 2 + (calibration.names[1],) * 2
+    views = [
+        ChannelView(
+            name=name,
+            raw=float(live.signals[i]),
+            raw_unit=calibration.units[i],
+            value=float(live.values[i]),
+            unit="N" if i < 2 else "um",
+            calibration=records[i] or "rig file",
+        )
+        for i, name in enumerate(names)
+    ]
+    force = float(np.hypot(live.values[0], live.values[1]))
+    views.insert(2, ChannelView("force", force, "N", force, "N", "from force_1 and force_2"))
+    angle = connection.processor.motion.angle_deg(live.host_s)
+    shown = angle if angle is not None else math.nan
+    views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
+    return tuple(views)

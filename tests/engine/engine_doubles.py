@@ -1,0 +1,447 @@
+"""A rig in memory: a crank whose time advances with the samples that are read from it.
+
+``FakeSource`` and ``FakeSpindle`` satisfy the drivers' Protocols. Faults are switched on by setting
+an attribute; everything else is deterministic.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from drivers.api import (
+    Block,
+    ChannelSpec,
+    DataRequest,
+    DeviceLost,
+    DriveRequest,
+    DriverInfo,
+    DriverKind,
+    DriveStatus,
+    Identity,
+    ReplyTimeout,
+    SettingSpec,
+    StreamSetup,
+)
+from rigapp.config.loading import Document
+from rigapp.config.recipe import (
+    CyclesSection,
+    LimitRule,
+    LimitsSection,
+    PredictionSection,
+    RunSection,
+    TestFile,
+)
+from rigapp.config.rig import (
+    DeviceSection,
+    EncoderSection,
+    LoadCellSection,
+    ProbesSection,
+    RigFile,
+    SimulationSection,
+    SpindleSection,
+)
+from rigapp.engine.engine import Engine
+from rigapp.engine.messages import Event
+from rigapp.engine.store import Opened, OpenRequest
+from rigapp.engine.timing import Timing
+
+COUNTS = 360
+RATE = 480.0
+BLOCK = 48
+GAIN = 200.0
+
+
+@dataclass
+class Crank:
+    """The turning part: a speed that ramps to a target."""
+
+    position_rev: float = 0.25
+    speed: float = 0.0
+    target: float = 0.0
+    acceleration: float = 10.0
+    powered: bool = True
+    jammed: bool = False
+    deaf: bool = False
+    lock: threading.Lock = field(default_factory=threading.Lock)
+
+    def turn(self, samples: int) -> NDArray[np.float64]:
+        """Advance and return the position at each sample, in revolutions."""
+        out = np.empty(samples)
+        step = 1.0 / RATE
+        with self.lock:
+            for i in range(samples):
+                target = self.target if self.powered else 0.0
+                change = np.clip(target - self.speed, -1.0, 1.0)
+                limit = self.acceleration * step
+                self.speed += float(np.clip(change, -limit, limit))
+                if self.jammed:
+                    self.speed = 0.0
+                self.position_rev += self.speed * step
+                out[i] = self.position_rev
+        return out
+
+
+class FakeSource:
+    """A data source in memory."""
+
+    def __init__(self, name: str, port: str, crank: Crank) -> None:
+        self.name, self.port, self.crank = name, port, crank
+        self.force_N = 50.0
+        self.lost = False
+        self.silent = False
+        self.broken: BaseException | None = None
+        self.encoder_dead = False
+        self.index_dead = False
+        self.lose_samples = 0
+        self.opened = False
+        self.open_fails = False
+        self.streaming = False
+        self.reads = 0
+        self._sample = self._sequence = 0
+        self._dead_count = 0.0
+
+    def open(self) -> Identity:
+        if self.open_fails or self.lost:
+            raise DeviceLost(self.name, self.port, "nothing answers")
+        self.opened = True
+        return Identity("test", "memory source", "1", "1", self.port)
+
+    def configure(self, request: DataRequest) -> StreamSetup:
+        assert request.inputs["analog_1"] == ("bridge", 3.5)
+        assert request.inputs["counter_1"] == ("counter", float(COUNTS))
+        channels = (
+            ChannelSpec("analog_1", "mV/V"),
+            ChannelSpec("analog_2", "mV/V"),
+            ChannelSpec("analog_3", "V"),
+            ChannelSpec("analog_4", "V"),
+            ChannelSpec("counter_1", "count"),
+        )
+        return StreamSetup(channels, request.sample_rate_Hz, {"rate": request.sample_rate_Hz})
+
+    def start(self) -> None:
+        self.streaming = True
+        self._sample = self._sequence = 0
+
+    def read(self, timeout_s: float) -> Block | None:
+        if self.broken is not None:
+            raise self.broken
+        if self.lost:
+            raise DeviceLost(self.name, self.port, "the cable was pulled")
+        if self.silent or not self.streaming:
+            time.sleep(min(timeout_s, 0.01))
+            return None
+        self.reads += 1
+        time.sleep(0.0005)
+        lost, self.lose_samples = self.lose_samples, 0
+        if lost:
+            self.crank.turn(lost)
+        turns = self.crank.turn(BLOCK)
+        angle = 2 * np.pi * turns
+        values = np.empty((5, BLOCK), np.float32)
+        values[0] = -self.force_N / GAIN * np.cos(angle)
+        values[1] = -self.force_N / GAIN * np.sin(angle)
+        values[2] = 0.1 * np.cos(angle)
+        values[3] = 0.1 * np.sin(angle)
+        count = np.floor(turns * COUNTS + 1e-9)
+        values[4] = count if self.index_dead else count % COUNTS
+        if self.encoder_dead:
+            values[4] = self._dead_count
+        self._dead_count = float(values[4, -1])
+        self._sample += lost
+        block = Block(
+            device=self.name,
+            sequence=self._sequence,
+            first_sample=self._sample,
+            sample_rate_Hz=RATE,
+            host_time_ns=time.monotonic_ns(),
+            values=values,
+            quality=np.zeros(BLOCK, np.uint8),
+            lost_before=lost,
+        )
+        self._sample += BLOCK
+        self._sequence += 1
+        return block
+
+    def zero(self, inputs: Sequence[str]) -> None:
+        raise NotImplementedError
+
+    def stop(self) -> None:
+        self.streaming = False
+
+    def close(self) -> None:
+        self.opened = False
+        self.streaming = False
+
+
+class FakeSpindle:
+    """A drive in memory."""
+
+    def __init__(self, name: str, port: str, crank: Crank) -> None:
+        self.name, self.port, self.crank = name, port, crank
+        self.lost = False
+        self.hang: threading.Event | None = None
+        self.faults: tuple[str, ...] = ()
+        self.warnings: tuple[str, ...] = ()
+        self.emergency_stop = False
+        self.commands: list[tuple[str, float]] = []
+        self.off_at: float | None = None
+        self.polls = 0
+
+    def open(self) -> Identity:
+        if self.lost:
+            raise DeviceLost(self.name, self.port, "nothing answers")
+        return Identity("test", "memory drive", "1", "2", self.port)
+
+    def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
+        return {"watchdog_s": request.watchdog_timeout_s}
+
+    def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
+        self._alive()
+        self.commands.append(("speed", speed_rev_per_s))
+        if self.crank.deaf:
+            return
+        with self.crank.lock:
+            self.crank.powered = True
+            self.crank.target = speed_rev_per_s
+            self.crank.acceleration = acceleration_rev_per_s2
+
+    def drive_off(self) -> None:
+        self._alive()
+        self.commands.append(("off", 0.0))
+        self.off_at = time.monotonic()
+        if self.crank.deaf:
+            return
+        with self.crank.lock:
+            self.crank.powered = False
+            self.crank.target = 0.0
+            self.crank.acceleration = 20.0
+
+    def status(self) -> DriveStatus:
+        self._alive()
+        self.polls += 1
+        return DriveStatus(
+            host_time_ns=time.monotonic_ns(),
+            speed_rev_per_s=self.crank.speed,
+            setpoint_rev_per_s=self.crank.target,
+            position_count=round(self.crank.position_rev * COUNTS),
+            current_A=1.0,
+            supply_V=48.0,
+            temperature_C=30.0,
+            enabled=self.crank.powered,
+            emergency_stop=self.emergency_stop,
+            faults=self.faults,
+            warnings=self.warnings,
+        )
+
+    def close(self) -> None:
+        with self.crank.lock:
+            self.crank.powered = False
+            self.crank.target = 0.0
+
+    def _alive(self) -> None:
+        if self.hang is not None:
+            self.hang.wait(30.0)
+        if self.lost:
+            with self.crank.lock:  # what the drive's watchdog does
+                self.crank.powered = False
+            raise ReplyTimeout(self.name, self.port, "no answer in 0.1 s")
+
+
+@dataclass
+class FakeStore:
+    """A test file in memory. Set ``broken`` to make it fail like a full disk."""
+
+    rows: list[NDArray[np.float64]] = field(default_factory=list)
+    cycles: list[tuple[int, dict[str, ArrayLike]]] = field(default_factory=list)
+    predictions: list[NDArray[np.float64]] = field(default_factory=list)
+    curves: int = 0
+    events: list[Event] = field(default_factory=list)
+    gaps: list[Event] = field(default_factory=list)
+    safe: int = 0
+    ending: tuple[str, str, str] | None = None
+    closed: bool = False
+    broken: BaseException | None = None
+    commit_waits: threading.Event | None = None
+    cycles_refused: int = 0
+
+    @property
+    def revolutions(self) -> int:
+        return len(self.rows)
+
+    def _check(self) -> None:
+        assert not self.closed
+        if self.broken is not None:
+            raise self.broken
+
+    def append_row(self, values: NDArray[np.float64]) -> None:
+        self._check()
+        self.rows.append(values.copy())
+
+    def append_cycle(self, revolution: int, columns: Mapping[str, ArrayLike]) -> bool:
+        self._check()
+        self.cycles.append((revolution, {k: np.array(v) for k, v in columns.items()}))
+        return True
+
+    def append_prediction(
+        self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike] | None = None
+    ) -> bool:
+        self._check()
+        self.predictions.append(values)
+        self.curves += curves is not None
+        return True
+
+    def append_event(self, event: Event) -> bool:
+        self.events.append(event)
+        return True
+
+    def note_gap(self, event: Event) -> None:
+        self.gaps.append(event)
+
+    def commit(self) -> int:
+        self._check()
+        if self.commit_waits is not None:
+            self.commit_waits.wait(30.0)
+        self.safe = len(self.rows)
+        return self.safe
+
+    def finish(self, status: str, reason_code: str, sentence: str) -> None:
+        self.commit()
+        self.ending = (status, reason_code, sentence)
+
+    def close(self) -> None:
+        self.closed = True
+
+    def column(self, name: str) -> NDArray[np.float64]:
+        from rigapp.engine.reduce import PLACE
+
+        return np.array([row[PLACE[name]] for row in self.rows])
+
+
+@dataclass
+class MemoryRig:
+    """Everything of a rig in memory, with an engine on it."""
+
+    crank: Crank = field(default_factory=Crank)
+    simulated: bool = True
+    timing: Timing = field(
+        default_factory=lambda: Timing(
+            read=0.02,
+            poll=0.02,
+            commit=0.05,
+            supervise=0.01,
+            silence=1.0,
+            silence_commit=1.0,
+            stop_margin=1.0,
+            coast=1.5,
+            start_margin=5.0,
+            zero=0.2,
+        )
+    )
+    stores: list[FakeStore] = field(default_factory=list)
+    requests: list[OpenRequest] = field(default_factory=list)
+    opened: Opened | None = None
+    latency_ms: float = 0.0
+    measured: list[Any] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.source = FakeSource("daq", "memory", self.crank)
+        self.spindle = FakeSpindle("drive", "memory", self.crank)
+        self.engine = Engine(
+            Document(Path("rig.toml"), "rig text", self.rig_file()),
+            ports={"daq": "memory", "drive": "memory"},
+            load=self._load,
+            open_store=self._open,
+            timing=self.timing,
+            on_measured=self.measured.append,
+        )
+
+    @property
+    def store(self) -> FakeStore:
+        return self.stores[-1]
+
+    def rig_file(self) -> RigFile:
+        return RigFile(
+            schema=1,
+            name="Rig in memory",
+            devices={
+                "daq": DeviceSection("memory source", "simulated", {"sample_rate_Hz": RATE}),
+                "drive": DeviceSection("memory drive", "simulated"),
+            },
+            spindle=SpindleSection("drive", COUNTS, 400.0, watchdog_timeout_s=0.3),
+            encoder=EncoderSection("daq", "counter_1", COUNTS),
+            load_cell=LoadCellSection(
+                "daq",
+                "analog_1",
+                "analog_2",
+                ((GAIN, 0.0), (0.0, GAIN)),
+                latency_ms=(self.latency_ms, self.latency_ms),
+            ),
+            probes=ProbesSection("daq", "analog_3", "analog_4", (100.0, 100.0)),
+            simulation=SimulationSection(speed="max") if self.simulated else None,
+        )
+
+    def _load(self, name: str) -> DriverInfo:
+        if name == "memory source":
+            return DriverInfo(
+                name,
+                "",
+                DriverKind.DATA_SOURCE,
+                lambda *_: self.source,
+                {"sample_rate_Hz": SettingSpec(float, RATE, "Sample rate.")},
+            )
+        return DriverInfo(name, "", DriverKind.SPINDLE, lambda *_: self.spindle)
+
+    def _open(self, request: OpenRequest) -> Opened:
+        self.requests.append(request)
+        if self.opened is not None:
+            opened, self.opened = self.opened, None
+            assert isinstance(opened.store, FakeStore)
+            self.stores.append(opened.store)
+            return opened
+        self.stores.append(FakeStore())
+        return Opened(self.store)
+
+    def start(self, test: TestFile | None = None, **options: Any) -> None:
+        """Start a test as an operator would."""
+        document = Document(Path("test.toml"), "test text", test or a_test())
+        self.engine.start(document, Path("memory.h5"), operator="Ada", **options)
+
+    @property
+    def stands(self) -> bool:
+        """Tell whether the crank stands for good: no speed, and nothing that would turn it."""
+        return abs(self.crank.speed) < 1e-6 and (not self.crank.powered or self.crank.target == 0.0)
+
+
+def a_test(
+    revolutions: int = 20,
+    rpm: float = 120.0,
+    every: int = 5,
+    rules: tuple[LimitRule, ...] = (),
+    schedule: Any = "every",
+) -> TestFile:
+    """Return a short test."""
+    return TestFile(
+        schema=1,
+        title="A short test",
+        run=RunSection(revolutions, rpm, acceleration_rpm_per_s=600.0),
+        model=None,  # type: ignore[arg-type]
+        cycles=CyclesSection(schedule, every_revolutions=every, per_decade=3),
+        limits=LimitsSection(overload_N=380.0, overspeed_rpm=200.0, stale_data_s=0.5, rule=rules),
+        prediction=PredictionSection(),
+    )
+
+
+def eventually(condition: Any, seconds: float = 10.0) -> None:
+    """Wait until a condition holds; fail with its name when it does not in time."""
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline, f"did not come about in {seconds} s"
+        time.sleep(0.001)
