@@ -57,7 +57,6 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> None:
         alignment_threshold=PAGE,
         alignment_interval=PAGE,
         meta_block_size=METADATA_BLOCK,
-        locking=False,
     ) as file:
         _build_root(file, metadata, path.name)
         _build_state(file, plan, metadata)

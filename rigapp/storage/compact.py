@@ -83,7 +83,7 @@ def _replace_by_copy(reader: TestReader) -> None:
         reader.committed(name) * stream.row_bytes
         for name, stream in streams_of(reader.plan).items()
     )
-    refuse_little_space(target.parent, target, needed)
+    refuse_little_space(target.parent, target, needed, "the compressed copy")
     hidden.unlink(missing_ok=True)
     with contextlib.ExitStack() as undo:
         undo.callback(lambda: hidden.unlink(missing_ok=True))

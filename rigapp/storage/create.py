@@ -17,6 +17,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.storage.build import build_file
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import StorageFailed
+from rigapp.storage.hdf import open_for_reading
 from rigapp.storage.layout import (
     FilePlan,
     Stream,
@@ -59,14 +60,14 @@ def refuse_bad_target(path: Path, plan: FilePlan) -> None:
         )
 
 
-def refuse_little_space(folder: Path, path: Path, needed: int) -> None:
+def refuse_little_space(folder: Path, path: Path, needed: int, who: str = "the test") -> None:
     """Refuse when the folder's disk has not ``needed`` bytes and a margin free: UnusableInput."""
     disk = os.statvfs(folder)
     free = disk.f_bavail * disk.f_frsize
     missing = needed + SPACE_MARGIN - free
     if missing > 0:
         raise UnusableInput(
-            f"{path}: the test needs {(needed + SPACE_MARGIN) / MEGABYTE:.0f} MB, {folder} has "
+            f"{path}: {who} needs {(needed + SPACE_MARGIN) / MEGABYTE:.0f} MB, {folder} has "
             f"{free / MEGABYTE:.0f} MB free; {missing / MEGABYTE:.1f} MB are missing, "
             "free them or keep fewer whole cycles"
         )
@@ -114,7 +115,7 @@ def places_of(path: Path) -> Places:
             if offset is not None:
                 places["/" + name] = (int(offset), int(item.id.get_storage_size()))
 
-    with h5py.File(path, "r", locking=False) as file:
+    with open_for_reading(path) as file:
         file.visititems(note)
     return places
 
@@ -151,7 +152,7 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, Stream], places: 
                 marks.append((path, row, places[path][0] + row * one.row_bytes, mark))
     for _, _, offset, mark in marks:
         disk.write(mark, offset)
-    with h5py.File(file, "r", locking=False) as opened:
+    with open_for_reading(file) as opened:
         for path, row, offset, mark in marks:
             found = np.asarray(opened[path][row])
             if found.tobytes() != mark:

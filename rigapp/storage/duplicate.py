@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 
 from rigapp.storage.build import scale_label
+from rigapp.storage.hdf import open_for_reading
 from rigapp.storage.layout import COMPRESSED, FORM_ATTRIBUTE
 
 CHUNK_BYTES = 1 << 18
@@ -22,8 +23,8 @@ _SCALE_ATTRIBUTES = frozenset(
 def write_duplicate(source: Path, target: Path, sizes: Mapping[str, int]) -> None:
     """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep so many rows."""
     with (
-        h5py.File(source, "r", locking=False) as old,
-        h5py.File(target, "x", libver="earliest", locking=False) as new,
+        open_for_reading(source) as old,
+        h5py.File(target, "x", libver="earliest") as new,
     ):
         _copy_attributes(old, new)
         new.attrs[FORM_ATTRIBUTE] = COMPRESSED
@@ -44,8 +45,8 @@ def write_duplicate(source: Path, target: Path, sizes: Mapping[str, int]) -> Non
 def first_difference(source: Path, copy: Path, sizes: Mapping[str, int]) -> str:
     """Return the path of the first dataset or attribute that the copy has not the same, or ""."""
     with (
-        h5py.File(source, "r", locking=False) as old,
-        h5py.File(copy, "r", locking=False) as new,
+        open_for_reading(source) as old,
+        open_for_reading(copy) as new,
     ):
         for path, item in _items(old):
             if path not in new:

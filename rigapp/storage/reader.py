@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import Event
 from rigapp.storage.events import events_of, first_broken_link
+from rigapp.storage.hdf import open_for_reading
 from rigapp.storage.layout import (
     CALIBRATION,
     COMPRESSED,
@@ -311,7 +312,7 @@ def _opened(path: Path) -> h5py.File:
     try:
         if path.stat().st_size == 0:
             raise UnusableInput(f"{path}: the file is empty; a copy of the test must be restored")
-        file = h5py.File(path, "r", locking=False)
+        file = open_for_reading(path)
     except FileNotFoundError as error:
         raise UnusableInput(f"{path}: there is no such file") from error
     except OSError as error:

@@ -151,7 +151,7 @@ def _reserve(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> di
         wanted[name] = max(wanted[name], rows)
     length = sum(wanted[name] * stream.row_bytes for name, stream in streams.items())
     have = os.fstat(disk.fd).st_blocks * 512
-    refuse_little_space(disk.path.parent, disk.path, max(0, length - have))
+    refuse_little_space(disk.path.parent, disk.path, max(0, length - have), "the rest of the test")
     try:
         for name, stream in streams.items():
             reserve_stream(disk, stream, places, 0, wanted[name])

@@ -215,7 +215,7 @@ class TestWriter:
             max(0, rows - self._rooms[name].reserved) * self._streams[name].row_bytes
             for name, rows in wanted.items()
         )
-        refuse_little_space(self.path.parent, self.path, needed)
+        refuse_little_space(self.path.parent, self.path, needed, "the extension")
         try:
             for name, rows in wanted.items():
                 if rows > self._rooms[name].reserved:

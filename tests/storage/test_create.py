@@ -178,6 +178,16 @@ def test_plain_h5py_reads_it_with_its_own_locking(running: TestWriter) -> None:
         assert file["/entry/revolutions/committed"][()] == 120
 
 
+@pytest.mark.parametrize("locking", [None, False, True])
+def test_one_program_may_have_it_open_in_several_ways(
+    running: TestWriter, locking: bool | None
+) -> None:
+    with h5py.File(running.path, "r", locking=locking), open_test(running.path) as reader:
+        assert reader.committed() == 100
+    with open_test(running.path) as reader, h5py.File(running.path, "r") as file:
+        assert file["/entry/revolutions/committed"][()] == reader.committed()
+
+
 def test_xarray_gets_named_dimensions(running: TestWriter) -> None:
     import xarray
 
