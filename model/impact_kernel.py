@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import math
 
-import numba as nb
 import numpy as np
+from numba import boolean, float64, int64, njit, types, void
 
 from model.impact_laws import (
     FREE_POSITION,
@@ -47,10 +47,10 @@ IMPACT_TIME, IMPACT_SPEED = range(2)
 TOUCH_TIME, STEPS, REJECTED, IMPACTS, LAST_IMPACT_SPEED, LAST_TOUCHING, LAST_TIME = range(7)
 TALLY = 7
 
-STATE = nb.types.UniTuple(nb.float64, 4)
-RIGID = nb.types.UniTuple(nb.float64, 8)
-ROWS = nb.float64[:, ::1]
-ROW = nb.float64[::1]
+STATE = types.UniTuple(float64, 4)
+RIGID = types.UniTuple(float64, 8)
+ROWS = float64[:, ::1]
+ROW = float64[::1]
 
 A = np.array(
     [
@@ -67,7 +67,7 @@ C = np.array([0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
 E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
 
 
-@nb.njit(RIGID(VECTOR, nb.int64, nb.float64, ROW), cache=True)
+@njit(RIGID(VECTOR, int64, float64, ROW), cache=True)
 def joint_kinematics(p, location, time, y):  # type: ignore[no-untyped-def]
     """Return pin centre from bushing centre, its velocity, and the crank pin's place and e2."""
     angle = p[START_ANGLE] + p[SPEED] * time
@@ -82,7 +82,7 @@ def joint_kinematics(p, location, time, y):  # type: ignore[no-untyped-def]
     return dx, dy, ux, uy, px, py, c, s
 
 
-@nb.njit(HOLD(VECTOR, TABLE, nb.int64[::1], nb.float64, ROW, nb.float64, nb.boolean), cache=True)
+@njit(HOLD(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean), cache=True)
 def joint_contact(p, table, options, time, y, impact_speed, touching):  # type: ignore[no-untyped-def]
     """Return what ``contact_force`` returns for a state; without force in flight."""
     location, shape = options[0], options[1]
@@ -96,9 +96,7 @@ def joint_contact(p, table, options, time, y, impact_speed, touching):  # type: 
     )
 
 
-@nb.njit(
-    nb.void(VECTOR, TABLE, nb.int64[::1], nb.float64, ROW, nb.float64, nb.boolean, ROW), cache=True
-)
+@njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW), cache=True)
 def derivative(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
     """Write the state's rate of change into ``out``."""
     hold = joint_contact(p, table, options, time, y, impact_speed, touching)
@@ -122,7 +120,7 @@ def derivative(p, table, options, time, y, impact_speed, touching, out):  # type
         out[THETA_RATE] = about / p[INERTIA]
 
 
-@nb.njit(nb.void(ROW, ROW, ROW, ROW, nb.float64, nb.float64, ROW), cache=True)
+@njit(void(ROW, ROW, ROW, ROW, float64, float64, ROW), cache=True)
 def interpolate(y0, f0, y1, f1, h, part, out):  # type: ignore[no-untyped-def]
     """Write the state at ``part`` (0 .. 1) of a step into ``out``: cubic Hermite."""
     rest = 1.0 - part
@@ -135,16 +133,14 @@ def interpolate(y0, f0, y1, f1, h, part, out):  # type: ignore[no-untyped-def]
         )
 
 
-@nb.njit(nb.float64(VECTOR, TABLE, nb.int64[::1], nb.float64, ROW), cache=True)
+@njit(float64(VECTOR, TABLE, int64[::1], float64, ROW), cache=True)
 def depth_at(p, table, options, time, y):  # type: ignore[no-untyped-def]
     """Return the penetration of a state, negative for a gap."""
     dx, dy, _, _, _, _, c, s = joint_kinematics(p, options[0], time, y)
     return penetration(p, table, options[1], dx, dy, (c, s))[0]
 
 
-@nb.njit(
-    PAIR(VECTOR, TABLE, nb.int64[::1], nb.float64, nb.float64, ROWS, PAIR, nb.float64), cache=True
-)
+@njit(PAIR(VECTOR, TABLE, int64[::1], float64, float64, ROWS, PAIR, float64), cache=True)
 def find_crossing(p, table, options, time, h, ends, bracket, sign):  # type: ignore[no-untyped-def]
     """Return the part of a step at which the penetration changes sign, and the part just before.
 
@@ -164,9 +160,7 @@ def find_crossing(p, table, options, time, h, ends, bracket, sign):  # type: ign
     return high, low
 
 
-@nb.njit(
-    nb.float64(VECTOR, TABLE, nb.int64[::1], nb.float64, nb.float64, ROWS, nb.float64), cache=True
-)
+@njit(float64(VECTOR, TABLE, int64[::1], float64, float64, ROWS, float64), cache=True)
 def first_crossing(p, table, options, time, h, ends, sign):  # type: ignore[no-untyped-def]
     """Return the part of a step at which sign * penetration first rises above 0, else 2."""
     before = 0.0
@@ -179,18 +173,18 @@ def first_crossing(p, table, options, time, h, ends, sign):  # type: ignore[no-u
     return 2.0
 
 
-@nb.njit(
-    nb.float64(
+@njit(
+    float64(
         VECTOR,
         TABLE,
-        nb.int64[::1],
-        nb.float64,
-        nb.float64,
+        int64[::1],
+        float64,
+        float64,
         ROWS,
         ROWS,
         ROW,
-        nb.float64,
-        nb.boolean,
+        float64,
+        boolean,
     ),
     cache=True,
 )
@@ -216,8 +210,8 @@ def try_step(p, table, options, time, h, k, ends, scale, impact_speed, touching)
     return math.sqrt(0.25 * error)
 
 
-@nb.njit(
-    nb.void(VECTOR, TABLE, nb.int64[::1], nb.float64, ROW, nb.float64, nb.boolean, ROW, ROW),
+@njit(
+    void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW, ROW),
     cache=True,
 )
 def write_sample(p, table, options, time, y, impact_speed, touching, scratch, out):  # type: ignore[no-untyped-def]
@@ -232,8 +226,8 @@ def write_sample(p, table, options, time, y, impact_speed, touching, scratch, ou
     out[TOUCHING] = 1.0 if touching else 0.0
 
 
-@nb.njit(
-    nb.int64(VECTOR, TABLE, nb.int64[::1], ROW, ROW, VECTOR, VECTOR, nb.int64, ROWS, ROWS, ROW),
+@njit(
+    int64(VECTOR, TABLE, int64[::1], ROW, ROW, VECTOR, VECTOR, int64, ROWS, ROWS, ROW),
     cache=True,
 )
 def integrate(p, table, options, y, start, control, times, most_steps, samples, impacts, tally):  # type: ignore[no-untyped-def]

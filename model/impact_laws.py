@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-import numba as nb
+from numba import float64, int64, njit, types
 
 RADIUS, LENGTH, MASS, INERTIA, STATIC_MOMENT, SLIDER_MASS = range(6)
 STIFFNESS, FREE_POSITION, GRAVITY_X, GRAVITY_Y = range(6, 10)
@@ -22,15 +22,15 @@ CIRCLE, PROFILE, ELASTIC_FOUNDATION = range(3)
 NODE_X, NODE_Y, NODE_LENGTH, CUBIC, SQUARE, LINEAR, CONSTANT = range(7)
 """Columns of the profile table: surface nodes in the follower frame, then the radius spline."""
 
-TABLE = nb.types.Array(nb.float64, 2, "C", readonly=True)
-VECTOR = nb.types.Array(nb.float64, 1, "C", readonly=True)
-PAIR = nb.types.UniTuple(nb.float64, 2)
-TRIPLE = nb.types.UniTuple(nb.float64, 3)
-FOUR = nb.types.UniTuple(nb.float64, 4)
-HOLD = nb.types.UniTuple(nb.float64, 8)
+TABLE = types.Array(float64, 2, "C", readonly=True)
+VECTOR = types.Array(float64, 1, "C", readonly=True)
+PAIR = types.UniTuple(float64, 2)
+TRIPLE = types.UniTuple(float64, 3)
+FOUR = types.UniTuple(float64, 4)
+HOLD = types.UniTuple(float64, 8)
 
 
-@nb.njit(nb.float64(nb.float64, nb.float64, nb.float64), cache=True)
+@njit(float64(float64, float64, float64), cache=True)
 def friction_ramp(speed: float, start: float, end: float) -> float:
     """Return the part of Coulomb friction that acts at a sliding speed: odd, 0 .. 1 over a ramp."""
     size = abs(speed)
@@ -40,7 +40,7 @@ def friction_ramp(speed: float, start: float, end: float) -> float:
     return math.copysign(part, speed)
 
 
-@nb.njit(TRIPLE(VECTOR, TABLE, nb.float64, nb.float64), cache=True)
+@njit(TRIPLE(VECTOR, TABLE, float64, float64), cache=True)
 def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
     """Return penetration and the outward normal (follower frame) where the profile is nearest.
 
@@ -86,7 +86,7 @@ def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
     return p[PIN_RADIUS] - distance, ex / distance, ey / distance
 
 
-@nb.njit(TRIPLE(VECTOR, TABLE, nb.int64, nb.float64, nb.float64, PAIR), cache=True)
+@njit(TRIPLE(VECTOR, TABLE, int64, float64, float64, PAIR), cache=True)
 def penetration(p, table, shape, dx, dy, turn):  # type: ignore[no-untyped-def]
     """Return the deepest penetration (negative: gap) and the outward normal there, global.
 
@@ -114,7 +114,7 @@ def penetration(p, table, shape, dx, dy, turn):  # type: ignore[no-untyped-def]
     return deep, nx * c - ny * s, nx * s + ny * c
 
 
-@nb.njit(FOUR(VECTOR, TABLE, nb.float64, nb.float64), cache=True)
+@njit(FOUR(VECTOR, TABLE, float64, float64), cache=True)
 def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
     """Return the elastic force on the bushing (x, y) and two moments about the bushing centre.
 
@@ -137,15 +137,15 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
     return fx, fy, moment, turned
 
 
-@nb.njit(
+@njit(
     HOLD(
         VECTOR,
         TABLE,
-        nb.int64,
+        int64,
         FOUR,
         PAIR,
         PAIR,
-        nb.float64,
+        float64,
     ),
     cache=True,
 )

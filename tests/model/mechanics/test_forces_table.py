@@ -1,0 +1,187 @@
+"""`rigapp model forces`: the columns that users script against, and what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from model.dynamics import inverse_dynamics
+from model.parameters import Mechanism, Spring
+from rigapp.commands.model_forces import COLUMNS, CONTACT_COLUMNS, write_forces
+from rigapp.config.errors import UnusableInput
+
+PARAMETERS = """
+schema = 1
+[mechanism]
+crank_radius_mm = 76.2
+crank_mass_kg = 0.4045
+crank_inertia_kg_m2 = 204e-6
+follower_length_mm = 203.2
+follower_mass_kg = 0.8175
+follower_inertia_kg_m2 = 5500e-6
+slider_mass_kg = 5.54871
+[spring]
+stiffness_N_per_m = 525.0
+free_position_mm = 317.4952
+[joint]
+pin_radius_mm = 9.5
+bushing_radius_mm = 10.0
+bushing_outer_radius_mm = 20.0
+bushing_width_mm = 13.1
+[bushing]
+youngs_modulus_MPa = 500.0
+poissons_ratio = 0.38
+density_g_per_cm3 = 2.2
+wear_coefficient_mm3_per_Nm = 5.05e-4
+[pin]
+youngs_modulus_MPa = 206000.0
+poissons_ratio = 0.29
+"""
+SPRING = PARAMETERS[PARAMETERS.index("[spring]") : PARAMETERS.index("[joint]")]
+MECHANISM = Mechanism(
+    0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871, spring=Spring(525.0, 0.3174952)
+)
+
+
+@pytest.fixture
+def params(tmp_path: Path) -> Path:
+    path = tmp_path / "params.toml"
+    path.write_text(PARAMETERS)
+    return path
+
+
+def read(path: Path) -> dict[str, np.ndarray]:
+    header = path.read_text().splitlines()[0].split(",")
+    return dict(zip(header, np.loadtxt(path, delimiter=",", skiprows=1).T, strict=True))
+
+
+def test_the_perfect_joint(params: Path, tmp_path: Path) -> None:
+    target = tmp_path / "forces.csv"
+    assert write_forces(params, 30.0, "perfect", None, 360, target) == 0
+    table = read(target)
+    assert tuple(table) == COLUMNS
+    np.testing.assert_array_equal(table["crank_angle_deg"], np.arange(360.0))
+    motion = inverse_dynamics(MECHANISM, np.deg2rad(np.arange(360.0)), np.pi)
+    expected = {
+        "fx_N": motion.force[0],
+        "fy_N": motion.force[1],
+        "f_N": motion.force_magnitude,
+        "fx_crank_N": motion.force_crank[0],
+        "fy_crank_N": motion.force_crank[1],
+        "fx_follower_N": motion.force_follower[0],
+        "fy_follower_N": motion.force_follower[1],
+        "torque_Nm": motion.drive_torque,
+        "slider_position_mm": 1e3 * motion.slider_position,
+        "slider_velocity_m_per_s": motion.slider_velocity,
+        "slider_acceleration_m_per_s2": motion.slider_acceleration,
+    }
+    for name, values in expected.items():
+        np.testing.assert_allclose(table[name], values, rtol=1e-12, atol=1e-13, err_msg=name)
+    assert table["slip_mm"].sum() == pytest.approx(2.0 * np.pi * 9.5, rel=1e-12)
+
+
+def test_continuous_contact_takes_the_files_clearance_or_the_given_one(
+    params: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    own, given, none = (tmp_path / f"{n}.csv" for n in ("own", "given", "none"))
+    write_forces(params, 30.0, "continuous", None, 720, own)
+    write_forces(params, 30.0, "continuous", 1.0, 720, given)
+    write_forces(params, 30.0, "continuous", 0.0, 720, none)
+    perfect = inverse_dynamics(MECHANISM, np.deg2rad(np.arange(0.0, 360.0, 0.5)), np.pi)
+    for path, gap in ((own, 0.5), (given, 1.0), (none, 0.0)):
+        table = read(path)
+        assert len(table["f_N"]) == 720
+        change = table["slider_position_mm"][0] - 1e3 * perfect.slider_position[0]
+        assert change == pytest.approx(gap, abs=1e-9)
+    assert capsys.readouterr().err == ""
+
+
+def test_a_failing_assumption_is_said_on_stderr(
+    params: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    params.write_text(PARAMETERS.replace(SPRING, ""))
+    assert write_forces(params, 30.0, "continuous", None, 360, tmp_path / "a.csv") == 0
+    error = capsys.readouterr().err
+    assert "71.7 to 288.3 deg" in error
+    assert "compression" in error
+
+
+@pytest.mark.parametrize("rpm", [30.0, -30.0])
+def test_contact_has_three_more_columns(params: Path, tmp_path: Path, rpm: float) -> None:
+    target = tmp_path / "contact.csv"
+    write_forces(params, rpm, "contact", None, 360, target)
+    table = read(target)
+    assert tuple(table) == COLUMNS + CONTACT_COLUMNS
+    speed = rpm * np.pi / 30.0
+    other = inverse_dynamics(MECHANISM, np.deg2rad(np.arange(360.0)), speed, clearance=0.5e-3)
+    assert np.abs(table["f_N"] - other.force_magnitude).max() < 0.05
+    assert np.abs(table["slider_velocity_m_per_s"] - other.slider_velocity).max() < 1e-3
+    assert np.abs(table["torque_Nm"] - other.drive_torque).max() < 0.01
+    assert (table["contact"] == 1.0).all()
+    assert 10.0 < table["penetration_um"].min() < table["penetration_um"].max() < 60.0
+    assert np.abs(table["contact_angle_deg"]).max() < 0.5
+    assert table["slip_mm"].sum() == pytest.approx(2.0 * np.pi * 9.5, rel=1e-9)
+    np.testing.assert_allclose(table["slip_mm"], 1e3 * other.slip_increments(9.5e-3), rtol=2e-3)
+
+
+def test_lost_contact_shows_in_the_columns(
+    params: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    params.write_text(PARAMETERS.replace(SPRING, ""))
+    target = tmp_path / "contact.csv"
+    write_forces(params, 30.0, "contact", None, 3600, target)
+    table = read(target)
+    assert set(table["contact"]) == {0.0, 1.0}
+    away = table["contact"] == 0.0
+    assert (table["penetration_um"][away] == 0.0).all()
+    assert (table["f_N"][away] == 0.0).all()
+    assert np.ptp(table["contact_angle_deg"]) > 180.0
+    assert "In contact" in capsys.readouterr().out
+
+
+def test_an_earlier_table_is_replaced_whole(params: Path, tmp_path: Path) -> None:
+    target = tmp_path / "forces.csv"
+    target.write_text("old\n" * 1000)
+    write_forces(params, 30.0, "perfect", None, 8, target)
+    assert len(target.read_text().splitlines()) == 9
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["forces.csv", "params.toml"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"rpm": 0.0}, "--rpm 0"),
+        ({"rpm": float("nan")}, "--rpm nan"),
+        ({"joint": "loose"}, "perfect, continuous, contact"),
+        ({"points": 3}, "--points 3"),
+        ({"clearance_mm": -0.1, "joint": "continuous"}, "--clearance-mm -0.1"),
+        ({"clearance_mm": 0.5}, "no meaning for a perfect joint"),
+        ({"clearance_mm": 50.0, "joint": "continuous"}, r"params.toml with --clearance-mm 50"),
+        ({"clearance_mm": 0.0, "joint": "contact"}, "params.toml: clearance is 0 m"),
+        ({"target": Path("forces.txt")}, "ends with .csv"),
+        ({"target": Path("nowhere/forces.csv")}, "no such folder"),
+    ],
+)
+def test_refusals(params: Path, tmp_path: Path, changes: dict, words: str) -> None:
+    arguments = {
+        "params_path": params,
+        "rpm": 30.0,
+        "joint": "perfect",
+        "clearance_mm": None,
+        "points": 360,
+        "target": tmp_path / "out.csv",
+    } | changes
+    arguments["target"] = tmp_path / arguments["target"]
+    with pytest.raises(UnusableInput, match=words):
+        write_forces(**arguments)
+    assert not (tmp_path / "out.csv").exists()
+
+
+def test_the_parameter_file_is_never_overwritten(tmp_path: Path) -> None:
+    path = tmp_path / "params.csv"
+    path.write_text(PARAMETERS)
+    with pytest.raises(UnusableInput, match="is the parameter file"):
+        write_forces(path, 30.0, "perfect", None, 360, path)
+    assert path.read_text() == PARAMETERS
