@@ -120,11 +120,11 @@ def phase_shift(measured: Array, predicted: Array) -> float:
 
 
 def _on_grid(angle: Array, values: Array) -> Array:
-    return np.interp(GRID, angle, values, period=2.0 * np.pi)
+    return np.asarray(np.interp(GRID, angle, values, period=2.0 * np.pi), dtype=np.float64)
 
 
 def _at(angle: Array, curve: Array) -> Array:
-    return np.interp(angle, GRID, curve, period=2.0 * np.pi)
+    return np.asarray(np.interp(angle, GRID, curve, period=2.0 * np.pi), dtype=np.float64)
 
 
 def _rms(values: Array) -> float:

@@ -1,0 +1,88 @@
+"""`rigapp gui`, `rigapp replay` and `rigapp picture`: everything that needs Qt."""
+
+from __future__ import annotations
+
+import os
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig, read_test
+
+if TYPE_CHECKING:
+    from rigapp.service.client import Client
+
+
+def examples_folder() -> Path:
+    """Return the folder of the shipped rig and test files."""
+    beside = Path(str(resources.files("rigapp"))).parent / "examples"
+    if not beside.is_dir():
+        raise UnusableInput(f"{beside}: the shipped examples are missing; name a rig file.")
+    return beside
+
+
+def open_window(rig: Path | None, test: Path | None, *, start: bool) -> int:
+    """Show the operator's window until it is closed; return the exit status."""
+    rig_path = (rig or examples_folder() / "simulated.toml").resolve()
+    read_rig(rig_path)
+    tests = _tests(rig_path, test)
+    results = Path.cwd() / "results"
+    results.mkdir(exist_ok=True)
+    try:
+        from rigapp.gui.app import main
+    except ImportError as error:
+        raise UnusableInput(
+            f"The window's libraries are missing ({error}); run 'rigapp doctor'."
+        ) from error
+    from rigapp.service.launch import attach
+
+    def factory() -> Client:
+        return attach(rig_path, os.environ.get("USER", ""))
+
+    return main(
+        factory,
+        rig_path=rig_path,
+        tests=tests,
+        results_folder=results,
+        start_test=tests[0] if start and tests else None,
+    )
+
+
+def _tests(rig: Path, test: Path | None) -> list[Path]:
+    """Return the test files to offer: the one named first, then those beside the rig file."""
+    found: list[Path] = []
+    if test is not None:
+        read_test(test)
+        found.append(test.resolve())
+    for path in sorted(rig.parent.glob("*.toml")):
+        try:
+            read_test(path)
+        except UnusableInput:
+            continue
+        if path.resolve() not in found:
+            found.append(path.resolve())
+    return found
+
+
+def replay_file(path: Path) -> int:
+    """Show a recorded test in the same window; return the exit status."""
+    from rigapp.storage.reader import open_test
+
+    with open_test(path):
+        pass
+    from rigapp.gui.app import main
+    from rigapp.gui.replay import ReplayClient
+
+    return main(
+        lambda: ReplayClient(path), rig_path=path, tests=[], results_folder=path.resolve().parent
+    )
+
+
+def draw_picture(path: Path, target: Path) -> int:
+    """Draw a recorded test without a display; return the exit status."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    from rigapp.gui.picture import save_picture
+
+    save_picture(path, target)
+    return 0

@@ -1,0 +1,236 @@
+"""Host an engine: simulated rig, engine, twin and server, and the order between them.
+
+Used by ``rigapp run`` (one test, then the end) and ``rigapp engine`` (until told to shut down).
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from drivers.api import DeviceError
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document, parse_test, read_rig, read_test
+from rigapp.config.recipe import TestFile
+from rigapp.config.rig import RigFile
+from rigapp.engine.engine import Engine
+from rigapp.engine.messages import Reply, Request, RevolutionMeasured, RunState, Snapshot
+from rigapp.engine.run import ACTIVE, Refused
+from rigapp.service.registry import (
+    EngineEntry,
+    announce,
+    local_endpoints,
+    runtime_folder,
+    withdraw,
+)
+from rigapp.service.server import Server
+from rigapp.service.simulated import SimulatedDevices, Speed, parse_speed
+from rigapp.simulation.handle import SimulationFailed
+from rigapp.twin.link import TwinLink
+from rigapp.twin.worker import TwinSetup
+
+EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
+"""Errors that are a sentence for whoever asked, not a defect."""
+
+
+class EngineHost:
+    """One engine of one rig, reachable by viewers while it lives."""
+
+    def __init__(self, rig: Document[RigFile], speed: Speed | None) -> None:
+        """Make the engine and begin to serve; devices are opened by ``connect`` or ``start``."""
+        self._simulated = SimulatedDevices(rig, speed)
+        self._twin: TwinLink | None = None
+        self.engine = Engine(rig, on_measured=self._offer)
+        self._subscription = self.engine.subscribe()
+        self.notices = self.engine.watch()
+        self._starting = threading.Lock()
+        self.ended = threading.Event()
+        self._verbs = self._table()
+        folder = runtime_folder()
+        self._server = Server(self.handle, self.snapshot, *local_endpoints(folder, os.getpid()))
+        self._server.start()
+        announce(
+            EngineEntry(
+                pid=os.getpid(),
+                commands=self._server.commands,
+                snapshots=self._server.stream,
+                rig=str(rig.path.resolve()),
+                started=time.time(),
+            )
+        )
+
+    # --- tests -----------------------------------------------------------------------------------
+
+    def connect(self, test: TestFile | None = None) -> None:
+        """Open the devices, simulated ones with the mechanism of the test; blocks until ready."""
+        parameters = test.model if test is not None else None
+        if not self._simulated.suits(parameters) and self.engine.state is not RunState.IDLE:
+            self.engine.shutdown()
+        self.engine.connect(self._simulated.ports(parameters))
+
+    def start(self, test: Document[TestFile], out: Path, operator: str, *, resume: bool) -> None:
+        """Connect where needed and start a test; raises what the engine raises."""
+        with self._starting:
+            ready = self.engine.state in (RunState.READY, RunState.STOPPED)
+            if not (ready and self._simulated.suits(test.record.model)):
+                if self.engine.state in ACTIVE:
+                    raise Refused("a test is under way; stop it first")
+                self.connect(test.record)
+            self._start_twin(test.record)
+            self.engine.start(test, out, operator=operator, resume=resume)
+
+    def _start_twin(self, test: TestFile) -> None:
+        if self._twin is not None:
+            self._twin.close()
+            self._twin = None
+        if test.prediction.enabled:
+            setup = TwinSetup(parameters=test.model, joint=test.prediction.joint)
+            self._twin = TwinLink(setup, self.engine.submit_prediction, runtime_folder())
+
+    def _offer(self, measured: RevolutionMeasured) -> None:
+        twin = self._twin
+        if twin is not None:
+            twin.offer(measured)
+
+    def close(self) -> None:
+        """Stop a test under way, tell viewers, release everything; the spindle stands then."""
+        try:
+            self.engine.shutdown()
+        finally:
+            if self._twin is not None:
+                self._twin.close()
+            self._simulated.close()
+            self._server.close()
+            withdraw(os.getpid())
+            self.ended.set()
+
+    # --- what viewers ask ------------------------------------------------------------------------
+
+    def snapshot(self) -> Snapshot:
+        """Return what is new for all viewers."""
+        snapshot = self.engine.snapshot(self._subscription)
+        speed = self._simulated.speed
+        status = msgspec.structs.replace(
+            snapshot.status,
+            simulated_speed=0.0 if speed == "max" else float(speed or 1.0),
+            engine_pid=os.getpid(),
+        )
+        return msgspec.structs.replace(snapshot, status=status)
+
+    def handle(self, request: Request) -> Reply:
+        """Carry out a request; what was refused comes back as one sentence."""
+        verb = self._verbs.get(request.verb)
+        if verb is None:
+            known = ", ".join(sorted(self._verbs))
+            return Reply(ok=False, sentence=f"There is no command {request.verb!r}: {known}.")
+        try:
+            result = verb(request.arguments, request.operator)
+        except EXPECTED as error:
+            return Reply(ok=False, sentence=_capital(str(error)))
+        except (KeyError, TypeError, ValueError) as error:
+            return Reply(
+                ok=False, sentence=f"The arguments of {request.verb!r} are not usable: {error}."
+            )
+        return Reply(ok=True, result=result)
+
+    def _table(self) -> dict[str, Callable[[dict[str, Any], str], Any]]:
+        engine = self.engine
+        return {
+            "status": lambda a, who: msgspec.to_builtins(self.snapshot().status),
+            "connect": lambda a, who: self.connect(),
+            "reconnect": lambda a, who: self.connect(),
+            "start": self._start_request,
+            "resume_file": self._resume_request,
+            "pause": lambda a, who: engine.pause(who, a.get("reason", "")),
+            "resume": lambda a, who: engine.resume(who),
+            "stop": lambda a, who: engine.stop(who, a.get("reason", "")),
+            "drive_off": lambda a, who: engine.drive_off(who, a.get("reason", "")),
+            "reset": lambda a, who: engine.reset(who),
+            "acknowledge": lambda a, who: engine.acknowledge(a.get("key", ""), who),
+            "shelve": lambda a, who: engine.shelve(a["key"], a["reason"], a["minutes"], who),
+            "note": lambda a, who: engine.note(a["text"], who),
+            "set_limit": lambda a, who: engine.set_limit(
+                a["name"], a["value"], who, a.get("reason", "")
+            ),
+            "zero": lambda a, who: engine.zero(
+                tuple(a.get("what", ("load_cell",))), who, a.get("reason", "")
+            ),
+            "inject_fault": lambda a, who: self._simulated.process.inject(**a),
+            "clear_fault": lambda a, who: self._simulated.process.clear(a["kind"]),
+            "simulation_state": lambda a, who: self._simulated.process.state(),
+            "shutdown": lambda a, who: self.ended.set(),
+        }
+
+    def _start_request(self, arguments: dict[str, Any], operator: str) -> None:
+        test = with_revolutions(read_test(Path(arguments["test"])), arguments.get("revolutions"))
+        self.start(test, Path(arguments["out"]), operator, resume=False)
+
+    def _resume_request(self, arguments: dict[str, Any], operator: str) -> None:
+        path = Path(arguments["file"])
+        self.start(recorded_test(path), path, operator, resume=True)
+
+
+def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Document[TestFile]:
+    """Return a test with another number of revolutions, in its text as well; UnusableInput."""
+    if revolutions is None or revolutions == test.record.run.revolutions:
+        return test
+    text, count = re.subn(
+        r"(?m)^(\s*revolutions\s*=\s*)\S+", rf"\g<1>{revolutions}", test.text, count=1
+    )
+    record = parse_test(text, str(test.path)) if count else test.record
+    if record.run.revolutions != revolutions:
+        run = msgspec.structs.replace(test.record.run, revolutions=revolutions)
+        record = msgspec.structs.replace(test.record, run=run)
+        tree = msgspec.to_builtins(record)
+        text = msgspec.toml.encode(_without_none(tree)).decode()
+    return Document(test.path, text, record)
+
+
+def recorded_test(path: Path) -> Document[TestFile]:
+    """Return the test that a file records, to go on with it; raise UnusableInput."""
+    from rigapp.storage.reader import open_test
+
+    with open_test(path) as reader:
+        text = reader.configuration()["test"]
+    return Document(path, text, parse_test(text, f"{path} (its test)"))
+
+
+def serve(rig_path: Path, speed: str | None) -> int:
+    """Host an engine for windows until one of them, or a signal, shuts it down."""
+    rig = read_rig(rig_path)
+    host = EngineHost(rig, parse_speed(speed, rig))
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: host.ended.set())
+    threading.Thread(target=_connect_quietly, args=(host,), name="connect", daemon=True).start()
+    host.ended.wait()
+    host.close()
+    return 0
+
+
+def _connect_quietly(host: EngineHost) -> None:
+    """Connect at once, so that the window shows live values; a failure shows in the state."""
+    try:
+        host.connect()
+    except EXPECTED as error:
+        print(f"rigapp engine: {error}", flush=True)
+
+
+def _without_none(tree: Any) -> Any:
+    if isinstance(tree, dict):
+        return {key: _without_none(value) for key, value in tree.items() if value is not None}
+    if isinstance(tree, list | tuple):
+        return [_without_none(value) for value in tree]
+    return tree
+
+
+def _capital(sentence: str) -> str:
+    text = sentence[:1].upper() + sentence[1:]
+    return text if text.endswith((".", "?", "!")) else text + "."

@@ -1,0 +1,102 @@
+"""The simulated rig of an engine: started when needed, again for another mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Literal
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document
+from rigapp.config.parameters import ParameterFile
+from rigapp.config.rig import RigFile
+from rigapp.simulation.process import SimulatedRig, start_simulated_rig
+
+Speed = float | Literal["max"]
+
+
+def parse_speed(text: str | None, rig: Document[RigFile]) -> Speed | None:
+    """Return the speed that ``--speed`` asks for, the rig file's without it; raise UnusableInput.
+
+    None when the rig is not simulated.
+    """
+    simulation = rig.record.simulation
+    if text is None:
+        return None if simulation is None else simulation.speed
+    if simulation is None:
+        raise UnusableInput(
+            f"--speed {text}: {rig.path} is not a simulated rig; leave --speed out."
+        )
+    if text == "max":
+        return "max"
+    try:
+        speed = float(text)
+    except ValueError as error:
+        raise UnusableInput(f"--speed {text}: give a number of times real time, or max.") from error
+    if not 0.0 < speed < float("inf"):
+        raise UnusableInput(f"--speed {text}: give a number above 0, or max.")
+    return speed
+
+
+class SimulatedDevices:
+    """Keep the simulated rig of one rig file running, with the mechanism of the present test."""
+
+    def __init__(self, rig: Document[RigFile], speed: Speed | None) -> None:
+        """Remember what to start; nothing runs yet. Without [simulation] nothing ever does."""
+        self._rig = rig
+        self.speed = speed
+        self._process: SimulatedRig | None = None
+        self._parameters: ParameterFile | None = None
+
+    @property
+    def needed(self) -> bool:
+        """Tell whether any device of the rig is simulated here."""
+        return self._rig.record.simulation is not None and any(
+            device.port == "simulated" for device in self._rig.record.devices.values()
+        )
+
+    def suits(self, parameters: ParameterFile | None) -> bool:
+        """Tell whether what runs now is the rig of these parameters."""
+        if not self.needed:
+            return True
+        return (
+            self._process is not None
+            and self._process.alive()
+            and (parameters is None or parameters == self._parameters)
+        )
+
+    def ports(self, parameters: ParameterFile | None) -> Mapping[str, str]:
+        """Return the port of each simulated device, starting the rig (again) where it must be."""
+        if not self.needed:
+            return {}
+        if not self.suits(parameters) or self._process is None:
+            self.close()
+            assert self.speed is not None
+            self._process = start_simulated_rig(
+                self._rig.path, speed=self.speed, parameters=parameters
+            )
+            self._parameters = parameters
+        return {
+            name: url
+            for name, url in self._process.urls.items()
+            if self._rig.record.devices[name].port == "simulated"
+        }
+
+    @property
+    def process(self) -> SimulatedRig:
+        """Return the running simulated rig; raise UnusableInput when there is none."""
+        if self._process is None or not self._process.alive():
+            raise UnusableInput("There is no simulated rig running; connect it first.")
+        return self._process
+
+    def close(self) -> None:
+        """End the simulated rig."""
+        if self._process is not None:
+            self._process.close()
+            self._process = None
+
+
+def output_name(results: Path, title: str, stamp: str) -> Path:
+    """Return a file name for a test that was given none."""
+    stem = "".join(letter if letter.isalnum() else "-" for letter in title.lower()).strip("-")
+    return results / f"{stem or 'test'}-{stamp}.h5"
