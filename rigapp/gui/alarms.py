@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from typing import Any
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, Signal
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -15,6 +15,9 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QSpinBox,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -23,6 +26,8 @@ from PySide6.QtWidgets import (
 
 from rigapp.engine.messages import Alarm, Severity
 from rigapp.gui.palette import Theme
+
+Index = QModelIndex | QPersistentModelIndex
 
 COLUMNS = ("", "State", "Alarm", "Cause", "Consequence", "What to do", "Since", "Cycle")
 MARKS = {Severity.WARNING: "▲ warning", Severity.CRITICAL: "◆ critical"}
@@ -39,6 +44,16 @@ def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
             alarm.raised_at,
         ),
     )
+
+
+class SignalDelegate(QStyledItemDelegate):
+    """Paint the mark of an alarm in its own colour, chosen or not."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        """Leave the selection out of the mark's own colours."""
+        super().initStyleOption(option, index)
+        if index.data(Qt.ItemDataRole.BackgroundRole) is not None:
+            option.state &= ~QStyle.StateFlag.State_Selected
 
 
 class AlarmPanel(QWidget):
@@ -66,9 +81,11 @@ class AlarmPanel(QWidget):
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         for column in (2, 3, 4, 5):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
+        self._marks = SignalDelegate(self.table)
+        self.table.setItemDelegateForColumn(0, self._marks)
         self.table.itemSelectionChanged.connect(self._enable)
         self._build(prefix)
-        self._enable()
+        self.dress(theme)
 
     def _build(self, prefix: str) -> None:
         self.empty = QLabel("No alarms.")
@@ -105,6 +122,9 @@ class AlarmPanel(QWidget):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
+        self.table.setStyleSheet(
+            f"QTableWidget::item:selected {{ background: {theme.band}; color: {theme.text}; }}"
+        )
         alarms, self._alarms = self._alarms, []
         self.show_alarms(tuple(alarms))
 

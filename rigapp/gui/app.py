@@ -19,12 +19,18 @@ log = logging.getLogger(__name__)
 
 
 def main(
-    client_factory: ClientFactory, *, rig_path: Path, tests: list[Path], results_folder: Path
+    client_factory: ClientFactory,
+    *,
+    rig_path: Path,
+    tests: list[Path],
+    results_folder: Path,
+    start_test: Path | None = None,
 ) -> int:
     """Show the window until it is closed; return the exit status.
 
     client_factory: makes a client of the engine, on a worker thread, at the start and again
     whenever the engine is lost; it may take its time and may raise.
+    start_test: a test to start as soon as the engine can be asked.
     Returns 1 without a window when the self test of the GUI library fails.
     """
     application = QApplication.instance() or QApplication(sys.argv[:1])
@@ -49,4 +55,6 @@ def main(
     window.setWindowTitle(f"rigapp – {rig_path.stem}")
     window.show()
     QTimer.singleShot(0, window.start)
+    if start_test is not None:
+        window.start_when_idle(start_test)
     return application.exec()

@@ -3,23 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
-    QComboBox,
-    QFileDialog,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -45,6 +40,7 @@ class Command:
 
 
 STARTABLE = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
+START_AFTER_CONNECT_S = 60.0
 
 COMMANDS = (
     Command(
@@ -89,6 +85,8 @@ class ControlRow(QWidget):
         self._send = send
         self._theme = theme
         self._asked_why = ""
+        self._state: RunState | None = None
+        self._waiting_start: tuple[dict[str, Any], float] | None = None
         self.setObjectName("controls")
         self.setAccessibleName("Control of the test")
         self.buttons: dict[str, QPushButton] = {}
@@ -127,6 +125,8 @@ class ControlRow(QWidget):
 
     def show_status(self, status: Status | None, link: LinkState) -> None:
         """Enable what applies now; Stop stays enabled when the state is not known."""
+        self._state = status.state if status is not None else None
+        self._start_when_ready()
         for command in COMMANDS:
             applies = status is not None and status.state in command.states
             if command.verb == "stop":
@@ -157,6 +157,26 @@ class ControlRow(QWidget):
         label = verb.replace("_", " ")
         self.show_answer(f"{label} …", good=True)
         self._send(verb, arguments, partial(self._answered, label))
+
+    def start_test(self, arguments: dict[str, Any]) -> None:
+        """Start a test, connecting the devices first when they are not."""
+        if self._state in (RunState.READY, RunState.STOPPED):
+            self.send("start", arguments)
+            return
+        self._waiting_start = (arguments, time.monotonic() + START_AFTER_CONNECT_S)
+        if self._state is RunState.IDLE:
+            self.send("connect", {})
+
+    def _start_when_ready(self) -> None:
+        if self._waiting_start is None:
+            return
+        arguments, deadline = self._waiting_start
+        if self._state in (RunState.READY, RunState.STOPPED):
+            self._waiting_start = None
+            self.send("start", arguments)
+        elif self._state is RunState.FAULT or time.monotonic() > deadline:
+            self._waiting_start = None
+            self.show_answer("The test was not started: the devices are not ready.", good=False)
 
     def add_note(self) -> None:
         """Send the text as a note of the log."""
@@ -208,118 +228,3 @@ class ControlRow(QWidget):
     def _ask_nothing(self) -> None:
         self._asked_why = ""
         self.text.setPlaceholderText("")
-
-
-class StartBar(QFrame):
-    """Ask for test, length and file below the buttons; the state bar stays in sight."""
-
-    started = Signal(dict)
-
-    def __init__(self, tests: Sequence[Path], results_folder: Path) -> None:
-        super().__init__()
-        self._results = results_folder
-        self.setObjectName("start_bar")
-        self.setAccessibleName("Start a test")
-        self.setFrameShape(QFrame.Shape.StyledPanel)
-        self.test = QComboBox()
-        self.test.setObjectName("start_test")
-        self.test.setAccessibleName("Test to start")
-        self.out = QLineEdit()
-        self.out.setObjectName("start_file")
-        self.out.setAccessibleName("File that the test is written to")
-        self.revolutions = QSpinBox()
-        self.revolutions.setObjectName("start_revolutions")
-        self.revolutions.setAccessibleName("Revolutions, 0: as in the test")
-        self.revolutions.setRange(0, 100_000_000)
-        self.revolutions.setSpecialValueText("as in the test")
-        self.revolutions.setGroupSeparatorShown(True)
-        self._build()
-        self.offer(tests)
-        self.hide()
-
-    def _build(self) -> None:
-        browse = QPushButton("&Browse…")
-        browse.setObjectName("start_browse")
-        browse.setAccessibleName("Choose another test file")
-        browse.clicked.connect(self._browse)
-        self.go = QPushButton("Start no&w")
-        self.go.setObjectName("start_now")
-        self.go.setAccessibleName("Start now")
-        self.go.clicked.connect(self._go)
-        cancel = QPushButton("Cancel")
-        cancel.setObjectName("start_cancel")
-        cancel.setAccessibleName("Do not start")
-        cancel.clicked.connect(self.hide)
-        row = QHBoxLayout(self)
-        for text, widget, stretch in (
-            ("Test &file", self.test, 2),
-            ("Re&volutions", self.revolutions, 1),
-            ("Write t&o", self.out, 3),
-        ):
-            label = QLabel(text)
-            label.setBuddy(widget)
-            row.addWidget(label)
-            row.addWidget(widget, stretch)
-            if widget is self.test:
-                row.addWidget(browse)
-        row.addWidget(self.go)
-        row.addWidget(cancel)
-        self.test.currentIndexChanged.connect(self._name_file)
-
-    def offer(self, tests: Sequence[Path]) -> None:
-        """Offer test files, the first one chosen."""
-        self.test.clear()
-        for path in tests:
-            self.test.addItem(path.name, str(path))
-
-    def choose(self, path: Path) -> None:
-        """Choose a test file, adding it when it is new."""
-        index = self.test.findData(str(path))
-        if index < 0:
-            self.test.addItem(path.name, str(path))
-            index = self.test.count() - 1
-        self.test.setCurrentIndex(index)
-
-    def open(self) -> None:
-        """Show the bar with a fresh file name and the focus on the test."""
-        self._name_file()
-        self.go.setEnabled(self.test.count() > 0)
-        self.show()
-        self.test.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter starts, Esc closes the bar."""
-        if event.key() == Qt.Key.Key_Escape:
-            self.hide()
-        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            self._go()
-        else:
-            super().keyPressEvent(event)
-
-    def _name_file(self) -> None:
-        path = self.test.currentData()
-        if path:
-            stamp = time.strftime("%Y%m%d-%H%M%S")
-            self.out.setText(str(self._results / f"{Path(path).stem}-{stamp}.h5"))
-
-    def _browse(self) -> None:
-        dialog = QFileDialog(self, "Choose a test", filter="Tests (*.toml)")
-        dialog.setObjectName("choose_test")
-        dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
-        dialog.setModal(False)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.fileSelected.connect(lambda name: self.choose(Path(name)))
-        dialog.show()
-
-    def _go(self) -> None:
-        self.revolutions.interpretText()
-        if not self.test.currentData() or not self.out.text().strip():
-            return
-        arguments: dict[str, Any] = {
-            "test": self.test.currentData(),
-            "out": self.out.text().strip(),
-        }
-        if self.revolutions.value():
-            arguments["revolutions"] = self.revolutions.value()
-        self.hide()
-        self.started.emit(arguments)

@@ -26,8 +26,8 @@ from rigapp.gui.recording import StoredRevolution
 from rigapp.gui.series import LiveData
 
 HEADINGS = tuple(
-    f"{statistic} {kind}"
-    for statistic in ("max", "min", "RMS")
+    f"{statistic}\n{kind}"
+    for statistic in ("maximum", "minimum", "RMS")
     for kind in ("measured", "model", "difference")
 )
 

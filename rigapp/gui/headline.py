@@ -142,7 +142,7 @@ def _end(status: Status, now: float) -> Field:
 
 
 def _age(status: Status, data_age_s: float | None) -> Field:
-    if data_age_s is None or status.state in (RunState.IDLE, RunState.CONNECTING):
+    if data_age_s is None or not math.isfinite(data_age_s):
         return Field("–", "no data yet")
     level = Level.NORMAL
     if status.state in ACTIVE_STATES and data_age_s > 2.0:
@@ -159,17 +159,22 @@ def _margin(status: Status) -> Field:
         level = Level.CRITICAL
     elif percent < LOW_MARGIN_PERCENT:
         level = Level.WARNING
-    return Field(f"{percent:.0f} %", status.worst_margin, level)
+    return Field(f"{percent:.0f} %", status.worst_margin.replace("_", " "), level)
 
 
 def _agreement(status: Status) -> Field:
-    if status.twin_revolution < 0 or not math.isfinite(status.residual_rms_N):
+    if status.twin_revolution <= 0 or not math.isfinite(status.residual_rms_N):
         return Field("–", "no prediction")
     behind = status.revolution - status.twin_revolution
     value = f"±{status.residual_rms_N:.1f} N"
-    if status.state is RunState.RUNNING and status.twin_age_s > STALE_TWIN_S:
+    if is_stale(status):
         return Field(value, f"stale for {duration(status.twin_age_s)}", Level.WARNING)
     return Field(value, "RMS, this cycle" if behind <= 1 else f"RMS, {grouped(behind)} cycles ago")
+
+
+def is_stale(status: Status) -> bool:
+    """Tell whether the prediction has fallen behind a running test."""
+    return status.state is RunState.RUNNING and STALE_TWIN_S < status.twin_age_s < math.inf
 
 
 def _alarms(status: Status) -> Field:
@@ -191,7 +196,7 @@ def _line(status: Status) -> str:
     if status.simulated:
         speed = status.simulated_speed
         parts.append(
-            f"SIMULATED × {speed:g}" if math.isfinite(speed) and speed > 0 else "SIMULATED"
+            f"SIMULATED × {speed:.3g}" if math.isfinite(speed) and speed > 0 else "SIMULATED"
         )
     if status.state in ACTIVE_STATES:
         parts.append(f"{status.speed_rpm:.1f} of {status.target_rpm:.1f} rpm")
@@ -209,6 +214,8 @@ def grouped(number: int) -> str:
 
 def duration(seconds: float) -> str:
     """Return a length of time in the two largest units that matter."""
+    if not math.isfinite(seconds):
+        return "–"
     minutes, rest = divmod(int(seconds), 60)
     hours, minutes = divmod(minutes, 60)
     days, hours = divmod(hours, 24)

@@ -168,6 +168,7 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
     """Dress the application and the plots made from now on."""
     application.setStyle("Fusion")
     application.setPalette(qt_palette(theme))
+    application.setStyleSheet("QPushButton:checked { font-weight: bold; }")
     pg.setConfigOptions(
         antialias=False, useOpenGL=False, background=theme.base, foreground=theme.text
     )

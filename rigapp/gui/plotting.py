@@ -32,7 +32,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.setMinimumSize(QSize(120, 60))
         metrics = QFontMetrics(self.font())
         self.getPlotItem().layout.setContentsMargins(
-            0, metrics.height() // 2, metrics.horizontalAdvance("00"), 0
+            0, metrics.height() // 2, metrics.horizontalAdvance("000"), metrics.height() // 4
         )
         self._guides: list[pg.InfiniteLine] = []
         self.getAxis("left").setWidth(metrics.horizontalAdvance("−00.00") + 2 * metrics.height())
@@ -87,6 +87,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         major = [(float(at), str(at)) for at in range(0, 361, 90)]
         minor = [(float(at), "") for at in range(0, 361, 30) if at % 90]
         axis.setTicks([major, minor])
+        axis.setStyle(hideOverlappingLabels=False)
         if label:
             self.label("bottom", "Crank angle (deg)")
         else:
@@ -122,16 +123,19 @@ class LegendRow(QWidget):
         if entries == self._entries:
             return
         self._entries = entries
+        gap = QFontMetrics(self.font()).horizontalAdvance("MM")
         while self._row.count() > 1:
             item = self._row.takeAt(0)
             widget = item.widget() if item is not None else None
             if widget is not None:
+                widget.hide()
                 widget.deleteLater()
         for entry in entries:
             at = self._row.count() - 1
             self._row.insertWidget(at, _Sample(entry.pen))
             label = QLabel(entry.text)
             label.setTextFormat(Qt.TextFormat.PlainText)
+            label.setContentsMargins(0, 0, gap, 0)
             self._row.insertWidget(at + 1, label)
         self.setAccessibleName("Legend: " + ", ".join(entry.text for entry in entries))
 

@@ -22,15 +22,16 @@ from PySide6.QtWidgets import (
 
 from rigapp.engine.messages import Snapshot, Status
 from rigapp.gui.alarms import AlarmPanel
-from rigapp.gui.controls import ControlRow, StartBar
+from rigapp.gui.controls import STARTABLE, ControlRow
 from rigapp.gui.cycle import CyclePanel
 from rigapp.gui.header import Header
-from rigapp.gui.headline import STALE_TWIN_S, headline
+from rigapp.gui.headline import headline, is_stale
 from rigapp.gui.help import HelpWindow
 from rigapp.gui.link import Link
 from rigapp.gui.overlay import OverlayPanel
 from rigapp.gui.palette import THEMES, Theme, apply_theme
 from rigapp.gui.session import Session
+from rigapp.gui.startbar import StartBar
 from rigapp.gui.trend import TrendPanel
 from rigapp.gui.watchdog import Watchdog
 
@@ -60,6 +61,7 @@ class MainWindow(QMainWindow):
         self._settings = settings
         self._ticks = 0
         self._help: HelpWindow | None = None
+        self._start_wanted: Path | None = None
         self.theme = theme
         self.setObjectName("main_window")
         self.setWindowTitle("rigapp")
@@ -121,7 +123,7 @@ class MainWindow(QMainWindow):
             return
         data = self._session.data
         ratio = self._session.crank_over_follower
-        stale = status is not None and status.twin_age_s > STALE_TWIN_S
+        stale = status is not None and is_stale(status)
         if self.overview.isVisible():
             self.overview.set_mechanism(ratio)
             self.overview.refresh(data, stale=stale)
@@ -141,6 +143,10 @@ class MainWindow(QMainWindow):
     def draw_now(self) -> None:
         """Draw what is visible without waiting for the next tick."""
         self.draw(self._link.status, at_once=True)
+
+    def start_when_idle(self, test: Path) -> None:
+        """Start a test as soon as the engine has been heard and runs no other."""
+        self._start_wanted = test
 
     def switch_theme(self) -> None:
         """Change between light and dark."""
@@ -184,6 +190,10 @@ class MainWindow(QMainWindow):
 
     def _take(self, snapshot: Snapshot) -> None:
         self._session.take(snapshot)
+        if self._start_wanted is not None and snapshot.status.state in STARTABLE:
+            test, self._start_wanted = self._start_wanted, None
+            self.controls.show_status(snapshot.status, self._link.state)
+            self.start_bar.start(test)
         for overlay in (self.overview, self.cycle.overlay):
             overlay.set_channels(snapshot.status.channels)
         self.overview_alarms.show_alarms(snapshot.status.alarms)
@@ -219,6 +229,7 @@ class MainWindow(QMainWindow):
             (trends, "3 Trends"),
             (self.alarms, "4 Alarms"),
         ):
+            widget.setAutoFillBackground(True)
             self.tabs.addTab(widget, text)
         self.help_button = QPushButton("Help  F1")
         self.help_button.setObjectName("help_button")
@@ -253,7 +264,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         self.controls.start_wanted.connect(self.start_bar.open)
-        self.start_bar.started.connect(partial(self.controls.send, "start"))
+        self.start_bar.started.connect(self.controls.start_test)
         for panel in (self.overview_alarms, self.alarms):
             panel.wanted.connect(self.controls.send)
         self.cycle.revolution_wanted.connect(self._ask_revolution)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -325,3 +326,58 @@ def resident_kB() -> int:
     with open("/proc/self/status", encoding="ascii") as file:
         line = next(line for line in file if line.startswith("VmRSS"))
     return int(line.split()[1])
+
+
+def test_a_start_from_idle_connects_first(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    window.start_when_idle(Path("examples/quick.toml"))
+    engine.say(count=0, curves=False, state=RunState.IDLE, planned=0, file="")
+    attach()
+    wait_for_verb(window, engine, qtbot, "connect")
+    assert "start" not in engine.verbs
+    engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="")
+    arguments = wait_for_verb(window, engine, qtbot, "start")
+    assert arguments["test"].endswith("quick.toml")
+    assert "revolutions" not in arguments
+
+
+def test_a_start_that_ends_in_a_fault_is_given_up(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    window.start_when_idle(Path("examples/quick.toml"))
+    engine.say(count=0, curves=False, state=RunState.IDLE, planned=0, file="")
+    attach()
+    wait_for_verb(window, engine, qtbot, "connect")
+    engine.say(count=0, curves=False, state=RunState.FAULT, planned=0, file="")
+    attach()
+    assert "not started" in window.controls.answer.whole
+    engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="")
+    attach()
+    assert "start" not in engine.verbs
+
+
+def test_values_that_are_not_known_yet_are_dashes(
+    window: MainWindow, engine: Any, attach: Attach
+) -> None:
+    engine.say(
+        count=0,
+        curves=False,
+        state=RunState.IDLE,
+        planned=0,
+        file="",
+        data_age_s=float("inf"),
+        worst_margin="",
+        worst_margin_percent=1e9,
+        residual_rms_N=float("nan"),
+        twin_revolution=0,
+        twin_age_s=float("inf"),
+        expected_end_at=0.0,
+        drive=None,
+        devices=(),
+        channels=(),
+    )
+    attach()
+    header = window.header
+    for tile in (header.cycle, header.end, header.age, header.margin, header.agreement):
+        assert tile.value.whole == "–"
