@@ -243,8 +243,9 @@ class Cia402Node:
 
     def _beat(self, time_s: float) -> None:
         period_s = self.objects.number(0x1017) * 1e-3
-        last_s = self._last_heartbeat_s
-        if period_s and (last_s is None or time_s - last_s >= period_s):
+        if not period_s or self._last_heartbeat_s is None:
+            self._last_heartbeat_s = time_s
+        elif time_s - self._last_heartbeat_s >= period_s:
             self._last_heartbeat_s = time_s
             if self._plan.active(FaultKind.LOST_HEARTBEAT, time_s) is None:
                 identifier = HEARTBEAT_BASE + self._options.node_id
