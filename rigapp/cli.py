@@ -141,11 +141,92 @@ def export(
 
 
 @app.command()
+def replay(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")]) -> None:
+    """Show a recorded test through the same window."""
+    from rigapp.commands.window import replay_file
+
+    raise typer.Exit(replay_file(file))
+
+
+@app.command()
 def picture(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")], to: ToOption) -> None:
     """Draw a recorded test as the window shows it (PNG)."""
     from rigapp.commands.window import draw_picture
 
     raise typer.Exit(draw_picture(file, to))
+
+
+ParametersArgument = Annotated[Path, typer.Argument(metavar="PARAMS.toml", help="Parameters.")]
+RpmOption = Annotated[float, typer.Option("--rpm", help="Crank speed, rpm.")]
+JointOption = Annotated[
+    str, typer.Option("--joint", help="perfect, continuous or contact (paper: 3.1, 3.2).")
+]
+
+
+@model_app.command("forces")
+def model_forces(
+    params: ParametersArgument,
+    rpm: RpmOption,
+    to: ToOption,
+    joint: JointOption = "perfect",
+    clearance_mm: Annotated[
+        float | None, typer.Option("--clearance-mm", help="Radial clearance instead of the file's.")
+    ] = None,
+    points: Annotated[int, typer.Option("--points", help="Crank angles of the cycle.")] = 360,
+) -> None:
+    """Write motion and forces over one cycle of the mechanism as CSV."""
+    from rigapp.commands.model_forces import write_forces
+
+    raise typer.Exit(write_forces(params, rpm, joint, clearance_mm, points, to))
+
+
+@model_app.command("wear")
+def model_wear(
+    params: ParametersArgument,
+    rpm: RpmOption,
+    cycles: Annotated[int, typer.Option("--cycles", help="Cycles of the whole life.")],
+    to: ToOption,
+    joint: JointOption = "continuous",
+    force_n: Annotated[
+        float | None,
+        typer.Option(
+            "--force-N", help="Constant force along the follower, N, not the mechanism's."
+        ),
+    ] = None,
+    tolerance: Annotated[
+        float, typer.Option("--tolerance", help="Largest relative error of the depth.")
+    ] = 1e-3,
+    profile: Annotated[
+        Path | None, typer.Option("--profile", help="CSV of the worn profile at the end.")
+    ] = None,
+) -> None:
+    """Write the life of the bushing as CSV."""
+    from rigapp.commands.model_wear import write_wear
+
+    raise typer.Exit(write_wear(params, rpm, cycles, joint, force_n, tolerance, to, profile))
+
+
+@model_app.command("pressure")
+def model_pressure(
+    params: ParametersArgument,
+    force_n: Annotated[float, typer.Option("--force-N", help="Force of the pin, N.")],
+    to: ToOption,
+) -> None:
+    """Write the contact pressure of one load as CSV and print the pin displacement."""
+    from rigapp.commands.model_wear import write_pressure
+
+    raise typer.Exit(write_pressure(params, force_n, to))
+
+
+@model_app.command("paper")
+def model_paper(
+    to: Annotated[Path, typer.Option("--to", help="Folder for plots and tables.")] = Path("paper"),
+) -> None:
+    """Make the paper's comparisons (Figs 6-10, 13, 15, Table 2) as plots and tables."""
+    from rigapp.report.paper import make_paper
+
+    for path in make_paper(to):
+        print(path)
 
 
 ReadingsOption = Annotated[Path, typer.Option("--readings", help="CSV of readings as taken.")]
