@@ -67,6 +67,11 @@ class Disk:
         with contextlib.suppress(OSError, AttributeError):
             os.posix_fadvise(self.fd, offset, length, os.POSIX_FADV_DONTNEED)
 
+    def close(self) -> None:
+        """Close the file; writing to it afterwards raises StorageFailed."""
+        os.close(self.fd)
+        self._failure = self._failure or f"{self.path}: the file is closed"
+
     def _failed(self, doing: str, error: OSError) -> StorageFailed:
         self._failure = (
             f"{self.path}: {doing} failed ({error.strerror}); what was committed before is safe, "

@@ -10,8 +10,8 @@ import h5py
 def open_for_reading(path: Path) -> h5py.File:
     """Open a file for reading; raises OSError.
 
-    HDF5's own default of locking is the first choice; the others where the file system has no locks,
-    or where this process has the file open already by another choice, which must be the same.
+    HDF5's own default of locking is the first choice; the others where the file system has no
+    locks, or where this process has the file open already by another choice: all must agree.
     """
     for locking in (None, False):
         try:

@@ -12,11 +12,12 @@ import errno
 import fcntl
 import os
 import struct
+import sys
 from pathlib import Path
 
 LOCK_OFFSET = 1 << 62
 _FLOCK = "hhqqi0q"
-_OFD = hasattr(fcntl, "F_OFD_SETLK")
+_OFD = sys.platform == "linux" and hasattr(fcntl, "F_OFD_SETLK")
 
 
 def hold_writer_lock(fd: int) -> bool:

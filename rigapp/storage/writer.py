@@ -24,7 +24,7 @@ from rigapp.storage.create import (
     refuse_little_space,
 )
 from rigapp.storage.disk import Disk
-from rigapp.storage.errors import NoRoom, StorageFailed
+from rigapp.storage.errors import NoRoom
 from rigapp.storage.events import columns_of, rows_of, seed_of
 from rigapp.storage.layout import END_TIME, STATE, FilePlan, Stream, planned_rows, streams_of
 from rigapp.storage.metadata import TestMetadata, iso_time
@@ -127,6 +127,7 @@ class TestWriter:
 
         Raises NoRoom when the file is full, StorageFailed when the disk refuses.
         """
+        self._disk.refuse_broken()
         if not self._rows.append(values):
             raise NoRoom(
                 f"{self.path}: the file has room for {self._rows.count} revolutions and is full; "
@@ -253,18 +254,17 @@ class TestWriter:
         """Make everything appended so far safe; return the number of revolutions now safe.
 
         Data first, then the counters, each followed by a sync: a revolution that this announces
-        survives a power loss. Appending goes on meanwhile.
+        survives a power loss. Appending goes on meanwhile. After ``close`` there is nothing to do.
         """
         with self._commit_lock:
-            self._refuse_closed()
-            return self._commit()
+            return self.revolutions_committed if self._closed else self._commit()
 
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
         """Commit, and say how the test ended: status complete, stopped or fault."""
         if status not in FINAL_STATUSES:
             raise ValueError(f"status {status!r} is not one of {', '.join(FINAL_STATUSES)}")
         with self._commit_lock:
-            self._refuse_closed()
+            self._disk.refuse_broken()
             self._commit()
             self._scalars.put_state("reason_code", reason_code)
             self._scalars.put_state("reason", sentence)
@@ -284,7 +284,7 @@ class TestWriter:
                     self._commit()
             finally:
                 self._closed = True
-                os.close(self._disk.fd)
+                self._disk.close()
 
     def __enter__(self) -> TestWriter:
         return self
@@ -359,7 +359,3 @@ class TestWriter:
 
     def _offsets(self, stream: Stream) -> dict[str, int]:
         return {one.name: self._places[stream.path(one.name)][0] for one in stream.fields}
-
-    def _refuse_closed(self) -> None:
-        if self._closed:
-            raise StorageFailed(f"{self.path}: the file is closed")

@@ -102,10 +102,16 @@ def test_unknown_final_status_and_use_after_close_are_refused(quick_folder: Path
     writer = new_test(quick_folder)
     with pytest.raises(ValueError, match="status 'done'"):
         writer.finish("done", "", "")
+    write(writer, 1, 3)
     writer.close()
     writer.close()
+    assert writer.commit() == 3
     with pytest.raises(StorageFailed, match="closed"):
-        writer.commit()
+        writer.append_row(row(4))
+    with pytest.raises(StorageFailed, match="closed"):
+        writer.append_cycle(4, cycle(4))
+    with pytest.raises(StorageFailed, match="closed"):
+        writer.finish("complete", "complete", "")
 
 
 def test_configuration_calibration_and_metadata_come_back(quick_folder: Path) -> None:
