@@ -16,6 +16,7 @@ import struct
 import termios
 import time
 import tty
+from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol
 
@@ -72,8 +73,9 @@ class PtyEndpoint:
     is held 50 ms at a time, so that a host that has gone is noticed in that time.
     """
 
-    def __init__(self, link: Path) -> None:
+    def __init__(self, link: Path, clock: Callable[[], float] = time.monotonic) -> None:
         self._link = link
+        self._clock = clock
         self._master = -1
         self._slave_name = ""
         self._gauge = -1
@@ -89,7 +91,7 @@ class PtyEndpoint:
         if self._master < 0:
             return False
         if self._gauge >= 0:
-            if time.monotonic() < self._gauge_until:
+            if self._clock() < self._gauge_until:
                 return True
             self._drop_gauge()
         connected = not _hung_up(self._master)
@@ -137,7 +139,7 @@ class PtyEndpoint:
                 self._gauge = os.open(self._slave_name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
             except OSError:
                 return 0
-            self._gauge_until = time.monotonic() + _GAUGE_S
+            self._gauge_until = self._clock() + _GAUGE_S
         answer = fcntl.ioctl(self._gauge, termios.FIONREAD, b"\0\0\0\0")
         return int(struct.unpack("i", answer)[0])
 

@@ -18,8 +18,8 @@ fault is the wall clock's, which the wire, the drive's watchdog and the host's t
 
 Wire: cable_pull, hang, garbage (value: bytes), truncated (value: bytes), split (value: bytes a
 piece), slow (value: s). Signal: see ``disturbances.SignalFault``; slip_ring_spikes also takes
-rate_per_s. Any other kind goes to the device's simulator, which has its own list; value and count
-go with it.
+rate_per_s. Any other kind goes to the device's simulator, which has its own list; value, count
+and target (command number or object index) go with it.
 """
 
 from __future__ import annotations
@@ -52,6 +52,7 @@ class FaultRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     duration_s: NotNegative | None = None
     value: float | None = None
     count: Annotated[int, msgspec.Meta(ge=1)] | None = None
+    target: int | None = None
     rate_per_s: NotNegative = 1.0
 
     @property

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from rigapp.simulation.endpoints import Endpoint
 
 QUEUE_BYTES = 65536
-HANDOVER_S = 0.0002
+HANDOVER_S = 0.00015
 
 
 class WireFault(enum.StrEnum):

@@ -113,6 +113,26 @@ class Plant:
         """Return the sample rate."""
         return self._rate
 
+    @property
+    def time_s(self) -> float:
+        """Return the plant's time."""
+        return float(self._state[layout.TIME])
+
+    @property
+    def angle_rad(self) -> float:
+        """Return the crank angle, unwrapped."""
+        return float(self._state[layout.ANGLE])
+
+    @property
+    def speed_rad_per_s(self) -> float:
+        """Return the crank speed."""
+        return float(self._state[layout.SPEED])
+
+    @property
+    def motor_current_A(self) -> float:
+        """Return the motor current."""
+        return float(self._state[layout.CURRENT])
+
     def advance(self, steps: int, drive: Drive) -> Samples:
         """Advance by ``steps`` steps of ``step_s`` under a command; return the samples due."""
         room = steps // self._steps_per_sample + 1

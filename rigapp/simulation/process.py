@@ -107,14 +107,21 @@ def _run(options: argparse.Namespace, stack: contextlib.ExitStack) -> int:
 
 
 def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], Any]:
-    """Return what makes an endpoint for a device: ptys where the system has them, else TCP."""
-    from rigapp.simulation.endpoints import PtyEndpoint, SocketEndpoint
+    """Return what makes an endpoint for a device: a pty, or TCP where there are none."""
+    from rigapp.simulation.endpoints import Endpoint, PtyEndpoint, SocketEndpoint
 
-    if sockets or not hasattr(os, "openpty"):
+    if sockets:
         return lambda name: SocketEndpoint()
     folder = Path(tempfile.mkdtemp(prefix="rigapp-sim-"))
     stack.callback(shutil.rmtree, folder, ignore_errors=True)
-    return lambda name: PtyEndpoint(folder / name)
+
+    def make(name: str) -> Endpoint:
+        try:
+            return PtyEndpoint(folder / name)
+        except OSError:
+            return SocketEndpoint()
+
+    return make
 
 
 def _stop_on_signals(stack: contextlib.ExitStack) -> list[int]:

@@ -37,14 +37,14 @@ from rigapp.simulation.hands import Hands
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.link import WireFault
 from rigapp.simulation.pacing import Pace
-from rigapp.simulation.plant import Plant, PlantState, Samples
+from rigapp.simulation.plant import Plant, Samples
 from rigapp.simulation.truth import TruthRecorder
 
 CHUNK_S = 0.02
 CHUNK_REVOLUTIONS = 1.0 / 30.0
 LONGEST_PASS_CHUNKS = 8
 IDLE_S = 0.01
-HOST_WAIT_S = 0.0003
+HOST_WAIT_S = 0.00015
 TURN = 2.0 * math.pi
 FULL_GAUGE_BYTES = 3072
 
@@ -68,8 +68,6 @@ class RigSimulation:
     ) -> None:
         """Open all ports; raise UnusableInput."""
         check_devices(rig)
-        for fault in faults:
-            check_fault(fault, list(rig.devices))
         seed = seed_of(rig)
         self._inputs = inputs_of(rig)
         self._machine = Machine()
@@ -84,7 +82,9 @@ class RigSimulation:
             sample_rate_Hz=self._daq.simulator.sample_rate_Hz,
         )
         self.hands = Hands(self.plant)
-        self._start_angle = self.plant.state().angle_rad
+        self._start_angle = self.plant.angle_rad
+        for fault in faults:
+            self._check(fault)
         self._disturbances = Disturbances(seed)
         self._timetable = Timetable(faults)
         self._truth = truth
@@ -107,20 +107,18 @@ class RigSimulation:
     def step(self, now_s: float) -> float:
         """Do what is due; return for how many seconds nothing else will be."""
         self._now = now_s
-        state = self.plant.state()
-        self._timetable.act(self, now_s, state.time_s, self._revolutions(state))
+        self._timetable.act(self, now_s, self.plant.time_s, self._revolutions())
         self._connected = self._daq.wire.connected()
         self._drive.wire.connected()
         self._converse(now_s)
         self.plant.set_sample_rate(self._daq.simulator.sample_rate_Hz)
         self._pace.tick(now_s)
         for _ in range(LONGEST_PASS_CHUNKS):
-            state = self.plant.state()
-            steps = self._chunk_steps(state)
+            steps = self._chunk_steps()
             chunk_s = steps * self.plant.step_s
             if not self._pace.due(chunk_s, taken=self._taken()):
                 break
-            self._advance(steps, chunk_s, state, now_s)
+            self._advance(steps, chunk_s, now_s)
             self._pace.advanced(chunk_s)
         for wire in self._wires.values():
             wire.flush(now_s)
@@ -149,10 +147,9 @@ class RigSimulation:
 
     def inject(self, fault: FaultRecord) -> None:
         """Put a fault on the timetable; raise UnusableInput for one that nothing here can have."""
-        check_fault(fault, list(self._wires))
+        self._check(fault)
         self._timetable.add(fault)
-        state = self.plant.state()
-        self._timetable.act(self, self._now, state.time_s, self._revolutions(state))
+        self._timetable.act(self, self._now, self.plant.time_s, self._revolutions())
 
     def clear(self, kind: str) -> None:
         """End all faults of a kind."""
@@ -160,7 +157,7 @@ class RigSimulation:
 
     def still(self) -> bool:
         """Tell whether the spindle stands still and nothing drives it."""
-        return self.plant.state().speed_rad_per_s == 0.0 and self._speed_wanted == 0.0
+        return self.plant.speed_rad_per_s == 0.0 and self._speed_wanted == 0.0
 
     def report(self) -> dict[str, Any]:
         """Return the truth as a JSON-ready table: angle, speed, wear, drive, links."""
@@ -169,7 +166,7 @@ class RigSimulation:
             "time_s": state.time_s,
             "samples": state.samples,
             "angle_deg": math.degrees(state.angle_rad) % 360.0,
-            "revolutions": self._revolutions(state),
+            "revolutions": self._revolutions(),
             "speed_rpm": state.speed_rad_per_s / TURN * 60.0,
             "joint_force_N": state.joint_force_N,
             "motor_torque_Nm": state.motor_torque_Nm,
@@ -205,10 +202,10 @@ class RigSimulation:
             wire.send(drive.receive(data, now_s), now_s, droppable=False)
         wire.send(drive.emit(now_s), now_s, droppable=True)
 
-    def _advance(self, steps: int, chunk_s: float, state: PlantState, now_s: float) -> None:
+    def _advance(self, steps: int, chunk_s: float, now_s: float) -> None:
         """Advance the plant by one chunk under the drive's command and send its samples."""
         command = self._drive.simulator.command(chunk_s, now_s)
-        samples = self.plant.advance(steps, self._act(command, state))
+        samples = self.plant.advance(steps, self._act(command))
         self._observe()
         samples = self._disturbances.apply(samples, self.plant.sample_rate_Hz)
         if self._truth is not None:
@@ -223,7 +220,7 @@ class RigSimulation:
         if not self._daq.wire.send(data, now_s, droppable=True):
             self._daq.simulator.overrun(now_s)
 
-    def _act(self, command: DriveCommand, state: PlantState) -> Drive:
+    def _act(self, command: DriveCommand) -> Drive:
         """Turn the drive's command into what acts on the motor during the chunk."""
         before, self._command = self._command, command
         jam = self._disturbances.jam_Nm + self.hands.lock_Nm
@@ -240,25 +237,25 @@ class RigSimulation:
             return Drive(layout.DUTY, 0.0, 0.0, sense * command.duty, supply, jam)
         speed = sense * TURN * command.speed_count_per_s / self._drive.counts_per_revolution
         if before.mode != DriveMode.VELOCITY:
-            start = state.speed_rad_per_s
+            start = self.plant.speed_rad_per_s
         self._speed_wanted = speed
         return Drive(layout.VELOCITY, start, speed, 0.0, supply, jam)
 
     def _observe(self) -> None:
         """Let the drive see its encoder, current and supply."""
-        state = self.plant.state()
+        plant = self.plant
         counts = self._drive.direction * self._drive.counts_per_revolution / TURN
         self._drive.simulator.observe(
             MotorState(
-                position_count=math.floor((state.angle_rad - self._start_angle) * counts),
-                speed_count_per_s=state.speed_rad_per_s * counts,
-                current_A=self._drive.direction * state.motor_current_A,
+                position_count=math.floor((plant.angle_rad - self._start_angle) * counts),
+                speed_count_per_s=plant.speed_rad_per_s * counts,
+                current_A=self._drive.direction * plant.motor_current_A,
                 supply_V=self._machine.supply_V,
             )
         )
 
-    def _chunk_steps(self, state: PlantState) -> int:
-        speed = max(abs(state.speed_rad_per_s), abs(self._speed_wanted))
+    def _chunk_steps(self) -> int:
+        speed = max(abs(self.plant.speed_rad_per_s), abs(self._speed_wanted))
         chunk_s = CHUNK_S * min(max(self._pace.speed, 1.0), 2.5)
         if speed > 0.0:
             chunk_s = min(chunk_s, CHUNK_REVOLUTIONS * TURN / speed)
@@ -276,25 +273,29 @@ class RigSimulation:
     def _wait_s(self) -> float:
         if any(wire.waiting() for wire in self._wires.values()):
             return HOST_WAIT_S if self._pace.fast else 0.001
-        chunk_s = self._chunk_steps(self.plant.state()) * self.plant.step_s
+        chunk_s = self._chunk_steps() * self.plant.step_s
         wait = self._pace.wait_s(chunk_s, may_be_taken=self._streamed())
         return min(max(wait, HOST_WAIT_S), IDLE_S)
 
-    def _revolutions(self, state: PlantState) -> float:
-        return (state.angle_rad - self._start_angle) / TURN
+    def _revolutions(self) -> float:
+        return (self.plant.angle_rad - self._start_angle) / TURN
 
     def _simulator(self, device: str) -> Any:
         return self._daq.simulator if device == self._daq.name else self._drive.simulator
 
+    def _check(self, fault: FaultRecord) -> None:
+        """Refuse a fault that nothing here can have, before it is due; raise UnusableInput."""
+        check_fault(fault, list(self._wires))
+        if fault.kind not in WIRE_KINDS | SIGNAL_KINDS:
+            self._strike(fault)
+            self._simulator(fault.device).clear(fault.kind)
+
     def _strike(self, fault: FaultRecord) -> None:
         """Hand a fault to the device's simulator, in the simulator's own words."""
-        data: dict[str, Any] = {}
-        if fault.value is not None:
-            data["value"] = fault.value
-        if fault.count is not None:
-            data["count"] = fault.count
+        data = {"value": fault.value, "count": fault.count, "target": fault.target}
+        given = {key: value for key, value in data.items() if value is not None}
         try:
-            self._simulator(fault.device).inject(fault.kind, **data)
+            self._simulator(fault.device).inject(fault.kind, **given)
         except (AttributeError, TypeError, ValueError) as error:
             raise UnusableInput(
                 f"fault {fault.kind}: device {fault.device} cannot have it ({error})."

@@ -251,6 +251,33 @@ def test_sample_rate_changes_on_the_run(rig: RigFile, parameters: ParameterFile)
         plant.set_sample_rate(0.0)
 
 
+def test_speed_ripples_twice_a_turn_by_the_stated_amount(
+    parameters: ParameterFile, flawed: Flawed
+) -> None:
+    free = msgspec.structs.replace(parameters, spring=None)
+    plant = running(flawed(speed_ripple_percent=2.0), free, math.pi)
+    truth = plant.advance(4 * 960, velocity(math.pi)).truth
+    angle = truth.angle_rad
+    second = np.column_stack([np.ones_like(angle), np.sin(2 * angle), np.cos(2 * angle)])
+    fit, *_ = np.linalg.lstsq(second, truth.speed_rad_per_s / math.pi, rcond=None)
+    assert math.hypot(fit[1], fit[2]) == pytest.approx(0.02, rel=0.15)
+
+
+def test_factors_scale_slider_and_spring(parameters: ParameterFile, flawed: Flawed) -> None:
+    heavier = plant_constants(parameters, flawed(slider_mass_factor=1.2))
+    assert heavier.slider_mass == pytest.approx(1.2 * 5.54871)
+    softer = Plant(plant_constants(parameters, flawed(spring_stiffness_factor=0.5)), angle_rad=2.0)
+    stiff = Plant(plant_constants(parameters, flawed()), angle_rad=2.0)
+    ratio = softer.advance(2, JAMMED).bridge_2[-1] / stiff.advance(2, JAMMED).bridge_2[-1]
+    assert ratio == pytest.approx(0.5)
+
+
+def test_added_mass_rides_on_the_slider(parameters: ParameterFile, perfect_rig: RigFile) -> None:
+    loaded = msgspec.structs.replace(parameters.mechanism, added_mass_kg=2.0)
+    k = plant_constants(msgspec.structs.replace(parameters, mechanism=loaded), perfect_rig)
+    assert k.slider_mass == pytest.approx(7.54871)
+
+
 def test_default_plant_differs_from_the_model_by_what_is_stated() -> None:
     assert PlantSection() == PlantSection(
         1.01, 0.985, 0.05, 1.1, 6.0, 0.5, 1.5, 0.7, 2.0, 0.2, 3.0, 0.2, 1.0
