@@ -237,6 +237,39 @@ def start_failed(sentence: str) -> Cause:
     )
 
 
+def speed_lost(speed_rpm: float, target_rpm: float) -> Cause:
+    """The crank does not keep the set speed."""
+    return _critical(
+        "speed_lost",
+        "Set speed lost",
+        f"The crank turns at {speed_rpm:.1f} rpm; {target_rpm:g} rpm are set.",
+        "The test was stopped.",
+        "Check the mechanism for stiffness, the coupling, and whether the drive has switched off.",
+    )
+
+
+def moved_in_pause(speed_rpm: float) -> Cause:
+    """The crank moves while it should be held."""
+    return _critical(
+        "moved_in_pause",
+        "Crank moves in the pause",
+        f"The crank turns at {speed_rpm:.1f} rpm while the test is paused.",
+        "The drive was switched off and the test ended.",
+        "Keep clear of the crank; check the drive's holding torque and the spring.",
+    )
+
+
+def device_overrun(device: str, sentence: str) -> Cause:
+    """The device says that it dropped data."""
+    return _warning(
+        "device_overrun",
+        "Device dropped data",
+        f"{device}: {sentence}",
+        "The revolutions concerned are flagged.",
+        "Close other programs, check the USB cable, or lower the sample rate.",
+    )
+
+
 def pause_failed(sentence: str) -> Cause:
     """The pause angle was not reached."""
     return _critical(

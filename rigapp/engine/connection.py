@@ -111,7 +111,7 @@ class Connection:
                 block = self.devices.source.read(self.core.timing.read)
             except DataOverrun as error:
                 self._note(error)
-                self.core.warn(causes.lost_samples(error.device, 0))
+                self.core.warn(causes.device_overrun(error.device, error.sentence))
                 return
             except DeviceError as error:
                 self._note(error)
@@ -201,6 +201,7 @@ class Connection:
                 text = f"{spindle.name} on {spindle.port}: {sentence}"
                 core.trip(Ending(FinishReason.DEVICE, text), cause)
             return
+        core.alarms.clear("drive_silent")
         rpm = status.speed_rev_per_s * 60.0
         if status.emergency_stop:
             cause = causes.emergency_stop(spindle.name)
@@ -271,6 +272,11 @@ class Connection:
             self.control.pause_at(session.test.record.run.pause_angle_deg)
 
     # --- what the crank encoder shows -------------------------------------------------------------
+
+    @property
+    def backed_up(self) -> bool:
+        """Tell whether the reader waits for the processing thread, which is then the culprit."""
+        return self._pending is not None
 
     def data_age_s(self) -> float:
         """Return the seconds since the last samples came."""

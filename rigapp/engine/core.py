@@ -32,6 +32,25 @@ from rigapp.engine.run import ACTIVE, Ending, Refused, Trigger, allowed, transit
 from rigapp.engine.testrun import TestRun
 from rigapp.engine.timing import Timing
 
+OVER_WITH_THE_TEST = frozenset(
+    {
+        "overspeed",
+        "encoder_lost",
+        "index_missed",
+        "count_mismatch",
+        "lost_samples",
+        "device_overrun",
+        "time_jump",
+        "start_failed",
+        "pause_failed",
+        "speed_lost",
+        "moved_in_pause",
+        "storage",
+        "cycles_refused",
+    }
+)
+"""Alarms whose condition ends with the test; critical ones stay latched."""
+
 
 @dataclass(slots=True, eq=False)
 class Session:
@@ -244,7 +263,8 @@ class Core:
         try:
             safe = session.recorder.commit()
         except Exception as error:
-            self.storage_failed(error)
+            if not session.finished:
+                self.storage_failed(error)
             return
         if safe != session.committed:
             session.committed = safe
@@ -281,6 +301,7 @@ class Core:
                 self.publisher.notice(Committed(rows))
             outcome = Finished(ending.code, sentence, ending.status, rows, str(session.path))
             session.outcome = outcome
+        self._settle()
         self.fire_if(Trigger.FAILED if fault else Trigger.ENDED, sentence)
         self.publisher.notice(outcome)
 
@@ -300,6 +321,12 @@ class Core:
             self.alarms.raise_alarm(causes.storage_failed(sentence), self.revolution)
             return Ending(FinishReason.STORAGE, sentence)
         return ending
+
+    def _settle(self) -> None:
+        """Clear alarms whose condition is over because the test is."""
+        for alarm in self.alarms.alarms():
+            if alarm.key.startswith("rule:") or alarm.key in OVER_WITH_THE_TEST:
+                self.alarms.clear(alarm.key)
 
     # --- time ------------------------------------------------------------------------------------
 

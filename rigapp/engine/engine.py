@@ -144,7 +144,11 @@ class Engine:
             self._core.trip(
                 Ending(FinishReason.OPERATOR, "The engine was shut down during the test.")
             )
-            self._core.wait((RunState.STOPPED, RunState.FAULT), timeout_s)
+            try:
+                self._core.wait(ENDED, timeout_s)
+            except TimeoutError as error:
+                self._core.will_not_stop(f"The engine was shut down, but {error}.")
+                self._core.finish()
         with self._command:
             self._release()
             self._core.fire_if(Trigger.DISCONNECT)

@@ -29,6 +29,9 @@ PREDICTED_NAMES = tuple(column.name for column in prediction_columns())
 AT_SPEED = 0.05
 """The set speed is reached within this share of it."""
 
+PAUSE_RPM = 3.0
+"""A crank that is held in a pause may not turn faster than this."""
+
 MISSED_INDEX_LIMIT = 2
 """Revolutions in a row without an index that end the test."""
 
@@ -92,6 +95,10 @@ class Guard:
         elif core.alarms.is_active("overspeed") and abs(speed_rpm) < 0.9 * limit:
             core.alarms.clear("overspeed")
         session = core.session
+        if state is RunState.PAUSED and abs(speed_rpm) > PAUSE_RPM:
+            cause = causes.moved_in_pause(speed_rpm)
+            core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
+            return
         if session is None or state not in (RunState.STARTING, RunState.RUNNING):
             if session is not None:
                 session.steady_from = None
@@ -128,6 +135,8 @@ class Guard:
         steady = session.steady_from is not None and revolution.ordinal >= session.steady_from
         row = session.run.take(revolution, steady)
         if row is None:
+            if session.run.complete:
+                self._complete(session)
             return
         self._act(session, row)
         try:
@@ -139,9 +148,14 @@ class Guard:
         core.publisher.row(row.values, lambda: cycle_message(number, revolution, calibration))
         self._tell_twin(row, session)
         if row.last:
-            core.trip(
-                Ending(FinishReason.COMPLETE, f"The planned {number} revolutions are recorded.")
-            )
+            self._complete(session)
+
+    def _complete(self, session: Session) -> None:
+        planned, rows = session.run.planned, session.recorder.rows
+        sentence = f"The planned {planned} revolutions are made and recorded."
+        if rows < planned:
+            sentence = f"The planned {planned} revolutions are made; {rows} of them are recorded."
+        self._core.trip(Ending(FinishReason.COMPLETE, sentence))
 
     def _act(self, session: Session, row: Row) -> None:
         flags = row.revolution.flags

@@ -107,7 +107,7 @@ class StopSequence:
             return Do.WAIT
         stands = seen.stands and seen.later_than(self._commanded_s)
         if not self._off:
-            if stands and self._ramp_done:
+            if stands and (self._ramp_done or seen.drive_rpm is None):
                 self.cut_power(seen.now_s)
             elif seen.now_s > self._deadline:
                 self.escalated = True

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from rigapp.engine.connection import Connection
 
 ANCHOR_S = 60.0
+SPEED_LOST = 0.3
+SPEED_LOST_S = 1.0
 CLOCK_JUMP_S = 1.0
 
 
@@ -29,6 +31,7 @@ class Supervisor:
         self._helpers: dict[str, threading.Thread] = {}
         self._silent: set[str] = set()
         self._anchored_s = time.monotonic()
+        self._slow_since: float | None = None
 
     def step(self) -> None:
         """Look once."""
@@ -58,7 +61,7 @@ class Supervisor:
         if age <= core.limits.stale_data_s:
             core.alarms.clear("stale_data")
             return
-        if connection.reader.ended or core.alarms.is_active("stale_data"):
+        if connection.reader.ended or connection.backed_up or core.alarms.is_active("stale_data"):
             return
         source = connection.devices.source
         cause = causes.stale_data(source.name, source.port, age)
@@ -67,7 +70,9 @@ class Supervisor:
     def _look_at_start(self) -> None:
         core, session = self._core, self._core.session
         if session is None or core.state is not RunState.STARTING:
+            self._look_at_speed()
             return
+        self._slow_since = None
         if time.monotonic() > session.deadline_s:
             rpm = self._connection.processor.motion.speed_rpm()
             cause = causes.start_failed(
@@ -76,9 +81,30 @@ class Supervisor:
             )
             core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
 
+    def _look_at_speed(self) -> None:
+        core, session, connection = self._core, self._core.session, self._connection
+        rpm = connection.processor.motion.speed_rpm(0.2)
+        if (
+            session is None
+            or core.state is not RunState.RUNNING
+            or abs(rpm - session.target_rpm) <= SPEED_LOST * session.target_rpm
+        ):
+            self._slow_since = None
+            return
+        now = time.monotonic()
+        if self._slow_since is None:
+            self._slow_since = now
+        elif now - self._slow_since > SPEED_LOST_S * connection.slow():
+            cause = causes.speed_lost(rpm, session.target_rpm)
+            core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
+
     def _look_at_stop(self) -> None:
         core, connection, timing = self._core, self._connection, self._core.timing
         session = core.session
+        if core.state not in ACTIVE and core.alarms.is_active("will_not_stop"):
+            if connection.control.seen().stands:
+                core.alarms.clear("will_not_stop")
+            return
         if session is None or core.state is not RunState.STOPPING:
             return
         if not connection.drive.well and not session.stood:

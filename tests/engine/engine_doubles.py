@@ -72,10 +72,13 @@ class Crank:
     deaf: bool = False
     lock: threading.Lock = field(default_factory=threading.Lock)
 
+    turned_at: float = 0.0
+
     def turn(self, samples: int) -> NDArray[np.float64]:
         """Advance and return the position at each sample, in revolutions."""
         out = np.empty(samples)
         step = 1.0 / RATE
+        self.turned_at = time.monotonic()
         with self.lock:
             for i in range(samples):
                 target = self.target if self.powered else 0.0
@@ -227,6 +230,8 @@ class FakeSpindle:
     def status(self) -> DriveStatus:
         self._alive()
         self.polls += 1
+        if time.monotonic() - self.crank.turned_at > 0.05:  # nobody reads; time goes on
+            self.crank.turn(BLOCK)
         return DriveStatus(
             host_time_ns=time.monotonic_ns(),
             speed_rev_per_s=self.crank.speed,

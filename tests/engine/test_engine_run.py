@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
-from engine_doubles import MemoryRig, a_test, eventually
+from engine_doubles import COUNTS, MemoryRig, a_test, eventually
 
-from rigapp.engine.messages import FinishReason, Flag, RunState
-from rigapp.engine.run import ENDED
+from rigapp.config.errors import UnusableInput
+from rigapp.config.recipe import LimitRule
+from rigapp.engine.columns import cycle_columns, prediction_columns, revolution_columns
+from rigapp.engine.messages import FinishReason, Flag, Prediction, RunState, as_array
+from rigapp.engine.publish import AlarmChanged, Committed, Finished, Notice, StateChanged
+from rigapp.engine.reduce import PLACE
+from rigapp.engine.run import ENDED, Refused
+from rigapp.engine.store import Opened
+
+LONG = 1_000_000
 
 
 @pytest.fixture
@@ -17,26 +27,351 @@ def rig() -> Iterator[MemoryRig]:
     memory = MemoryRig()
     memory.engine.connect()
     yield memory
-    memory.spindle.hang = None
     memory.engine.shutdown(20.0)
     assert memory.stands
 
 
+def run(rig: MemoryRig, revolutions: int = 20, **options: object) -> Finished:
+    rig.start(a_test(revolutions, **options))  # type: ignore[arg-type]
+    rig.engine.wait(ENDED, 20.0)
+    assert rig.engine.outcome is not None
+    return rig.engine.outcome
+
+
+def recorded(rig: MemoryRig, rows: int) -> None:
+    eventually(lambda: len(rig.store.rows) >= rows)
+
+
 def test_a_complete_test_has_exactly_the_planned_revolutions(rig: MemoryRig) -> None:
     notices = rig.engine.watch()
-    rig.start(a_test(revolutions=20))
-    assert rig.engine.wait(ENDED, 20.0) is RunState.STOPPED
-    outcome = rig.engine.outcome
-    assert outcome is not None
+    outcome = run(rig, 20)
     assert outcome.reason is FinishReason.COMPLETE
-    assert rig.store.ending is not None
-    assert rig.store.ending[0] == "complete"
+    assert (outcome.status, outcome.revolutions) == ("complete", 20)
+    assert rig.store.ending == ("complete", "complete", outcome.sentence)
     assert rig.store.closed
     np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 21))
     assert rig.stands
     assert rig.spindle.commands[-1][0] == "off"
-    kinds = []
+    seen: list[Notice] = []
     while (notice := notices.get(0.0)) is not None:
-        kinds.append(type(notice).__name__)
-    assert kinds[-1] == "Finished"
-    assert "Committed" in kinds
+        seen.append(notice)
+    assert seen[-1] == outcome
+    committed = [one.revolutions for one in seen if isinstance(one, Committed)]
+    assert committed == sorted(committed)
+    assert committed[-1] == 20
+    states = [one.state for one in seen if isinstance(one, StateChanged)]
+    assert states == [RunState.STARTING, RunState.RUNNING, RunState.STOPPING, RunState.STOPPED]
+
+
+def test_rows_say_what_the_rig_did(rig: MemoryRig) -> None:
+    run(rig, 12)
+    store = rig.store
+    np.testing.assert_allclose(store.column("force_max"), 50.0, rtol=1e-4)
+    np.testing.assert_allclose(store.column("force_rms"), 50.0, rtol=1e-4)
+    # The signal is minus cosine of the crank angle: the joint force along the crank plus cosine.
+    np.testing.assert_allclose(store.column("force_1_max"), 50.0, rtol=1e-3)
+    angle = store.column("force_1_angle_of_max")
+    assert np.all(np.minimum(angle, 360.0 - angle) < 3.0)
+    quality = store.column("quality").astype(int)
+    assert quality[0] & Flag.RAMP
+    assert not np.any(quality[5:])
+    np.testing.assert_allclose(store.column("speed")[5:], 120.0, rtol=5e-3)
+    np.testing.assert_allclose(np.diff(store.column("time"))[5:], 0.5, atol=0.01)
+    assert np.all(np.diff(store.column("host_time")) >= 0)
+
+
+def test_whole_cycles_are_kept_by_the_schedule_and_at_the_end(rig: MemoryRig) -> None:
+    run(rig, 12, every=5)
+    assert [number for number, _ in rig.store.cycles] == [5, 10, 12]
+    number, columns = rig.store.cycles[0]
+    assert set(columns) == {column.name for column in cycle_columns()}
+    row = rig.store.rows[number - 1]
+    assert len(columns["angle"]) == row[PLACE["samples"]]
+    np.testing.assert_allclose(columns["force_1"].max(), row[PLACE["force_1_max"]])
+    assert columns["time"][-1] <= row[PLACE["time"]]
+
+
+def test_the_last_cycle_of_a_stopped_test_is_kept_too(rig: MemoryRig) -> None:
+    rig.start(a_test(LONG, every=LONG))
+    recorded(rig, 5)
+    rig.engine.stop("Ada", "lunch")
+    rig.engine.wait(ENDED, 20.0)
+    assert [number for number, _ in rig.store.cycles] == [len(rig.store.rows)]
+
+
+@pytest.mark.parametrize("off", [False, True])
+def test_the_operator_ends_a_test(rig: MemoryRig, off: bool) -> None:
+    rig.start(a_test(LONG))
+    recorded(rig, 5)
+    (rig.engine.drive_off if off else rig.engine.stop)("Ada", "enough")
+    assert rig.engine.wait(ENDED, 20.0) is RunState.STOPPED
+    outcome = rig.engine.outcome
+    assert outcome is not None
+    assert (outcome.reason, outcome.status) == (FinishReason.OPERATOR, "stopped")
+    assert "Ada" in outcome.sentence
+    assert "enough" in outcome.sentence
+    assert rig.stands
+    stop = [what for what, speed in rig.spindle.commands if speed == 0.0]
+    assert stop[0] == ("off" if off else "speed")
+    assert stop[-1] == "off"
+    assert rig.store.safe == len(rig.store.rows)
+
+
+def test_a_pause_holds_at_the_safe_angle_and_loses_no_revolution(rig: MemoryRig) -> None:
+    rig.start(a_test(60))
+    recorded(rig, 5)
+    rig.engine.pause("Ada")
+    rig.engine.wait((RunState.PAUSED,), 20.0)
+    rows = len(rig.store.rows)
+    assert rig.stands
+    reads = rig.source.reads
+    eventually(lambda: rig.source.reads > reads + 40)
+    assert len(rig.store.rows) == rows
+    rig.engine.resume("Ada")
+    rig.engine.wait(ENDED, 20.0)
+    np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 61))
+    quality = rig.store.column("quality").astype(int)
+    assert quality[rows] & Flag.PAUSED
+    assert rig.store.column("samples")[rows] < 4000
+
+
+def test_a_limit_of_the_test_stops_it(rig: MemoryRig) -> None:
+    rule = LimitRule("force_max", warning_above=60.0, critical_above=70.0, delay_revolutions=2)
+    notices = rig.engine.watch()
+    rig.start(a_test(LONG, rules=(rule,)))
+    recorded(rig, 5)
+    rig.source.force_N = 65.0
+    eventually(lambda: any(a.severity == "warning" for a in rig.engine.status().alarms))
+    assert rig.engine.state is RunState.RUNNING
+    rig.source.force_N = 75.0
+    rig.engine.wait(ENDED, 20.0)
+    outcome = rig.engine.outcome
+    assert outcome is not None
+    assert (outcome.reason, outcome.status) == (FinishReason.LIMIT, "stopped")
+    assert "force_max" in outcome.sentence
+    forces = rig.store.column("force_max")
+    assert np.count_nonzero(forces > 70.0) >= 2
+    raised = []
+    while (notice := notices.get(0.0)) is not None:
+        if isinstance(notice, AlarmChanged):
+            raised.append(notice.alarm)
+    assert all(alarm.cause and alarm.consequence and alarm.action for alarm in raised)
+    with pytest.raises(Refused, match="alarm list"):
+        rig.start(a_test(5))
+    rig.engine.acknowledge(operator="Ada")
+    rig.engine.reset("Ada")
+    rig.source.force_N = 50.0
+    assert run(rig, 5).reason is FinishReason.COMPLETE
+
+
+def test_a_limit_pauses(rig: MemoryRig) -> None:
+    rule = LimitRule("force_max", critical_above=70.0, action_critical="pause")
+    rig.start(a_test(LONG, rules=(rule,)))
+    recorded(rig, 5)
+    rig.source.force_N = 75.0
+    rig.engine.wait((RunState.PAUSED,), 20.0)
+    assert rig.stands
+    rig.source.force_N = 50.0
+
+
+def test_overload_takes_the_power_off_within_a_revolution(rig: MemoryRig) -> None:
+    rig.start(a_test(LONG))
+    recorded(rig, 5)
+    before = rig.crank.position_rev
+    rig.source.force_N = 390.0
+    rig.engine.wait(ENDED, 20.0)
+    assert rig.spindle.off_at is not None
+    first_zero = next(what for what, speed in rig.spindle.commands if speed == 0.0)
+    assert first_zero == "off"
+    assert rig.crank.position_rev - before < 2.0
+    outcome = rig.engine.outcome
+    assert outcome is not None
+    assert outcome.reason is FinishReason.LIMIT
+    alarm = rig.engine.status().alarms[0]
+    assert (alarm.key, alarm.first_out) == ("overload", True)
+
+
+def test_a_signal_that_is_no_number_is_an_overload(rig: MemoryRig) -> None:
+    rig.start(a_test(LONG))
+    recorded(rig, 3)
+    rig.source.force_N = math.nan
+    assert rig.engine.wait(ENDED, 20.0) is RunState.FAULT
+    assert "not a number" in rig.engine.status().reason
+
+
+def test_limits_change_with_an_entry_in_the_log(rig: MemoryRig) -> None:
+    rule = LimitRule("force_max", critical_above=70.0)
+    rig.start(a_test(LONG, rules=(rule,)))
+    recorded(rig, 3)
+    with pytest.raises(UnusableInput, match=r"force_max\.critical_above"):
+        rig.engine.set_limit("force_max.nonsense", 1.0)
+    with pytest.raises(UnusableInput, match="set speed"):
+        rig.engine.set_limit("overspeed_rpm", 100.0)
+    rig.engine.set_limit("force_max.critical_above", 40.0, "Ada", "try it")
+    rig.engine.wait(ENDED, 20.0)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.reason is FinishReason.LIMIT
+    change = next(e for e in rig.store.events if e.kind == "limit_changed")
+    assert (change.source, change.before, change.after) == ("Ada", "70", "40")
+
+
+def test_the_zero_is_an_event_with_before_and_after(rig: MemoryRig) -> None:
+    tare = rig.engine.zero(operator="Ada", reason="pin unloaded")["load_cell"]
+    assert abs(tare[0]) + abs(tare[1]) > 0.1
+    eventually(lambda: rig.engine.status().channels != ())
+    views = {view.name: view for view in rig.engine.status().channels}
+    eventually(lambda: abs({v.name: v for v in rig.engine.status().channels}["force"].value) < 1e-3)
+    assert views["force_1"].raw_unit == "mV/V"
+    run(rig, 3)
+    calibration = rig.requests[0].calibration
+    np.testing.assert_allclose(calibration.tare, tare)
+    np.testing.assert_allclose(calibration.zero, 0.0)
+    with pytest.raises(Refused, match="cannot|only"):
+        rig.engine.zero(("probes",))
+
+
+def test_no_zero_during_a_test(rig: MemoryRig) -> None:
+    rig.start(a_test(LONG))
+    with pytest.raises(Refused, match="before a test"):
+        rig.engine.zero()
+
+
+def test_notes_are_in_the_log(rig: MemoryRig) -> None:
+    rig.start(a_test(LONG))
+    rig.engine.note("a squeak", "Ada")
+    with pytest.raises(Refused):
+        rig.engine.note("  ")
+    assert any(e.kind == "note" and e.text == "a squeak" for e in rig.store.events)
+
+
+def test_a_resumed_test_goes_on_with_number_time_and_a_flag() -> None:
+    rig = MemoryRig()
+    rig.engine.connect()
+    run(rig, 6)
+    rig.opened = Opened(rig.store, 6, 6, 3.0, 0.0)
+    rig.store.closed = False
+    rig.start(a_test(10), resume=True)
+    rig.engine.wait(ENDED, 20.0)
+    np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 11))
+    quality = rig.store.column("quality").astype(int)
+    assert quality[6] & Flag.GAP_BEFORE
+    assert not quality[7] & Flag.GAP_BEFORE
+    assert np.all(np.diff(rig.store.column("time")) > 0)
+    assert rig.engine.status().first_revolution == 7
+    rig.engine.shutdown()
+
+
+def test_nothing_is_left_to_resume(rig: MemoryRig) -> None:
+    run(rig, 6)
+    rig.opened = Opened(rig.store, 6, 6, 3.0, 0.0)
+    with pytest.raises(UnusableInput, match="nothing is left"):
+        rig.start(a_test(6), resume=True)
+    assert rig.stands
+
+
+@pytest.mark.parametrize(
+    ("test", "words"),
+    [
+        (a_test(rpm=500.0), "maximum_speed"),
+        (a_test(rpm=250.0), "overspeed"),
+        (a_test(rules=(LimitRule("force_mx", critical_above=1.0),)), "did you mean force_max"),
+    ],
+)
+def test_an_impossible_test_is_refused_before_anything_turns(
+    rig: MemoryRig, test: object, words: str
+) -> None:
+    with pytest.raises(UnusableInput, match=words):
+        rig.start(test)  # type: ignore[arg-type]
+    assert rig.engine.state is RunState.READY
+    assert rig.spindle.commands == []
+    assert rig.stores == []
+
+
+def test_commands_out_of_place_are_refused(rig: MemoryRig) -> None:
+    for command in (rig.engine.pause, rig.engine.resume, rig.engine.stop):
+        with pytest.raises(Refused, match="possible"):
+            command("Ada")
+    rig.start(a_test(LONG))
+    with pytest.raises(Refused):
+        rig.start(a_test(5))
+    with pytest.raises(Refused):
+        rig.engine.connect()
+
+
+def test_shutdown_during_a_test_finishes_it() -> None:
+    rig = MemoryRig()
+    rig.engine.connect()
+    rig.start(a_test(LONG))
+    recorded(rig, 3)
+    rig.engine.shutdown(20.0)
+    assert rig.stands
+    assert rig.store.ending is not None
+    assert rig.store.ending[:2] == ("stopped", "operator")
+    assert rig.engine.state is RunState.IDLE
+    rig.engine.shutdown()
+
+
+def test_a_viewer_gets_rows_the_newest_cycle_and_the_gap_when_it_lags(rig: MemoryRig) -> None:
+    lagging = rig.engine.subscribe(rows=4)
+    quick = rig.engine.subscribe()
+    run(rig, 20)
+    snapshot = rig.engine.snapshot(quick)
+    rows = np.frombuffer(snapshot.rows).reshape(-1, len(revolution_columns()))
+    np.testing.assert_array_equal(rows[:, 0], np.arange(1, 21))
+    assert snapshot.first_row == 0
+    assert snapshot.cycle is not None
+    assert snapshot.cycle.revolution == 20
+    assert as_array(snapshot.cycle.force).max() == pytest.approx(50.0, rel=1e-4)
+    late = lagging.take()
+    np.testing.assert_array_equal(late.rows[:, 0], np.arange(17, 21))
+    assert (late.first_row, lagging.rows_dropped) == (16, 16)
+    assert len(rig.engine.snapshot(quick).rows) == 0
+
+
+def test_predictions_are_stored_judged_and_shown(rig: MemoryRig) -> None:
+    rule = LimitRule("residual_rms", critical_above=20.0)
+    viewer = rig.engine.subscribe()
+    rig.start(a_test(LONG, every=5, rules=(rule,)))
+    recorded(rig, 6)
+    curve = np.zeros(360, "<f4").tobytes()
+
+    def predicted(revolution: int, residual: float) -> Prediction:
+        values = np.zeros(len(prediction_columns()))
+        values[:2] = revolution, residual
+        return Prediction(revolution, values.tobytes(), curve, curve, curve)
+
+    rig.engine.submit_prediction(predicted(6, 3.0))
+    status = rig.engine.status()
+    assert (status.twin_revolution, status.residual_rms_N) == (6, 3.0)
+    assert len(rig.store.predictions) == 1
+    assert rig.store.curves == 1
+    update = viewer.take()
+    assert update.prediction is not None
+    assert update.predictions[0, 1] == 3.0
+    rig.engine.submit_prediction(predicted(7, 30.0))
+    rig.engine.wait(ENDED, 20.0)
+    assert rig.engine.outcome is not None
+    assert "residual_rms" in rig.engine.outcome.sentence
+
+
+def test_the_twin_is_asked_for_every_sound_revolution(rig: MemoryRig) -> None:
+    run(rig, 10)
+    assert [one.revolution for one in rig.measured] == list(range(1, 11))
+    angle = as_array(rig.measured[-1].angle_rad, "<f8")
+    assert angle[0] == pytest.approx(0.0, abs=2 * math.pi * 3 / COUNTS)
+
+
+def test_status_shows_the_run(rig: MemoryRig) -> None:
+    rig.start(a_test(LONG))
+    recorded(rig, 5)
+    status = rig.engine.status()
+    assert status.state in (RunState.RUNNING, RunState.STARTING)
+    assert status.planned == LONG
+    assert status.target_rpm == 120.0
+    assert status.file == str(Path("memory.h5"))
+    assert status.operator == "Ada"
+    assert status.worst_margin in ("overspeed", "stale data")
+    assert {device.name for device in status.devices} == {"daq", "drive"}
+    assert status.drive is not None
+    assert status.drive.enabled
+    assert status.simulated

@@ -1,0 +1,280 @@
+"""Whatever breaks, the spindle stands in the end, the file is finished, and a reason is given."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+
+import pytest
+from engine_doubles import MemoryRig, a_test, eventually
+
+from drivers.api import DeviceError, ProtocolError
+from rigapp.engine.messages import FinishReason, Flag, RunState
+from rigapp.engine.publish import Finished
+from rigapp.engine.run import ENDED, Refused
+
+LONG = 1_000_000
+
+
+@pytest.fixture
+def rig() -> Iterator[MemoryRig]:
+    memory = MemoryRig()
+    memory.engine.connect()
+    memory.start(a_test(LONG))
+    eventually(lambda: len(memory.store.rows) >= 5)
+    yield memory
+    if memory.spindle.hang is not None:
+        memory.spindle.hang.set()
+    memory.engine.shutdown(20.0)
+
+
+def ended(rig: MemoryRig, reason: FinishReason, *words: str) -> Finished:
+    """Wait for the end; check what must hold at every end."""
+    rig.engine.wait(ENDED, 20.0)
+    outcome = rig.engine.outcome
+    assert outcome is not None
+    assert outcome.reason is reason
+    for word in words:
+        assert word in outcome.sentence
+    assert rig.engine.status().reason == outcome.sentence
+    assert rig.store.closed
+    return outcome
+
+
+def back_to_work(rig: MemoryRig) -> None:
+    """Repair, reconnect, acknowledge, reset, and run a test to its end."""
+    rig.engine.reconnect()
+    rig.engine.acknowledge(operator="Ada")
+    rig.engine.reset("Ada")
+    rig.start(a_test(5))
+    rig.engine.wait(ENDED, 20.0)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.reason is FinishReason.COMPLETE
+
+
+def test_a_pulled_cable_ends_the_test_names_the_port_and_can_be_mended(rig: MemoryRig) -> None:
+    rig.source.lost = True
+    outcome = ended(rig, FinishReason.DEVICE, "daq", "memory", "cable")
+    assert outcome.status == "fault"
+    assert rig.engine.state is RunState.FAULT
+    assert rig.stands
+    assert any("the drive only" in event.text for event in rig.store.events)
+    assert rig.store.safe == len(rig.store.rows)
+    with pytest.raises(Refused):
+        rig.start(a_test(5))
+    with pytest.raises(DeviceError):
+        rig.engine.reconnect()
+    assert rig.engine.state is RunState.FAULT
+    rig.source.lost = False
+    back_to_work(rig)
+
+
+def test_nonsense_from_the_device_ends_the_test(rig: MemoryRig) -> None:
+    rig.source.broken = ProtocolError("daq", "memory", "bytes that mean nothing")
+    ended(rig, FinishReason.DEVICE, "bytes that mean nothing")
+    assert rig.stands
+
+
+def test_stale_data_takes_the_power_off(rig: MemoryRig) -> None:
+    rig.source.silent = True
+    ended(rig, FinishReason.DEVICE, "no samples")
+    first_zero = next(what for what, speed in rig.spindle.commands if speed == 0.0)
+    assert first_zero == "off"
+    assert rig.engine.state is RunState.FAULT
+
+
+def test_a_drive_fault_ends_the_test(rig: MemoryRig) -> None:
+    rig.spindle.faults = ("overcurrent",)
+    ended(rig, FinishReason.DEVICE, "overcurrent")
+    assert rig.stands
+    rig.engine.acknowledge(operator="Ada")
+    with pytest.raises(Refused, match="still active"):
+        rig.engine.reset("Ada")
+    rig.spindle.faults = ()
+    eventually(lambda: not rig.engine.status().alarms[0].active)
+    rig.engine.reset("Ada")
+    assert rig.engine.state is RunState.READY
+
+
+def test_the_emergency_stop_ends_the_test(rig: MemoryRig) -> None:
+    rig.spindle.emergency_stop = True
+    ended(rig, FinishReason.DEVICE, "emergency stop")
+    assert rig.engine.status().alarms[0].key == "emergency_stop"
+    assert rig.stands
+
+
+def test_a_drive_that_falls_silent_is_stopped_by_its_watchdog_and_seen_by_the_encoder(
+    rig: MemoryRig,
+) -> None:
+    rig.spindle.lost = True
+    ended(rig, FinishReason.DEVICE, "drive", "no answer")
+    assert any("the encoder only" in event.text for event in rig.store.events)
+    assert rig.stands
+
+
+def test_a_lost_encoder_takes_the_power_off(rig: MemoryRig) -> None:
+    rig.source.encoder_dead = True
+    ended(rig, FinishReason.DEVICE, "encoder does not move")
+    assert rig.stands
+
+
+def test_a_missing_index_ends_the_test(rig: MemoryRig) -> None:
+    rig.source.index_dead = True
+    ended(rig, FinishReason.DEVICE, "index")
+    quality = rig.store.column("quality").astype(int)
+    assert quality[-1] & Flag.MISSED_INDEX
+    assert rig.stands
+
+
+def test_overspeed_takes_the_power_off(rig: MemoryRig) -> None:
+    with rig.crank.lock:
+        rig.crank.target, rig.crank.acceleration = 5.0, 100.0
+    ended(rig, FinishReason.LIMIT, "encoder shows", "limit is 200")
+    assert rig.stands
+
+
+def test_a_jammed_crank_ends_the_test(rig: MemoryRig) -> None:
+    rig.crank.jammed = True
+    ended(rig, FinishReason.DEVICE, "rpm are set")
+
+
+def test_lost_samples_are_flagged_counted_and_logged(rig: MemoryRig) -> None:
+    rows = len(rig.store.rows)
+    rig.source.lose_samples = 20
+    eventually(lambda: any(a.key == "lost_samples" for a in rig.engine.status().alarms))
+    eventually(lambda: len(rig.store.rows) >= rows + 5)
+    rig.engine.stop("Ada")
+    ended(rig, FinishReason.OPERATOR)
+    assert rig.store.column("lost_samples").sum() == 20
+    flagged = rig.store.column("quality").astype(int) & Flag.LOST_SAMPLES
+    assert 1 <= (flagged > 0).sum() <= 2
+
+
+def test_a_gap_of_several_revolutions_leaves_a_gap_in_the_numbers(rig: MemoryRig) -> None:
+    rows = len(rig.store.rows)
+    rig.source.lose_samples = 1200  # 2.5 s at 2 rev/s: five revolutions
+    eventually(lambda: len(rig.store.rows) >= rows + 6)
+    rig.engine.stop("Ada")
+    ended(rig, FinishReason.OPERATOR)
+    steps = rig.store.column("revolution")[1:] - rig.store.column("revolution")[:-1]
+    assert sorted(set(steps.tolist())) in ([1.0, 5.0], [1.0, 6.0])
+    assert len(rig.store.gaps) == 1
+    assert rig.store.column("revolution")[-1] == pytest.approx(rig.crank.position_rev, abs=3.0)
+
+
+def test_a_file_that_cannot_be_written_ends_the_test(rig: MemoryRig) -> None:
+    rig.store.broken = OSError("input/output error")
+    outcome = ended(rig, FinishReason.STORAGE, "memory.h5", "input/output error")
+    assert outcome.status == "fault"
+    assert rig.stands
+    rig.engine.acknowledge(operator="Ada")
+    rig.engine.reset("Ada")
+    assert rig.engine.state is RunState.READY
+
+
+def test_a_hanging_disk_ends_the_test(rig: MemoryRig) -> None:
+    rig.store.commit_waits = release = threading.Event()
+    eventually(lambda: rig.engine.state is not RunState.RUNNING)
+    eventually(lambda: rig.stands)
+    release.set()
+    ended(rig, FinishReason.INTERNAL, "commit")
+
+
+@pytest.mark.parametrize("name", ["read daq", "process", "commit", "drive", "supervise"])
+def test_a_dead_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
+    connection = rig.engine._connection
+    assert connection is not None
+    worker = next(one for one in connection.workers if one.name == name)
+
+    def die() -> None:
+        raise RuntimeError("a bug")
+
+    worker._step = die
+    outcome = ended(rig, FinishReason.INTERNAL, name, "a bug")
+    assert outcome.status == "fault"
+    assert rig.stands
+    assert rig.store.ending is not None
+    back_to_work(rig)
+
+
+@pytest.mark.parametrize("name", ["process", "drive"])
+def test_a_silent_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
+    connection = rig.engine._connection
+    assert connection is not None
+    worker = next(one for one in connection.workers if one.name == name)
+    release = threading.Event()
+
+    def hang() -> None:
+        release.wait(30.0)
+
+    worker._step = hang
+    try:
+        ended(rig, FinishReason.INTERNAL, name, "no sign of life")
+        assert rig.stands
+    finally:
+        release.set()
+
+
+def test_a_hanging_drive_call_is_no_hanging_test(rig: MemoryRig) -> None:
+    rig.spindle.hang = threading.Event()
+    rig.engine.wait(ENDED, 30.0)
+    outcome = rig.engine.outcome
+    assert outcome is not None
+    assert outcome.reason is FinishReason.INTERNAL
+    assert any(a.key == "will_not_stop" for a in rig.engine.status().alarms)
+
+
+def test_a_spindle_that_does_not_stop_raises_the_loudest_alarm(rig: MemoryRig) -> None:
+    rig.crank.deaf = True
+    rig.engine.stop("Ada")
+    assert rig.engine.wait(ENDED, 20.0) is RunState.FAULT
+    keys = [alarm.key for alarm in rig.engine.status().alarms]
+    assert "will_not_stop" in keys
+    offs = [what for what, _ in rig.spindle.commands]
+    assert "off" in offs
+    rig.crank.deaf = False
+    rig.engine.drive_off("Ada")
+    eventually(lambda: rig.stands)
+    eventually(lambda: not any(a.active for a in rig.engine.status().alarms))
+
+
+def test_a_crank_that_moves_in_a_pause_ends_the_test(rig: MemoryRig) -> None:
+    rig.engine.pause("Ada")
+    rig.engine.wait((RunState.PAUSED,), 20.0)
+    with rig.crank.lock:
+        rig.crank.target = 0.5
+    ended(rig, FinishReason.DEVICE, "paused")
+    assert rig.stands
+
+
+def test_a_device_lost_while_ready_is_a_fault() -> None:
+    memory = MemoryRig()
+    memory.engine.connect()
+    memory.source.lost = True
+    memory.engine.wait((RunState.FAULT,), 10.0)
+    assert "cable" in memory.engine.status().reason
+    memory.source.lost = False
+    back_to_work(memory)
+    memory.engine.shutdown()
+
+
+def test_a_rig_that_cannot_be_connected_is_a_fault_with_a_reason() -> None:
+    memory = MemoryRig()
+    memory.source.open_fails = True
+    with pytest.raises(DeviceError, match="nothing answers"):
+        memory.engine.connect()
+    assert memory.engine.state is RunState.FAULT
+    assert "daq on memory" in memory.engine.status().reason
+    memory.source.open_fails = False
+    back_to_work(memory)
+    memory.engine.shutdown()
+
+
+def test_no_thread_is_left_behind() -> None:
+    before = set(threading.enumerate())
+    memory = MemoryRig()
+    memory.engine.connect()
+    memory.start(a_test(5))
+    memory.engine.wait(ENDED, 20.0)
+    memory.engine.shutdown()
+    eventually(lambda: set(threading.enumerate()) <= before)
