@@ -158,13 +158,10 @@ def choose_terms(force: Array, signal: Array) -> tuple[TwoAxisFit, str]:
     """
     chosen = fit(force, signal, Terms())
     reasons = []
-    for name, terms in (
-        ("zero drift", Terms(drift=True)),
-        ("quadratic terms", Terms(quadratic=True, drift=chosen.terms.drift)),
-    ):
-        if name == "quadratic terms":
-            terms = Terms(quadratic=True, drift=chosen.terms.drift)
-        if len(force) <= 2 * terms.count + 4:
+    for name in ("zero drift", "quadratic terms"):
+        drift = name == "zero drift" or chosen.terms.drift
+        terms = Terms(quadratic=name == "quadratic terms", drift=drift)
+        if len(force) <= 2 * terms.count + 4 or not _determined(force, terms):
             continue
         larger = fit(force, signal, terms)
         gain = _akaike(chosen) - _akaike(larger)
@@ -173,6 +170,16 @@ def choose_terms(force: Array, signal: Array) -> tuple[TwoAxisFit, str]:
             reasons.append(f"{name} (corrected Akaike criterion lower by {gain:.0f})")
     words = "degree 1" if not reasons else "degree 1 with " + " and ".join(reasons)
     return chosen, words
+
+
+def _determined(force: Array, terms: Terms) -> bool:
+    """Tell whether the loads determine the terms: four angles on the axes do not tell f1 f2."""
+    rows = design(force, terms)
+    size = float(np.max(np.abs(force)))
+    if terms.quadratic and np.max(np.abs(rows[:, 4])) < 0.02 * size * size:
+        return False
+    scaled = rows / np.maximum(np.abs(rows).max(axis=0), 1e-300)
+    return bool(np.linalg.cond(scaled) < 1e4)
 
 
 def _squares(force: Array) -> Array:

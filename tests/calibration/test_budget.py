@@ -1,0 +1,48 @@
+"""The budget by GTC against a Monte Carlo after JCGM 101."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from calibration.budget import Contribution, combine, expanded_line
+from calibration.load_cell import calibrate_load_cell
+from tests.calibration.simulated_cell import SETTINGS, Cell, take
+
+TRIALS = 1_000_000
+
+
+def drawn(line: Contribution, rng: np.random.Generator) -> np.ndarray:
+    """Draw what a contribution stands for: a scaled t distribution (JCGM 101, 6.4.9)."""
+    if np.isinf(line.degrees):
+        return line.uncertainty * rng.standard_normal(TRIALS)
+    shrink = np.sqrt((line.degrees - 2.0) / line.degrees)
+    return line.uncertainty * shrink * rng.standard_t(line.degrees, TRIALS)
+
+
+def test_expanded_uncertainty_agrees_with_monte_carlo() -> None:
+    rng = np.random.default_rng(5)
+    found = calibrate_load_cell(take(Cell(hysteresis=1.0), rng), SETTINGS)
+    assert found.budget is not None
+    total = sum(drawn(line, rng) for line in found.budget.contributions)
+    low, high = np.percentile(total, [2.5, 97.5])
+    assert found.budget.expanded == pytest.approx(0.5 * (high - low), rel=0.02)
+
+
+def test_few_degrees_of_freedom_widen_the_interval() -> None:
+    wide = combine(100.0, (Contribution("repeatability", 1.0, 5.0),))
+    assert wide.coverage_factor == pytest.approx(2.5706, abs=1e-3)
+    narrow = combine(100.0, (Contribution("mass", 1.0, np.inf),))
+    assert narrow.coverage_factor == pytest.approx(1.96, abs=1e-3)
+    both = combine(100.0, (Contribution("a", 3.0, np.inf), Contribution("b", 4.0, np.inf)))
+    assert both.combined == pytest.approx(5.0)
+
+
+def test_line_bounds_the_uncertainty_from_above() -> None:
+    budgets = tuple(
+        combine(f, (Contribution("a", 1.0 + 0.01 * f + 1e-5 * f * f, np.inf),))
+        for f in (40.0, 160.0, 280.0, 400.0)
+    )
+    constant, slope = expanded_line(budgets)
+    for one in budgets:
+        assert constant + slope * one.force >= one.expanded - 1e-9

@@ -1,0 +1,179 @@
+"""The procedure as a state machine: planned, taken, closed, taken up, rejected, never erased."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from calibration.load_cell import calibrate_load_cell
+from calibration.pieces import PiecesError, next_change, possible_loads
+from calibration.plans import PlanKind, StepKind, make_plan, time_needed
+from calibration.procedure import Procedure, ProcedureError, begin, take_up
+from calibration.stability import judge
+from calibration.weights import force_per_mass, pin_force
+from tests.calibration.simulated_cell import SETTINGS, Cell
+
+SET = (5.0,) * 8 + (2.0, 2.0, 1.0, 0.5)
+
+
+def hand(procedure: Procedure, cell: Cell, rng: np.random.Generator) -> Procedure:
+    """Do the present step as a technician would."""
+    step = procedure.step
+    if step.kind is StepKind.ANGLE_REFERENCE:
+        return procedure.reference(0.0, float(np.radians(0.05)))
+    if step.kind is StepKind.TURN:
+        return procedure.turned(step.angle + np.radians(0.3))
+    if step.kind is StepKind.PRELOAD:
+        return procedure.exercised()
+    newton_per_kg = force_per_mass(SETTINGS.weights, SETTINGS.place)
+    angle = step.angle + np.radians(0.3)
+    force = pin_force([procedure.change.mass * newton_per_kg], [angle], 0.0)
+    signal = cell.signal(force, np.array([0.5]), np.array([True]), rng)[0]
+    return procedure.record(angle, signal, 1e-4, 1000.0 + procedure.position)
+
+
+def finish(procedure: Procedure, seed: int = 3) -> Procedure:
+    rng = np.random.default_rng(seed)
+    while not procedure.done:
+        procedure = hand(procedure, Cell(), rng)
+    return procedure
+
+
+def journal(procedure: Procedure) -> list[dict[str, object]]:
+    """Return the events as they come back from a file."""
+    return [json.loads(json.dumps(event)) for event in procedure.events]
+
+
+@pytest.mark.parametrize("kind", list(PlanKind))
+def test_plan_is_carried_out_to_a_calibration(kind: PlanKind) -> None:
+    done = finish(begin(kind, 40.0, SET))
+    assert "All readings" in done.instruction
+    readings = done.readings()
+    assert len(np.unique(np.round(readings.angle, 3))) == {"daily check": 4}.get(
+        kind.value, 4 if kind is PlanKind.ROUTINE else 12
+    )
+    if kind is not PlanKind.DAILY:
+        found = calibrate_load_cell(readings, SETTINGS)
+        assert found.accepted, [p.sentence for p in found.problems]
+
+
+def test_sizes_of_the_plans() -> None:
+    def count(kind: PlanKind) -> int:
+        return sum(s.kind is StepKind.READING for s in make_plan(kind, 40.0, SET))
+
+    assert count(PlanKind.FULL) == 12 * 21
+    assert count(PlanKind.ROUTINE) == 4 * 11
+    assert count(PlanKind.DAILY) == 4 * 3
+    assert 20 < time_needed(make_plan(PlanKind.ROUTINE, 40.0, SET)) / 60.0 < 60
+
+
+def test_it_is_taken_up_where_it_was_left() -> None:
+    rng = np.random.default_rng(1)
+    whole = begin(PlanKind.ROUTINE, 40.0, SET)
+    for _ in range(17):
+        whole = hand(whole, Cell(), rng)
+    again = take_up(journal(whole))
+    assert again == whole
+    assert again.progress == whole.progress
+
+
+def test_rejected_reading_stays_and_its_series_is_taken_again() -> None:
+    rng = np.random.default_rng(1)
+    procedure = begin(PlanKind.ROUTINE, 40.0, SET)
+    while len(procedure.taken) < 5:
+        procedure = hand(procedure, Cell(), rng)
+    with pytest.raises(ProcedureError, match="reason"):
+        procedure.reject(4, "  ")
+    repeated = procedure.reject(4, "bumped the table")
+    assert len(repeated.taken) == 5
+    assert repeated.taken[4].rejected == "bumped the table"
+    assert all(one.rejected for one in repeated.taken)
+    assert repeated.step.number == 1
+    assert repeated.hanging == ()
+    done = finish(repeated)
+    assert len(done.readings()) == 44
+    assert len(done.taken) == 49
+    assert take_up(journal(done)) == done
+
+
+def test_wrong_event_is_refused_in_words() -> None:
+    procedure = begin(PlanKind.ROUTINE, 40.0, SET)
+    with pytest.raises(ProcedureError, match="angle reference"):
+        procedure.record(0.0, (0.0, 0.0), 0.0, 0.0)
+    procedure = procedure.reference(0.0, 0.001)
+    with pytest.raises(ProcedureError, match="turn the pin to 0"):
+        procedure.turned(np.radians(40.0))
+    procedure = procedure.turned(0.0).exercised().exercised()
+    with pytest.raises(ProcedureError, match="not a number"):
+        procedure.record(0.0, (np.nan, 0.0), 0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    "events", [[], [{"event": "record"}], [{"event": "begin"}], [{"no": 1}]], ids=str
+)
+def test_spoilt_journal_is_refused(events: list[dict[str, object]]) -> None:
+    with pytest.raises(ProcedureError, match="journal"):
+        take_up(events)
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.lists(st.sampled_from(["do", "reject", "reload"]), max_size=60))
+def test_any_sequence_keeps_every_reading(actions: list[str]) -> None:
+    rng = np.random.default_rng(0)
+    procedure = begin(PlanKind.ROUTINE, 40.0, SET)
+    for action in actions:
+        before = len(procedure.taken)
+        if action == "reload":
+            procedure = take_up(journal(procedure))
+        elif action == "reject":
+            try:
+                procedure = procedure.reject(before - 1, "a reason")
+            except ProcedureError:
+                continue
+        elif not procedure.done:
+            procedure = hand(procedure, Cell(), rng)
+        assert len(procedure.taken) >= before
+        standing = [one for one in procedure.taken if not one.rejected]
+        assert len(standing) == len(procedure.readings())
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.floats(0.0, 40.0), st.lists(st.sampled_from(SET), max_size=5, unique=True))
+def test_change_at_the_hanger_reaches_the_load(target: float, hanging: list[float]) -> None:
+    change = next_change(target, tuple(hanging), SET, tolerance=0.26)
+    assert abs(change.mass - target) <= 0.26
+    after = sorted([*hanging, *change.add])
+    for piece in change.remove:
+        after.remove(piece)
+    assert sorted(change.hanging) == after
+
+
+def test_impossible_load_is_said() -> None:
+    with pytest.raises(PiecesError, match=r"nearest is 45\.5 kg"):
+        next_change(60.0, (), SET)
+
+
+def test_rising_loads_need_only_additions() -> None:
+    hanging: tuple[float, ...] = ()
+    for load in possible_loads(40.0, 8, SET):
+        change = next_change(load, hanging, SET)
+        assert change.remove == ()
+        hanging = change.hanging
+
+
+def test_swinging_and_creeping_are_told_apart() -> None:
+    t = np.linspace(0.0, 4.0, 200)
+    noise = np.random.default_rng(0).normal(0.0, 1e-3, (200, 2))
+    assert judge(t, 1.0 + noise, 5e-3, 1e-3).steady
+    swing = 0.05 * np.sin(2 * np.pi * 0.7 * t)[:, None] * [1.0, 0.4]
+    assert judge(t, 1.0 + noise + swing, 5e-3, 1e-3).reason.startswith("swinging")
+    creep = 0.01 * t[:, None] * [1.0, 0.0]
+    assert judge(t, 1.0 + noise + creep, 5e-3, 1e-3).reason == "still changing"
+    assert "waiting" in judge(t[:3], noise[:3], 5e-3, 1e-3).reason
+    spoilt = noise.copy()
+    spoilt[3, 0] = np.nan
+    assert not judge(t, spoilt, 5e-3, 1e-3).steady
