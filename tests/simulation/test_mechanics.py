@@ -9,12 +9,16 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
+from model.dynamics import inverse_dynamics
+from model.parameters import Joint, Mechanism, Spring
 from rigapp.config.parameters import ParameterFile, SpringSection
 from rigapp.config.rig import PlantSection, RigFile, SimulationSection
-from rigapp.simulation import layout, mechanics
+from rigapp.simulation import layout, mechanics, sensing
 from rigapp.simulation.constants import Machine, plant_constants
 from rigapp.simulation.layout import Constants, Drive
 from rigapp.simulation.plant import Plant
@@ -69,6 +73,57 @@ def test_running_plant_at_steady_speed_gives_the_reference_forces(
             table["crank_angle_deg"], angle[order], force[last][order], period=360.0
         )
         np.testing.assert_allclose(measured, table[column], atol=0.02)
+
+
+@given(
+    angle=st.floats(-10.0, 10.0),
+    speed=st.floats(-70.0, 70.0).filter(lambda w: abs(w) > 1e-3),
+    torque=st.floats(-6.0, 6.0),
+    depth_um=st.floats(0.0, 800.0),
+    friction=st.floats(0.0, 0.3),
+)
+@settings(max_examples=200, deadline=None)
+def test_plant_and_model_agree_on_one_instant(
+    rig: RigFile,
+    parameters: ParameterFile,
+    angle: float,
+    speed: float,
+    torque: float,
+    depth_um: float,
+    friction: float,
+) -> None:
+    """The model is another program: its inverse dynamics must give back the plant's torque."""
+    section = PlantSection(joint_friction_coefficient=friction)
+    rough = msgspec.structs.replace(rig, simulation=SimulationSection(plant=section))
+    k = plant_constants(parameters, rough)
+    depth, sense = depth_um * 1e-6, math.copysign(1.0, speed)
+    a, fx, fy, force, _ = mechanics.motion(k, angle, speed, depth, torque, sense, 50.0)
+    # Two passes of the fixed point leave a relative error of (mu R1 / L)^2.
+    a, fx, fy, force, _ = mechanics.motion(k, angle, speed, depth, torque, sense, force)
+    m = parameters.mechanism
+    mechanism = Mechanism(
+        crank_radius=m.crank_radius_mm * 1e-3,
+        crank_mass=m.crank_mass_kg,
+        crank_inertia=m.crank_inertia_kg_m2,
+        follower_length=m.follower_length_mm * 1e-3,
+        follower_mass=m.follower_mass_kg,
+        follower_inertia=m.follower_inertia_kg_m2,
+        slider_mass=1.01 * m.slider_mass_kg,
+        spring=Spring(0.985 * 525.0, 317.4952e-3),
+    )
+    joint = Joint(9.5e-3, 10e-3, 20e-3, 13.1e-3, friction)
+    motion = inverse_dynamics(mechanism, angle, speed, a, 0.5e-3 + depth, joint)
+    machine = Machine()
+    bearing = sense * machine.bearing_torque_Nm + machine.bearing_viscous_Nm_s * speed
+    wheels = machine.flywheel_kg_m2 + machine.rotor_kg_m2
+    scale = 1.0 + float(motion.force_magnitude)
+    assert float(motion.drive_torque) + wheels * a + bearing == pytest.approx(
+        torque, abs=1e-6 * scale
+    )
+    assert fx == pytest.approx(float(motion.force[0]), abs=1e-5 * scale)
+    assert fy == pytest.approx(float(motion.force[1]), abs=1e-5 * scale)
+    e1, n1, _, _ = sensing.views(k, angle, depth, fx, fy, sense)
+    assert (e1, n1) == pytest.approx(tuple(motion.force_crank), abs=1e-5 * scale)
 
 
 def lagrange(k: Constants, angle: float, speed: float) -> float:
