@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from rigapp.config.rig import RigFile
 from rigapp.engine.messages import Snapshot, Status
 from rigapp.gui.alarms import AlarmPanel
 from rigapp.gui.controls import STARTABLE, ControlRow
@@ -30,8 +31,10 @@ from rigapp.gui.help import HelpWindow
 from rigapp.gui.link import Link
 from rigapp.gui.overlay import OverlayPanel
 from rigapp.gui.palette import THEMES, Theme, apply_theme
+from rigapp.gui.prepare import PreparePanel
 from rigapp.gui.session import Session
 from rigapp.gui.startbar import StartBar
+from rigapp.gui.tasks import Worker
 from rigapp.gui.trend import TrendPanel
 from rigapp.gui.watchdog import Watchdog
 
@@ -51,6 +54,7 @@ class MainWindow(QMainWindow):
         session: Session,
         theme: Theme,
         *,
+        rig: RigFile | None = None,
         tests: Sequence[Path] = (),
         results_folder: Path = Path("results"),
         settings: QSettings | None = None,
@@ -80,12 +84,18 @@ class MainWindow(QMainWindow):
         self.trend_upper = TrendPanel("upper", theme, "force")
         self.trend_lower = TrendPanel("lower", theme, "wear", access_keys=False)
         self.alarms = AlarmPanel("all", theme)
+        self._reader = Worker("gui-files", bound=16)
+        self.prepare = PreparePanel(theme, results_folder, self._reader)
         self._trends = (
             self.overview_trend,
             self.overview_wear,
             self.trend_upper,
             self.trend_lower,
         )
+        if rig is not None:
+            self.prepare.set_rig(rig)
+        if tests:
+            self.prepare.recipe.open_file(tests[0])
         self._splitters: list[QSplitter] = []
         self._build()
         self._connect()
@@ -104,6 +114,7 @@ class MainWindow(QMainWindow):
         """Pull what is new and draw what is visible."""
         self._ticks += 1
         self._session.deliver()
+        self._reader.deliver()
         snapshot = self._link.pump()
         if snapshot is not None:
             self._take(snapshot)
@@ -131,6 +142,8 @@ class MainWindow(QMainWindow):
             self.cycle.overlay.set_mechanism(ratio)
             self.cycle.show_newest(data, stale=stale)
         if at_once or self._ticks % TREND_EVERY == 0:
+            if self.prepare.isVisible():
+                self.prepare.show_status(status)
             for trend in self._trends:
                 if trend.isVisible():
                     trend.refresh(data)
@@ -169,6 +182,7 @@ class MainWindow(QMainWindow):
             self.trend_upper,
             self.trend_lower,
             self.alarms,
+            self.prepare,
         ):
             panel.dress(theme)
 
@@ -186,6 +200,7 @@ class MainWindow(QMainWindow):
         self._save_layout()
         self._link.close()
         self._session.close()
+        self._reader.close()
         super().closeEvent(event)
 
     def _take(self, snapshot: Snapshot) -> None:
@@ -201,6 +216,10 @@ class MainWindow(QMainWindow):
         title = snapshot.status.test or "rigapp"
         if self.windowTitle() != title:
             self.setWindowTitle(title)
+
+    def _start_prepared(self, path: Path) -> None:
+        self.start_bar.choose(path)
+        self.start_bar.open()
 
     def _ask_revolution(self, revolution: int) -> None:
         def failed(error: Exception) -> None:
@@ -219,7 +238,7 @@ class MainWindow(QMainWindow):
         overview.addWidget(self.overview)
         overview.addWidget(right)
         overview.setSizes([700, 700])
-        self._splitters += [self.cycle, self.cycle.right]
+        self._splitters += [self.cycle, self.cycle.right, self.prepare]
         trends = self._splitter("trend_split", Qt.Orientation.Vertical)
         trends.addWidget(self.trend_upper)
         trends.addWidget(self.trend_lower)
@@ -228,6 +247,7 @@ class MainWindow(QMainWindow):
             (self.cycle, "2 Cycle"),
             (trends, "3 Trends"),
             (self.alarms, "4 Alarms"),
+            (self.prepare, "5 Prepare"),
         ):
             widget.setAutoFillBackground(True)
             self.tabs.addTab(widget, text)
@@ -267,6 +287,7 @@ class MainWindow(QMainWindow):
         self.start_bar.started.connect(self.controls.start_test)
         for panel in (self.overview_alarms, self.alarms):
             panel.wanted.connect(self.controls.send)
+        self.prepare.recipe.start_wanted.connect(self._start_prepared)
         self.cycle.revolution_wanted.connect(self._ask_revolution)
         self.tabs.currentChanged.connect(lambda _: self.draw_now())
         self.help_button.clicked.connect(self.show_help)

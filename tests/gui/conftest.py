@@ -269,6 +269,12 @@ def engine() -> ScriptedEngine:
     return ScriptedEngine()
 
 
+@pytest.fixture(name="make_status")
+def make_status_fixture() -> Callable[..., Status]:
+    """Return the maker of statuses."""
+    return make_status
+
+
 @pytest.fixture
 def alarm() -> Alarm:
     """Return a warning that nobody has acknowledged."""

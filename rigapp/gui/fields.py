@@ -1,0 +1,231 @@
+"""The fields of a test file as a form needs them: path, unit, range, default, choices."""
+
+from __future__ import annotations
+
+import types
+import typing
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal
+
+import msgspec
+
+from rigapp.config.recipe import TestFile
+
+UNITS = (
+    ("_mm3_per_Nm", "mm³/(N m)"),
+    ("_g_per_cm3", "g/cm³"),
+    ("_rpm_per_s", "rpm/s"),
+    ("_N_per_m", "N/m"),
+    ("_kg_m2", "kg m²"),
+    ("_m_s2", "m/s²"),
+    ("_MPa", "MPa"),
+    ("_rpm", "rpm"),
+    ("_deg", "deg"),
+    ("_kg", "kg"),
+    ("_mm", "mm"),
+    ("_N", "N"),
+    ("_s", "s"),
+)
+
+RANGES: Mapping[str, tuple[float, float]] = {
+    "run.revolutions": (1, 100_000_000),
+    "run.speed_rpm": (0.1, 3000),
+    "run.acceleration_rpm_per_s": (0.1, 10_000),
+    "run.pause_angle_deg": (0, 360),
+    "cycles.every_revolutions": (1, 1_000_000),
+    "cycles.per_decade": (1, 1000),
+    "limits.overload_N": (1, 10_000),
+    "limits.overspeed_rpm": (0.1, 5000),
+    "limits.stale_data_s": (0.05, 60),
+    "model.mechanism.crank_radius_mm": (1, 1000),
+    "model.mechanism.follower_length_mm": (1, 5000),
+    "model.joint.pin_radius_mm": (0.5, 500),
+    "model.joint.bushing_radius_mm": (0.5, 500),
+    "model.joint.bushing_outer_radius_mm": (1, 1000),
+    "model.joint.bushing_width_mm": (0.5, 1000),
+    "model.joint.friction_coefficient": (0, 2),
+    "model.bushing.poissons_ratio": (0, 0.499),
+    "model.pin.poissons_ratio": (0, 0.499),
+    "model.bushing.youngs_modulus_MPa": (0.1, 1e6),
+    "model.pin.youngs_modulus_MPa": (0.1, 1e6),
+    "model.bushing.wear_coefficient_mm3_per_Nm": (0, 1),
+}
+"""What is sensible for a rig of this kind; a value outside is refused by the form."""
+
+HIDDEN = frozenset({"schema", "model.schema", "limits.rule"})
+"""Keys that the form keeps as they are or shows in a table of their own."""
+
+
+@dataclass(frozen=True, slots=True)
+class FieldSpec:
+    """One field of the form.
+
+    path: dotted. kind: int, float, str, bool, "choice" or "pair". default: NODEFAULT when required.
+    optional: the section that holds it may be absent.
+    """
+
+    path: str
+    kind: str
+    default: Any
+    choices: tuple[str, ...] = ()
+    optional: bool = False
+
+    @property
+    def key(self) -> str:
+        """Return the key within its section."""
+        return self.path.rsplit(".", 1)[-1]
+
+    @property
+    def section(self) -> str:
+        """Return the dotted path of the section, empty for the top."""
+        return self.path.rpartition(".")[0]
+
+    @property
+    def unit(self) -> str:
+        """Return the unit that the key names, empty when none."""
+        return next((unit for ending, unit in UNITS if self.key.endswith(ending)), "")
+
+    @property
+    def label(self) -> str:
+        """Return the key in words, without its unit."""
+        key = self.key
+        ending = next((end for end, _ in UNITS if key.endswith(end)), "")
+        words = key.removesuffix(ending).replace("_", " ").replace("youngs", "Young's")
+        words = words.replace("poissons", "Poisson's")
+        return words[:1].upper() + words[1:]
+
+    @property
+    def range(self) -> tuple[float, float] | None:
+        """Return the sensible range, None when any number will do."""
+        known = RANGES.get(self.path)
+        if known is None and self.key.endswith(("_kg", "_kg_m2", "_g_per_cm3", "_N_per_m")):
+            return (0.0, 1e6)
+        return known
+
+    @property
+    def hint(self) -> str:
+        """Return key, range and default in one line."""
+        parts = [self.path]
+        if self.range is not None:
+            parts.append(f"{self.range[0]:g} to {self.range[1]:g} {self.unit}".rstrip())
+        if self.default is not msgspec.NODEFAULT:
+            parts.append(f"default {self.default}")
+        return "; ".join(parts)
+
+
+def form_fields() -> tuple[FieldSpec, ...]:
+    """Return the fields of a test file in the order of the file."""
+    return tuple(field for field in _fields(TestFile, "", False) if field.path not in HIDDEN)
+
+
+def _fields(struct: type[msgspec.Struct], prefix: str, optional: bool) -> Iterator[FieldSpec]:
+    for info in msgspec.structs.fields(struct):
+        path = f"{prefix}{info.name}"
+        hint, nullable = _without_none(info.type)
+        if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
+            yield from _fields(hint, f"{path}.", optional or nullable)
+            continue
+        kind, choices = _kind(hint)
+        yield FieldSpec(path, kind, info.default, choices, optional)
+
+
+def _without_none(hint: Any) -> tuple[Any, bool]:
+    hint = _bare(hint)
+    if typing.get_origin(hint) in (typing.Union, types.UnionType):
+        kinds = [kind for kind in typing.get_args(hint) if kind is not type(None)]
+        return _bare(kinds[0]), True
+    return hint, False
+
+
+def _bare(hint: Any) -> Any:
+    return typing.get_args(hint)[0] if typing.get_origin(hint) is Annotated else hint
+
+
+def _kind(hint: Any) -> tuple[str, tuple[str, ...]]:
+    origin = typing.get_origin(hint)
+    if origin is Literal:
+        return "choice", tuple(str(choice) for choice in typing.get_args(hint))
+    if origin is tuple:
+        return "pair", ()
+    return {int: "int", float: "float", str: "str", bool: "bool"}.get(hint, "str"), ()
+
+
+def parse_value(field: FieldSpec, text: str) -> Any:
+    """Return the value that a text means; raise ValueError with one sentence."""
+    text = text.strip()
+    where = f"{field.label}"
+    try:
+        if field.kind == "int":
+            value: Any = int(text.replace(" ", "").replace("\u2009", ""))
+        elif field.kind == "float":
+            value = float(text)
+        elif field.kind == "pair":
+            value = [float(part) for part in text.replace(",", " ").split()]
+            if len(value) != 2:
+                raise ValueError
+        else:
+            return text
+    except ValueError:
+        wanted = {"int": "a whole number", "float": "a number", "pair": "two numbers"}[field.kind]
+        raise ValueError(f"{where} must be {wanted}, not {text!r}") from None
+    limits = field.range
+    if limits is not None and field.kind != "pair" and not limits[0] <= value <= limits[1]:
+        unit = f" {field.unit}" if field.unit else ""
+        raise ValueError(
+            f"{where} = {value:g}{unit} is outside {limits[0]:g} to {limits[1]:g}{unit}"
+        )
+    return value
+
+
+def show_value(value: Any) -> str:
+    """Return a value as the form shows it."""
+    if isinstance(value, (list, tuple)):
+        return ", ".join(f"{part:g}" for part in value)
+    if isinstance(value, float):
+        return f"{value:.10g}"
+    return str(value)
+
+
+def get_path(tree: Mapping[str, Any], path: str) -> Any:
+    """Return the value at a dotted path, None when it is not there."""
+    value: Any = tree
+    for key in path.split("."):
+        if not isinstance(value, Mapping) or key not in value:
+            return None
+        value = value[key]
+    return value
+
+
+def set_path(tree: dict[str, Any], path: str, value: Any) -> None:
+    """Set the value at a dotted path, making the tables on the way."""
+    *way, last = path.split(".")
+    for key in way:
+        tree = tree.setdefault(key, {})
+    tree[last] = value
+
+
+def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
+    """Return what differs between two trees, one line a key."""
+    lines = []
+    flat_before, flat_after = dict(_flat(before, "")), dict(_flat(after, ""))
+    for path in sorted({*flat_before, *flat_after}):
+        old, new = flat_before.get(path), flat_after.get(path)
+        if old != new:
+            lines.append(f"{path}: {_word(old)} → {_word(new)}")
+    return lines
+
+
+def _word(value: Any) -> str:
+    return "none" if value is None else show_value(value)
+
+
+def _flat(tree: Any, prefix: str) -> Iterator[tuple[str, Any]]:
+    if isinstance(tree, Mapping):
+        for key, value in tree.items():
+            yield from _flat(value, f"{prefix}.{key}" if prefix else str(key))
+    elif isinstance(tree, list) and tree and isinstance(tree[0], Mapping):
+        for index, value in enumerate(tree):
+            yield from _flat(value, f"{prefix}.{index + 1}")
+    else:
+        yield prefix, tree

@@ -1,0 +1,254 @@
+"""Preparing a test: the form says what the file will say, the checks say what blocks."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtWidgets import QComboBox, QLineEdit
+
+from rigapp.config.loading import parse_test, read_rig, read_test
+from rigapp.engine.messages import DriveView, RunState
+from rigapp.gui.fields import changes, form_fields, get_path, parse_value, set_path, show_value
+from rigapp.gui.palette import DARK, LIGHT
+from rigapp.gui.preflight import DiskFacts, Verdict, disk_facts, preflight
+from rigapp.gui.prepare import PreparePanel
+from rigapp.gui.recipe import RecipePanel
+from rigapp.gui.tasks import Worker
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.fixture
+def panel(qtbot: Any, qapp: Any, tmp_path: Path) -> RecipePanel:
+    path = tmp_path / "quick.toml"
+    path.write_text((EXAMPLES / "quick.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    panel = RecipePanel(LIGHT)
+    qtbot.addWidget(panel)
+    qtbot.addWidget(panel.rules)
+    panel.open_file(path)
+    return panel
+
+
+def field_editor(panel: RecipePanel, path: str) -> QLineEdit:
+    editor = panel.editors[path]
+    assert isinstance(editor, QLineEdit)
+    return editor
+
+
+def type_into(panel: RecipePanel, path: str, text: str) -> None:
+    editor = field_editor(panel, path)
+    editor.setText(text)
+    editor.textEdited.emit(text)
+
+
+@pytest.mark.parametrize("name", ["quick.toml", "paper.toml"])
+def test_a_shipped_test_goes_through_the_form_unchanged(
+    panel: RecipePanel, name: str, tmp_path: Path
+) -> None:
+    original = read_test(EXAMPLES / name).record
+    panel.open_file(EXAMPLES / name)
+    assert "As in the file" in panel.verdict.text()
+    assert panel.test == original
+    target = tmp_path / "saved.toml"
+    assert panel.save(target)
+    assert read_test(target).record == original
+
+
+def test_every_key_of_a_test_file_has_a_field(panel: RecipePanel) -> None:
+    paths = {field.path for field in form_fields()}
+    tree = tomllib.loads((EXAMPLES / "quick.toml").read_text(encoding="utf-8"))
+    for field in ("run.revolutions", "model.spring.stiffness_N_per_m", "limits.overload_N"):
+        assert field in paths
+        assert get_path(tree, field) is not None
+    flat = {line.split(":")[0] for line in changes({}, tree)}
+    assert flat - paths == {"schema", "model.schema"}
+
+
+def test_a_change_is_named_before_it_is_saved(panel: RecipePanel) -> None:
+    type_into(panel, "run.speed_rpm", "45")
+    assert "run.speed_rpm: 60 → 45" in panel.verdict.text()
+    assert panel.test is not None
+    assert panel.test.run.speed_rpm == 45.0
+    panel.buttons["save"].click()
+    assert panel.path is not None
+    assert read_test(panel.path).record.run.speed_rpm == 45.0
+    assert "As in the file" in panel.verdict.text()
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "sentence"),
+    [
+        ("run.revolutions", "many", "Revolutions must be a whole number"),
+        ("run.revolutions", "0", "outside 1 to"),
+        ("run.speed_rpm", "", "Run: Speed is missing"),
+        ("run.speed_rpm", "100", "overspeed_rpm = 90 is not above"),
+        ("model.bushing.poissons_ratio", "0.7", "outside 0 to 0.499"),
+        ("model.mechanism.gravity_m_s2", "1 2 3", "two numbers"),
+    ],
+)
+def test_a_mistake_is_one_sentence_and_cannot_be_saved(
+    panel: RecipePanel, path: str, text: str, sentence: str
+) -> None:
+    type_into(panel, path, text)
+    assert sentence in panel.verdict.text()
+    assert panel.test is None
+    assert not panel.buttons["save"].isEnabled()
+    assert not panel.buttons["start"].isEnabled()
+
+
+def test_a_test_without_a_spring_has_no_spring(panel: RecipePanel, tmp_path: Path) -> None:
+    panel.sections["model.spring"].setChecked(False)
+    assert panel.test is not None
+    assert panel.test.model.spring is None
+    assert panel.save(tmp_path / "free.toml")
+    panel.open_file(EXAMPLES / "quick.toml")
+    assert panel.sections["model.spring"].isChecked()
+    panel.open_file(tmp_path / "free.toml")
+    assert not panel.sections["model.spring"].isChecked()
+
+
+def test_limits_are_edited_as_rows(panel: RecipePanel, tmp_path: Path) -> None:
+    rules = panel.rules
+    rules.add.click()
+    assert "no level is given" in panel.verdict.text()
+    rules.table.item(0, 2).setText("150")  # type: ignore[union-attr]
+    rules.table.item(0, 4).setText("200")  # type: ignore[union-attr]
+    action = rules.table.cellWidget(0, 7)
+    assert isinstance(action, QComboBox)
+    action.setCurrentText("drive_off")
+    assert panel.test is not None
+    rule = panel.test.limits.rule[0]
+    assert (rule.quantity, rule.warning_above, rule.critical_above) == ("force_max", 150.0, 200.0)
+    assert rule.action_critical == "drive_off"
+    assert panel.save(tmp_path / "limits.toml")
+    panel.open_file(tmp_path / "limits.toml")
+    assert panel.test is not None
+    assert panel.test.limits.rule == (rule,)
+    rules.table.item(0, 4).setText("100")  # type: ignore[union-attr]
+    assert "must lie beyond" in panel.verdict.text()
+    rules.table.setCurrentCell(0, 2)
+    rules.remove.click()
+    assert panel.test is not None
+    assert panel.test.limits.rule == ()
+
+
+def test_a_rule_keeps_what_the_table_does_not_show(panel: RecipePanel, tmp_path: Path) -> None:
+    path = tmp_path / "more.toml"
+    text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    rule = '\n[[limits.rule]]\nquantity = "speed"\nwarning_above = 70.0\naction_warning = "pause"\n'
+    path.write_text(text + rule, encoding="utf-8")
+    original = read_test(path).record
+    panel.open_file(path)
+    assert panel.save(path)
+    assert read_test(path).record == original
+
+
+def test_a_file_that_is_no_test_is_said(panel: RecipePanel, tmp_path: Path) -> None:
+    path = tmp_path / "x.toml"
+    path.write_text("this is [not toml", encoding="utf-8")
+    panel.open_file(path)
+    assert "cannot be read" in panel.verdict.text()
+    assert panel.path != path
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False, min_value=-1e12, max_value=1e12))
+def test_numbers_survive_the_form(value: float) -> None:
+    field = next(f for f in form_fields() if f.path == "model.spring.free_position_mm")
+    assert parse_value(field, show_value(value)) == pytest.approx(value, rel=1e-9, abs=1e-12)
+
+
+def test_paths_are_set_and_found() -> None:
+    tree: dict[str, Any] = {}
+    set_path(tree, "a.b.c", 1)
+    assert tree == {"a": {"b": {"c": 1}}}
+    assert get_path(tree, "a.b.x") is None
+
+
+def ready(make_status: Any, **more: Any) -> Any:
+    return make_status(state=RunState.READY, alarms=(), **more)
+
+
+def test_nothing_blocks_a_sound_rig(make_status: Any, tmp_path: Path) -> None:
+    test = read_test(EXAMPLES / "quick.toml").record
+    rig = read_rig(EXAMPLES / "simulated.toml").record
+    disk = disk_facts(test, 960.0, tmp_path)
+    assert disk.needed_bytes > 1e5
+    found = preflight(ready(make_status), test, rig, disk)
+    assert not [check for check in found if check.verdict is Verdict.BLOCKS]
+    attention = {check.what for check in found if check.verdict is Verdict.ATTENTION}
+    assert attention == {"Limits", "Calibration"}
+
+
+@pytest.mark.parametrize(
+    ("changes_", "what"),
+    [
+        ({"data_age_s": float("inf")}, "Samples"),
+        ({"drive": DriveView(0, 0, 0, 48, 30, False, True, (), ())}, "Emergency stop"),
+        ({"drive": DriveView(0, 0, 0, 48, 30, False, False, ("over-current",), ())}, "Drive"),
+        ({"state": RunState.RUNNING}, "State"),
+    ],
+)
+def test_what_is_wrong_blocks_with_an_action(
+    make_status: Any, changes_: dict[str, Any], what: str
+) -> None:
+    test = read_test(EXAMPLES / "quick.toml").record
+    status = msgspec.structs.replace(ready(make_status), **changes_)
+    found = {check.what: check for check in preflight(status, test, None, None)}
+    assert found[what].verdict is Verdict.BLOCKS
+    assert found[what].action
+
+
+def test_rig_and_test_are_held_against_each_other(make_status: Any) -> None:
+    rig = read_rig(EXAMPLES / "simulated.toml").record
+    text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    text = text.replace("speed_rpm = 60.0", "speed_rpm = 900.0")
+    text = text.replace("overspeed_rpm = 90.0", "overspeed_rpm = 950.0")
+    test = parse_test(text.replace("overload_N = 380.0", "overload_N = 500.0"), "x")
+    status = ready(make_status)
+    probe = msgspec.structs.replace(status.channels[2], raw=9.9)
+    status = msgspec.structs.replace(status, channels=(probe,))
+    found = {check.what: check.verdict for check in preflight(status, test, rig, None)}
+    assert found["Speed"] is Verdict.BLOCKS
+    assert found["Overload"] is Verdict.ATTENTION
+    assert found["Channel probe_1"] is Verdict.BLOCKS
+
+
+def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
+    test = read_test(EXAMPLES / "paper.toml").record
+    missing = preflight(None, test, None, disk_facts(test, 960.0, tmp_path / "nowhere"))
+    full = preflight(None, test, None, DiskFacts(tmp_path, 10**9, 10**6))
+    for found in (missing, full):
+        disk = next(check for check in found if check.what == "Disk")
+        assert disk.verdict is Verdict.BLOCKS
+    assert any(check.what == "Engine" and check.verdict is Verdict.BLOCKS for check in full)
+
+
+def test_the_list_follows_form_and_engine(
+    qtbot: Any, qapp: Any, tmp_path: Path, make_status: Any
+) -> None:
+    worker = Worker("test-files")
+    panel = PreparePanel(DARK, tmp_path, worker)
+    qtbot.addWidget(panel)
+    panel.recipe.open_file(EXAMPLES / "quick.toml")
+    table = panel.checks.table
+
+    def shown() -> dict[str, str]:
+        worker.deliver()
+        panel.show_status(ready(make_status))
+        return {
+            table.item(row, 1).text(): table.item(row, 0).text()  # type: ignore[union-attr]
+            for row in range(table.rowCount())
+        }
+
+    qtbot.waitUntil(lambda: "Disk" in shown(), timeout=5000)
+    assert "good" in shown()["Disk"]
+    type_into(panel.recipe, "run.revolutions", "x")
+    assert "blocks" in shown()["Test"]
+    panel.dress(LIGHT)
+    worker.close()
