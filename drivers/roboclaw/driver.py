@@ -12,11 +12,9 @@ import math
 import threading
 import time
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any, Final
 
 from drivers.api import (
-    ConnectionFailed,
     DeviceError,
     DeviceFault,
     DeviceLost,
@@ -28,50 +26,23 @@ from drivers.api import (
     ProtocolError,
     ReplyTimeout,
     SettingRefused,
-    SettingSpec,
-    WrongDevice,
 )
+from drivers.roboclaw.commission import Setup, check_request, commission, identify
 from drivers.roboclaw.link import Link
 from drivers.roboclaw.protocol import (
-    BAUD_RATES,
     CURRENT_UNIT_A,
     TEMPERATURE_UNIT_C,
     TIMEOUT_UNIT_S,
     VOLTAGE_UNIT_V,
     Command,
     EmergencyStopLock,
-    Generation,
     combined_status_of,
-    velocity_pid_of,
 )
-from drivers.roboclaw.readings import Readings, StatusReader, can_combine
-from drivers.roboclaw.status import describe_status, generation_of
+from drivers.roboclaw.readings import Readings, StatusReader
+from drivers.roboclaw.settings import SETTINGS
+from drivers.roboclaw.status import describe_status
 from drivers.transport import SerialPort
 
-SETTINGS: Final[Mapping[str, SettingSpec]] = {
-    "address": SettingSpec(int, 128, "Packet serial address of the drive.", 128, 135),
-    "motor": SettingSpec(int, 1, "Motor output that drives the spindle.", choices=(1, 2)),
-    "baud_rate": SettingSpec(
-        int, 38400, "Baud rate of the drive's UART; USB ignores it.", choices=BAUD_RATES
-    ),
-    "status_width": SettingSpec(
-        str,
-        "auto",
-        'Bits of the status word; "auto" decides by the firmware and checks it.',
-        choices=("auto", "16", "32"),
-    ),
-    "combined_status": SettingSpec(
-        str,
-        "auto",
-        'Read everything in one packet (command 73); "auto" asks the drive once whether it can.',
-        choices=("auto", "never"),
-    ),
-    "reply_timeout_ms": SettingSpec(
-        float, 100.0, "Longest wait for a reply, besides its time on the wire.", 20.0, 1000.0
-    ),
-}
-
-_MAXIMUM_TIMEOUT: Final = 255
 _MAXIMUM_SPEED: Final = 2**31 - 1
 _MAXIMUM_ACCELERATION: Final = 2**32 - 1
 
@@ -84,18 +55,14 @@ class RoboClaw:
     """
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
-        chosen = {key: settings.get(key, spec.default) for key, spec in SETTINGS.items()}
         self.name = name
         self.port = port
-        self._settings = chosen
-        self._second = int(chosen["motor"]) == 2
+        self._settings = {key: settings.get(key, spec.default) for key, spec in SETTINGS.items()}
+        self._motor = int(self._settings["motor"])
         self._lock = threading.RLock()
         self._serial: SerialPort | None = None
         self._connection: Link | None = None
-        self._request: DriveRequest | None = None
-        self._combined = False
-        self._watchdog_units = 0
-        self._qpps_limit = 0
+        self._setup: Setup | None = None
         self._target: int | None = None
         self._silence_s = 0.0
         self._reader: StatusReader | None = None
@@ -121,55 +88,10 @@ class RoboClaw:
                 float(self._settings["reply_timeout_ms"]) * 1e-3,
             )
             try:
-                return self._identify(self._connection)
+                return identify(self._connection, str(self._settings["status_width"]))
             except BaseException:
                 self._release()
                 raise
-
-    def _identify(self, link: Link) -> Identity:
-        address = int(self._settings["address"])
-        try:
-            text = link.version()
-        except ReplyTimeout as error:
-            sentence = f"no RoboClaw answers at address {address}: {error.sentence}"
-            raise ConnectionFailed(self.name, self.port, sentence) from error
-        except ProtocolError as error:
-            sentence = f"what answers is no RoboClaw at address {address}: {error.sentence}"
-            raise WrongDevice(self.name, self.port, sentence) from error
-        if not text.strip():
-            raise WrongDevice(self.name, self.port, "the firmware text is empty.")
-        link.generation = self._generation(link, text)
-        model, _, firmware = text.rpartition(" ")
-        return Identity(
-            maker="Basicmicro",
-            model=model or text,
-            firmware=firmware if model else "",
-            serial_number="",
-            port=self.port,
-            details={"address": str(address), "status_bits": str(link.generation.status_bits)},
-        )
-
-    def _generation(self, link: Link, firmware: str) -> Generation:
-        """Return the packet layouts: from the setting, or from the text and checked by a reply."""
-        announced = generation_of(firmware)
-        width = self._settings["status_width"]
-        if width != "auto":
-            return replace(announced, status_bits=int(width))
-        for status_bits in (announced.status_bits, 48 - announced.status_bits):
-            link.generation = replace(announced, status_bits=status_bits)
-            try:
-                link.read(Command.STATUS)
-            except (ProtocolError, ReplyTimeout):
-                continue
-            link.take_events()
-            link.crc_errors = 0
-            return link.generation
-        raise WrongDevice(
-            self.name,
-            self.port,
-            f'the status of firmware "{firmware}" has neither 16 nor 32 bits; '
-            "set status_width from the drive's manual.",
-        )
 
     def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
         """Switch the motor off, set the serial time-out, and return what was read back.
@@ -178,76 +100,15 @@ class RoboClaw:
         """
         with self._lock:
             link = self._link()
-            units = self._check_request(request)
-            self._request = None
+            self._setup = None
+            check_request(link, request, self._settings)
             self._off(link)
-            self._set_watchdog(link, units)
-            self._combined = self._settings["combined_status"] == "auto" and can_combine(link)
-            pid = velocity_pid_of(
-                link.read(self._of(Command.VELOCITY_PID_M1, Command.VELOCITY_PID_M2))
-            )
-            self._qpps_limit = pid.qpps
-            self._watchdog_units = units
+            combined = self._settings["combined_status"] == "auto"
+            setup = commission(link, request, self._motor, combined)
             self._silence_s = 0.0
-            self._reader = StatusReader(link, self._second, self._combined)
-            readback = self._readback(link, request)
-            self._request = request
-            return readback | {
-                "velocity_p": pid.p,
-                "velocity_i": pid.i,
-                "velocity_d": pid.d,
-                "speed_limit_count_per_s": pid.qpps,
-                "speed_limit_rev_per_s": pid.qpps / request.counts_per_revolution,
-            }
-
-    def _check_request(self, request: DriveRequest) -> int:
-        if request.counts_per_revolution < 1:
-            raise self._refused(
-                f"{request.counts_per_revolution} counts per revolution are not possible."
-            )
-        if request.direction not in (1, -1):
-            raise self._refused(f"direction {request.direction} is neither 1 nor -1.")
-        for key, value in request.settings.items():
-            if key in self._settings and self._settings[key] != value:
-                raise self._refused(
-                    f"{key} = {value} differs from {self._settings[key]}, with which the port was "
-                    "opened; open it again."
-                )
-        units = math.floor(request.watchdog_timeout_s / TIMEOUT_UNIT_S + 1e-9)
-        if not 1 <= units <= _MAXIMUM_TIMEOUT:
-            raise self._refused(
-                f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.1 to 25.5 s."
-            )
-        return units
-
-    def _set_watchdog(self, link: Link, units: int) -> None:
-        def in_effect() -> bool:
-            return link.read(Command.GET_TIMEOUT) == (units,)
-
-        link.write(Command.SET_TIMEOUT, units, in_effect=in_effect)
-        (found,) = link.read(Command.GET_TIMEOUT)
-        if found != units:
-            raise self._refused(
-                f"the serial time-out reads {found * TIMEOUT_UNIT_S:.1f} s after "
-                f"{units * TIMEOUT_UNIT_S:.1f} s was set; the spindle must not turn without it."
-            )
-
-    def _readback(self, link: Link, request: DriveRequest) -> dict[str, str | float | int]:
-        (main,) = link.read(Command.MAIN_VOLTAGE)
-        (logic,) = link.read(Command.LOGIC_VOLTAGE)
-        modes = link.read(Command.ENCODER_MODES)
-        maximum, _ = link.read(self._of(Command.CURRENT_LIMIT_M1, Command.CURRENT_LIMIT_M2))
-        return {
-            "watchdog_timeout_s": round(self._watchdog_units * TIMEOUT_UNIT_S, 1),
-            "status_bits": link.generation.status_bits,
-            "combined_status": int(self._combined),
-            "encoder_mode": modes[1 if self._second else 0],
-            "current_limit_A": maximum * CURRENT_UNIT_A,
-            "supply_V": main * VOLTAGE_UNIT_V,
-            "logic_V": logic * VOLTAGE_UNIT_V,
-            "counts_per_revolution": request.counts_per_revolution,
-            "direction": request.direction,
-        }
+            self._reader = StatusReader(link, self._motor, setup.combined)
+            self._setup = setup
+            return setup.readback
 
     def close(self) -> None:
         """Switch the motor off and release the port; never raises; safe to call twice."""
@@ -255,7 +116,7 @@ class RoboClaw:
         if connection is not None:
             connection.hurry.set()
         with self._lock:
-            if self._connection is not None and self._request is not None:
+            if self._connection is not None and self._setup is not None:
                 self._connection.hurry.clear()
                 with contextlib.suppress(DeviceError):  # the drive's watchdog stops it anyway
                     self._off(self._connection)
@@ -264,7 +125,7 @@ class RoboClaw:
     def _release(self) -> None:
         serial, self._serial = self._serial, None
         self._connection = None
-        self._request = None
+        self._setup = None
         self._reader = None
         self._target = None
         if serial is not None:
@@ -279,9 +140,9 @@ class RoboClaw:
         watchdog has fired, until ``reset_fault`` or ``configure``.
         """
         with self._lock:
-            link, request = self._link(), self._configured()
-            speed = self._counts_per_s(speed_rev_per_s, request)
-            ramp = acceleration_rev_per_s2 * request.counts_per_revolution
+            link, setup = self._link(), self._configured()
+            speed = self._counts_per_s(speed_rev_per_s, setup)
+            ramp = acceleration_rev_per_s2 * setup.request.counts_per_revolution
             if not (math.isfinite(ramp) and ramp > 0):
                 raise self._refused(
                     f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible."
@@ -298,10 +159,14 @@ class RoboClaw:
                 raise DeviceFault(self.name, self.port, "a stop came before the speed was set.")
             self._target = speed
             link.write(
-                command, acceleration, speed, in_effect=lambda: self._turns_towards(link, speed)
+                command,
+                acceleration,
+                speed,
+                in_effect=lambda: self._turns_towards(link, setup, speed),
             )
 
-    def _counts_per_s(self, speed_rev_per_s: float, request: DriveRequest) -> int:
+    def _counts_per_s(self, speed_rev_per_s: float, setup: Setup) -> int:
+        request = setup.request
         if not math.isfinite(speed_rev_per_s):
             raise self._refused(f"a speed of {speed_rev_per_s} is not a number.")
         if abs(speed_rev_per_s) > request.maximum_speed_rev_per_s * (1 + 1e-9):
@@ -310,20 +175,20 @@ class RoboClaw:
                 f"{request.maximum_speed_rev_per_s * 60:.1f} rpm."
             )
         speed = round(request.direction * speed_rev_per_s * request.counts_per_revolution)
-        if abs(speed) > min(self._qpps_limit, _MAXIMUM_SPEED):
+        if abs(speed) > min(setup.qpps, _MAXIMUM_SPEED):
             raise self._refused(
-                f"{abs(speed)} counts/s is above the drive's own limit (QPPS) of "
-                f"{self._qpps_limit} counts/s; tune the drive's velocity loop."
+                f"{abs(speed)} counts/s is above the drive's own limit (QPPS) of {setup.qpps} "
+                "counts/s; tune the drive's velocity loop."
             )
         return speed
 
-    def _turns_towards(self, link: Link, speed: int) -> bool:
+    def _turns_towards(self, link: Link, setup: Setup, speed: int) -> bool:
         """Read the state back after a failed write; the command itself may be repeated safely."""
-        if not self._combined:
+        if not setup.combined:
             link.read(Command.STATUS)
             return False
         status = combined_status_of(link.read(Command.COMBINED_STATUS))
-        return status.setpoints[1 if self._second else 0] == speed != 0
+        return status.setpoints[self._motor - 1] == speed != 0
 
     def drive_off(self) -> None:
         """Set duty 0: the power is off at once, whatever the drive was doing.
@@ -341,7 +206,7 @@ class RoboClaw:
     def _off(self, link: Link) -> None:
         def in_effect() -> bool:
             try:
-                return link.read(Command.PWM, tries=1)[1 if self._second else 0] == 0
+                return link.read(Command.PWM, tries=1)[self._motor - 1] == 0
             except (ReplyTimeout, ProtocolError):
                 return False
 
@@ -378,16 +243,16 @@ class RoboClaw:
         when the drive has restarted, ReplyTimeout, ProtocolError.
         """
         with self._lock:
-            link, request = self._link(), self._configured()
-            self._judge_silence(link)
+            link, setup = self._link(), self._configured()
+            self._judge_silence(link, setup)
             reader = self._reader
             assert reader is not None
             readings = reader.read()
             if reader.has_restarted(readings):
                 raise self._restarted("its clock began again")
             if reader.watchdog_is_due:
-                self._check_watchdog(link)
-            return self._drive_status(link, request, readings)
+                self._check_watchdog(link, setup)
+            return self._drive_status(link, setup.request, readings)
 
     def _drive_status(self, link: Link, request: DriveRequest, read: Readings) -> DriveStatus:
         words = describe_status(read.state, link.generation.status_bits)
@@ -412,10 +277,10 @@ class RoboClaw:
             crc_errors=link.crc_errors,
         )
 
-    def _judge_silence(self, link: Link) -> None:
+    def _judge_silence(self, link: Link, setup: Setup) -> None:
         """Take note that the watchdog has fired, and make the stop certain."""
         silence_s = (time.monotonic_ns() - link.last_sent_ns) * 1e-9
-        if self._target is not None and silence_s > self._watchdog_units * TIMEOUT_UNIT_S:
+        if self._target is not None and silence_s > setup.watchdog_s:
             self._off(link)
             self._silence_s = silence_s
 
@@ -425,16 +290,16 @@ class RoboClaw:
             "the motor"
         )
 
-    def _check_watchdog(self, link: Link) -> None:
+    def _check_watchdog(self, link: Link, setup: Setup) -> None:
         (found,) = link.read(Command.GET_TIMEOUT)
-        if found != self._watchdog_units:
+        if found != setup.watchdog_units:
             raise self._restarted(
                 f"its serial time-out is {found * TIMEOUT_UNIT_S:.1f} s instead of "
-                f"{self._watchdog_units * TIMEOUT_UNIT_S:.1f} s"
+                f"{setup.watchdog_s:.1f} s"
             )
 
     def _restarted(self, sign: str) -> DeviceLost:
-        self._request = None
+        self._setup = None
         self._target = None
         return DeviceLost(
             self.name,
@@ -445,17 +310,17 @@ class RoboClaw:
     # --- helpers ---------------------------------------------------------------------------------
 
     def _of(self, first: Command, second: Command) -> Command:
-        return second if self._second else first
+        return first if self._motor == 1 else second
 
     def _link(self) -> Link:
         if self._connection is None:
             raise DeviceLost(self.name, self.port, "the drive is not open.")
         return self._connection
 
-    def _configured(self) -> DriveRequest:
-        if self._request is None:
+    def _configured(self) -> Setup:
+        if self._setup is None:
             raise self._refused("the drive's watchdog is not set; configure the drive first.")
-        return self._request
+        return self._setup
 
     def _refused(self, sentence: str) -> SettingRefused:
         return SettingRefused(self.name, self.port, sentence)

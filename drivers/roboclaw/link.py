@@ -42,9 +42,9 @@ class Link:
         self, serial: BytePort, device: str, port: str, address: int, baud: int, timeout_s: float
     ) -> None:
         self._serial = serial
-        self._device = device
-        self._port = port
-        self._address = address
+        self.device = device
+        self.port = port
+        self.address = address
         self._byte_s = BITS_PER_BYTE / baud
         self._timeout_s = timeout_s
         self._events: list[str] = []
@@ -68,7 +68,7 @@ class Link:
 
         def exchange() -> tuple[int, ...] | Rejected:
             raw = self._ask(command)
-            return parse_values(self._address, command, raw, self.generation)
+            return parse_values(self.address, command, raw, self.generation)
 
         return self._repeat(command, exchange, tries)
 
@@ -76,7 +76,7 @@ class Link:
         """Return the firmware text; errors as ``read``."""
 
         def exchange() -> str | Rejected:
-            return parse_version(self._address, self._ask(Command.VERSION))
+            return parse_version(self.address, self._ask(Command.VERSION))
 
         return self._repeat(Command.VERSION, exchange, TRIES)
 
@@ -91,7 +91,7 @@ class Link:
         in_effect: reads the drive's state back after a failed try; when it tells that the write has
         taken effect, nothing is sent again. Errors as ``read``.
         """
-        packet = write_packet(self._address, command, *values, generation=self.generation)
+        packet = write_packet(self.address, command, *values, generation=self.generation)
         self.write_packet(command, packet, in_effect)
 
     def write_packet(
@@ -142,14 +142,14 @@ class Link:
         told = [sentence for sentence in failures if sentence]
         if not told:
             return ReplyTimeout(
-                self._device,
-                self._port,
+                self.device,
+                self.port,
                 f"no reply to {name} ({command}) in {len(failures)} tries of "
                 f"{self._timeout_s * 1e3:.0f} ms: check power, cable, address and baud rate.",
             )
         return ProtocolError(
-            self._device,
-            self._port,
+            self.device,
+            self.port,
             f"{name} ({command}) failed in {len(failures)} tries: {'; '.join(told)}: "
             "check the cable's screen and the baud rate.",
         )
@@ -164,7 +164,7 @@ class Link:
         self.last_sent_ns = time.monotonic_ns()
 
     def _ask(self, command: int) -> bytes:
-        self._send(read_packet(self._address, command))
+        self._send(read_packet(self.address, command))
         raw = b""
         deadline = time.monotonic() + self._reply_timeout(2 + LONGEST_REPLY)
         while missing := missing_bytes(command, raw, self.generation):

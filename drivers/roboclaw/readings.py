@@ -41,9 +41,9 @@ def can_combine(link: Link) -> bool:
 class StatusReader:
     """Read one motor: command 73 alone, or four packets and now and then two slow ones."""
 
-    def __init__(self, link: Link, second_motor: bool, combined: bool) -> None:
+    def __init__(self, link: Link, motor: int, combined: bool) -> None:
         self._link = link
-        self._motor = 1 if second_motor else 0
+        self._motor = motor - 1
         self._combined = combined
         self._polls = 0
         self._slow = (0, 0)

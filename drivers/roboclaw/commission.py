@@ -1,0 +1,173 @@
+"""Identify a RoboClaw, set it up for a run, and read everything back."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+from drivers.api import (
+    ConnectionFailed,
+    DriveRequest,
+    Identity,
+    ProtocolError,
+    ReplyTimeout,
+    SettingRefused,
+    WrongDevice,
+)
+from drivers.roboclaw.link import Link
+from drivers.roboclaw.protocol import (
+    CURRENT_UNIT_A,
+    TIMEOUT_UNIT_S,
+    VOLTAGE_UNIT_V,
+    Command,
+    Generation,
+    velocity_pid_of,
+)
+from drivers.roboclaw.readings import can_combine
+from drivers.roboclaw.status import generation_of
+
+_MAXIMUM_TIMEOUT: Final = 255
+_BOTH_WIDTHS: Final = 16 + 32
+
+
+@dataclass(frozen=True, slots=True)
+class Setup:
+    """Hold how the drive is set for this run; watchdog in units of the wire, qpps in counts/s."""
+
+    request: DriveRequest
+    watchdog_units: int
+    combined: bool
+    qpps: int
+    readback: Mapping[str, str | float | int]
+
+    @property
+    def watchdog_s(self) -> float:
+        """Return the serial time-out in s."""
+        return self.watchdog_units * TIMEOUT_UNIT_S
+
+
+def identify(link: Link, status_width: str) -> Identity:
+    """Return who answers, and set the link's packet layouts; nothing is set in the drive.
+
+    Raises ConnectionFailed when nothing answers, WrongDevice when something else does.
+    """
+    try:
+        text = link.version()
+    except ReplyTimeout as error:
+        sentence = f"no RoboClaw answers at address {link.address}: {error.sentence}"
+        raise ConnectionFailed(link.device, link.port, sentence) from error
+    except ProtocolError as error:
+        sentence = f"what answers is no RoboClaw at address {link.address}: {error.sentence}"
+        raise WrongDevice(link.device, link.port, sentence) from error
+    if not text.strip():
+        raise WrongDevice(link.device, link.port, "the firmware text is empty.")
+    link.generation = _generation(link, text, status_width)
+    model, _, firmware = text.rpartition(" ")
+    return Identity(
+        maker="Basicmicro",
+        model=model or text,
+        firmware=firmware if model else "",
+        serial_number="",
+        port=link.port,
+        details={"address": str(link.address), "status_bits": str(link.generation.status_bits)},
+    )
+
+
+def _generation(link: Link, firmware: str, status_width: str) -> Generation:
+    """Return the packet layouts: from the setting, or from the text and checked by a reply."""
+    announced = generation_of(firmware)
+    if status_width != "auto":
+        return replace(announced, status_bits=int(status_width))
+    for status_bits in (announced.status_bits, _BOTH_WIDTHS - announced.status_bits):
+        link.generation = replace(announced, status_bits=status_bits)
+        try:
+            link.read(Command.STATUS)
+        except (ProtocolError, ReplyTimeout):
+            continue
+        link.take_events()
+        link.crc_errors = 0
+        return link.generation
+    raise WrongDevice(
+        link.device,
+        link.port,
+        f'the status of firmware "{firmware}" has neither 16 nor 32 bits; '
+        "set status_width from the drive's manual.",
+    )
+
+
+def check_request(link: Link, request: DriveRequest, settings: Mapping[str, Any]) -> None:
+    """Raise SettingRefused for a request that no RoboClaw can follow."""
+    if request.counts_per_revolution < 1:
+        raise _refused(link, f"{request.counts_per_revolution} counts per revolution are too few.")
+    if request.direction not in (1, -1):
+        raise _refused(link, f"direction {request.direction} is neither 1 nor -1.")
+    for key, value in request.settings.items():
+        if key in settings and settings[key] != value:
+            raise _refused(
+                link,
+                f"{key} = {value} differs from {settings[key]}, with which the port was opened; "
+                "open it again.",
+            )
+    if not 1 <= _watchdog_units(request) <= _MAXIMUM_TIMEOUT:
+        raise _refused(
+            link,
+            f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.1 to 25.5 s.",
+        )
+
+
+def commission(link: Link, request: DriveRequest, motor: int, combined: bool) -> Setup:
+    """Set the serial time-out and read back what the run depends on.
+
+    combined: use command 73 where the drive knows it. Raises SettingRefused when the time-out is
+    not read back as set, ReplyTimeout, ProtocolError, DeviceLost.
+    """
+    units = _watchdog_units(request)
+    _set_watchdog(link, units)
+    combined = combined and can_combine(link)
+    pid = velocity_pid_of(link.read(Command.VELOCITY_PID_M1 + motor - 1))
+    (main,) = link.read(Command.MAIN_VOLTAGE)
+    (logic,) = link.read(Command.LOGIC_VOLTAGE)
+    modes = link.read(Command.ENCODER_MODES)
+    current, _ = link.read(Command.CURRENT_LIMIT_M1 + motor - 1)
+    readback: dict[str, str | float | int] = {
+        "watchdog_timeout_s": round(units * TIMEOUT_UNIT_S, 1),
+        "status_bits": link.generation.status_bits,
+        "combined_status": int(combined),
+        "encoder_mode": modes[motor - 1],
+        "current_limit_A": current * CURRENT_UNIT_A,
+        "supply_V": main * VOLTAGE_UNIT_V,
+        "logic_V": logic * VOLTAGE_UNIT_V,
+        "counts_per_revolution": request.counts_per_revolution,
+        "direction": request.direction,
+        "velocity_p": pid.p,
+        "velocity_i": pid.i,
+        "velocity_d": pid.d,
+        "speed_limit_count_per_s": pid.qpps,
+        "speed_limit_rev_per_s": pid.qpps / request.counts_per_revolution,
+    }
+    return Setup(request, units, combined, pid.qpps, readback)
+
+
+def _watchdog_units(request: DriveRequest) -> int:
+    """Return the time-out in units of the wire, rounded to the safe side."""
+    return math.floor(request.watchdog_timeout_s / TIMEOUT_UNIT_S + 1e-9)
+
+
+def _set_watchdog(link: Link, units: int) -> None:
+    def in_effect() -> bool:
+        return link.read(Command.GET_TIMEOUT) == (units,)
+
+    link.write(Command.SET_TIMEOUT, units, in_effect=in_effect)
+    (found,) = link.read(Command.GET_TIMEOUT)
+    if found != units:
+        raise _refused(
+            link,
+            f"the serial time-out reads {found * TIMEOUT_UNIT_S:.1f} s after "
+            f"{units * TIMEOUT_UNIT_S:.1f} s was set; the spindle must not turn without it.",
+        )
+
+
+def _refused(link: Link, sentence: str) -> SettingRefused:
+    return SettingRefused(link.device, link.port, sentence)
