@@ -25,7 +25,7 @@ class Machine:
 
     flywheel_kg_m2: float = 0.0847
     rotor_kg_m2: float = 0.002
-    bearing_torque_Nm: float = 0.1
+    bearing_torque_Nm: float = 0.25
     bearing_viscous_Nm_s: float = 0.002
     torque_constant_Nm_per_A: float = 0.573
     resistance_ohm: float = 0.5

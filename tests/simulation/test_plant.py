@@ -170,7 +170,7 @@ def test_analog_is_late_by_the_filter_delay_and_the_encoder_is_not(
     time = seen.truth.time_s
     settled = time > 0.5
     late_force = 200.0 * np.interp(time - 3e-3, exact.truth.time_s, exact.bridge_2)
-    np.testing.assert_allclose(200.0 * seen.bridge_2[settled], late_force[settled], atol=0.02)
+    np.testing.assert_allclose(200.0 * seen.bridge_2[settled], late_force[settled], atol=0.1)
     angle = np.interp(time, exact.truth.time_s, exact.shaft_revolutions)
     np.testing.assert_allclose(seen.shaft_revolutions, angle, atol=1e-4)
 
