@@ -124,7 +124,8 @@ def encode_frames(
     """
     objects, count = values.shape
     width = sequences * objects * layout.data_type.width
-    payload = encode(values, layout.data_type).reshape(count // sequences, width)
+    payload = encode(values, layout.data_type, offset_binary=layout.offset_binary)
+    payload = payload.reshape(count // sequences, width)
     frames = np.empty((len(payload), layout.length(sequences)), dtype=np.uint8)
     frames[:, 0] = PREFIX
     frames[:, 1] = layout.header(sequences)

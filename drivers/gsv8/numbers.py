@@ -66,15 +66,20 @@ def decode(
     return code
 
 
-def encode(values: NDArray[np.generic], data_type: DataType) -> NDArray[np.uint8]:
+def encode(
+    values: NDArray[np.generic], data_type: DataType, *, offset_binary: bool = True
+) -> NDArray[np.uint8]:
     """Return payload rows (samples, objects * width) of values (objects, samples).
 
-    values: floats for float32; signed codes for the integers, made offset-binary.
+    values: floats for float32; signed codes for the integers.
     """
     objects, count = values.shape
     if data_type is DataType.FLOAT32:
         return values.T.astype(">f4", order="C").view(np.uint8).reshape(count, objects * 4)
-    code = values.T.astype(np.int64) + (1 << (data_type.bits - 1))
+    code = values.T.astype(np.int64)
+    if offset_binary:
+        code += 1 << (data_type.bits - 1)
+    code &= (1 << data_type.bits) - 1
     octets = code.astype(">u4", order="C").view(np.uint8).reshape(count, objects, 4)
     used = np.ascontiguousarray(octets[:, :, 4 - data_type.width :])
     return used.reshape(count, objects * data_type.width)
