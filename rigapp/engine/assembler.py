@@ -168,7 +168,7 @@ class Assembler:
         parameters[P.STEP_TOLERANCE] = math.ceil(
             min(MAXIMUM_ACCELERATION_REV_PER_S2 * turn / sample_rate_Hz**2, turn / 16)
         )
-        parameters[P.MISSED_AFTER] = max(4, turn // 50)
+        parameters[P.MISSED_AFTER] = max(4, turn // 8)
         parameters[P.IDLE_AFTER] = max(16, round(STANDSTILL_S * sample_rate_Hz))
         parameters[P.CAPACITY] = capacity
         self._parameters = parameters

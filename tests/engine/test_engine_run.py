@@ -226,7 +226,7 @@ def test_the_zero_is_an_event_with_before_and_after(rig: MemoryRig) -> None:
     calibration = rig.requests[0].calibration
     np.testing.assert_allclose(calibration.tare, tare)
     np.testing.assert_allclose(calibration.zero, 0.0)
-    with pytest.raises(Refused, match="cannot|only"):
+    with pytest.raises(Refused, match="only"):
         rig.engine.zero(("probes",))
 
 
