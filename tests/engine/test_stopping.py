@@ -1,0 +1,334 @@
+"""Sequences, motion, time, threads and queues: the parts that make a stop sure."""
+
+from __future__ import annotations
+
+import math
+import threading
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from engine_doubles import eventually
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from drivers.api import Block
+from rigapp.engine.messages import FinishReason, RunState
+from rigapp.engine.motion import MotionWindow, Point
+from rigapp.engine.publish import Committed, Finished, NoticeStream, StateChanged
+from rigapp.engine.sequences import CREEP_RPM, Do, PauseSequence, Seen, StopSequence
+from rigapp.engine.threads import BlockQueue, Worker
+from rigapp.engine.timewatch import TimeWatch
+
+# --- the stop ------------------------------------------------------------------------------------
+
+
+class Spinning:
+    """A spindle for the sequences: obeys, or does not."""
+
+    def __init__(self, obeys_ramp: bool, obeys_off: bool, takes: bool = True) -> None:
+        self.rpm = 30.0
+        self.obeys_ramp, self.obeys_off, self.takes = obeys_ramp, obeys_off, takes
+        self.done: list[Do] = []
+        self.drive = self.encoder = True
+
+    def run(self, sequence: StopSequence, start: float = 0.0) -> tuple[Do, float]:
+        now = start
+        slowing = False
+        while True:
+            now += 0.01
+            if slowing:
+                self.rpm = max(0.0, self.rpm - 1.0)
+            stands = self.rpm == 0.0
+            do = sequence.step(
+                Seen(
+                    now,
+                    self.rpm if self.drive else None,
+                    self.rpm if self.encoder else None,
+                    stands if self.encoder else None,
+                    drive_s=now,
+                    encoder_s=now,
+                )
+            )
+            if do in (Do.STANDING, Do.GIVE_UP):
+                assert sequence.step(Seen(now, 0.0, 0.0, True)) is Do.WAIT
+                return do, now
+            if do is Do.WAIT:
+                continue
+            self.done.append(do)
+            if self.takes:
+                sequence.commanded(do, now)
+                slowing |= self.obeys_ramp if do is Do.RAMP_DOWN else self.obeys_off
+            assert now < 1000.0
+
+
+def test_a_controlled_stop_ends_without_power() -> None:
+    spindle = Spinning(obeys_ramp=True, obeys_off=False)
+    sequence = StopSequence(False, 0.0, ramp_s=2.0, coast_s=2.0)
+    do, _ = spindle.run(sequence)
+    assert do is Do.STANDING
+    assert spindle.done == [Do.RAMP_DOWN, Do.POWER_OFF]
+    assert not sequence.escalated
+    assert sequence.witnesses == "drive and encoder"
+
+
+def test_a_stop_that_is_not_obeyed_is_escalated() -> None:
+    spindle = Spinning(obeys_ramp=False, obeys_off=True)
+    sequence = StopSequence(False, 0.0, ramp_s=2.0, coast_s=2.0)
+    do, now = spindle.run(sequence)
+    assert do is Do.STANDING
+    assert sequence.escalated
+    assert 2.0 < now < 3.0
+
+
+def test_a_spindle_that_obeys_nothing_is_given_up_in_time() -> None:
+    do, now = Spinning(False, False).run(StopSequence(False, 0.0, ramp_s=2.0, coast_s=3.0))
+    assert do is Do.GIVE_UP
+    assert 5.0 < now < 5.2
+
+
+def test_a_command_that_is_not_taken_is_given_again() -> None:
+    spindle = Spinning(True, True, takes=False)
+    do, _ = spindle.run(StopSequence(False, 0.0, ramp_s=1.0, coast_s=1.0))
+    assert do is Do.GIVE_UP
+    assert spindle.done.count(Do.RAMP_DOWN) > 5
+    assert spindle.done.count(Do.POWER_OFF) > 5
+
+
+def test_one_witness_is_enough_and_none_is_not() -> None:
+    for drive, encoder, words in (
+        (True, False, "the drive only"),
+        (False, True, "the encoder only"),
+    ):
+        spindle = Spinning(True, True)
+        spindle.drive, spindle.encoder = drive, encoder
+        sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)
+        assert spindle.run(sequence)[0] is Do.STANDING
+        assert sequence.witnesses == words
+    spindle = Spinning(True, True)
+    spindle.drive = spindle.encoder = False
+    sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)
+    assert spindle.run(sequence)[0] is Do.GIVE_UP
+    assert sequence.witnesses == "nobody"
+
+
+def test_what_was_seen_before_the_command_does_not_count() -> None:
+    sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)
+    sequence.commanded(Do.POWER_OFF, 0.5)
+    old = Seen(0.6, 0.0, 0.0, True, drive_s=0.4, encoder_s=0.6)
+    assert sequence.step(old) is Do.WAIT
+    assert sequence.step(replace(old, drive_s=0.55)) is Do.STANDING
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    st.floats(0.0, 359.9),
+    st.floats(1.0, 600.0),
+    st.floats(20.0, 2000.0),
+    st.floats(0.0, 359.9),
+)
+def test_a_pause_comes_to_rest_at_its_angle(
+    wanted: float, rpm: float, deceleration: float, start: float
+) -> None:
+    sequence = PauseSequence(wanted, rpm, deceleration, 0.0, limit_s=1e9)
+    angle, speed, target, now, step = start, rpm, rpm, 0.0, 0.001
+    while True:
+        now += step
+        change = deceleration * step
+        speed += max(-change, min(change, target - speed))
+        angle = (angle + 6.0 * speed * step) % 360.0
+        stands = speed == 0.0
+        do = sequence.step(Seen(now, speed, speed, stands, angle, 6.0 * speed))
+        if do is Do.CREEP:
+            target = sequence.creep_rpm
+            assert target == min(rpm, CREEP_RPM)
+        elif do is Do.RAMP_DOWN:
+            target = 0.0
+        elif do is Do.STANDING:
+            break
+        assert do is not Do.GIVE_UP
+    error = (angle - wanted + 180.0) % 360.0 - 180.0
+    assert abs(error) < 1.0
+
+
+def test_a_pause_that_does_not_come_is_given_up() -> None:
+    sequence = PauseSequence(90.0, 30.0, 60.0, 0.0, limit_s=5.0)
+    assert sequence.step(Seen(0.1, 30.0, None, None)) is Do.CREEP
+    assert sequence.step(Seen(4.9, 30.0, None, None)) is Do.WAIT
+    assert sequence.step(Seen(5.1, 30.0, None, None)) is Do.GIVE_UP
+
+
+# --- motion --------------------------------------------------------------------------------------
+
+
+def moving(rpm: float, seconds: float, block: int = 48, pace: float = 1.0) -> MotionWindow:
+    window = MotionWindow(360, 480.0, 30.0)
+    for i in range(int(seconds * 480 / block)):
+        end = (i + 1) * block - 1
+        count = math.floor(rpm * 6.0 * end / 480.0)
+        window.add(None, Point(end, count, 100.0 + end / 480.0 / pace, count % 360))
+    return window
+
+
+def test_motion_tells_speed_pace_and_angle() -> None:
+    window = moving(30.0, 5.0, pace=20.0)
+    assert window.speed_rpm(0.5) == pytest.approx(30.0, rel=0.01)
+    assert window.pace() == pytest.approx(20.0, rel=0.01)
+    assert not window.standing(0.2)
+    newest = window.newest()
+    assert newest is not None
+    assert newest.phase is not None
+    angle = window.angle_deg(newest.host_s + 0.01)
+    # 30 rpm at twenty times real time: 3600 degrees a second.
+    assert angle == pytest.approx((30.0 + newest.phase + 36.0) % 360.0, abs=1.0)
+
+
+def test_a_dithering_edge_is_a_stand() -> None:
+    window = MotionWindow(360, 480.0, 0.0)
+    for i in range(20):
+        window.add(None, Point(i * 48, 100 + i % 2, i * 0.1, 100))
+    assert window.standing(0.25)
+    window.add(None, Point(20 * 48, 105, 2.0, 105))
+    assert not window.standing(0.25)
+
+
+def test_a_stand_needs_data_for_the_whole_time() -> None:
+    window = MotionWindow(360, 480.0, 0.0)
+    assert not window.standing(0.25)
+    window.add(None, Point(0, 5, 0.0, 5))
+    assert not window.standing(0.25)
+    window.add(None, Point(130, 5, 0.3, 5))
+    assert window.standing(0.25)
+
+
+def test_an_unknown_index_is_an_unknown_angle() -> None:
+    window = MotionWindow(360, 480.0, 0.0)
+    assert window.angle_deg(0.0) is None
+    window.add(None, Point(0, 5, 0.0, None))
+    assert window.angle_deg(0.0) is None
+
+
+# --- time ----------------------------------------------------------------------------------------
+
+
+def jumps(delays: list[float]) -> list[float]:
+    watch = TimeWatch(1000.0)
+    found = [watch.add(i * 50, i * 0.05 + delay) for i, delay in enumerate(delays)]
+    return [jump for jump in found if jump]
+
+
+def test_samples_lost_unseen_show_as_a_jump_of_time() -> None:
+    found = jumps([0.01] * 100 + [3.01] * 100)
+    assert len(found) == 1
+    assert found[0] == pytest.approx(3.0)
+
+
+def test_a_late_reader_is_no_jump() -> None:
+    late = [0.01] * 100 + [1.0 - 0.05 * i for i in range(20)] + [0.01] * 100
+    assert jumps(late) == []
+
+
+def test_a_clock_that_drifts_is_no_jump() -> None:
+    assert jumps([0.01 + 2e-4 * 0.05 * i for i in range(5000)]) == []
+
+
+# --- threads -------------------------------------------------------------------------------------
+
+
+def block(sequence: int, samples: int = 10) -> Block:
+    return Block(
+        "daq", sequence, sequence * samples, 100.0, 0,
+        np.zeros((5, samples), np.float32), np.zeros(samples, np.uint8),
+    )  # fmt: skip
+
+
+def test_a_full_queue_refuses_and_counts() -> None:
+    queue = BlockQueue(25, wait=False)
+    assert [queue.put(block(i), 0.0) for i in range(4)] == [True, True, False, False]
+    assert queue.refused_blocks == 2
+    first = queue.get(0.0)
+    assert first is not None
+    assert first.sequence == 0
+    assert queue.put(block(4), 0.0)
+    assert queue.samples == 20
+
+
+def test_a_waiting_queue_holds_the_reader_and_loses_nothing() -> None:
+    queue = BlockQueue(25, wait=True)
+    sent = list(range(50))
+
+    def read() -> None:
+        for i in sent:
+            while not queue.put(block(i), 0.05):
+                pass
+
+    reader = threading.Thread(target=read)
+    reader.start()
+    got = [queue.get(5.0) for _ in sent]
+    reader.join(5.0)
+    assert [one.sequence for one in got if one is not None] == sent
+
+
+def test_a_block_larger_than_the_queue_passes() -> None:
+    queue = BlockQueue(5, wait=False)
+    assert queue.put(block(0, 10), 0.0)
+
+
+def test_an_empty_queue_returns_nothing_in_time() -> None:
+    assert BlockQueue(5, wait=False).get(0.0) is None
+
+
+def test_a_worker_dies_loudly_and_ends_quietly() -> None:
+    deaths: list[tuple[str, BaseException]] = []
+    steps = iter([None, None])
+
+    def step() -> None:
+        next(steps)
+
+    worker = Worker("test", step, lambda w, e: deaths.append((w.name, e)), 1.0)
+    worker.start()
+    assert worker.join(5.0)
+    assert [(name, type(error)) for name, error in deaths] == [("test", StopIteration)]
+    assert not worker.well
+    quiet = Worker("quiet", lambda: False, lambda w, e: deaths.append((w.name, e)), 1.0)
+    quiet.start()
+    assert quiet.join(5.0)
+    assert quiet.well
+    assert len(deaths) == 1
+
+
+def test_a_worker_that_hangs_is_not_well() -> None:
+    release = threading.Event()
+    worker = Worker("test", lambda: release.wait(10.0) and None, lambda *_: None, 0.05)
+    worker.start()
+    eventually(lambda: not worker.well)
+    assert worker.silent_for() > 0.04
+    worker.halt()
+    release.set()
+    assert worker.join(5.0)
+
+
+# --- notices -------------------------------------------------------------------------------------
+
+
+def test_a_full_stream_forgets_commits_before_anything_else() -> None:
+    stream = NoticeStream(bound=4)
+    finished = Finished(FinishReason.COMPLETE, "", "complete", 9, "x.h5")
+    for notice in (
+        StateChanged(RunState.RUNNING, ""),
+        Committed(1),
+        Committed(2),
+        Committed(3),
+        StateChanged(RunState.STOPPING, ""),
+        finished,
+    ):
+        stream.put(notice)
+    got = [stream.get(0.0) for _ in range(5)]
+    assert got == [
+        StateChanged(RunState.RUNNING, ""),
+        Committed(3),
+        StateChanged(RunState.STOPPING, ""),
+        finished,
+        None,
+    ]
+    assert stream.dropped == 2
