@@ -1,7 +1,7 @@
 """Speed of the simulated plant, as a multiple of the GSV-8's 12000 samples/s, on one core.
 
 Plant: the compiled kernel in chunks of 4096 samples. Loop: plant, disturbances and hand-over in the
-chunks that the rig uses at 60 rpm and 960 Hz (1/30 revolution), without a device's bytes.
+chunks that the rig uses at 60 rpm and 960 Hz (1/20 revolution), without a device's bytes.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def main() -> None:
         ("plant, 960 Hz, long chunks", 960.0, 4096),
         ("plant, 12000 Hz, long chunks", 12_000.0, 4096),
         ("plant, 48000 Hz, long chunks", 48_000.0, 4096),
-        ("loop, 960 Hz, chunks of 1/30 revolution", 960.0, 32),
+        ("loop, 960 Hz, chunks of 1/20 revolution", 960.0, 48),
     ):
         rate_made = samples_per_second(rate, chunk)
         print(f"{name}: {rate_made:.3g} samples/s = {rate_made / FASTEST_DAQ_HZ:.0f} x GSV-8")

@@ -2,8 +2,8 @@
 
 A pass takes what the hosts wrote, answers it, and advances the plant by the chunks that are due.
 Within a chunk the drive's command is constant but for its ramp, so a chunk is short: at most 20 ms
-of wall time and 1/30 revolution; with what the host has yet to read, a command takes effect within
-1/20 revolution of what the host has seen.
+of wall time and 1/20 revolution. Faster than real time a second chunk waits for the host while it
+reads the first, so that a command takes effect within 1/10 revolution of what the host has seen.
 """
 
 from __future__ import annotations
@@ -41,7 +41,8 @@ from rigapp.simulation.plant import Plant, Samples
 from rigapp.simulation.truth import TruthRecorder
 
 CHUNK_S = 0.02
-CHUNK_REVOLUTIONS = 1.0 / 30.0
+LONGEST_CHUNK_S = 0.1
+CHUNK_REVOLUTIONS = 1.0 / 20.0
 LONGEST_PASS_CHUNKS = 8
 IDLE_S = 0.01
 HOST_WAIT_S = 0.00015
@@ -256,16 +257,16 @@ class RigSimulation:
 
     def _chunk_steps(self) -> int:
         speed = max(abs(self.plant.speed_rad_per_s), abs(self._speed_wanted))
-        chunk_s = CHUNK_S * min(max(self._pace.speed, 1.0), 2.5)
+        chunk_s = min(CHUNK_S * max(self._pace.speed, 1.0), LONGEST_CHUNK_S)
         if speed > 0.0:
             chunk_s = min(chunk_s, CHUNK_REVOLUTIONS * TURN / speed)
         return max(1, int(chunk_s / self.plant.step_s))
 
     def _taken(self) -> bool:
-        """Tell whether a host streams and has read nearly all of what it got."""
+        """Tell whether a host streams and has read all but the newest chunk."""
         if not (self._pace.fast and self._streamed()):
             return False
-        return self._daq.wire.backlog(self._now) <= min(self._chunk_bytes // 2, FULL_GAUGE_BYTES)
+        return self._daq.wire.backlog(self._now) <= min(self._chunk_bytes, FULL_GAUGE_BYTES)
 
     def _streamed(self) -> bool:
         return self._connected and self._daq.simulator.streaming
