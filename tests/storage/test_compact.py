@@ -71,6 +71,21 @@ def test_finished_columns_are_trimmed_portable_and_keep_their_scales(quick_folde
         assert file["/entry/cycles/force"].shape == (first + count,)
 
 
+@pytest.mark.parametrize("revolutions", [0, 150])
+def test_xarray_opens_the_finished_file(quick_folder: Path, revolutions: int) -> None:
+    import xarray
+
+    path = ended(quick_folder, revolutions)
+    compact_test(path)
+    with xarray.open_dataset(path, group="/entry/revolutions", engine="h5netcdf") as data:
+        assert data.force_max.sizes == {"revolution": revolutions}
+    with xarray.open_dataset(path, group="/entry/cycles", engine="h5netcdf") as data:
+        assert data.sizes["revolution"] == revolutions // 10
+        assert data.force.dims == ("sample",)
+    with xarray.open_dataset(path, group="/entry/prediction", engine="h5netcdf") as data:
+        assert data.curve_force.sizes == {"curve_revolution": revolutions // 10, "angle": 360}
+
+
 def test_running_and_interrupted_tests_are_not_compressed(quick_folder: Path) -> None:
     with new_test(quick_folder) as writer:
         write(writer, 1, 3)
