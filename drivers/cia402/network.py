@@ -1,7 +1,7 @@
 """One CANopen node on a CAN bus through python-can and canopen: frames, SDO, host heartbeat.
 
 An own thread receives, because python-can's notifier dies silently of the first exception. One
-lock serialises the SDOs. Imported when a drive is opened: both libraries are slow to import.
+lock serialises the SDOs.
 """
 
 from __future__ import annotations

@@ -149,6 +149,7 @@ class RoboClaw:
                 )
             acceleration = min(max(1, round(ramp)), _MAXIMUM_ACCELERATION)
             command = self._of(Command.RAMP_SPEED_M1, Command.RAMP_SPEED_M2)
+            self._judge_silence(link, setup)
             if speed and self._silence_s:
                 raise DeviceFault(
                     self.name,

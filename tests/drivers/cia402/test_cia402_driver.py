@@ -356,6 +356,18 @@ def test_a_silent_host_makes_the_drive_stop_quickly_and_is_told_so(
     wait_until(lambda: rig.speed_rpm == 30, "the next start")
 
 
+def test_a_new_speed_after_a_silence_is_refused_although_no_status_was_read(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=0.3)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.simulator.node.objects.number(0x603F) == 0x8130, "error 8130")
+    with pytest.raises(DeviceFault, match=r"watchdog.*reset the fault"):
+        drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 0, "the stop")
+
+
 def test_status_feeds_the_supervision(drive_rig: Any, connect: Any) -> None:
     rig = drive_rig()
     drive = connect(rig, watchdog_s=1.0)

@@ -6,6 +6,8 @@ import struct
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from drivers.api import DriveMode, MotorState
 from drivers.cia402.protocol import MILLI_RPM, State, state_of
@@ -482,6 +484,37 @@ def test_a_wrong_bit_rate_hears_nothing() -> None:
     assert bench.send("605 40 00 10 00 00 00 00 00") == []
     bench.simulator.receive(b"C\rS8\r\rO\r", bench.now_s)
     assert len(bench.send("605 40 00 10 00 00 00 00 00")) == 1
+
+
+IDENTIFIERS = st.sampled_from([0x000, 0x080, 0x205, 0x305, 0x405, 0x505, 0x605, 0x77F, 0x123])
+
+
+@given(
+    st.lists(
+        st.tuples(IDENTIFIERS, st.binary(max_size=8) | st.binary(min_size=8, max_size=8)),
+        max_size=20,
+    )
+)
+def test_any_frames_are_borne_and_the_drive_answers_again(
+    frames: list[tuple[int, bytes]],
+) -> None:
+    bench = Bench()
+    for identifier, data in frames:
+        line = encode_frame(Frame(identifier, data))
+        bench.simulator.receive(line, bench.now_s)
+        bench.now_s += 0.01
+        bench.simulator.command(0.01, bench.now_s)
+    bench.send("000 81 05")
+    bench.wait(0.3)
+    assert bench.send("605 40 02 65 00 00 00 00 00") == ["585 43 02 65 00 FF 03 00 00"]
+
+
+@given(st.binary(min_size=8, max_size=8), st.sampled_from([0x6083, 0x60FF, 0x1016, 0x1A03]))
+def test_any_request_to_a_real_object_gets_one_answer(data: bytes, index: int) -> None:
+    bench = Bench()
+    request = data[:1] + index.to_bytes(2, "little") + bytes((data[3] % 3,)) + data[4:]
+    replies = [f for f in bench.send(f"605 {request.hex()}") if f.startswith("585")]
+    assert len(replies) == (0 if request[0] >> 5 == 4 else 1)
 
 
 def test_counts_that_no_encoder_has_are_refused() -> None:

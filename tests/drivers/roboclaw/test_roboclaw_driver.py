@@ -307,6 +307,18 @@ def test_a_silent_host_stops_the_spindle_and_is_told_so(
     assert not drive.status().faults
 
 
+def test_a_new_speed_after_a_silence_is_refused_although_no_status_was_read(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=0.3)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.simulator.watchdog_tripped, "the drive's watchdog")
+    with pytest.raises(DeviceFault, match=r"watchdog.*reset the fault"):
+        drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 0, "the stop")
+
+
 def test_status_feeds_the_watchdog(drive_rig: Any, connect: Any, wait_until: Any) -> None:
     rig = drive_rig()
     drive = connect(rig, watchdog_s=1.0, **PATIENT)
