@@ -16,6 +16,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 
 from rigapp.engine.columns import cycle_columns, prediction_columns, revolution_columns
 from rigapp.engine.messages import (
@@ -287,12 +288,25 @@ def no_history() -> Callable[[Path, int], History]:
     return lambda path, planned: History(LiveData(planned), None, np.empty(0, dtype=np.int64))
 
 
+@pytest.fixture(scope="session")
+def light_application(qapp: Any) -> Any:
+    """Return the application in its light dress."""
+    apply_theme(qapp, LIGHT)
+    return qapp
+
+
+@pytest.fixture(autouse=True)
+def _destroyed_at_once() -> Iterator[None]:
+    """Destroy the widgets of the test before the next one, as an application would."""
+    yield
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+
+
 @pytest.fixture
 def window(
-    engine: ScriptedEngine, qtbot: Any, qapp: Any, tmp_path: Path, no_history: Any
+    engine: ScriptedEngine, qtbot: Any, light_application: Any, tmp_path: Path, no_history: Any
 ) -> Iterator[MainWindow]:
     """Return the window on a scripted engine; the test ticks it by hand."""
-    apply_theme(qapp, LIGHT)
     window = MainWindow(
         Link(engine.client),
         Session(no_history),
