@@ -50,7 +50,7 @@ from rigapp.config.rig import (
 )
 from rigapp.engine.engine import Engine
 from rigapp.engine.messages import Event
-from rigapp.engine.store import Opened, OpenRequest
+from rigapp.engine.store import Opened, OpenRequest, OpenStore
 from rigapp.engine.timing import Timing
 
 COUNTS = 360
@@ -355,6 +355,7 @@ class MemoryRig:
     opened: Opened | None = None
     latency_ms: float = 0.0
     measured: list[Any] = field(default_factory=list)
+    open_store: OpenStore | None = None
 
     def __post_init__(self) -> None:
         self.source = FakeSource("daq", "memory", self.crank)
@@ -363,7 +364,7 @@ class MemoryRig:
             Document(Path("rig.toml"), "rig text", self.rig_file()),
             ports={"daq": "memory", "drive": "memory"},
             load=self._load,
-            open_store=self._open,
+            open_store=self.open_store or self._open,
             timing=self.timing,
             on_measured=self.measured.append,
         )
