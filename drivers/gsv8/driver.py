@@ -1,0 +1,310 @@
+"""Acquire from a GSV-8: bridges, voltages and the encoder in one simultaneous frame."""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from drivers.api import (
+    Block,
+    ConnectionFailed,
+    DataRequest,
+    DeviceError,
+    DriverInfo,
+    DriverKind,
+    Identity,
+    Quality,
+    ReplyTimeout,
+    SettingRefused,
+    StreamSetup,
+    WrongDevice,
+)
+from drivers.gsv8 import protocol as p
+from drivers.gsv8.blocks import BlockMaker
+from drivers.gsv8.commission import Commissioner
+from drivers.gsv8.frames import FrameLayout, Tally
+from drivers.gsv8.link import Link
+from drivers.gsv8.numbers import DataType
+from drivers.gsv8.plan import Plan, Unplannable, make_plan, parse_input
+from drivers.gsv8.protocol import Command, u8
+from drivers.gsv8.settings import SETTINGS, defaults
+from drivers.gsv8.watch import StreamWatch
+from drivers.gsv8.words import ValueFault
+from drivers.transport import BytePort, SerialPort
+
+_log = logging.getLogger(__name__)
+
+_INJECT_NOTHING, _INJECT_HALF_SCALE = 0, 1
+_HALF_SCALE_TOLERANCE = 1e-3  # of the expected value
+_SETTLING_S = 0.005
+_SETTLING_PERIODS = 5.0
+_READ_SLICE_S = 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class HalfScale:
+    """One channel under the device's test value: half of its range is expected."""
+
+    name: str
+    measured: float
+    expected: float
+    unit: str
+
+    @property
+    def right(self) -> bool:
+        """Tell whether the value came through as it should."""
+        return abs(self.measured - self.expected) <= _HALF_SCALE_TOLERANCE * abs(self.expected)
+
+
+class Gsv8:
+    """One GSV-8 on a serial line or USB; implements ``drivers.api.DataSource``.
+
+    port may be a ``BytePort`` of one's own in place of the serial one.
+    """
+
+    def __init__(
+        self, name: str, port: str, settings: Mapping[str, Any], line: BytePort | None = None
+    ) -> None:
+        self.name = name
+        self.port = port
+        self._settings: dict[str, Any] = {**defaults(), **settings}
+        self._line = line or SerialPort(name, port, self._settings["baud_rate"])
+        self._link = Link(self._line, self._settings["reply_timeout_s"])
+        self._firmware = (0, 0)
+        self._plan: Plan | None = None
+        self._layout: FrameLayout | None = None
+        self._blocks: BlockMaker | None = None
+        self._watch: StreamWatch | None = None
+        self._streaming = False
+
+    def open(self) -> Identity:
+        """Open the port, silence the device and identify it.
+
+        Raises ConnectionFailed (port, or nothing answers) or WrongDevice.
+        """
+        self._line.open()
+        try:
+            return self._identify()
+        except BaseException:
+            self._line.close()
+            raise
+
+    def configure(self, request: DataRequest) -> StreamSetup:
+        """Set what differs, read everything back; raise SettingRefused."""
+        self.stop()
+        settings = {**self._settings, **request.settings}
+        try:
+            plan = make_plan(request, settings)
+        except Unplannable as error:
+            raise SettingRefused(self.name, self.port, str(error)) from error
+        self._settings = settings
+        self._link.reply_timeout_s = settings["reply_timeout_s"]
+        self._link.expect(None)
+        commissioner = Commissioner(self._link, self._firmware, settings["baud_rate"])
+        self._layout = commissioner.set_up(plan)
+        self._plan = plan
+        return StreamSetup(plan.specs(), plan.sample_rate_Hz, commissioner.readback)
+
+    def start(self) -> None:
+        """Start streaming; sample index and block sequence restart at 0."""
+        plan, layout = self._configured()
+        if self._streaming:
+            return
+        self._link.expect(layout)
+        settings = self._settings
+        self._blocks = BlockMaker(self.name, plan.sample_rate_Hz, plan.rows, settings["block_s"])
+        self._link.command(Command.RESET_STATUS)
+        self._link.command(Command.START_TRANSMISSION)
+        self._watch = StreamWatch(
+            self._link,
+            settings["poll_interval_s"],
+            settings["on_overrun"] == "stop",
+            self._blocks.flag_loss,
+        )
+        self._streaming = True
+
+    def read(self, timeout_s: float) -> Block | None:
+        """Return the next Block, None when none came in time.
+
+        Raises DeviceLost, DataOverrun (``on_overrun = "stop"``), ProtocolError when the frames are
+        not those that were set, ReplyTimeout when the device streams but answers no more.
+        """
+        blocks, watch = self._blocks, self._watch
+        if blocks is None or watch is None:
+            return None
+        deadline = time.monotonic() + timeout_s
+        while True:
+            blocks.add(self._link.take())
+            left = deadline - time.monotonic()
+            if blocks.ready(time.monotonic_ns()) or left <= 0.0 or not self._streaming:
+                break
+            self._link.read(min(left, _READ_SLICE_S))
+            if self._streaming:
+                watch.step()
+        block = blocks.make()
+        if block is not None and np.bitwise_or.reduce(block.quality) & Quality.SATURATED:
+            watch.saturated()
+        return block
+
+    def zero(self, inputs: Sequence[str]) -> None:
+        """Zero inputs in the device, which stores it; raise SettingRefused where it cannot."""
+        prohibited = 0
+        if self._firmware >= p.ZERO_LOCK_FIRMWARE:
+            data = self._link.command(Command.GET_PROHIBIT_SET_ZERO, reply=2)
+            prohibited = int.from_bytes(data, "big")
+        for name in inputs:
+            channel = self._channel(name)
+            if prohibited >> (channel - 1) & 1:
+                raise SettingRefused(
+                    self.name,
+                    self.port,
+                    f"zeroing {name} is prohibited in the device; allow it with the maker's "
+                    "program.",
+                )
+            self._link.command(Command.SET_ZERO, u8(channel), tries=1)
+            _log.info("%s: %s was zeroed in the device", self.name, name)
+
+    def half_scale(self) -> tuple[HalfScale, ...]:
+        """Feed the device's test value to all analog channels and return what arrives.
+
+        An end-to-end check of scales and object order, for commissioning; not while streaming.
+        Raises SettingRefused or ReplyTimeout. The normal inputs are restored in any case.
+        """
+        plan, layout = self._configured()
+        if self._streaming:
+            raise SettingRefused(
+                self.name, self.port, "the half-scale check needs the stream stopped first."
+            )
+        self._link.command(Command.SET_INJECTION, u8(_INJECT_HALF_SCALE))
+        try:
+            time.sleep(_SETTLING_S + _SETTLING_PERIODS / plan.sample_rate_Hz)
+            values = self._link.one_frame(layout).values[:, 0]
+        finally:
+            self._link.command(Command.SET_INJECTION, u8(_INJECT_NOTHING))
+            self._link.expect(None)
+        results = []
+        for spec, row in zip(plan.specs(), plan.rows, strict=True):
+            family, number = parse_input(spec.name)
+            if family == "analog":
+                expected = p.NOMINAL_RANGE[plan.analog[number]] / 2.0
+                measured = float(values[row]) * spec.scale + spec.offset
+                results.append(HalfScale(spec.name, measured, expected, spec.unit))
+        return tuple(results)
+
+    def stop(self) -> None:
+        """Stop streaming; safe to call twice. Samples that came before can still be read."""
+        if not self._streaming:
+            return
+        self._streaming = False
+        if self._watch is not None:
+            self._watch.end()
+        self._link.command(Command.STOP_TRANSMISSION)
+
+    def close(self) -> None:
+        """Stop the stream, give the write access back, release the port; never raises."""
+        if not self._line.is_open:
+            return
+        with contextlib.suppress(DeviceError):
+            self.stop()
+        with contextlib.suppress(DeviceError):
+            self._link.exchange(Command.RELEASE_INTERFACE, tries=1)
+        self._line.close()
+
+    @property
+    def tally(self) -> Tally:
+        """Return what went wrong on the line since the stream was started."""
+        return self._link.tally
+
+    @property
+    def last_fault(self) -> ValueFault | None:
+        """Return the latest fault of the inputs that the device named since the start."""
+        return None if self._watch is None else self._watch.last_fault
+
+    def _identify(self) -> Identity:
+        self._link.expect(None)
+        self._link.checksum = False
+        try:
+            self._link.command(Command.STOP_TRANSMISSION)
+        except ReplyTimeout as error:
+            raise self._nothing_answers() from error
+        self._line.drain()
+        self._link.expect(None)
+        reply = p.decode_interface(self._link.command(Command.GET_INTERFACE, u8(1), reply=4))
+        if reply.model != p.MODEL_GSV8:
+            raise WrongDevice(
+                self.name,
+                self.port,
+                f"a device of model {reply.model:02X} answers, not a GSV-8 (model 08); check the "
+                "port in the rig file.",
+            )
+        version = self._link.command(Command.FIRMWARE_VERSION, reply=4)
+        self._firmware = (int.from_bytes(version[:2], "big"), int.from_bytes(version[2:], "big"))
+        number = int.from_bytes(self._link.command(Command.GET_SERIAL_NUMBER, reply=4), "big")
+        options = self._link.command(Command.GET_SOFTWARE_CONFIGURATION, reply=4)
+        return Identity(
+            maker="ME-Systeme",
+            model="GSV-8",
+            firmware=f"{self._firmware[0]}.{self._firmware[1]:02d}",
+            serial_number=f"{number:08d}",
+            port=self.port,
+            details={
+                "options": ", ".join(p.software_options(int.from_bytes(options, "big"))),
+                "interface": f"{reply.number} of {reply.interfaces}",
+                "objects": str(reply.objects),
+                "data_type": DataType(reply.data_type).name.lower(),
+            },
+        )
+
+    def _nothing_answers(self) -> DeviceError:
+        if self._link.tally.dropped_bytes:
+            return WrongDevice(
+                self.name,
+                self.port,
+                "something sends bytes, but not those of a GSV-8; check the port and, on a UART, "
+                f"baud_rate ({self._settings['baud_rate']}).",
+            )
+        return ConnectionFailed(
+            self.name,
+            self.port,
+            "nothing answers; check power, cable and port and, on a UART, "
+            f"baud_rate ({self._settings['baud_rate']}).",
+        )
+
+    def _configured(self) -> tuple[Plan, FrameLayout]:
+        if self._plan is None or self._layout is None:
+            raise SettingRefused(self.name, self.port, "it was not configured before the start.")
+        return self._plan, self._layout
+
+    def _channel(self, name: str) -> int:
+        """Return the device's channel number of an input; counters in use come behind the eight."""
+        try:
+            family, number = parse_input(name)
+        except Unplannable as error:
+            raise SettingRefused(self.name, self.port, str(error)) from error
+        if family == "analog":
+            return number
+        counters = sorted(self._plan.counters) if self._plan is not None else []
+        if number - 1 not in counters:
+            raise SettingRefused(self.name, self.port, f"{name} is not in use.")
+        return p.ANALOG_CHANNELS + 1 + counters.index(number - 1)
+
+
+def make(name: str, port: str, settings: Mapping[str, Any]) -> Gsv8:
+    """Make a driver for a named device on a port."""
+    return Gsv8(name, port, settings)
+
+
+DRIVER = DriverInfo(
+    name="gsv8",
+    title="ME-Systeme GSV-8 measuring amplifier",
+    kind=DriverKind.DATA_SOURCE,
+    factory=make,
+    settings=SETTINGS,
+    simulator="drivers.gsv8.simulator:Gsv8Simulator",
+)

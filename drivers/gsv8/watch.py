@@ -1,0 +1,120 @@
+"""Ask a streaming GSV-8 at a low rate whether it lost data or has a fault of its inputs."""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable
+
+from drivers.api import DataOverrun, ReplyTimeout
+from drivers.gsv8.frames import Response
+from drivers.gsv8.link import Link, Pending
+from drivers.gsv8.protocol import Command, u8
+from drivers.gsv8.words import ValueFault, decode_value_fault, status_words
+
+_log = logging.getLogger(__name__)
+
+_OVERRUN = 0x91
+_ASYNCHRONOUS, _LATEST = 1, 1  # indices of commands 42 and 43
+_MISSES_ALLOWED = 3
+_PATIENCE_S = 5.0
+
+
+class StreamWatch:
+    """Poll between measured values, never waiting for an answer.
+
+    on_loss: called when the device reports lost data, unless ``stop_on_loss``, which raises
+    DataOverrun. ``last_fault`` is the latest fault of the inputs that the device named.
+    """
+
+    def __init__(
+        self, link: Link, interval_s: float, stop_on_loss: bool, on_loss: Callable[[], None]
+    ) -> None:
+        self.losses = 0
+        self.last_fault: ValueFault | None = None
+        self._link = link
+        self._interval_s = interval_s
+        self._stop_on_loss = stop_on_loss
+        self._on_loss = on_loss
+        self._pending: Pending | None = None
+        self._next_s = time.monotonic() + interval_s
+        self._queue: list[tuple[Command, bytes]] = []
+        self._misses = 0
+
+    def saturated(self) -> None:
+        """Take note that an input was saturated: ask which one with the next poll."""
+        question = (Command.GET_LAST_VALUE_ERROR, u8(_LATEST))
+        if question not in self._queue:
+            self._queue.append(question)
+
+    def step(self) -> None:
+        """Send the next question when it is time, and take the answer to the last."""
+        now = time.monotonic()
+        if self._pending is not None:
+            self._look(self._pending, now)
+        if self._pending is None and now >= self._next_s:
+            ask = self._queue.pop(0) if self._queue else None
+            command, parameters = ask or (Command.GET_LAST_PROTOCOL_ERROR, u8(_ASYNCHRONOUS))
+            self._pending = self._link.post(command, parameters)
+            self._next_s = now + self._interval_s
+
+    def end(self) -> None:
+        """Forget a question on its way."""
+        if self._pending is not None:
+            self._link.finish(self._pending)
+            self._pending = None
+
+    def _look(self, pending: Pending, now_s: float) -> None:
+        if pending.answered.is_set():
+            self.end()
+            self._misses = 0
+            assert pending.response is not None
+            self._take(pending.command, pending.response)
+        elif now_s - pending.sent_s > max(_PATIENCE_S, self._link.reply_timeout_s):
+            self.end()
+            self._misses += 1
+            if self._misses >= _MISSES_ALLOWED:
+                raise ReplyTimeout(
+                    self._link.port.device,
+                    self._link.port.port,
+                    f"it streams but did not answer {pending.command.words} {self._misses} times, "
+                    "so lost data would not be noticed; check the cable and other programs.",
+                )
+
+    def _take(self, command: Command, response: Response) -> None:
+        if response.status:
+            _log.warning(
+                "%s: %s was refused: %s",
+                self._link.port.device,
+                command.words,
+                status_words(response.status),
+            )
+        elif command is Command.GET_LAST_VALUE_ERROR:
+            self._take_fault(decode_value_fault(response.data))
+        elif command is Command.GET_LAST_PROTOCOL_ERROR:
+            self._take_error(int.from_bytes(response.data, "big"))
+
+    def _take_fault(self, fault: ValueFault | None) -> None:
+        if fault is not None and fault != self.last_fault:
+            self.last_fault = fault
+            _log.warning("%s: %s", self._link.port.device, fault.words)
+
+    def _take_error(self, code: int) -> None:
+        if code == 0:
+            return
+        # Clearing the report lets the next loss be seen as a new one.
+        self._queue.append((Command.RESET_STATUS, b""))
+        self._next_s = time.monotonic()
+        if code != _OVERRUN:
+            _log.warning("%s: %s", self._link.port.device, status_words(code))
+            return
+        self.losses += 1
+        if self._stop_on_loss:
+            raise DataOverrun(
+                self._link.port.device,
+                self._link.port.port,
+                "the device dropped measured values because they were not read in time; lower "
+                "sample_rate_Hz or free the computer.",
+            )
+        _log.warning("%s: the device dropped measured values", self._link.port.device)
+        self._on_loss()
