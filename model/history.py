@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from model.errors import ModelError
+from model.history_kernel import evaluate, inverse, normal_equations
 
 Array = NDArray[np.float64]
 
@@ -25,6 +26,10 @@ SIGNIFICANT = 6.0
 """Harmonics with less than this many times the variance of a coefficient are noise (5 % odds)."""
 TREND_SIGNIFICANT = 4.0
 OUTLIER = 10.0
+RESOLVED, FINEST_COUNT, WHOLE = 1e-9, 1e-5, 0.01
+"""Angles (rad) that are told apart, the finest encoder count, and how nearly whole counts are."""
+COUNTING_SPAN, COUNTING_DEVIATION = 1.85, 0.34
+"""What counting alone leaves about a least-squares line at most: span and deviation, in counts."""
 LEAST_TURN = 0.25
 """Half the turn (rad) below which there is nothing periodic to fit."""
 LEAST_GAIN = 0.005
@@ -68,16 +73,18 @@ def smooth_history(time: ArrayLike, angle: ArrayLike, harmonics: int = HARMONICS
     taus, angles = _block_means(tau, per_block), _block_means(turned, per_block)
     most = min(harmonics, len(taus) // 8, int(len(taus) * np.pi / max(2.0 * abs(mean_rate), 1.0)))
     orders = np.arange(1, most + 1) if abs(mean_rate) > LEAST_TURN else np.arange(0)
+    raw = slice(per_block // 2, len(taus) * per_block, per_block)
+    counted = Counted(tau[raw], turned[raw], _quantum(turned))
     phase = np.array([0.0, mean_rate, 0.0])
-    values, noise = _solve(_design(taus, phase, len(orders)), angles, orders)
+    values, noise = _fit(taus, angles, phase, orders, counted)
     if abs(values[2]) > LEAST_GAIN * abs(values[1]) and len(orders):
         phase[1:] = values[1:3]
-        values, noise = _solve(_design(taus, phase, len(orders)), angles, orders)
-    waves = values[3 : 3 + len(orders)] - 1j * values[3 + len(orders) :]
+        values, noise = _fit(taus, angles, phase, orders, counted)
     width = per_block * float(np.median(np.diff(tau))) * mean_rate
-    waves = waves / np.sinc(orders * (width / (2.0 * np.pi)))
-    angle, slope, bend = _evaluate(tau, phase, values[:3], waves)
-    return AngleHistory(angle, slope / half, bend / half**2, noise * float(np.sqrt(per_block)))
+    seen = np.sinc(orders * (width / (2.0 * np.pi)))
+    cosines, sines = values[3 : 3 + len(orders)] / seen, values[3 + len(orders) :] / seen
+    smooth, slope, bend = evaluate(tau, phase, values[:3].copy(), cosines, sines)
+    return AngleHistory(smooth, slope / half, bend / half**2, noise * float(np.sqrt(per_block)))
 
 
 def _checked(time: ArrayLike, angle: ArrayLike) -> tuple[Array, Array]:
@@ -123,65 +130,94 @@ def _polynomial(coefficients: Array, tau: Array) -> Array:
     return result
 
 
-def _solve(design: Array, angles: Array, orders: NDArray[np.int_]) -> tuple[Array, float]:
-    """Return the coefficients and the noise; outliers count once, weak terms are taken out."""
-    values, noise = _regularised(design, angles, orders)
-    residual = np.abs(angles - values @ design)
-    kept = residual <= OUTLIER * max(float(np.median(residual)), 1e-12)
-    if kept.mean() < 1.0 and kept.mean() > 0.8:
-        return _regularised(design[:, kept], angles[kept], orders)
+@dataclass(frozen=True, slots=True)
+class Counted:
+    """Hold single samples (not means) for the question whether a fit explains the counts."""
+
+    tau: Array
+    angle: Array
+    quantum: float
+
+
+def _quantum(angle: Array) -> float:
+    """Return the angle of one count (rad), or 0 when the angles are no whole counts."""
+    steps = np.unique(np.rint(np.abs(np.diff(angle)) / RESOLVED)) * RESOLVED
+    apart = np.diff(steps, prepend=0.0)
+    count = float(apart[apart > 0.0].min(initial=np.inf))
+    if not FINEST_COUNT < count < np.inf:
+        return 0.0
+    counts = steps / count
+    return count if np.abs(counts - np.rint(counts)).max() < WHOLE else 0.0
+
+
+def _fit(
+    taus: Array, angles: Array, phase: Array, orders: NDArray[np.int_], counted: Counted
+) -> tuple[Array, float]:
+    """Return the coefficients of trend and harmonics, and the noise.
+
+    The simplest motion that explains the counts is taken: fewer harmonics and no trend. Without
+    this, the counts of a perfectly steady turn, which can beat with the sampling, look like ripple.
+    """
+    most = len(orders)
+    design = _design(taus, phase, most)
+    trend, count = True, most
+    if counted.quantum > 0.0:
+        single = _design(counted.tau, phase, most)
+        gram, right = normal_equations(design, angles)
+        for trend, count in [(t, k) for k in range(most + 1) for t in (False, True)]:
+            use = _rows(most, count, trend)
+            values = inverse(np.ascontiguousarray(gram[np.ix_(use, use)])) @ right[use]
+            residual = (counted.angle - values @ single[use]) / counted.quantum
+            if np.ptp(residual) <= COUNTING_SPAN and residual.std() <= COUNTING_DEVIATION:
+                break
+    rows = _rows(most, count, trend=True)
+    some, noise = _solve(np.ascontiguousarray(design[rows]), angles, orders[:count], trend)
+    values = np.zeros(len(design))
+    values[rows] = some
     return values, noise
 
 
-def _regularised(design: Array, angles: Array, orders: NDArray[np.int_]) -> tuple[Array, float]:
+def _rows(most: int, count: int, trend: bool) -> NDArray[np.int_]:
+    """Return the rows of a design that a motion with ``count`` harmonics has."""
+    waves = np.arange(count)
+    return np.concatenate([np.arange(3 if trend else 2), 3 + waves, 3 + most + waves])
+
+
+def _solve(
+    design: Array, angles: Array, orders: NDArray[np.int_], trend: bool
+) -> tuple[Array, float]:
+    """Return the coefficients and the noise; outliers count once, weak terms are taken out."""
+    values, noise = _regularised(design, angles, orders, trend)
+    residual = np.abs(angles - values @ design)
+    kept = residual <= OUTLIER * max(float(np.median(residual)), 1e-12)
+    if 0.8 < kept.mean() < 1.0:
+        return _regularised(np.ascontiguousarray(design[:, kept]), angles[kept], orders, trend)
+    return values, noise
+
+
+def _regularised(
+    design: Array, angles: Array, orders: NDArray[np.int_], trend: bool
+) -> tuple[Array, float]:
     """Solve with the noise that the residuals show and the prior that ripple dies out with k^3."""
-    count = len(orders)
-    gram, right = design @ design.T, design @ angles
+    gram, right = normal_equations(design, angles)
     degrees = max(len(angles) - len(gram), 1)
-    free = np.linalg.lstsq(gram, right, rcond=1e-15)[0]
+    free = _ridge(gram, right, np.zeros(len(gram)), 1.0)[0]
     noise = float(np.sqrt(np.sum((angles - free @ design) ** 2) / degrees))
     prior = np.zeros(len(gram))
     prior[3:] = np.tile((noise * orders**3.0 / RIPPLE_PRIOR) ** 2, 2)
     values, spread = _ridge(gram, right, prior, noise)
-    if abs(values[2]) < TREND_SIGNIFICANT * spread[2]:
+    if not trend or abs(values[2]) < TREND_SIGNIFICANT * spread[2]:
         use = np.arange(len(gram)) != 2
         values[2] = 0.0
         values[use], spread[use] = _ridge(gram[np.ix_(use, use)], right[use], prior[use], noise)
-    power = values[3 : 3 + count] ** 2 + values[3 + count :] ** 2
-    variance = 0.5 * (spread[3 : 3 + count] ** 2 + spread[3 + count :] ** 2)
-    keep = np.maximum(0.0, 1.0 - SIGNIFICANT * variance / np.maximum(power, 1e-300))
-    values[3:] *= np.tile(keep, 2)
+    cosines, sines = np.split(values[3:], 2)
+    variance = 0.5 * np.sum(np.reshape(spread[3:], (2, -1)) ** 2, axis=0)
+    power = np.maximum(cosines**2 + sines**2, 1e-300)
+    values[3:] *= np.tile(np.maximum(0.0, 1.0 - SIGNIFICANT * variance / power), 2)
     return values, noise
 
 
 def _ridge(gram: Array, right: Array, prior: Array, noise: float) -> tuple[Array, Array]:
     """Return the coefficients and their standard deviations."""
-    inverse = np.linalg.pinv(gram + np.diag(prior), rcond=1e-15, hermitian=True)
-    return inverse @ right, noise * np.sqrt(np.maximum(np.diag(inverse), 0.0))
-
-
-def _evaluate(
-    tau: Array, phase: Array, trend: Array, waves: NDArray[np.complex128]
-) -> tuple[Array, Array, Array]:
-    """Return the fit and its first two derivatives with respect to tau."""
-    angle = _polynomial(trend, tau)
-    slope = trend[1] + 2.0 * trend[2] * tau
-    bend = np.full_like(tau, 2.0 * trend[2])
-    if np.any(waves):
-        turn = np.exp(1j * _polynomial(phase, tau))
-        rate, gain = phase[1] + 2.0 * phase[2] * tau, 2.0 * phase[2]
-        orders = np.arange(1, len(waves) + 1)
-        first = _horner(turn, 1j * orders * waves)
-        angle += _horner(turn, waves)
-        slope += first * rate
-        bend += first * gain - _horner(turn, orders**2 * waves) * rate**2
-    return angle, slope, bend
-
-
-def _horner(turn: NDArray[np.complex128], factors: NDArray[np.complex128]) -> Array:
-    """Return the real part of sum factors[k] turn^(k + 1)."""
-    total = np.zeros_like(turn)
-    for factor in factors[::-1]:
-        total += factor
-        total *= turn
-    return total.real
+    inverted = inverse(np.ascontiguousarray(gram + np.diag(prior)))
+    return inverted @ right, noise * np.sqrt(np.maximum(np.diag(inverted), 0.0))

@@ -44,6 +44,7 @@ RIPPLE = {1: 0.005, 2: 0.01, 3: 0.003}
         (30.0, 12000.0, 4e-5, 6e-5),
         (60.0, 960.0, 5e-4, 1e-3),
         (600.0, 960.0, 2e-3, 4e-3),
+        (600.0, 12000.0, 2e-3, 4e-3),
     ],
 )
 def test_counts_of_a_steady_turn_with_ripple(
@@ -55,6 +56,14 @@ def test_counts_of_a_steady_turn_with_ripple(
     assert np.abs(got_speed - speed).max() < speed_error * w
     assert np.abs(got_growth - growth).max() < acceleration_error * w**2
     assert np.abs(growth).max() > 0.02 * w**2
+
+
+def test_counts_that_beat_with_the_sampling_look_like_no_ripple() -> None:
+    for rpm, rate in ((112.0, 960.3), (600.0, 12000.0), (8.0, 960.3)):
+        time, angle, _, _ = rig(rpm, rate, {})
+        speed, growth = motion_from_history(time, np.floor(angle / COUNT) * COUNT)
+        assert np.abs(speed / (rpm * np.pi / 30.0) - 1.0).max() < 1e-3
+        assert np.abs(growth).max() == 0.0
 
 
 def test_a_steady_turn_has_no_acceleration_at_all() -> None:
@@ -123,8 +132,8 @@ def test_any_rig_speed(rpm: float, amplitude: float, harmonic: int, start: float
     time, angle, speed, growth = rig(rpm, 960.3, {harmonic: amplitude}, start=start)
     w = rpm * np.pi / 30.0
     got_speed, got_growth = motion_from_history(time, np.floor(angle / COUNT) * COUNT)
-    assert np.abs(got_speed - speed).max() < 5e-3 * w
-    assert np.abs(got_growth - growth).max() < 0.03 * w**2
+    assert np.abs(got_speed - speed).max() < 0.02 * w
+    assert np.abs(got_growth - growth).max() < 0.06 * w**2
 
 
 @pytest.mark.parametrize(
