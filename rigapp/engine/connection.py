@@ -79,6 +79,8 @@ class Connection:
 
     def start(self) -> None:
         """Start the stream and the threads; raise DeviceError."""
+        if self.control.poll() is None and self.control.last_error is not None:
+            raise self.control.last_error
         self.devices.source.start()
         self.received_s = time.monotonic()
         for worker in self.workers:
@@ -218,7 +220,7 @@ class Connection:
         else:
             core.alarms.clear("drive_warning")
         limit = core.limits.overspeed_rpm
-        if core.state in TURNING and abs(rpm) > limit:
+        if core.state in TURNING and abs(rpm) > limit and not control.power_cut:
             cause = causes.overspeed(rpm, limit, "drive")
             core.trip(Ending(FinishReason.LIMIT, cause.cause, off=True), cause)
         self._watch_encoder(rpm)

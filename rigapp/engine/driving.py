@@ -119,6 +119,16 @@ class SpindleControl:
         stop = self._stop
         return (stop is not None and not stop.done) or self._pause is not None
 
+    @property
+    def power_cut(self) -> bool:
+        """Tell whether the drive took the command to cut the power.
+
+        A crank without power may swing under the spring, faster than it ran: nothing can be done
+        about it, and the stop goes on waiting until it stands.
+        """
+        stop = self._stop
+        return stop is not None and stop.power_cut
+
     def poll(self) -> DriveStatus | None:
         """Read the drive's status, which feeds its watchdog; None when it did not answer."""
         try:

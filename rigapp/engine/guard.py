@@ -89,7 +89,7 @@ class Guard:
         core = self._core
         state = core.state
         limit = core.limits.overspeed_rpm
-        if abs(speed_rpm) > limit and state in TURNING:
+        if abs(speed_rpm) > limit and state in TURNING and not self._connection.control.power_cut:
             cause = causes.overspeed(speed_rpm, limit, "crank encoder")
             core.trip(Ending(FinishReason.LIMIT, cause.cause, off=True), cause)
         elif core.alarms.is_active("overspeed") and abs(speed_rpm) < 0.9 * limit:

@@ -87,6 +87,11 @@ class StopSequence:
         self.escalated = False
         self.witnesses = ""
 
+    @property
+    def power_cut(self) -> bool:
+        """Tell whether the drive has accepted to be without power."""
+        return self._off_done
+
     def commanded(self, do: Do, now_s: float) -> None:
         """Take note that the drive has accepted a command."""
         self._commanded_s = now_s
