@@ -243,6 +243,14 @@ class Spindle(Protocol):
         """Take the power off the motor at once (coast or brake as the drive does it)."""
         ...
 
+    def reset_fault(self) -> None:
+        """Acknowledge faults on the operator's command; the motor stays off.
+
+        A fault that stopped the motor (watchdog, fault of the drive) stays in ``status().faults``
+        until this or ``configure``. Raises DeviceFault when its cause is still there.
+        """
+        ...
+
     def status(self) -> DriveStatus:
         """Read the state; feeds the drive's watchdog."""
         ...
