@@ -46,10 +46,12 @@ class Disturbances:
         if fault is SignalFault.JAM:
             self.jam_Nm = 1e3 if value is None else value
             return
-        default = 1.5 if fault is SignalFault.SLIP_RING_SPIKES else 1.0
+        default = 1.0
+        if fault is SignalFault.SLIP_RING_SPIKES:
+            default = 1.5
+            self._spike_rate = rate
         for name in _terminals(channel):
             self._channels[fault, name] = default if value is None else value
-        self._spike_rate = rate
 
     def stop(self, fault: SignalFault, channel: str) -> None:
         """Let a fault end."""

@@ -85,7 +85,7 @@ class RigSimulation:
         self.hands = Hands(self.plant)
         self._start_angle = self.plant.angle_rad
         for fault in faults:
-            self._check(fault)
+            self._check(fault, later=True)
         self._disturbances = Disturbances(seed)
         self._timetable = Timetable(faults)
         self._truth = truth
@@ -148,7 +148,8 @@ class RigSimulation:
 
     def inject(self, fault: FaultRecord) -> None:
         """Put a fault on the timetable; raise UnusableInput for one that nothing here can have."""
-        self._check(fault)
+        later = fault.at_s is not None or fault.at_revolution is not None
+        self._check(fault, later=later)
         self._timetable.add(fault)
         self._timetable.act(self, self._now, self.plant.time_s, self._revolutions())
 
@@ -284,10 +285,10 @@ class RigSimulation:
     def _simulator(self, device: str) -> Any:
         return self._daq.simulator if device == self._daq.name else self._drive.simulator
 
-    def _check(self, fault: FaultRecord) -> None:
+    def _check(self, fault: FaultRecord, *, later: bool) -> None:
         """Refuse a fault that nothing here can have, before it is due; raise UnusableInput."""
         check_fault(fault, list(self._wires))
-        if fault.kind not in WIRE_KINDS | SIGNAL_KINDS:
+        if later and fault.kind not in WIRE_KINDS | SIGNAL_KINDS:
             self._strike(fault)
             self._simulator(fault.device).clear(fault.kind)
 
