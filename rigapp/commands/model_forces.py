@@ -155,7 +155,14 @@ def _contact(
             f" The ripple of the force depends on the friction ramp ({low:g} to {high:g} m/s) and"
             " is no measurement of the real joint."
         )
-    return columns, remark, ""
+    warning = ""
+    deepest = float(cycle.penetration.max())
+    if deepest > bearing.clearance:
+        warning = (
+            f"The pin presses {1e6 * deepest:.0f} um into the bushing, deeper than the clearance of"
+            f" {1e6 * bearing.clearance:.0f} um: the law of a small contact does not hold there."
+        )
+    return columns, remark, warning
 
 
 def _backwards(name: str, column: Array) -> Array:

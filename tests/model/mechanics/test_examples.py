@@ -54,3 +54,14 @@ def test_measured(capsys: pytest.CaptureFixture[str]) -> None:
     result = run("model_measured", capsys)
     assert result["error_from_counts_N"] < 0.005
     assert result["error_if_speed_were_constant_N"] > 0.1
+
+
+def test_the_snippet_of_the_page(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = (EXAMPLES.parent / "docs" / "model.md").read_text()
+    monkeypatch.chdir(EXAMPLES.parent)
+    exec(page.split("```python\n")[1].split("```")[0], {})
+    greatest, holds = capsys.readouterr().out.split()
+    assert float(greatest) == pytest.approx(96.636, abs=1e-3)
+    assert holds == "True"

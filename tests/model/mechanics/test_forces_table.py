@@ -141,6 +141,15 @@ def test_lost_contact_shows_in_the_columns(
     assert "In contact" in capsys.readouterr().out
 
 
+def test_a_contact_too_deep_for_its_law_is_said(
+    params: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_forces(params, 30.0, "contact", 0.01, 360, tmp_path / "a.csv")
+    assert "deeper than the clearance of 10 um" in capsys.readouterr().err
+    write_forces(params, 30.0, "contact", 0.5, 360, tmp_path / "a.csv")
+    assert capsys.readouterr().err == ""
+
+
 def test_an_earlier_table_is_replaced_whole(params: Path, tmp_path: Path) -> None:
     target = tmp_path / "forces.csv"
     target.write_text("old\n" * 1000)
