@@ -61,7 +61,7 @@ def test_the_snippet_of_the_page(
 ) -> None:
     page = (EXAMPLES.parent / "docs" / "model.md").read_text()
     monkeypatch.chdir(EXAMPLES.parent)
-    exec(page.split("```python\n")[1].split("```")[0], {})
+    exec(page.split("```python\n")[1].split("```")[0], {})  # noqa: S102
     greatest, holds = capsys.readouterr().out.split()
     assert float(greatest) == pytest.approx(96.636, abs=1e-3)
     assert holds == "True"
