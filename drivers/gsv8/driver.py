@@ -33,6 +33,7 @@ from drivers.gsv8.link import Link
 from drivers.gsv8.numbers import DataType
 from drivers.gsv8.plan import Plan, Unplannable, make_plan, parse_input
 from drivers.gsv8.protocol import Command, u8
+from drivers.gsv8.registers import Registers
 from drivers.gsv8.settings import SETTINGS, defaults
 from drivers.gsv8.watch import StreamWatch
 from drivers.gsv8.words import ValueFault
@@ -154,13 +155,10 @@ class Gsv8:
 
     def zero(self, inputs: Sequence[str]) -> None:
         """Zero inputs in the device, which stores it; raise SettingRefused where it cannot."""
-        prohibited = 0
-        if self._firmware >= p.ZERO_LOCK_FIRMWARE:
-            data = self._link.command(Command.GET_PROHIBIT_SET_ZERO, reply=2)
-            prohibited = int.from_bytes(data, "big")
+        registers = Registers(self._link, self._firmware)
         for name in inputs:
             channel = self._channel(name)
-            if prohibited >> (channel - 1) & 1:
+            if registers.zero_prohibited(channel):
                 raise SettingRefused(
                     self.name,
                     self.port,
@@ -202,8 +200,6 @@ class Gsv8:
         if not self._streaming:
             return
         self._streaming = False
-        if self._watch is not None:
-            self._watch.end()
         self._link.command(Command.STOP_TRANSMISSION)
 
     def close(self) -> None:

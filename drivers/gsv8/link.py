@@ -12,7 +12,7 @@ import time
 from collections import deque
 from dataclasses import dataclass, field
 
-from drivers.api import DeviceLost, ProtocolError, ReplyTimeout, SettingRefused
+from drivers.api import ProtocolError, ReplyTimeout, SettingRefused
 from drivers.gsv8.frames import FrameLayout, Parsed, Response, Run, StreamParser, Tally
 from drivers.gsv8.protocol import Command, request
 from drivers.gsv8.words import status_words
@@ -36,12 +36,22 @@ class TimedRun:
 
 @dataclass(slots=True)
 class Pending:
-    """A request on its way, and its answer when that is there."""
+    """A request on its way, and its answer when that is there.
+
+    reply: how many data bytes the answer has; None: any. stray: an answer of another length came,
+    which belongs to an earlier request.
+    """
 
     command: Command
+    reply: int | None
     sent_s: float
     response: Response | None = None
+    stray: bool = False
     answered: threading.Event = field(default_factory=threading.Event)
+
+    def fits(self, response: Response) -> bool:
+        """Tell whether a response can be the answer."""
+        return bool(response.status) or self.reply in (None, len(response.data))
 
 
 class Link:
@@ -79,30 +89,37 @@ class Link:
         self, command: Command, parameters: bytes = b"", *, reply: int = 0, tries: int = 3
     ) -> bytes:
         """Return the data of the answer, ``reply`` bytes; raise SettingRefused and the like."""
-        response = self.exchange(command, parameters, tries=tries)
+        response = self.exchange(command, parameters, reply=reply, tries=tries)
         if response.status not in _DONE:
             raise SettingRefused(
                 self.port.device,
                 self.port.port,
                 f"{command.words} was refused: {status_words(response.status)}.",
             )
-        if len(response.data) != reply and response.status == 0:
-            raise ProtocolError(
-                self.port.device,
-                self.port.port,
-                f"{command.words} was answered with {len(response.data)} bytes instead of {reply}; "
-                "check that nothing else uses the port, and the firmware.",
-            )
         return response.data
 
-    def exchange(self, command: Command, parameters: bytes = b"", *, tries: int = 3) -> Response:
-        """Send a request and return its response, whatever its status; raise ReplyTimeout."""
-        if not self._commanding.acquire(timeout=4.0 * self.reply_timeout_s):
+    def exchange(
+        self,
+        command: Command,
+        parameters: bytes = b"",
+        *,
+        reply: int | None = None,
+        tries: int = 3,
+    ) -> Response:
+        """Send a request and return its response, whatever its status.
+
+        reply: data bytes of a good answer; None: any. Raises ReplyTimeout, and ProtocolError when
+        only answers of another length came.
+        """
+        if not self._commanding.acquire(timeout=4.0 * tries * self.reply_timeout_s):
             raise self._timeout(command, "the command before it is not done")
+        stray = False
         try:
+            self._outwait_posted()
             for attempt in range(tries):
-                pending = self._send(command, parameters)
+                pending = self._send(command, parameters, reply)
                 if not self._await(pending):
+                    stray |= pending.stray
                     continue
                 assert pending.response is not None
                 if attempt:
@@ -113,32 +130,41 @@ class Link:
         finally:
             self._forget()
             self._commanding.release()
+        if stray:
+            raise ProtocolError(
+                self.port.device,
+                self.port.port,
+                f"{command.words} was answered with the wrong number of bytes; check the firmware "
+                "and that no other program uses the device.",
+            )
         raise self._timeout(command, f"{tries} tries")
 
-    def post(self, command: Command, parameters: bytes = b"") -> Pending | None:
-        """Send a request without waiting; None when another command is under way.
+    def post(
+        self, command: Command, parameters: bytes = b"", *, reply: int | None = None
+    ) -> Pending | None:
+        """Send a request without waiting; None when another one is under way.
 
-        The caller looks for the answer later, and must call ``finish`` in any case.
+        Its answer comes while samples are read; ``abandon`` it when it does not.
         """
         if not self._commanding.acquire(blocking=False):
             return None
         try:
-            return self._send(command, parameters)
-        except DeviceLost:
-            self._forget()
+            if self._pending is not None and not self._pending.answered.is_set():
+                return None
+            return self._send(command, parameters, reply)
+        finally:
             self._commanding.release()
-            raise
 
-    def finish(self, pending: Pending) -> None:
-        """Let the next command go, whether the posted one was answered or not."""
+    def abandon(self, pending: Pending) -> None:
+        """Wait no longer for the answer to a posted request."""
         if self._pending is pending:
             self._forget()
-        self._commanding.release()
 
     def one_frame(self, layout: FrameLayout) -> Run:
         """Ask for one measured value (while the device does not stream) and return it."""
         self.expect(layout)
         with self._commanding:
+            self._outwait_posted()
             self._write(Command.GET_VALUE, b"")
             deadline = time.monotonic() + self.reply_timeout_s
             while time.monotonic() < deadline:
@@ -167,8 +193,8 @@ class Link:
     def _write(self, command: Command, parameters: bytes) -> None:
         self.port.write(request(command, parameters, checksum=self.checksum))
 
-    def _send(self, command: Command, parameters: bytes) -> Pending:
-        pending = Pending(command, time.monotonic())
+    def _send(self, command: Command, parameters: bytes, reply: int | None) -> Pending:
+        pending = Pending(command, reply, time.monotonic())
         self._pending = pending
         self._parser.response_expected = True
         self._write(command, parameters)
@@ -223,7 +249,12 @@ class Link:
             if pending is None or pending.answered.is_set():
                 self.late_replies += 1
                 continue
+            if not pending.fits(response):
+                self.late_replies += 1
+                pending.stray = True
+                continue
             pending.response = response
+            self._parser.response_expected = False
             pending.answered.set()
         with self._keeping:
             for run in parsed.runs:
@@ -243,6 +274,14 @@ class Link:
         oldest = self._runs.popleft()
         run = Run(oldest.run.values, oldest.run.quality, oldest.run.lost_before + lost)
         self._runs.appendleft(TimedRun(run, oldest.host_time_ns))
+
+    def _outwait_posted(self) -> None:
+        """Let the answer to a posted request come first: answers do not say what they answer."""
+        posted = self._pending
+        if posted is not None:
+            posted.sent_s = max(posted.sent_s, time.monotonic() - self.reply_timeout_s / 2.0)
+            self._await(posted)
+        self._forget()
 
     def _outwait_late_replies(self) -> None:
         """After a retry, the answer to the first try may still come: let it pass unheard."""

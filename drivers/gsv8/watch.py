@@ -15,7 +15,13 @@ from drivers.gsv8.words import ValueFault, decode_value_fault, status_words
 _log = logging.getLogger(__name__)
 
 _OVERRUN = 0x91
-_ASYNCHRONOUS, _LATEST = 1, 1  # indices of commands 42 and 43
+
+Question = tuple[Command, bytes, int]
+"""Command, parameters, data bytes of the answer."""
+
+_LOST_DATA: Question = (Command.GET_LAST_PROTOCOL_ERROR, u8(1), 4)  # 1: asynchronous errors
+_FAULT: Question = (Command.GET_LAST_VALUE_ERROR, u8(1), 6)  # 1: the latest fault
+_RESET: Question = (Command.RESET_STATUS, b"", 0)
 _MISSES_ALLOWED = 3
 _PATIENCE_S = 5.0
 
@@ -38,14 +44,13 @@ class StreamWatch:
         self._on_loss = on_loss
         self._pending: Pending | None = None
         self._next_s = time.monotonic() + interval_s
-        self._queue: list[tuple[Command, bytes]] = []
+        self._queue: list[Question] = []
         self._misses = 0
 
     def saturated(self) -> None:
         """Take note that an input was saturated: ask which one with the next poll."""
-        question = (Command.GET_LAST_VALUE_ERROR, u8(_LATEST))
-        if question not in self._queue:
-            self._queue.append(question)
+        if _FAULT not in self._queue:
+            self._queue.append(_FAULT)
 
     def step(self) -> None:
         """Send the next question when it is time, and take the answer to the last."""
@@ -53,25 +58,22 @@ class StreamWatch:
         if self._pending is not None:
             self._look(self._pending, now)
         if self._pending is None and now >= self._next_s:
-            ask = self._queue.pop(0) if self._queue else None
-            command, parameters = ask or (Command.GET_LAST_PROTOCOL_ERROR, u8(_ASYNCHRONOUS))
-            self._pending = self._link.post(command, parameters)
+            question = self._queue[0] if self._queue else _LOST_DATA
+            command, parameters, reply = question
+            self._pending = self._link.post(command, parameters, reply=reply)
+            if self._pending is not None and self._queue:
+                self._queue.pop(0)
             self._next_s = now + self._interval_s
-
-    def end(self) -> None:
-        """Forget a question on its way."""
-        if self._pending is not None:
-            self._link.finish(self._pending)
-            self._pending = None
 
     def _look(self, pending: Pending, now_s: float) -> None:
         if pending.answered.is_set():
-            self.end()
+            self._pending = None
             self._misses = 0
             assert pending.response is not None
             self._take(pending.command, pending.response)
         elif now_s - pending.sent_s > max(_PATIENCE_S, self._link.reply_timeout_s):
-            self.end()
+            self._link.abandon(pending)
+            self._pending = None
             self._misses += 1
             if self._misses >= _MISSES_ALLOWED:
                 raise ReplyTimeout(
@@ -103,7 +105,7 @@ class StreamWatch:
         if code == 0:
             return
         # Clearing the report lets the next loss be seen as a new one.
-        self._queue.append((Command.RESET_STATUS, b""))
+        self._queue.append(_RESET)
         self._next_s = time.monotonic()
         if code != _OVERRUN:
             _log.warning("%s: %s", self._link.port.device, status_words(code))
