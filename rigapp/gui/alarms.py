@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.engine.messages import Alarm, Severity
+from rigapp.engine.messages import Alarm, RunState, Severity
 from rigapp.gui.palette import Theme
 
 Index = QModelIndex | QPersistentModelIndex
@@ -109,9 +109,17 @@ class AlarmPanel(QWidget):
         self.shelve.setObjectName(f"{prefix}_shelve")
         self.shelve.setAccessibleName("Shelve the chosen alarm")
         self.shelve.clicked.connect(self._shelve)
+        self.reset = QPushButton("Reset after trip")
+        self.reset.setObjectName(f"{prefix}_reset")
+        self.reset.setAccessibleName("Reset after a trip")
+        self.reset.setToolTip(
+            "The deliberate action before another start: every critical alarm must be acknowledged"
+            " and its cause gone. Nothing moves."
+        )
+        self.reset.clicked.connect(lambda: self.wanted.emit("reset", {}))
         row = QHBoxLayout()
         row.addWidget(self.empty, 1)
-        for widget in (self.acknowledge, self.reason, self.minutes, self.shelve):
+        for widget in (self.reset, self.acknowledge, self.reason, self.minutes, self.shelve):
             row.addWidget(widget, 1 if widget is self.reason else 0)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -127,6 +135,10 @@ class AlarmPanel(QWidget):
         )
         alarms, self._alarms = self._alarms, []
         self.show_alarms(tuple(alarms))
+
+    def show_state(self, state: RunState | None) -> None:
+        """Offer the reset where it means something."""
+        self.reset.setEnabled(state in (RunState.FAULT, RunState.STOPPED))
 
     def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
         """Show the alarms, keeping the selection; nothing is done when they are unchanged."""

@@ -41,6 +41,8 @@ class Command:
 
 STARTABLE = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
 START_AFTER_CONNECT_S = 60.0
+IDLE_BEFORE_START_S = 2.0
+"""An idle engine is about to connect by itself; when it does not, the start makes it."""
 
 COMMANDS = (
     Command(
@@ -159,24 +161,24 @@ class ControlRow(QWidget):
         self._send(verb, arguments, partial(self._answered, label))
 
     def start_test(self, arguments: dict[str, Any]) -> None:
-        """Start a test, connecting the devices first when they are not."""
-        if self._state in (RunState.READY, RunState.STOPPED):
-            self.send("start", arguments)
-            return
-        self._waiting_start = (arguments, time.monotonic() + START_AFTER_CONNECT_S)
-        if self._state is RunState.IDLE:
-            self.send("connect", {})
+        """Start a test; devices that are still being connected are waited for."""
+        self._waiting_start = (arguments, time.monotonic())
+        self._start_when_ready()
 
     def _start_when_ready(self) -> None:
         if self._waiting_start is None:
             return
-        arguments, deadline = self._waiting_start
-        if self._state in (RunState.READY, RunState.STOPPED):
+        arguments, since = self._waiting_start
+        waited = time.monotonic() - since
+        idle = self._state is RunState.IDLE and waited > IDLE_BEFORE_START_S
+        if self._state in (RunState.READY, RunState.STOPPED) or idle:
             self._waiting_start = None
             self.send("start", arguments)
-        elif self._state is RunState.FAULT or time.monotonic() > deadline:
+        elif self._state is RunState.FAULT or waited > START_AFTER_CONNECT_S:
             self._waiting_start = None
             self.show_answer("The test was not started: the devices are not ready.", good=False)
+        elif waited < 1.0:
+            self.show_answer("start: waiting for the devices …", good=True)
 
     def add_note(self) -> None:
         """Send the text as a note of the log."""

@@ -17,6 +17,14 @@ SILENT_AFTER_S = 2.0
 LOST_AFTER_S = 5.0
 FIRST_SNAPSHOT_S = 10.0
 RETRY_S = (0.5, 1.0, 2.0, 5.0)
+TIMEOUTS_S = {
+    "connect": 90.0,
+    "reconnect": 90.0,
+    "start": 120.0,
+    "resume_file": 120.0,
+    "zero": 60.0,
+}
+TIMEOUT_S = 10.0
 URGENT_VERBS = frozenset({"stop", "drive_off", "pause"})
 
 
@@ -83,6 +91,11 @@ class Link:
         """Return why the line is not good, in words."""
         return self._reason
 
+    @property
+    def is_replay(self) -> bool:
+        """Tell whether the client plays a recorded test instead of holding an engine."""
+        return bool(getattr(self._client, "is_replay", False))
+
     def silence_s(self) -> float:
         """Return the seconds since the last word of the engine (0 before the first)."""
         if self._last_snapshot_at is None:
@@ -124,7 +137,7 @@ class Link:
             return
         worker = self._urgent if verb in URGENT_VERBS else self._requests
         accepted = worker.submit(
-            lambda: client.request(verb, arguments),
+            lambda: client.request(verb, arguments, TIMEOUTS_S.get(verb, TIMEOUT_S)),
             handler,
             lambda error: handler(Reply(ok=False, sentence=str(error) or type(error).__name__)),
         )

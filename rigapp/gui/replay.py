@@ -21,7 +21,6 @@ from rigapp.storage import TestReader, open_test
 Floats = NDArray[np.float64]
 
 PERIOD_S = 0.1
-SPEEDS = (1.0, 10.0, 100.0, 1000.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +40,8 @@ class ReplayClient:
     A thread reads the file and keeps one snapshot ready, merged with what was not fetched yet.
     """
 
+    is_replay = True
+
     def __init__(self, path: Path, *, speed: float = 10.0, at_end: bool = False) -> None:
         """Open a recorded test; raise UnusableInput. at_end: begin with everything shown."""
         self._path = path
@@ -55,6 +56,8 @@ class ReplayClient:
         self._state = RunState.RUNNING
         self._reason = ""
         self._stop = threading.Event()
+        self._rewind = threading.Event()
+        self._takes = 0
         self._thread = threading.Thread(target=self._play, name="gui-replay", daemon=True)
         self._thread.start()
 
@@ -81,6 +84,8 @@ class ReplayClient:
             self._state = RunState.STOPPED
         elif verb == "replay":
             self._speed = max(0.0, float(arguments["speed"]))
+        elif verb == "rewind":
+            self._rewind.set()
         elif verb == "status":
             return Reply(ok=True, result=msgspec.to_builtins(self._status()))
         else:
@@ -97,11 +102,21 @@ class ReplayClient:
         last = time.monotonic()
         while True:
             now = time.monotonic()
+            if self._rewind.is_set():
+                self._begin_again()
             self._advance(now - last)
             last = now
             self._prepare()
             if self._stop.wait(PERIOD_S):
                 return
+
+    def _begin_again(self) -> None:
+        self._rewind.clear()
+        self._row, self._sent, self._sent_predictions, self._shown_cycle = 0.0, 0, 0, -1
+        self._state, self._reason = RunState.RUNNING, ""
+        self._takes += 1
+        with self._lock:
+            self._ready = None
 
     def _advance(self, elapsed_s: float) -> None:
         end = len(self._tape.rows)
@@ -149,6 +164,7 @@ class ReplayClient:
             revolution=int(row[0]) if row is not None else 0,
             committed=done,
             speed_rpm=float(row[_ROW["speed"]]) if row is not None else 0.0,
+            started_at=float(self._takes),
             expected_end_at=now + left_s,
             host_time=now,
             twin_revolution=int(tape.predictions[shown - 1, 0]) if shown else -1,

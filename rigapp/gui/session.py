@@ -43,6 +43,7 @@ class Session:
         self._clock = clock
         self._worker = Worker("gui-history", bound=8)
         self._file: str | None = None
+        self._started_at = 0.0
         self._held: deque[Snapshot] | None = None
         self._attempts = 0
         self._again_at: float | None = None
@@ -72,7 +73,7 @@ class Session:
     def take(self, snapshot: Snapshot) -> bool:
         """Take a snapshot; return whether it belongs to another test than the last one."""
         status = snapshot.status
-        changed = status.file != self._file
+        changed = (status.file, status.started_at) != (self._file, self._started_at)
         if changed:
             self._begin(status)
         self.data.take(snapshot)
@@ -104,7 +105,7 @@ class Session:
         self._worker.close()
 
     def _begin(self, status: Status) -> None:
-        self._file = status.file
+        self._file, self._started_at = status.file, status.started_at
         self._held = None
         self._attempts = 0
         self._again_at = self._clock() if status.file else None

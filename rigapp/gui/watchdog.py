@@ -35,6 +35,10 @@ class Watchdog(QObject):
         self._last = None
         self._timer.start()
 
+    def stop(self) -> None:
+        """Stop watching."""
+        self._timer.stop()
+
     def beat(self) -> None:
         """Note one beat."""
         now = self._clock()

@@ -331,7 +331,7 @@ def attach(window: MainWindow, engine: ScriptedEngine, qtbot: Any) -> Callable[[
             return engine.clients > 0 and not engine.snapshots
 
         qtbot.waitUntil(taken, timeout=5000)
-        window.draw(window._link.status, at_once=True)
+        window.draw_now()
 
     return ticks
 

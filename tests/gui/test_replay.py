@@ -45,12 +45,12 @@ def test_a_recorded_test_plays_from_its_first_to_its_last_row(
     assert data.cycle.revolution == 300
     assert "All revolutions are done" in window.header.state.detail.whole
     assert window._session.crank_over_follower == pytest.approx(0.375)
-    box = window.overview.frame_box
+    box = window.tabs.overview.frame_box
     window.draw_now()
     box.setCurrentIndex(box.findData(Frame.FOLLOWER))
     window.draw_now()
-    assert window.overview.shown is not None
-    assert abs(window.overview.shown.model["force_2"]).max() < 5e-3  # type: ignore[index]
+    assert window.tabs.overview.shown is not None
+    assert abs(window.tabs.overview.shown.model["force_2"]).max() < 5e-3  # type: ignore[index]
     window.close()
 
 

@@ -187,11 +187,11 @@ def test_alarms_show_cause_consequence_action_and_are_acknowledged(
 ) -> None:
     engine.say(count=5, alarms=(alarm,))
     attach()
-    table = window.overview_alarms.table
+    table = window.tabs.overview_alarms.table
     texts = [table.item(0, column).text() for column in range(table.columnCount())]
     for text in (alarm.title, alarm.cause, alarm.consequence, alarm.action):
         assert text in texts
-    window.overview_alarms.acknowledge.click()
+    window.tabs.overview_alarms.acknowledge.click()
     assert wait_for_verb(window, engine, qtbot, "acknowledge") == {"key": alarm.key}
 
 
@@ -200,7 +200,7 @@ def test_shelving_needs_a_reason(
 ) -> None:
     engine.say(count=5, alarms=(alarm,))
     attach()
-    panel = window.overview_alarms
+    panel = window.tabs.overview_alarms
     assert not panel.shelve.isEnabled()
     qtbot.keyClicks(panel.reason, "sensor is being changed")
     panel.shelve.click()
@@ -214,16 +214,16 @@ def test_an_acknowledged_alarm_stays_listed_after_a_critical_one(
     done = msgspec.structs.replace(alarm, key="old", acknowledged=True, state="acknowledged")
     engine.say(count=5, alarms=(done, alarm))
     attach()
-    assert [alarm.key for alarm in window.alarms._alarms] == [alarm.key, "old"]
+    assert [alarm.key for alarm in window.tabs.alarms._alarms] == [alarm.key, "old"]
 
 
 def test_only_what_can_be_seen_is_drawn(window: MainWindow, engine: Any, attach: Attach) -> None:
     engine.say(count=5)
     attach()
-    assert window.overview.shown is not None
-    assert window.cycle.overlay.shown is None
+    assert window.tabs.overview.shown is not None
+    assert window.tabs.cycle.overlay.shown is None
     window.tabs.setCurrentIndex(1)
-    assert window.cycle.overlay.shown is not None
+    assert window.tabs.cycle.overlay.shown is not None
 
 
 def test_the_residual_is_measured_minus_model(
@@ -231,17 +231,17 @@ def test_the_residual_is_measured_minus_model(
 ) -> None:
     engine.say(count=5)
     attach()
-    shown = window.overview.shown
+    shown = window.tabs.overview.shown
     assert shown is not None
     assert shown.residual is not None
     residual = shown.residual["force"]
     middle = slice(len(residual) // 2 - 50, len(residual) // 2 + 50)
     assert residual[middle].mean() == pytest.approx(1.0, abs=0.4)
     assert shown.measured["force"][middle].mean() == pytest.approx(97.0, abs=0.4)
-    drawn = window.overview._raw_residual.getData()[1]
+    drawn = window.tabs.overview._raw_residual.getData()[1]
     assert drawn.max() == residual.max()
     assert drawn.min() == residual.min()
-    angle, means = window.overview._residual["force"].getData()
+    angle, means = window.tabs.overview._residual["force"].getData()
     assert means[abs(angle - 180.0) < 20.0].mean() == pytest.approx(1.0, abs=0.3)
 
 
@@ -327,29 +327,42 @@ def resident_kB() -> int:
     return int(line.split()[1])
 
 
-def test_a_start_from_idle_connects_first(
+def test_a_start_waits_until_the_devices_are_ready(
     window: MainWindow, engine: Any, attach: Attach, qtbot: Any
 ) -> None:
     window.start_when_idle(Path("examples/quick.toml"))
-    engine.say(count=0, curves=False, state=RunState.IDLE, planned=0, file="")
-    attach()
-    wait_for_verb(window, engine, qtbot, "connect")
-    assert "start" not in engine.verbs
+    for state in (RunState.IDLE, RunState.CONNECTING):
+        engine.say(count=0, curves=False, state=state, planned=0, file="")
+        attach()
+        assert "waiting" in window.controls.answer.whole
+    assert engine.verbs == []
     engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="")
     arguments = wait_for_verb(window, engine, qtbot, "start")
     assert arguments["test"].endswith("quick.toml")
     assert "revolutions" not in arguments
 
 
+def test_an_engine_that_stays_idle_is_asked_all_the_same(
+    window: MainWindow,
+    engine: Any,
+    attach: Attach,
+    qtbot: Any,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("rigapp.gui.controls.IDLE_BEFORE_START_S", 0.0)
+    window.start_when_idle(Path("examples/quick.toml"))
+    engine.say(count=0, curves=False, state=RunState.IDLE, planned=0, file="")
+    attach()
+    wait_for_verb(window, engine, qtbot, "start")
+
+
 def test_a_start_that_ends_in_a_fault_is_given_up(
     window: MainWindow, engine: Any, attach: Attach, qtbot: Any
 ) -> None:
     window.start_when_idle(Path("examples/quick.toml"))
-    engine.say(count=0, curves=False, state=RunState.IDLE, planned=0, file="")
-    attach()
-    wait_for_verb(window, engine, qtbot, "connect")
-    engine.say(count=0, curves=False, state=RunState.FAULT, planned=0, file="")
-    attach()
+    for state in (RunState.IDLE, RunState.FAULT):
+        engine.say(count=0, curves=False, state=state, planned=0, file="")
+        attach()
     assert "not started" in window.controls.answer.whole
     engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="")
     attach()

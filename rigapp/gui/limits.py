@@ -1,0 +1,146 @@
+"""The limits of the running test: seen, and changed with a reason that goes into the log."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout
+
+from rigapp.config.recipe import TestFile
+from rigapp.engine.messages import RunState
+from rigapp.gui.devices import PlainTable
+from rigapp.gui.headline import ACTIVE_STATES
+from rigapp.gui.rules import LEVELS
+
+FIXED = ("overload_N", "overspeed_rpm", "stale_data_s")
+WORDS = {
+    "overload_N": "overload: drive off above (N)",
+    "overspeed_rpm": "overspeed: drive off above (rpm)",
+    "stale_data_s": "no samples: drive off after (s)",
+}
+
+
+def limits_of(test: TestFile | None, changed: Mapping[str, float]) -> dict[str, tuple[float, str]]:
+    """Return every limit by its name: present value and what happens, changes applied."""
+    if test is None:
+        return {}
+    found: dict[str, tuple[float, str]] = {}
+    for name in FIXED:
+        found[name] = (float(getattr(test.limits, name)), "drive off")
+    for rule in test.limits.rule:
+        for level in LEVELS:
+            value = getattr(rule, level)
+            if value is not None:
+                critical = level.startswith("critical")
+                wanted = rule.action_critical if critical else rule.action_warning
+                found[f"{rule.quantity}.{level}"] = (value, wanted.replace("_", " "))
+    for name, value in changed.items():
+        found[name] = (value, found.get(name, (0.0, "as in the test"))[1])
+    return found
+
+
+class LimitPanel(QGroupBox):
+    """Show the limits and change one; asks as ("set_limit", {name, value, reason})."""
+
+    wanted = Signal(str, dict)
+
+    def __init__(self) -> None:
+        super().__init__("Limits of the running test")
+        self._names: list[str] = []
+        self._shown: dict[str, tuple[float, str]] = {}
+        self._active = False
+        self.setObjectName("limit_panel")
+        self.setAccessibleName("Limits of the running test")
+        self.table = PlainTable("limit_table", "Limits", ("Limit", "Now", "Action", "Meaning"))
+        self.table.itemSelectionChanged.connect(self._chosen)
+        self.value = QLineEdit()
+        self.value.setObjectName("limit_value")
+        self.value.setAccessibleName("New value of the chosen limit")
+        self.reason = QLineEdit()
+        self.reason.setObjectName("limit_reason")
+        self.reason.setAccessibleName("Reason for the new limit")
+        self.reason.setPlaceholderText("reason, goes into the log")
+        self.change = QPushButton("Chan&ge limit")
+        self.change.setObjectName("limit_change")
+        self.change.setAccessibleName("Change the chosen limit")
+        self.change.clicked.connect(self._change)
+        self.problem = QLabel()
+        self.problem.setObjectName("limit_problem")
+        self.problem.setAccessibleName("Why the limit cannot be changed")
+        for edit in (self.value, self.reason):
+            edit.textChanged.connect(self._enable)
+        row = QHBoxLayout()
+        label = QLabel("New value")
+        label.setBuddy(self.value)
+        for widget, stretch in (
+            (label, 0),
+            (self.value, 1),
+            (self.reason, 3),
+            (self.change, 0),
+            (self.problem, 2),
+        ):
+            row.addWidget(widget, stretch)
+        column = QVBoxLayout(self)
+        column.addWidget(self.table, 1)
+        column.addLayout(row)
+        self._enable()
+
+    def show_limits(
+        self, state: RunState | None, test: TestFile | None, changed: Mapping[str, float]
+    ) -> None:
+        """Show the limits as they are now."""
+        self._active = state in ACTIVE_STATES
+        limits = limits_of(test, changed)
+        if limits != self._shown:
+            self._shown = limits
+            self._names = list(limits)
+            self.table.show_rows(
+                [
+                    (name, f"{value:g}", action, WORDS.get(name, name.replace("_", " ")))
+                    for name, (value, action) in limits.items()
+                ]
+            )
+        self._enable()
+
+    def _name(self) -> str | None:
+        rows = {index.row() for index in self.table.selectedIndexes()}
+        row = min(rows, default=-1)
+        return self._names[row] if 0 <= row < len(self._names) else None
+
+    def _chosen(self) -> None:
+        name = self._name()
+        if name is not None:
+            self.value.setText(f"{self._shown[name][0]:g}")
+        self._enable()
+
+    def _number(self) -> float | None:
+        try:
+            return float(self.value.text())
+        except ValueError:
+            return None
+
+    def _enable(self) -> None:
+        name, number = self._name(), self._number()
+        if not self._active:
+            problem = "No test is under way; limits are changed in the test file."
+        elif name is None:
+            problem = "Choose a limit."
+        elif number is None:
+            problem = "The new value is not a number."
+        elif number == self._shown[name][0]:
+            problem = "This is the present value."
+        elif not self.reason.text().strip():
+            problem = "Give the reason."
+        else:
+            problem = ""
+        self.problem.setText(problem)
+        self.change.setEnabled(not problem)
+
+    def _change(self) -> None:
+        name, number = self._name(), self._number()
+        if name is None or number is None:
+            return
+        reason = self.reason.text().strip()
+        self.reason.clear()
+        self.wanted.emit("set_limit", {"name": name, "value": number, "reason": reason})

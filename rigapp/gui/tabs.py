@@ -1,0 +1,237 @@
+"""The tabs of the window; each panel draws only while it can be seen."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QSplitter, QTabWidget, QWidget
+
+from rigapp.engine.messages import Status
+from rigapp.gui.alarms import AlarmPanel
+from rigapp.gui.browser import BrowserPanel
+from rigapp.gui.cycle import CyclePanel
+from rigapp.gui.devices import DevicePanel
+from rigapp.gui.faults import FaultPanel
+from rigapp.gui.headline import is_stale
+from rigapp.gui.limits import LimitPanel
+from rigapp.gui.link import Link
+from rigapp.gui.logbook import LogPanel, changed_limits
+from rigapp.gui.overlay import OverlayPanel
+from rigapp.gui.palette import Theme
+from rigapp.gui.prepare import PreparePanel
+from rigapp.gui.session import Session
+from rigapp.gui.tasks import Worker
+from rigapp.gui.trend import TrendPanel
+from rigapp.gui.watchdog import Watchdog
+from rigapp.gui.wearprofile import WearProfilePanel
+
+HORIZONTAL, VERTICAL = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+
+
+class Tabs(QTabWidget):
+    """Own every panel. ``wanted`` carries requests to the engine, ``said`` sentences."""
+
+    wanted = Signal(str, dict)
+    said = Signal(str, bool)
+    start_wanted = Signal(Path)
+
+    def __init__(
+        self,
+        link: Link,
+        session: Session,
+        theme: Theme,
+        results_folder: Path,
+        worker: Worker,
+        watchdog: Watchdog,
+    ) -> None:
+        super().__init__()
+        self._link = link
+        self._session = session
+        self.setObjectName("tabs")
+        self.setAccessibleName("Panels")
+        self.overview = OverlayPanel("overview", theme)
+        self.overview_trend = TrendPanel("overview", theme)
+        self.overview_wear = TrendPanel("overview_wear", theme, "wear", access_keys=False)
+        self.overview_alarms = AlarmPanel("overview", theme)
+        self.cycle = CyclePanel(theme)
+        self.upper_trend = TrendPanel("upper", theme, "force")
+        self.lower_trend = TrendPanel("lower", theme, "wear", access_keys=False)
+        self.residual_trend = TrendPanel("residual", theme, "residual", access_keys=False)
+        self.profile = WearProfilePanel("trends", theme)
+        self.alarms = AlarmPanel("all", theme)
+        self.limits = LimitPanel()
+        self.prepare = PreparePanel(theme, results_folder, worker)
+        self.devices = DevicePanel(theme, watchdog)
+        self.log = LogPanel(worker)
+        self.browser = BrowserPanel(theme, results_folder, worker)
+        self.faults = FaultPanel()
+        self.splitters: list[QSplitter] = [self.cycle, self.cycle.right, self.prepare]
+        self.splitters.append(self.browser)
+        self._trends = (
+            self.overview_trend,
+            self.overview_wear,
+            self.upper_trend,
+            self.lower_trend,
+            self.residual_trend,
+        )
+        self._build()
+        self._connect()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        dressed = (
+            self.overview,
+            self.overview_alarms,
+            self.cycle,
+            self.profile,
+            self.alarms,
+            self.prepare,
+            self.devices,
+            self.browser,
+            *self._trends,
+        )
+        for panel in dressed:
+            panel.dress(theme)
+
+    def take_status(self, status: Status) -> None:
+        """Take what every new status means for panels, seen or not."""
+        for overlay in (self.overview, self.cycle.overlay):
+            overlay.set_channels(status.channels)
+        for panel in (self.overview_alarms, self.alarms):
+            panel.show_alarms(status.alarms)
+            panel.show_state(status.state)
+        simulated = status.simulated and not self._link.is_replay
+        index = self.indexOf(self.faults)
+        if self.isTabVisible(index) != simulated:
+            self.setTabVisible(index, simulated)
+
+    def draw_fast(self, status: Status | None) -> None:
+        """Draw the newest revolution where it can be seen."""
+        data = self._session.data
+        ratio = self._session.crank_over_follower
+        stale = status is not None and is_stale(status)
+        if self.overview.isVisible():
+            self.overview.set_mechanism(ratio)
+            self.overview.refresh(data, stale=stale)
+        if self.cycle.isVisible():
+            self.cycle.overlay.set_mechanism(ratio)
+            self.cycle.show_newest(data, stale=stale)
+
+    def draw_slow(self, status: Status | None) -> None:
+        """Draw trends, tables and lists where they can be seen."""
+        data, session = self._session.data, self._session
+        for trend in self._trends:
+            if trend.isVisible():
+                trend.refresh(data)
+        if self.profile.isVisible():
+            joint = session.test.model.joint if session.test is not None else None
+            self.profile.refresh(data, joint)
+        if self.prepare.isVisible():
+            self.prepare.show_status(status)
+        if self.devices.isVisible():
+            self.devices.show_status(status, self._link.silence_s())
+        if self.log.isVisible() or self.limits.isVisible():
+            self.log.follow(session.path)
+        if self.limits.isVisible():
+            state = status.state if status is not None else None
+            self.limits.show_limits(state, session.test, changed_limits(self.log.events))
+        if self.faults.isVisible():
+            self.faults.show_status(status)
+
+    def open_tests(self, tests: list[Path]) -> None:
+        """Offer the first test file in the form."""
+        if tests:
+            self.prepare.recipe.open_file(tests[0])
+
+    def _build(self) -> None:
+        right = self._split("overview_right", VERTICAL, [330, 220, 150])
+        for panel in (self.overview_trend, self.overview_wear, self.overview_alarms):
+            right.addWidget(panel)
+        overview = self._split("overview_split", HORIZONTAL, [700, 700])
+        overview.addWidget(self.overview)
+        overview.addWidget(right)
+        lower = self._split("trend_lower", HORIZONTAL, [700, 700])
+        lower.addWidget(self.lower_trend)
+        lower.addWidget(self.profile)
+        trends = self._split("trend_split", VERTICAL, [300, 180, 300])
+        for part in (self.upper_trend, self.residual_trend, lower):
+            trends.addWidget(part)
+        alarms = self._split("alarm_split", VERTICAL, [400, 300])
+        alarms.addWidget(self.alarms)
+        alarms.addWidget(self.limits)
+        pages = (
+            (overview, "Overview"),
+            (self.cycle, "Cycle"),
+            (trends, "Trends"),
+            (alarms, "Alarms and limits"),
+            (self.prepare, "Prepare"),
+            (self.devices, "Devices"),
+            (self.log, "Log"),
+            (self.browser, "Results"),
+            (self.faults, "Simulated faults"),
+        )
+        for number, (page, text) in enumerate(pages, start=1):
+            page.setAutoFillBackground(True)
+            self.addTab(page, f"{number} {text}")
+            self.setTabToolTip(number - 1, f"{text} (Ctrl+{number})")
+        self.setTabVisible(self.indexOf(self.faults), False)
+
+    def _split(self, name: str, orientation: Qt.Orientation, sizes: list[int]) -> QSplitter:
+        splitter = SizedSplitter(orientation, sizes)
+        splitter.setObjectName(name)
+        splitter.setAccessibleName("Divided panels")
+        splitter.setChildrenCollapsible(False)
+        self.splitters.append(splitter)
+        return splitter
+
+    def _connect(self) -> None:
+        for panel in (
+            self.overview_alarms,
+            self.alarms,
+            self.limits,
+            self.devices,
+            self.browser,
+            self.faults,
+        ):
+            panel.wanted.connect(self.wanted)
+        self.browser.said.connect(self.said)
+        self.prepare.recipe.start_wanted.connect(self.start_wanted)
+        self.cycle.revolution_wanted.connect(self._ask_revolution)
+        self.currentChanged.connect(self._changed)
+        for index in range(self.count()):
+            shortcut = QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self)
+            shortcut.activated.connect(partial(self._go_to, index))
+
+    def _go_to(self, index: int) -> None:
+        if self.isTabVisible(index):
+            self.setCurrentIndex(index)
+
+    def _changed(self) -> None:
+        self.draw_fast(self._link.status)
+        self.draw_slow(self._link.status)
+        if self.browser.isVisible():
+            self.browser.look()
+
+    def _ask_revolution(self, revolution: int) -> None:
+        def failed(error: Exception) -> None:
+            self.said.emit(f"No stored revolution: {error}", False)
+            self.cycle.no_revolution()
+
+        self._session.ask_revolution(revolution, self.cycle.show_revolution, failed)
+
+
+class SizedSplitter(QSplitter):
+    """A splitter that takes its first sizes when its last panel arrives."""
+
+    def __init__(self, orientation: Qt.Orientation, sizes: list[int]) -> None:
+        super().__init__(orientation)
+        self._sizes = sizes
+
+    def addWidget(self, widget: QWidget) -> None:
+        """Add a panel."""
+        super().addWidget(widget)
+        if self.count() == len(self._sizes):
+            self.setSizes(self._sizes)
