@@ -74,7 +74,8 @@ class Gsv8:
     ) -> None:
         self.name = name
         self.port = port
-        self._settings: dict[str, Any] = {**defaults(), **settings}
+        self._own_settings: dict[str, Any] = {**defaults(), **settings}
+        self._settings = self._own_settings
         self._line = line or SerialPort(name, port, self._settings["baud_rate"])
         self._link = Link(self._line, self._settings["reply_timeout_s"])
         self._firmware = (0, 0)
@@ -99,7 +100,7 @@ class Gsv8:
     def configure(self, request: DataRequest) -> StreamSetup:
         """Set what differs, read everything back; raise SettingRefused."""
         self.stop()
-        settings = {**self._settings, **request.settings}
+        settings = {**self._own_settings, **request.settings}
         try:
             plan = make_plan(request, settings)
         except Unplannable as error:
