@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import PlantSection, RigFile
-from rigapp.simulation.layout import Constants
+from rigapp.simulation.kernels import Constants
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from drivers.api import DriveCommand, DriveMode, MotorState
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile
-from rigapp.simulation import layout
+from rigapp.simulation import kernels
 from rigapp.simulation.constants import Machine, plant_constants, plant_section, seed_of
 from rigapp.simulation.devices import (
     MakeEndpoint,
@@ -34,7 +34,7 @@ from rigapp.simulation.faults import (
     check_fault,
 )
 from rigapp.simulation.hands import Hands
-from rigapp.simulation.layout import Drive
+from rigapp.simulation.kernels import Drive
 from rigapp.simulation.link import WireFault
 from rigapp.simulation.pacing import Pace
 from rigapp.simulation.plant import Plant, Samples
@@ -230,18 +230,18 @@ class RigSimulation:
         start = self._speed_wanted
         self._speed_wanted = 0.0
         if command.mode == DriveMode.OFF:
-            return Drive(layout.OFF, 0.0, 0.0, 0.0, supply, jam)
+            return Drive(kernels.OFF, 0.0, 0.0, 0.0, supply, jam)
         sense = self._drive.direction
         if command.mode == DriveMode.DUTY:
             self._speed_wanted = (
                 sense * command.duty * supply / self._machine.torque_constant_Nm_per_A
             )
-            return Drive(layout.DUTY, 0.0, 0.0, sense * command.duty, supply, jam)
+            return Drive(kernels.DUTY, 0.0, 0.0, sense * command.duty, supply, jam)
         speed = sense * TURN * command.speed_count_per_s / self._drive.counts_per_revolution
         if before.mode != DriveMode.VELOCITY:
             start = self.plant.speed_rad_per_s
         self._speed_wanted = speed
-        return Drive(layout.VELOCITY, start, speed, 0.0, supply, jam)
+        return Drive(kernels.VELOCITY, start, speed, 0.0, supply, jam)
 
     def _observe(self) -> None:
         """Let the drive see its encoder, current and supply."""

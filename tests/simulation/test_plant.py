@@ -11,19 +11,19 @@ import pytest
 
 from rigapp.config.parameters import ParameterFile, SpringSection
 from rigapp.config.rig import PlantSection, RigFile
-from rigapp.simulation import layout
+from rigapp.simulation import kernels
 from rigapp.simulation.constants import plant_constants
-from rigapp.simulation.layout import Drive
+from rigapp.simulation.kernels import Drive
 from rigapp.simulation.plant import Plant, Samples
 
 Flawed = Callable[..., RigFile]
 
-COAST = Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
-JAMMED = Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 1000.0)
+COAST = Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
+JAMMED = Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 1000.0)
 
 
 def velocity(speed: float, start: float | None = None) -> Drive:
-    return Drive(layout.VELOCITY, speed if start is None else start, speed, 0.0, 48.0, 0.0)
+    return Drive(kernels.VELOCITY, speed if start is None else start, speed, 0.0, 48.0, 0.0)
 
 
 def running(rig: RigFile, parameters: ParameterFile, speed: float = 2 * math.pi) -> Plant:
@@ -218,7 +218,7 @@ def test_off_coasts_to_rest_and_stays(rig: RigFile, parameters: ParameterFile) -
 
 
 def test_zero_duty_brakes_more_than_coasting(rig: RigFile, parameters: ParameterFile) -> None:
-    brake = Drive(layout.DUTY, 0.0, 0.0, 0.0, 48.0, 0.0)
+    brake = Drive(kernels.DUTY, 0.0, 0.0, 0.0, 48.0, 0.0)
     ends = []
     for command in (brake, COAST):
         plant = running(rig, parameters)
@@ -232,7 +232,7 @@ def test_torque_limit_and_supply_bound_the_motor(rig: RigFile, parameters: Param
     plant = Plant(plant_constants(parameters, rig))
     plant.advance(1, velocity(70.0))
     assert plant.state().motor_torque_Nm == pytest.approx(6.0)
-    full = Drive(layout.DUTY, 0.0, 0.0, 1.0, 24.0, 0.0)
+    full = Drive(kernels.DUTY, 0.0, 0.0, 1.0, 24.0, 0.0)
     plant.advance(20 * 960, full)
     mean_speed = np.mean(plant.advance(960, full).truth.speed_rad_per_s)
     assert mean_speed == pytest.approx(24.0 / 0.573, rel=0.05)

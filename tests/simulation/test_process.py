@@ -61,7 +61,8 @@ def start(rig_file: Path) -> Iterator[Callable[..., SimulatedRig]]:
     running: list[SimulatedRig] = []
 
     def run(speed: float | str = 1.0, **options: object) -> SimulatedRig:
-        rig = start_simulated_rig(rig_file, speed=speed, parameters=None, **options)  # type: ignore[arg-type]
+        options = {"parameters": None, **options}
+        rig = start_simulated_rig(rig_file, speed=speed, **options)  # type: ignore[arg-type]
         running.append(rig)
         return rig
 
@@ -133,9 +134,10 @@ def test_handle_raises_the_sentence_of_a_rig_that_cannot_start(tmp_path: Path) -
 
 
 def test_drive_turns_the_spindle_until_the_host_falls_silent(
-    start: Callable[..., SimulatedRig],
+    start: Callable[..., SimulatedRig], parameters: ParameterFile
 ) -> None:
-    rig = start()
+    # Without the spring the crank does not swing for long.
+    rig = start(parameters=msgspec.structs.replace(parameters, spring=None))
     drive = spindle(rig)
     drive.set_speed(0.8, 4.0)
 
@@ -245,7 +247,10 @@ def test_outlives_its_parent_until_the_spindle_stands_still(rig_file: Path) -> N
         "from rigapp.simulation.process import start_simulated_rig\n"
         "from drivers.registry import load_driver\n"
         "from drivers.api import DriveRequest\n"
-        "rig = start_simulated_rig(pathlib.Path(sys.argv[1]), speed='max', parameters=None)\n"
+        "from rigapp.simulation.constants import packaged_parameters\n"
+        "import msgspec\n"
+        "light = msgspec.structs.replace(packaged_parameters(), spring=None)\n"
+        "rig = start_simulated_rig(pathlib.Path(sys.argv[1]), speed='max', parameters=light)\n"
         "drive = load_driver('roboclaw').factory('drive', rig.urls['drive'], {})\n"
         "drive.open(); drive.configure(DriveRequest(3600, 1, 11.7, 0.5))\n"
         "drive.set_speed(0.5, 4.0)\n"
