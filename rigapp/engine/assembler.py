@@ -96,6 +96,9 @@ class Revolution:
 
     def sample_indices(self) -> NDArray[np.int64]:
         """Return the device sample index of every sample, (samples,)."""
+        if len(self.segments) == 1:
+            first = int(self.segments[0, 1])
+            return np.arange(first, first + self.samples, dtype=np.int64)
         index = np.arange(self.samples, dtype=np.int64)
         places = self.segments[:, 0]
         which = np.searchsorted(places, index, side="right") - 1

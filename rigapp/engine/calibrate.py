@@ -17,6 +17,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -94,19 +95,31 @@ class Calibration:
         return replace(self, tare=np.asarray(tare, np.float64))
 
 
+def with_margins(revolution: Revolution, margins: Margins) -> tuple[NDArray[Any], int]:
+    """Return the values with full margins, and where the revolution begins in them.
+
+    Where a margin is missing, because time is broken there, the nearest sample is held.
+    """
+    values, before = revolution.values, revolution.before
+    after = values.shape[1] - before - revolution.samples
+    missing = (max(0, margins.before - before), max(0, margins.after - after))
+    if missing == (0, 0):
+        return values, before
+    return np.pad(values, ((0, 0), missing), mode="edge"), before + missing[0]
+
+
 def shifted(revolution: Revolution, calibration: Calibration) -> NDArray[np.float64]:
     """Return the four raw analog channels (4, samples), latency corrected."""
     whole, part = calibration.shift
-    out = np.empty((4, revolution.samples))
-    last = revolution.values.shape[1] - 1
-    place = np.arange(revolution.samples) + revolution.before
+    values, before = with_margins(revolution, calibration.margins)
+    n = revolution.samples
+    out = np.empty((4, n))
     for i, row in enumerate(calibration.rows):
-        raw = revolution.values[row]
-        left = np.clip(place + whole[i], 0, last)
-        out[i] = raw[left]
+        start = before + int(whole[i])
+        raw = values[row]
+        out[i] = raw[start : start + n]
         if part[i] > 0:
-            right = np.clip(place + whole[i] + 1, 0, last)
-            out[i] += part[i] * (raw[right].astype(np.float64) - out[i])
+            out[i] += part[i] * (raw[start + 1 : start + 1 + n] - out[i])
     return out
 
 

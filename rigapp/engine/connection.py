@@ -284,6 +284,16 @@ class Connection:
         """Return the seconds since the last samples came."""
         return time.monotonic() - self.received_s
 
+    def stands(self) -> bool:
+        """Tell whether the crank stands; waits for enough data to tell."""
+        window = self.core.timing.standing
+        deadline = time.monotonic() + 4.0 * window * self.slow() + 0.5
+        while not self.processor.motion.standing(window):
+            if time.monotonic() > deadline:
+                return False
+            self.supervise.pause(0.01)
+        return True
+
     def _look(self, drive_rpm: float | None) -> Seen:
         now = time.monotonic()
         motion = self.processor.motion

@@ -420,9 +420,7 @@ class Engine:
             )
             assert connection is not None
             processor = connection.processor
-            core.require(
-                processor.motion.standing(core.timing.standing), "the crank turns; let it stand"
-            )
+            core.require(connection.stands(), "the crank turns; let it stand")
             averaging = processor.average(
                 max(8, round(core.timing.zero * connection.setup.sample_rate_Hz))
             )

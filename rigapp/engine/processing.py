@@ -83,7 +83,6 @@ class Live:
     values: NDArray[np.float64]
     count: float
     host_s: float
-    peak_N: float
 
 
 class Processor:
@@ -117,13 +116,28 @@ class Processor:
             calibration.sample_rate_Hz,
             math.degrees(calibration.index_angle_rad),
         )
-        self.live: Live | None = None
+        self._newest: Block | None = None
         self.next_sample = 0
 
     def _set(self, calibration: Calibration) -> None:
         self.calibration = calibration
         self._peak = PeakForce(calibration)
-        self._gain, self._bias = calibration.gains()
+
+    @property
+    def live(self) -> Live | None:
+        """Return the newest sample, None before the first; calculated for who asks."""
+        block, calibration = self._newest, self.calibration
+        if block is None:
+            return None
+        newest = block.values[:, -1:]
+        gain, bias = calibration.gains()
+        raw = newest[list(calibration.rows), 0].astype(np.float64)
+        return Live(
+            signals=calibration.signals(newest)[:, 0],
+            values=gain @ raw + bias,
+            count=float(newest[calibration.counter_row, 0]),
+            host_s=block.host_time_ns * 1e-9,
+        )
 
     def set_tare(self, tare: Sequence[float]) -> None:
         """Use another tare from the next block on; not while a test is recorded."""
@@ -158,7 +172,7 @@ class Processor:
         assembler = self.assembler
         revolutions = assembler.push(block)
         self.next_sample = block.first_sample + n
-        self._look(block, n, peak)
+        self._look(block, n)
         if assembler.lost_samples != self._lost:
             self._lost = assembler.lost_samples
             self._judge.lost(self._lost)
@@ -167,7 +181,7 @@ class Processor:
         for revolution in revolutions:
             self._judge.revolution(revolution)
 
-    def _look(self, block: Block, n: int, peak: float) -> None:
+    def _look(self, block: Block, n: int) -> None:
         host_s = block.host_time_ns * 1e-9
         motion = self.assembler.motion
         first, last = motion.travel
@@ -176,16 +190,7 @@ class Processor:
             Point(block.first_sample, first, host_s, None),
             Point(block.first_sample + n - 1, last, host_s, phase),
         )
-        newest = block.values[:, -1:]
-        signals = self.calibration.signals(newest)
-        raw = newest[list(self.calibration.rows), 0].astype(np.float64)
-        self.live = Live(
-            signals=signals[:, 0],
-            values=self._gain @ raw + self._bias,
-            count=float(newest[self.calibration.counter_row, 0]),
-            host_s=host_s,
-            peak_N=peak,
-        )
+        self._newest = block
         averaging = self._averaging
         if averaging is not None:
             averaging.add(self.calibration.signals(block.values))

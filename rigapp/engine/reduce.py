@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.assembler import Revolution
-from rigapp.engine.calibrate import Calibration
+from rigapp.engine.calibrate import Calibration, with_margins
 from rigapp.engine.columns import CHANNELS, STATISTICS, revolution_columns
 
 Array = NDArray[np.float64]
@@ -158,12 +158,13 @@ def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Ar
         while end - begin >= 2:
             size = end - begin if end - begin < 2 * window else window
             middle = 0.5 * (size - 1)
-            s0 = s1 = 0.0
             origin = counts[begin]
+            total, moment = 0, 0  # whole numbers, so that the sums are exact in any order
             for i in range(size):
-                s0 += (i - middle) * (counts[begin + i] - origin)
-            s1 = size * (size * size - 1.0) / 12.0
-            slope = s0 / s1
+                height = counts[begin + i] - origin
+                total += height
+                moment += i * height
+            slope = (moment - middle * total) / (size * (size * size - 1.0) / 12.0)
             highest = max(highest, slope)
             lowest = min(lowest, slope)
             squares += slope * slope * size
@@ -212,7 +213,7 @@ class Reducer:
             return row
         if n > self._scratch.shape[1]:
             self._scratch = np.empty((3, 2 * n))
-        values, before = self._with_margins(revolution)
+        values, before = with_margins(revolution, self._margins)
         rows = self.calibration.rows
         _reduce_kernel(
             values[rows[0]],
@@ -240,15 +241,3 @@ class Reducer:
         row[PLACE["speed_min"]] = self._speed[1] * self._rpm_per_slope
         row[PLACE["speed_rms"]] = self._speed[2] * self._rpm_per_slope
         return row
-
-    def _with_margins(self, revolution: Revolution) -> tuple[NDArray[np.generic], int]:
-        """Return the values with full margins; a missing margin holds the nearest sample."""
-        values, before = revolution.values, revolution.before
-        after = values.shape[1] - before - revolution.samples
-        missing = (
-            max(0, self._margins.before - before),
-            max(0, self._margins.after - after),
-        )
-        if missing == (0, 0):
-            return values, before
-        return np.pad(values, ((0, 0), missing), mode="edge"), before + missing[0]

@@ -171,9 +171,43 @@ def scan(
     idle_after = parameters[6]
     capacity = parameters[7]
     found = 0
+    half = turn // 2
+    smooth = min(8, turn // 4)
+    plain = modulus == 0 or modulus >= turn
     for i in range(counts.shape[0]):
         count = counts[i] * direction
         sample = first_sample + i
+        if (
+            plain
+            and quality[i] == 0
+            and state[_LOCKED] == 1
+            and (i > 0 or lost == 0)
+            and state[_PENDING] + state[_ODD] + state[_OTHER_VALID] + state[_SKIPPING] == 0
+            and state[_KEPT] - state[_START_KEPT] < capacity
+        ):
+            # Nearly every sample: a small step forward within a revolution. Same as all below.
+            delta = count - state[_PREVIOUS]
+            now = state[_POSITION] + delta
+            if (
+                0 < delta < half
+                and abs(delta - state[_STEP]) <= smooth
+                and -turn < now - state[_BASE] < turn
+                and now >= state[_HIGH] - 4
+            ):
+                state[_PREVIOUS] = count
+                state[_POSITION] = now
+                state[_STEP] = delta
+                state[_HIGH] = max(now, state[_HIGH])
+                state[_TRAVEL] += delta
+                if i == 0:
+                    state[_TRAVEL_FIRST] = state[_TRAVEL]
+                state[_LAST_MOVED] = sample
+                state[_RUN] = 0
+                state[_KEPT] += 1
+                mean_step[0] += (delta - mean_step[0]) / 64.0
+                position[i] = now
+                keep[i] = 1
+                continue
         flags = 0
         mark = quality[i]
         if mark != 0:

@@ -1,0 +1,196 @@
+"""Measure the engine's path of a sample: ingest, reduce, judge and store, on one core.
+
+Run with ``python benchmarks/bench_engine.py``. Revolutions of 3600 samples x 5 channels come in
+Blocks of 20 ms as a driver hands them over, and go through the same objects as in a test: overload
+check, assembler, latency correction, calibration, statistics, rules, real HDF5 file with a commit a
+second, every tenth whole cycle kept. Nothing is written to the screen and no twin runs.
+
+The budget: 50 times the fastest supported data acquisition. The GSV-8 sends at most 12,000 (float32)
+or 16,000 (integer) frames a second with a counter, 48,000 without.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from drivers.api import Block
+from rigapp.config.recipe import CyclesSection, LimitRule
+from rigapp.engine.assembler import Assembler, EncoderSetup, Revolution
+from rigapp.engine.calibrate import Calibration
+from rigapp.engine.limits import RuleMonitor
+from rigapp.engine.processing import Processor
+from rigapp.engine.recorder import Recorder
+from rigapp.engine.reduce import Reducer
+from rigapp.engine.schedule import Schedule
+from rigapp.engine.testrun import TestRun
+from rigapp.storage.layout import FilePlan
+from rigapp.storage.metadata import TestMetadata
+from rigapp.storage.writer import create_test
+
+SAMPLES = 3600
+RATE = 3600.0
+REVOLUTIONS = 2000
+BUDGET = 50.0
+DEVICES = {"GSV-8 with counter, float32": 12_000, "GSV-8 without counter, int16": 48_000}
+KEEP = 10
+
+
+def calibration() -> Calibration:
+    """Return a full calibration with a latency that is no whole number of samples."""
+    return Calibration(
+        rows=(0, 1, 2, 3),
+        counter_row=4,
+        encoder=EncoderSetup(3600),
+        index_angle_rad=0.0,
+        sample_rate_Hz=RATE,
+        scale=np.ones(4),
+        offset=np.zeros(4),
+        matrix=np.array([[200.0, 3.0], [-2.0, 195.0]]),
+        zero=np.array([0.01, 0.02]),
+        sensitivity=np.array([100.0, 100.0]),
+        probe_offset=np.zeros(2),
+        latency_s=np.full(4, 1.1e-3),
+    )
+
+
+def stream(size: int) -> list[Block]:
+    """Return one revolution's worth of Blocks of ``size`` samples, to be sent round and round."""
+    rng = np.random.default_rng(1)
+    angle = 2 * np.pi * np.arange(SAMPLES) / SAMPLES
+    values = np.empty((5, SAMPLES), np.float32)
+    values[0], values[1] = 0.4 * np.cos(angle), 0.4 * np.sin(angle)
+    values[2], values[3] = 0.1 * np.cos(angle), 0.1 * np.sin(angle)
+    values[:4] += rng.normal(0.0, 0.003, (4, SAMPLES)).astype(np.float32)
+    values[4] = np.arange(SAMPLES)
+    quality = np.zeros(size, np.uint8)
+    return [
+        Block("daq", 0, 0, RATE, 0, values[:, at : at + size].copy(), quality)
+        for at in range(0, SAMPLES, size)
+    ]
+
+
+class Path5:
+    """The engine's judgement without threads: numbers, stores, and commits once a second."""
+
+    def __init__(self, run: TestRun, recorder: Recorder) -> None:
+        self.run, self.recorder = run, recorder
+
+    def begun(self, sample: int) -> None:
+        """Start the test's time."""
+        self.run.begin(sample)
+        self.recorder.begin(sample)
+
+    def revolution(self, revolution: Revolution) -> None:
+        """Number, reduce, judge and store."""
+        row = self.run.take(revolution, True)
+        if row is not None:
+            self.recorder.row(row.number, row.values, revolution)
+
+    def overload(self, force_N: float) -> None:
+        """No sample of the benchmark is above the limit."""
+        raise SystemExit(f"overload of {force_N} N in the benchmark")
+
+    def calm(self) -> None:
+        """Nothing to do."""
+
+    def motion(self, speed_rpm: float) -> None:
+        """Nothing to do."""
+
+    def lost(self, samples: int) -> None:
+        """No sample of the benchmark may be lost."""
+        raise SystemExit(f"{samples} samples lost in the benchmark")
+
+    def time_jump(self, seconds: float) -> None:
+        """Nothing to do."""
+
+
+def whole_path(folder: Path, size: int) -> float:
+    """Return revolutions per second of one core through the whole path."""
+    kind = calibration()
+    plan = FilePlan(REVOLUTIONS, REVOLUTIONS // KEEP, SAMPLES)
+    path = folder / f"bench-{size}-{time.monotonic_ns()}.h5"
+    store = create_test(path, plan, TestMetadata("benchmark", "", ""))
+    rule = LimitRule("force_max", warning_above=300.0, critical_above=350.0)
+    run = TestRun(
+        kind, RuleMonitor((rule,)), 1, REVOLUTIONS, 0.0, lambda ns, later: ns * 1e-9, False
+    )
+    section = CyclesSection("every", every_revolutions=KEEP)
+    recorder = Recorder(store, Schedule(section, REVOLUTIONS), kind, 0.0)
+    processor = Processor(kind, Path5(run, recorder), lambda: 380.0, real_time=False)
+    processor.begin_test()
+    templates = stream(size)
+    first = sequence = 0
+    committed = start = time.process_time()
+    while not run.complete:
+        for one in templates:
+            block = Block("daq", sequence, first, RATE, first * 1000, one.values, one.quality)
+            processor.handle(block)
+            first += size
+            sequence += 1
+        if time.process_time() - committed > 1.0:
+            committed = time.process_time()
+            recorder.commit()
+    recorder.finish("complete", "complete", "the benchmark is over")
+    elapsed = time.process_time() - start
+    if store.revolutions != REVOLUTIONS:
+        raise SystemExit(f"{store.revolutions} of {REVOLUTIONS} revolutions are in the file")
+    path.unlink()
+    return REVOLUTIONS / elapsed
+
+
+def micros(work: Callable[[], object], times: int = 2000) -> float:
+    """Return the median of seven timings of a call, in microseconds."""
+    found = []
+    for _ in range(7):
+        start = time.perf_counter()
+        for _ in range(times // 7):
+            work()
+        found.append((time.perf_counter() - start) / (times // 7) * 1e6)
+    return statistics.median(found)
+
+
+def parts() -> None:
+    """Print what each step of one revolution costs, against one reading pass of its block."""
+    kind = calibration()
+    assembler = Assembler(kind.encoder, 4, RATE, kind.margins)
+    values = np.concatenate([b.values for b in stream(SAMPLES)] * 4, axis=1)
+    quality = np.zeros(values.shape[1], np.uint8)
+    revolution = assembler.push(Block("daq", 0, 0, RATE, 0, values, quality))[1]
+    reducer = Reducer(kind)
+    inside = np.ascontiguousarray(revolution.values)
+    flat = inside.ravel()
+    reading = micros(lambda: flat.max())
+    reduce = micros(lambda: reducer.reduce(revolution))
+    print(f"one reading pass of the block (max of {flat.size} float32): {reading:6.1f} us")
+    print(f"latency, calibration, statistics, speed:            {reduce:6.1f} us")
+    print(f"ratio reduction / reading pass: {reduce / reading:.1f}")
+
+
+def main() -> None:
+    """Print the rates, then the ratios of the budget."""
+    if hasattr(os, "sched_setaffinity"):
+        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+    parts()
+    with tempfile.TemporaryDirectory() as name:
+        for size in (72, 360, 3600):
+            rate = max(whole_path(Path(name), size) for _ in range(3))
+            print(f"whole path, blocks of {size:4} samples: {rate:7.0f} rev/s of {SAMPLES} x 5")
+            if size == 360:
+                quoted = rate
+    slowest = float("inf")
+    for title, frames in DEVICES.items():
+        ratio = quoted * SAMPLES / frames
+        slowest = min(slowest, ratio)
+        print(f"{title} ({frames} frames/s): {ratio:.0f} times its rate")
+    print(f"ingest + reduce + store: {slowest:.0f} times the fastest device (budget {BUDGET:.0f})")
+
+
+if __name__ == "__main__":
+    main()
