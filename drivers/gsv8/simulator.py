@@ -86,6 +86,8 @@ class Gsv8Simulator:
         self._counts = np.zeros((p.COUNTER_CHANNELS, 1), dtype=np.int64)
         self._pending: tuple[NDArray[Any], NDArray[np.bool_]] | None = None
         self._to_drop = 0
+        self._terminals: dict[int, float] = {}
+        self._converted_as = list(settings.input_types)
 
     # --- what the rig sees ----------------------------------------------------------------------
 
@@ -175,6 +177,7 @@ class Gsv8Simulator:
         now_s: float,
         time_s: float,
     ) -> bytes:
+        self._convert_again()
         strike = self._plan.strike
         if strike(FaultKind.LOST_COMMAND, time_s, command) is not None:
             return b""
@@ -242,6 +245,8 @@ class Gsv8Simulator:
             device.note_fault(_SENSOR_BROKEN, 3 << 2 * (int(broken) - 1), now_s)
         codes = codes_of(inputs)
         device.state.raw = codes[:, -1].tolist()
+        self._terminals = {n: float(signal[-1]) for n, signal in signals.analog.items()}
+        self._converted_as = list(settings.input_types)
         self._count(signals.shaft_revolutions, time_s)
         over = self._over(inputs * CODE_PER_RANGE)
         if over.any():
@@ -251,6 +256,20 @@ class Gsv8Simulator:
             self._codes = np.full_like(codes, p.HALF_SCALE_CODE)
             over[:] = False
         return over
+
+    def _convert_again(self) -> None:
+        """Convert the last signals anew when an input type was changed since they came."""
+        kinds = self._device.settings.input_types
+        if kinds == self._converted_as:
+            return
+        inputs = np.zeros((p.ANALOG_CHANNELS, 1))
+        for channel, signal in self._terminals.items():
+            inputs[channel - 1] = signal / p.NOMINAL_RANGE.get(kinds[channel - 1], np.inf)
+        self._converted_as = list(kinds)
+        codes = codes_of(inputs)
+        self._device.state.raw = codes[:, 0].tolist()
+        if self._device.state.injection != 1:
+            self._codes = codes
 
     def _count(self, shaft: NDArray[np.float64], time_s: float) -> None:
         plan, settings = self._plan, self._device.settings
