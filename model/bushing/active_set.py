@@ -68,14 +68,15 @@ def list_touching(touching, gap, nodes):  # type: ignore[no-untyped-def]
 
 @njit(
     "int64(float64[:,:,::1], float64[:,::1], float64[::1], boolean[::1], float64[::1],"
-    " int64[::1], int64, float64, boolean)",
+    " int64[::1], int64, float64, float64, boolean)",
     cache=True,
 )
-def revise(polar, frame, gap, touching, pressed, nodes, count, reach, single):  # type: ignore[no-untyped-def]
+def revise(polar, frame, gap, touching, pressed, nodes, count, reach, slack, single):  # type: ignore[no-untyped-def]
     """Drop what pulls, add what overlaps; return how many conditions were broken.
 
     gap: with wear of an implicit step included for nodes that do not touch; reach: rigid gap up
-    to which a node may overlap; single: change only the node that breaks its condition worst.
+    to which a node may overlap; slack: what is not yet counted, as a part of the largest force or
+    of the reach; single: change only the node that breaks its condition worst.
     """
     largest = 0.0
     for p in range(count):
@@ -94,7 +95,8 @@ def revise(polar, frame, gap, touching, pressed, nodes, count, reach, single):  
         else:
             continue
         if share > 0.0:
-            broken += 1
+            if share > slack:
+                broken += 1
             if not single:
                 touching[i] = not touching[i]
             elif share > worst_size:
@@ -224,7 +226,7 @@ def solve(  # type: ignore[no-untyped-def]
         for p in range(count):
             reach = max(reach, abs(gap[nodes[p]]))
         broken = revise(
-            polar, frame, gap, touching, pressed, nodes, count, reach, iteration > _PATIENCE
+            polar, frame, gap, touching, pressed, nodes, count, reach, 0.0, iteration > _PATIENCE
         )
         if broken == 0 and length <= 1e-8 * reach + 1e-16:
             for i in range(n):

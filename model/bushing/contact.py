@@ -16,6 +16,8 @@ Flags = NDArray[np.bool_]
 
 # A contact deeper than this part of the wall is beyond linear elasticity by any measure.
 LARGEST_INDENTATION = 0.2
+# So is a pressure above this part of the modulus.
+LARGEST_STRAIN = 0.25
 
 
 class ContactError(ModelError):
@@ -139,23 +141,24 @@ def simpson_weights(surface: Array) -> Array:
     return weights
 
 
-def refuse_large_indentation(
-    contact: Contact, surface: Array, pin_radius: float, wall: float, force: float
+def refuse_beyond_elasticity(
+    force: float, indentation: float, wall: float, pressure: float, modulus: float
 ) -> None:
-    """Raise ContactError when the pin sinks into the wall further than elasticity can tell.
+    """Raise ContactError when the pin presses harder than linear elasticity can tell.
 
-    wall: thickness of the bushing, m; force: in N/m, for the message.
+    force: N/m; indentation: how deep the pin sinks in, m; wall: thickness of the bushing, m;
+    pressure: the largest, Pa; modulus: E / (1 - nu^2), Pa.
     """
-    distance = np.hypot(surface[:, 0] - contact.pin[0], surface[:, 1] - contact.pin[1])
-    depth = pin_radius - float(distance.min())
-    if depth <= LARGEST_INDENTATION * wall:
-        return
-    end = (
-        f"and go through the wall of {wall * 1e3:.3g} mm; lower the force"
-        if depth >= wall
-        else f"into a wall of {wall * 1e3:.3g} mm, which linear elasticity does not describe; "
-        "lower the force or give a stiffer bushing"
-    )
-    raise ContactError(
-        "force", force, f"the pin would sink {depth * 1e3:.3g} mm {end}", "N per metre of width"
-    )
+    unit = "N per metre of width"
+    sinks = f"the pin would sink {indentation * 1e3:.3g} mm"
+    if indentation >= wall:
+        end = f"{sinks} and go through the wall of {wall * 1e3:.3g} mm; lower the force"
+        raise ContactError("force", force, end, unit)
+    if indentation > LARGEST_INDENTATION * wall or pressure > LARGEST_STRAIN * modulus:
+        raise ContactError(
+            "force",
+            force,
+            f"{sinks} into a wall of {wall * 1e3:.3g} mm with {pressure * 1e-6:.3g} MPa, which is "
+            "beyond linear elasticity; lower the force or give a stiffer bushing",
+            unit,
+        )

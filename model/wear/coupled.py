@@ -24,9 +24,12 @@ from model.bushing.active_set import (
 )
 from model.bushing.linear import factorise, substitute
 
-_LIMIT = 120
+_LIMIT = 40
 # After so many sweeps each position changes its set one node at a time.
 _PATIENCE = 25
+# A weak force at the edge of what strong ones wore may roll on for long; when the wear has stayed
+# the same for so many sweeps, its place does not matter.
+_QUIET = 4
 
 
 @njit(
@@ -68,6 +71,23 @@ def _invert(polar, frame, gap, nodes, count, rows, work, inverse):  # type: igno
             for j in range(i, k + 1):
                 inverse[i, j] += ratio * work[k, j]
     return True
+
+
+@njit(
+    "void(float64[:,::1], int64[::1], int64, float64[:,::1], float64[:,::1])",
+    cache=True,
+)
+def _softness(frame, nodes, count, rows, turned):  # type: ignore[no-untyped-def]
+    """Fill Q, the pin's move by a unit force, (2, 2); not a number when one-sided."""
+    stiffness = np.zeros((2, 2))
+    for p in range(count):
+        for u in range(2):
+            for v in range(2):
+                stiffness[u, v] += frame[nodes[p], u] * rows[v, p]
+    for v in range(2):
+        unit = np.zeros(2)
+        unit[v] = 1.0
+        turned[:, v] = pin_move(stiffness, np.zeros((2, 2)), unit)
 
 
 @njit(
@@ -144,8 +164,10 @@ def wear_step(  # type: ignore[no-untyped-def]
     """Advance all positions by one step; pins, touching, pressed and offset are changed in place.
 
     surface (N, 2); resistance (N,): w / (K dN), what a unit of wear takes; forces (M, 2) per
-    metre of width; slips (M,); pins (M, 2), touching and pressed (M, N): a start, then the
-    result; offset (N, 2): the wear as a displacement of the nodes. Returns status and sweeps.
+    metre of width; slips (M,); tolerance: part of the largest force and of the elastic
+    displacement by which the conditions may fail; pins (M, 2), touching and pressed (M, N): a
+    start, then the result; offset (N, 2): the wear as a displacement of the nodes. Returns status
+    and sweeps.
     """
     positions, n = touching.shape
     frames = np.empty((positions, n, 4))
@@ -154,6 +176,7 @@ def wear_step(  # type: ignore[no-untyped-def]
     counts = np.zeros(positions, dtype=np.int64)
     place = np.empty(n, dtype=np.int64)
     wear = np.zeros(n)
+    quiet = 0
     for k in range(positions):
         place_pin(surface, axis, pin_radius, pins[k], frames[k], gaps[k])
     for sweep in range(1, _LIMIT + 1):
@@ -183,15 +206,7 @@ def wear_step(  # type: ignore[no-untyped-def]
             frame, nodes = frames[k], lists[k]
             if not _invert(polar, frame, gaps[k], nodes, count, rows[k], work, inverses[k]):
                 return NOT_SETTLED, sweep
-            stiffness = np.zeros((2, 2))
-            for p in range(count):
-                for u in range(2):
-                    for v in range(2):
-                        stiffness[u, v] += frame[nodes[p], u] * rows[k, v, p]
-            for v in range(2):
-                unit = np.zeros(2)
-                unit[v] = 1.0
-                turns[k, :, v] = pin_move(stiffness, np.zeros((2, 2)), unit)
+            _softness(frame, nodes, count, rows[k], turns[k])
             if not np.isfinite(turns[k, 0, 0]):
                 return ONE_SIDED, sweep
             _gather(
@@ -210,8 +225,13 @@ def wear_step(  # type: ignore[no-untyped-def]
         if not factorise(system, union) > 0.0:
             return NOT_SETTLED, sweep
         substitute(system, union, pull, 1)
+        change = largest_wear = 0.0
         for i in range(n):
-            wear[i] = pull[0, place[i]] if place[i] >= 0 else 0.0
+            value = pull[0, place[i]] if place[i] >= 0 else 0.0
+            change = max(change, abs(value - wear[i]))
+            largest_wear = max(largest_wear, value)
+            wear[i] = value
+        quiet = quiet + 1 if change <= tolerance * largest_wear else 0
         broken = 0
         travel = 0.0
         deepest = 0.0
@@ -244,13 +264,16 @@ def wear_step(  # type: ignore[no-untyped-def]
                 nodes,
                 count,
                 reach,
+                tolerance,
                 sweep > _PATIENCE,
             )
-        if broken == 0 and travel <= tolerance * deepest:
+        settled = broken == 0 and travel <= tolerance * deepest
+        if settled or quiet >= _QUIET:
             offset[:] = 0.0
             for k in range(positions):
                 for p in range(counts[k]):
                     i = lists[k, p]
+                    pressed[k, i] = max(pressed[k, i], 0.0)
                     share = slips[k] * pressed[k, i] / resistance[i]
                     offset[i, 0] += share * frames[k, i, 0]
                     offset[i, 1] += share * frames[k, i, 1]

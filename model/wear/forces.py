@@ -1,0 +1,152 @@
+"""Where a life's forces come from: the three joint techniques, or a constant force."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from model.errors import ModelError
+from model.joints import continuous_contact, perfect_joint
+from model.parameters import Joint, Parameters
+from model.wear.front import Front
+from model.wear.impact_forces import SeparateBodies
+from model.wear.loads import CycleLoads, constant_load, loads_of_cycle
+
+Array = NDArray[np.float64]
+
+
+class ForceSource(Protocol):
+    """Give the loads of a revolution for a worn surface."""
+
+    @property
+    def single(self) -> bool:
+        """Whether one force acts, the same at every crank position."""
+
+    def unworn(self, positions: int) -> CycleLoads:
+        """Return the loads of the unworn joint at so many positions."""
+
+    def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
+        """Return the loads on a worn surface after so many cycles."""
+
+    def clearance(self, front: Front) -> float:
+        """Return R2 - R1 as the mechanism sees it, m."""
+
+    def coupling_error(self, cycles: float) -> float:
+        """Return a bound of the depth's error by forces kept while the surface wore, m."""
+
+    def notes(self, front: Front) -> Iterable[str]:
+        """Return sentences on what the technique assumes and whether it holds."""
+
+
+def force_source(
+    parameters: Parameters, speed: float, technique: Literal["perfect", "continuous", "contact"]
+) -> ForceSource:
+    """Return the source of a technique; raise ModelError for an unknown one."""
+    if technique == "perfect":
+        return Constrained(parameters, speed, follows_wear=False)
+    if technique == "continuous":
+        return Constrained(parameters, speed, follows_wear=True)
+    if technique == "contact":
+        return SeparateBodies(parameters, speed)
+    raise ModelError("technique", technique, "choose perfect, continuous or contact")
+
+
+def constant_source(force: float, joint: Joint) -> ForceSource:
+    """Return the source of one constant force along the follower, N."""
+    return ConstantForce(force, joint)
+
+
+class ConstantForce:
+    """Give one constant force along the follower."""
+
+    def __init__(self, force: float, joint: Joint) -> None:
+        self._loads = constant_load(force, joint.pin_radius)
+        self._joint = joint
+
+    single = True
+
+    def unworn(self, positions: int) -> CycleLoads:
+        """Return the constant load."""
+        return self._loads
+
+    def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
+        """Return the constant load."""
+        return self._loads
+
+    def clearance(self, front: Front) -> float:
+        """Return the initial clearance: no mechanism takes part."""
+        return self._joint.clearance
+
+    def coupling_error(self, cycles: float) -> float:
+        """Return 0: the force does not depend on the wear."""
+        return 0.0
+
+    def notes(self, front: Front) -> Iterable[str]:
+        """Return nothing."""
+        return ()
+
+
+class Constrained:
+    """Give the forces of a joint by constraints: techniques 1 and 2.
+
+    With ``follows_wear`` the clearance R2 - R1 grows by the wear depth at the contact point
+    (paper, section 4.2); else the joint is perfect for the kinematics.
+    """
+
+    single = False
+
+    def __init__(self, parameters: Parameters, speed: float, follows_wear: bool) -> None:
+        self._parameters = parameters
+        self._speed = speed
+        self._follows = follows_wear
+        self._known: dict[int, CycleLoads] = {}
+
+    def unworn(self, positions: int) -> CycleLoads:
+        """Return the loads at equal crank angles of the unworn joint."""
+        if positions not in self._known:
+            gap = self._parameters.joint.clearance if self._follows else 0.0
+            self._known[positions] = self._loads(positions, gap)
+        return self._known[positions]
+
+    def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
+        """Return the loads at equal crank angles with the clearance of the worn surface."""
+        if not self._follows:
+            return self.unworn(positions)
+        return self._loads(positions, self.clearance(front))
+
+    def clearance(self, front: Front) -> float:
+        """Return the clearance grown by the depth at the contact point, or 0."""
+        joint = self._parameters.joint
+        if not self._follows:
+            return 0.0
+        return joint.clearance + front.depth_at_contact_point(joint.bushing_radius)
+
+    def coupling_error(self, cycles: float) -> float:
+        """Return 0: forces follow the wear in every step, so that the steps' error has it."""
+        return 0.0
+
+    def notes(self, front: Front) -> Iterable[str]:
+        """Say where continuous contact does not hold."""
+        if not self._follows:
+            return ()
+        angle = 2.0 * np.pi * np.arange(360) / 360
+        joint = self._parameters.joint
+        found = continuous_contact(
+            self._parameters.mechanism, joint, angle, self._speed, 0.0, self.clearance(front)
+        )
+        return () if found.assumption_holds else (found.sentence(),)
+
+    def _loads(self, positions: int, gap: float) -> CycleLoads:
+        mechanism, joint = self._parameters.mechanism, self._parameters.joint
+        angle = 2.0 * np.pi * np.arange(positions) / positions
+        if self._follows:
+            motion = continuous_contact(mechanism, joint, angle, self._speed, 0.0, gap).motion
+        else:
+            motion = perfect_joint(mechanism, angle, self._speed, 0.0, joint)
+        rate = motion.slip_rate(joint.pin_radius)
+        weight = np.abs(rate)
+        slip = 2.0 * np.pi * joint.pin_radius * weight / weight.sum()
+        return loads_of_cycle(motion.force_follower, slip, joint.friction_coefficient, rate)

@@ -1,0 +1,230 @@
+"""The worn surface and its steps: explicit as in the paper, and implicit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from model.bushing import active_set
+from model.bushing.compliance import SurfaceCompliance
+from model.bushing.contact import Contact, ContactError, simpson_weights, solve_contact
+from model.bushing.ring import Ring, arc_nodes
+from model.errors import ModelError, require_not_negative, require_positive
+from model.wear.coupled import wear_step
+from model.wear.loads import CycleLoads
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+# Part of the largest force by which the conditions of contact may fail in an implicit step.
+STEP_TOLERANCE = 1e-4
+
+
+@dataclass(frozen=True, slots=True)
+class WearProblem:
+    """Hold what does not change in a life: the ring, its condensed mesh, width (m), K (m^2/N).
+
+    ``compliance`` is that between the surface nodes that may ever touch.
+    """
+
+    ring: Ring
+    sectors: int
+    compliance: SurfaceCompliance
+    width: float
+    wear_coefficient: float
+
+    def unworn(self) -> Front:
+        """Return the surface before any wear."""
+        return Front(self.ring.circle(self.sectors))
+
+
+@dataclass(frozen=True, slots=True)
+class Front:
+    """Hold a worn surface, (2 x sectors, 2), m, and the contacts that it was left with.
+
+    ``pins`` (M, 2), ``touching`` and ``force`` (M, N; N/m) of the crank positions: from them the
+    next step starts; empty before the first one.
+    """
+
+    surface: Array
+    pins: Array | None = None
+    touching: Flags | None = None
+    force: Array | None = None
+
+    def depth(self, inner: float) -> Array:
+        """Return the radial depth of wear at each node, m."""
+        return np.hypot(self.surface[:, 0], self.surface[:, 1]) - inner
+
+    def depth_at_contact_point(self, inner: float) -> float:
+        """Return the radial depth at the initial contact point, the node at angle 0, m."""
+        return max(float(self.depth(inner)[len(self.surface) // 2]), 0.0)
+
+
+def wear_problem(
+    ring: Ring,
+    sectors: int,
+    width: float,
+    wear_coefficient: float,
+    loads: CycleLoads,
+    half_angle: float,
+) -> WearProblem:
+    """Return the problem on a mesh of so many sectors.
+
+    half_angle: rad; nodes further than it from every force's direction never touch.
+    Raises ModelError for a width or a wear coefficient out of range.
+    """
+    require_positive("bushing_width", width, "m")
+    require_not_negative("wear_coefficient", wear_coefficient, "m^2/N")
+    nodes = arc_nodes(sectors, loads.direction, half_angle)
+    compliance = ring.compliance(ring.mesh(sectors), nodes)
+    return WearProblem(ring, sectors, compliance, width, wear_coefficient)
+
+
+def touched(problem: WearProblem, front: Front, loads: CycleLoads) -> Front:
+    """Return the front with the contacts of all positions solved on it, without wear."""
+    surface = np.ascontiguousarray(front.surface[problem.compliance.nodes])
+    force = loads.force / problem.width
+    contacts = [
+        solve_contact(problem.compliance, surface, problem.ring.pin_radius, each, start=start)
+        for each, start in zip(force, _starts(front, len(force)), strict=True)
+    ]
+    return replace(
+        front,
+        pins=np.array([c.pin for c in contacts]),
+        touching=np.array([c.touching for c in contacts]),
+        force=np.array([c.force for c in contacts]),
+    )
+
+
+def _starts(front: Front, positions: int) -> list[Contact | None]:
+    """Return the contacts that a front carries as starts, or None for each."""
+    if front.pins is None or len(front.pins) != positions:
+        return [None] * positions
+    assert front.touching is not None
+    assert front.force is not None
+    nothing = np.empty((0, 4))
+    return [
+        Contact(pin, force, nothing, nothing, touching, 0)
+        for pin, force, touching in zip(front.pins, front.force, front.touching, strict=True)
+    ]
+
+
+def implicit_step(
+    problem: WearProblem, front: Front, loads: CycleLoads, cycles: float, splits: int = 8
+) -> Front:
+    """Advance by a backward Euler step over so many cycles, all positions together.
+
+    Unconditionally stable. A step whose sets of touching nodes do not settle, as can happen when
+    weak forces look for their place in what strong ones wear, is taken in two halves, up to
+    ``splits`` times. Raises ContactError when a contact cannot carry its force.
+    """
+    require_positive("cycles", cycles)
+    if problem.wear_coefficient == 0.0:
+        return touched(problem, front, loads)
+    if front.pins is None or len(front.pins) != len(loads.slip):
+        front = touched(problem, front, loads)
+    assert front.pins is not None
+    assert front.touching is not None
+    assert front.force is not None
+    nodes = problem.compliance.nodes
+    weights = simpson_weights(front.surface)[nodes]
+    pins, touching, force = front.pins.copy(), front.touching.copy(), front.force.copy()
+    surface = np.ascontiguousarray(front.surface[nodes])
+    offset = np.empty((len(nodes), 2))
+    resistance = weights / (cycles * problem.wear_coefficient)
+    load = np.ascontiguousarray(loads.force / problem.width)
+    compliance = problem.compliance
+    if len(load) == 1:
+        gap, frame = np.empty(len(nodes)), np.empty((len(nodes), 4))
+        extra = loads.slip[0] / resistance
+        status, _ = active_set.solve(
+            surface,
+            compliance.axis,
+            compliance.polar,
+            extra,
+            problem.ring.pin_radius,
+            load[0],
+            pins[0],
+            touching[0],
+            force[0],
+            gap,
+            frame,
+        )
+        offset = (extra * force[0])[:, None] * frame[:, :2]
+    else:
+        status, _ = wear_step(
+            surface,
+            compliance.axis,
+            compliance.polar,
+            resistance,
+            problem.ring.pin_radius,
+            load,
+            loads.slip,
+            STEP_TOLERANCE,
+            pins,
+            touching,
+            force,
+            offset,
+        )
+    if status == active_set.NOT_SETTLED and splits > 0:
+        half = implicit_step(problem, front, loads, 0.5 * cycles, splits - 1)
+        return implicit_step(problem, half, loads, 0.5 * cycles, splits - 1)
+    _check(problem, status, touching, float(np.hypot(load[:, 0], load[:, 1]).max()))
+    worn = front.surface.copy()
+    worn[nodes] += offset
+    refuse_worn_through(problem, worn)
+    return Front(worn, pins, touching, force)
+
+
+def _check(problem: WearProblem, status: int, touching: Flags, force: float) -> None:
+    """Raise ContactError when a step found no answer or left the arc of nodes."""
+    if status != active_set.CARRIED:
+        raise ContactError(
+            "force",
+            force,
+            "the contact of the worn bushing found no balance; the load is too high for it",
+            "N per metre of width",
+        )
+    if touching[:, problem.compliance.ends].any():
+        raise ArcTooSmall(
+            "force", force, "the contact reaches beyond the arc", "N per metre of width"
+        )
+
+
+class ArcTooSmall(ContactError):
+    """Say that the contact grew out of the arc of nodes chosen for it."""
+
+
+class WornThrough(ModelError):
+    """Say that the wear has reached the bushing's rim."""
+
+
+def refuse_worn_through(problem: WearProblem, surface: Array) -> None:
+    """Raise WornThrough when the surface reaches the rim."""
+    deepest = float(np.hypot(surface[:, 0], surface[:, 1]).max()) - problem.ring.inner
+    if deepest >= problem.ring.wall:
+        raise WornThrough(
+            "wear_depth",
+            deepest * 1e3,
+            f"the bushing's wall of {problem.ring.wall * 1e3:g} mm is worn through; "
+            "give fewer cycles",
+            "mm",
+        )
+
+
+def contact_pressure(problem: WearProblem, front: Front) -> Array:
+    """Return the pressure of every position on the surface nodes of the problem, (M, N), Pa."""
+    assert front.force is not None
+    return front.force / simpson_weights(front.surface)[problem.compliance.nodes]
+
+
+def worn_area(problem: WearProblem, surface: Array) -> float:
+    """Return the area between the unworn and the worn polygon of nodes, m^2."""
+
+    def area(p: Array) -> float:
+        following = np.roll(p, -1, axis=0)
+        return 0.5 * float(np.sum(p[:, 0] * following[:, 1] - p[:, 1] * following[:, 0]))
+
+    return area(surface) - area(problem.ring.circle(problem.sectors))

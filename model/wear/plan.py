@@ -1,0 +1,180 @@
+"""How fine is fine enough: crank positions, mesh and arc for a tolerance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from model.bushing.ring import MOST_NODES, SECTORS, Ring, arc_nodes, sectors_at_least
+from model.errors import ModelError
+from model.wear.archard import rigid_half_angle, rigid_wear
+from model.wear.front import ArcTooSmall, Front, WearProblem, implicit_step, wear_problem
+from model.wear.loads import CycleLoads
+
+Array = NDArray[np.float64]
+LoadsOf = Callable[[int], CycleLoads]
+
+POSITIONS = (4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192)
+# Relative error of depth on a mesh with q nodes in half the contact is at most this over q^2;
+# found by comparing meshes, with a factor of two for safety.
+MESH_ERROR = 0.3
+_POSITION_SHARE = 0.15
+# Early in a life, when the contact is narrow, the error may be so many times the tolerance.
+_EARLY = 5.0
+_EARLY_PART = 0.01
+_MESH_SHARE = 0.4
+TIME_SHARE = 0.35
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """Hold what a life is computed with.
+
+    ``positions``: of the crank; ``early_error``, ``late_error``: of the depth as a part of it after
+    a hundredth and at the end of the life, from comparing with twice as many; ``sectors`` of the
+    mesh; ``half_angle`` (rad) of the arc of nodes; ``cycles`` of the life.
+    """
+
+    positions: int
+    early_error: float
+    late_error: float
+    sectors: int
+    half_angle: float
+    cycles: float
+
+    def position_error(self, cycles: Array) -> Array:
+        """Return a bound of the relative error by the number of positions after some cycles.
+
+        Between the two known ones it follows a power law; before the early one it grows with the
+        inverse root of the cycles, as the contact was narrower.
+        """
+        part = np.maximum(cycles / self.cycles, 1e-12)
+        early, late = max(self.early_error, 1e-12), max(self.late_error, 1e-12)
+        power = np.log(late / early) / np.log(1.0 / _EARLY_PART)
+        before = early * np.sqrt(_EARLY_PART / part)
+        return 1.5 * np.where(part < _EARLY_PART, before, early * (part / _EARLY_PART) ** power)
+
+
+def plan_life(
+    ring: Ring,
+    width: float,
+    wear_coefficient: float,
+    loads_of: LoadsOf,
+    cycles: float,
+    tolerance: float,
+    single: bool = False,
+) -> Plan:
+    """Choose crank positions and mesh by single steps over the whole life on a coarse mesh.
+
+    loads_of: the loads of a revolution for a number of positions; single: they are the same for
+    any number, one force. Raises ContactError when the bushing cannot carry the force.
+    """
+    loads = loads_of(1 if single else 72).pressing()
+    if not loads.slip.size:
+        raise ModelError("force", 0.0, "without force or slip nothing wears", "N")
+    half = expected_half_angle(ring, width, wear_coefficient, loads, cycles)
+    window = min(1.4 * half + 0.15, np.pi)
+    while True:
+        try:
+            return _planned(
+                ring, width, wear_coefficient, loads_of, cycles, tolerance, single, window
+            )
+        except ArcTooSmall:
+            if window >= np.pi:
+                raise
+            window = min(1.7 * window, np.pi)
+
+
+def expected_half_angle(
+    ring: Ring, width: float, wear_coefficient: float, loads: CycleLoads, cycles: float
+) -> float:
+    """Return an upper estimate of the contact's half-angle at the end, rad.
+
+    The larger of Persson's for the unworn bushing and that of a rigid pin wearing into one place.
+    """
+    elastic = ring.half_angle(float(loads.magnitude.max()) / width)
+    if ring.clearance <= 0.0:
+        return float(0.5 * np.pi)
+    try:
+        depth = rigid_wear(
+            ring.inner,
+            ring.pin_radius,
+            loads.mean_force / width,
+            wear_coefficient,
+            float(loads.slip.sum()),
+            cycles,
+        ).depth
+    except ModelError:
+        return float(0.5 * np.pi)
+    return max(elastic, rigid_half_angle(ring.inner, ring.pin_radius, float(depth)))
+
+
+def _planned(
+    ring: Ring,
+    width: float,
+    wear_coefficient: float,
+    loads_of: LoadsOf,
+    cycles: float,
+    tolerance: float,
+    single: bool,
+    window: float,
+) -> Plan:
+    """Return the plan for an arc of nodes; raise ArcTooSmall when the contact leaves it."""
+
+    def problem(sectors: int, loads: CycleLoads) -> WearProblem:
+        return wear_problem(ring, sectors, width, wear_coefficient, loads, window)
+
+    dense = loads_of(1 if single else 72).pressing()
+    first = ring.half_angle(float(dense.magnitude.max()) / width)
+    most = _most_sectors(dense, window)
+    coarse = min(sectors_at_least(np.pi / 2.0 * 4.0 / first), most)
+    ends: dict[int, tuple[Front, ...]] = {}
+
+    def end(positions: int) -> tuple[Front, ...]:
+        """Return the fronts after a hundredth and after the whole life, in three steps."""
+        if positions not in ends:
+            loads = loads_of(positions).pressing()
+            setting = problem(coarse, loads)
+            early = implicit_step(setting, setting.unworn(), loads, _EARLY_PART * cycles)
+            middle = implicit_step(setting, early, loads, 0.2 * cycles)
+            late = implicit_step(setting, middle, loads, (0.8 - _EARLY_PART) * cycles)
+            ends[positions] = (early, late)
+        return ends[positions]
+
+    positions, early, late = 1, 0.0, 0.0
+    if not single:
+        for positions in POSITIONS:
+            early, late = (
+                _difference(a, b, ring.inner)
+                for a, b in zip(end(positions), end(2 * positions), strict=True)
+            )
+            if late <= _POSITION_SHARE * tolerance and early <= _EARLY * tolerance:
+                break
+    reached = end(positions)[-1]
+    assert reached.touching is not None
+    last = 0.5 * float(reached.touching.sum(axis=1).max()) * np.pi / coarse
+    wanted = max(
+        np.sqrt(MESH_ERROR / (_MESH_SHARE * tolerance)) / max(last, first),
+        np.sqrt(MESH_ERROR / (3.0 * tolerance)) / first,
+        4.0 / first,
+    )
+    sectors = min(sectors_at_least(wanted * np.pi), most)
+    return Plan(positions, early, late, sectors, window, cycles)
+
+
+def _difference(one: Front, other: Front, inner: float) -> float:
+    """Return the largest difference of two fronts where they are deep, as a part of the depth."""
+    a, b = one.depth(inner), other.depth(inner)
+    deepest = float(b.max())
+    deep = b >= 0.5 * deepest
+    return float(np.abs(a - b)[deep].max()) / max(deepest, 1e-300)
+
+
+def _most_sectors(loads: CycleLoads, window: float) -> int:
+    """Return how many sectors keep the arc of nodes within MOST_NODES."""
+    share = len(arc_nodes(1440, loads.direction, window)) / 2880.0
+    most = 0.5 * MOST_NODES / share
+    return max([n for n in SECTORS if n <= most], default=SECTORS[0])

@@ -1,0 +1,149 @@
+"""Wear beside a running test: a small state, advanced by what was measured or predicted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from model.bushing.compliance import surface_angles
+from model.bushing.ring import ring_of, sectors_at_least
+from model.errors import ModelError
+from model.parameters import Parameters
+from model.wear.front import (
+    Front,
+    WearProblem,
+    contact_pressure,
+    implicit_step,
+    wear_problem,
+    worn_area,
+)
+from model.wear.loads import CycleLoads, gathered, loads_of_cycle
+from model.wear.plan import MESH_ERROR
+from model.wear.profile import profile
+
+Array = NDArray[np.float64]
+
+POSITIONS = 12
+LARGEST_SECTORS = 360
+
+
+@dataclass(frozen=True, slots=True)
+class WearState:
+    """Hold the wear of a bushing after some cycles, in SI; ``advance`` returns a new one.
+
+    ``cycles``; ``max_depth`` (m); ``depth_at_contact`` (m) at the initial contact point: what the
+    clearance has grown by; ``worn_area`` (m^2); ``worn_mass`` (kg); ``peak_pressure`` (Pa) and
+    ``mean_force`` (N) of the last advance; ``estimated_error`` (m) of the depth.
+    """
+
+    parameters: Parameters
+    problem: WearProblem
+    front: Front
+    cycles: float = 0.0
+    peak_pressure: float = 0.0
+    mean_force: float = 0.0
+    step_error: float = 0.0
+
+    @property
+    def max_depth(self) -> float:
+        """Return the largest depth, m."""
+        return max(float(self.front.depth(self.problem.ring.inner).max()), 0.0)
+
+    @property
+    def depth_at_contact(self) -> float:
+        """Return the depth at the initial contact point, m."""
+        return self.front.depth_at_contact_point(self.problem.ring.inner)
+
+    @property
+    def clearance(self) -> float:
+        """Return the radial clearance grown by the wear at the contact point, m."""
+        return self.problem.ring.clearance + self.depth_at_contact
+
+    @property
+    def worn_area(self) -> float:
+        """Return the worn cross-section, m^2."""
+        return worn_area(self.problem, self.front.surface)
+
+    @property
+    def worn_mass(self) -> float:
+        """Return the worn mass, kg."""
+        return self.worn_area * self.problem.width * self.parameters.bushing.density
+
+    @property
+    def estimated_error(self) -> float:
+        """Return a bound of the depth's error by steps and mesh, m."""
+        if self.front.touching is None:
+            return 0.0
+        inside = 0.5 * float(self.front.touching.sum(axis=1).max())
+        return self.step_error + MESH_ERROR / inside**2 * self.max_depth
+
+    def profile(self) -> tuple[Array, Array]:
+        """Return angles (rad, from -pi, 0 at the initial contact point) and depths (m)."""
+        sectors = self.problem.sectors
+        return surface_angles(sectors), profile(self.front.surface, self.problem.ring)
+
+    def advance(
+        self,
+        force_follower: ArrayLike,
+        slip: ArrayLike,
+        cycles: float,
+        sliding: ArrayLike = 1.0,
+    ) -> WearState:
+        """Advance by so many cycles like the given revolution.
+
+        force_follower: (2, n), N, on the follower by the pin in the follower frame, measured or
+        predicted, at equal steps of the crank; slip: (n,), m, from each sample to the next;
+        sliding: sense of sliding for friction, its sign counts. Many samples are gathered into 12
+        positions. Two implicit steps; their difference from one is added to the error.
+        Raises ContactError or ModelError.
+        """
+        mu = self.parameters.joint.friction_coefficient
+        return self.advance_by(loads_of_cycle(force_follower, slip, mu, sliding), cycles)
+
+    def advance_by(self, revolution: CycleLoads, cycles: float) -> WearState:
+        """Advance by so many cycles of loads in the wear frame (see ``advance``)."""
+        loads = gathered(revolution.pressing(), POSITIONS).pressing()
+        if not loads.slip.size:
+            return replace(self, cycles=self.cycles + cycles, mean_force=0.0, peak_pressure=0.0)
+        coarse = implicit_step(self.problem, self.front, loads, cycles)
+        fine = self.front
+        for _ in range(2):
+            fine = implicit_step(self.problem, fine, loads, 0.5 * cycles)
+        inner = self.problem.ring.inner
+        depth = fine.depth(inner)
+        deep = depth >= 0.5 * depth.max()
+        error = float(np.abs(depth - coarse.depth(inner))[deep].max(initial=0.0))
+        return replace(
+            self,
+            front=fine,
+            cycles=self.cycles + cycles,
+            peak_pressure=float(contact_pressure(self.problem, fine).max()),
+            mean_force=loads.mean_force,
+            step_error=self.step_error + error,
+        )
+
+
+def unworn_state(parameters: Parameters, typical_force: float) -> WearState:
+    """Return the state before the first cycle.
+
+    typical_force: largest force to come, N; it decides the mesh, of 120 to 360 sectors, so that a
+    narrow contact is resolved. Raises ModelError for a force that is not above 0.
+    """
+    if not (np.isfinite(typical_force) and typical_force > 0.0):
+        raise ModelError("typical_force", typical_force, "give a finite force above 0", "N")
+    joint = parameters.joint
+    ring = ring_of(joint, parameters.bushing.material)
+    first = ring.half_angle(typical_force / joint.bushing_width)
+    sectors = int(np.clip(sectors_at_least(6.0 * np.pi / first), 120, LARGEST_SECTORS))
+    anywhere = CycleLoads(np.array([[1.0, 0.0]]), np.array([1.0]))
+    problem = wear_problem(
+        ring,
+        sectors,
+        joint.bushing_width,
+        parameters.bushing.wear_coefficient,
+        anywhere,
+        np.pi,
+    )
+    return WearState(parameters, problem, problem.unworn())
