@@ -61,9 +61,11 @@ class AlarmPanel(QWidget):
 
     wanted = Signal(str, dict)
 
-    def __init__(self, prefix: str, theme: Theme) -> None:
+    def __init__(self, prefix: str, theme: Theme, *, compact: bool = False) -> None:
+        """Make the panel; compact: it takes one line while there is no alarm."""
         super().__init__()
         self._theme = theme
+        self._compact = compact
         self._alarms: list[Alarm] = []
         self.setObjectName(f"{prefix}_alarm_panel")
         self.setAccessibleName("Alarms")
@@ -135,6 +137,7 @@ class AlarmPanel(QWidget):
         )
         alarms, self._alarms = self._alarms, []
         self.show_alarms(tuple(alarms))
+        self._fold()
 
     def show_state(self, state: RunState | None) -> None:
         """Offer the reset where it means something."""
@@ -157,7 +160,17 @@ class AlarmPanel(QWidget):
         elif ordered:
             self.table.selectRow(0)
         self.empty.setText("" if ordered else "No alarms.")
+        self._fold()
         self._enable()
+
+    def _fold(self) -> None:
+        if not self._compact:
+            return
+        used = bool(self._alarms)
+        for widget in (self.table, self.acknowledge, self.reason, self.minutes, self.shelve):
+            widget.setVisible(used)
+        self.reset.setVisible(used)
+        self.table.setFixedHeight(int(9 * self.fontMetrics().height()))
 
     def chosen(self) -> Alarm | None:
         """Return the chosen alarm."""

@@ -51,6 +51,7 @@ class PlainTable(QTableWidget):
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setTabKeyNavigation(False)
         self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(int(1.5 * self.fontMetrics().height()))
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)
@@ -67,6 +68,7 @@ class PlainTable(QTableWidget):
                     self.setItem(row, column, item)
                 if item.text() != text:
                     item.setText(text)
+                    item.setToolTip(text)
                 if column == 1 and colours:
                     colour = colours[row]
                     item.setBackground(QBrush(QColor(colour)) if colour else QBrush())
@@ -248,4 +250,5 @@ class DevicePanel(QWidget):
 
 
 def _number(value: float, unit: str) -> str:
+    unit = unit.replace("um", "µm")
     return f"{value:.2f} {unit}" if math.isfinite(value) else "–"

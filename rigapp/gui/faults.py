@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.engine.messages import Status
+from rigapp.gui.tasks import Worker
 
 CHANNELS = ("force_1", "force_2", "probe_1", "probe_2")
 
@@ -56,8 +57,9 @@ class FaultPanel(QWidget):
 
     wanted = Signal(str, dict)
 
-    def __init__(self) -> None:
+    def __init__(self, worker: Worker) -> None:
         super().__init__()
+        self._worker = worker
         self._devices: tuple[tuple[str, str], ...] | None = None
         self._choices: list[FaultChoice] = []
         self.setObjectName("fault_panel")
@@ -102,9 +104,12 @@ class FaultPanel(QWidget):
             " the program: what you see is what a real fault would show."
         )
         note.setWordWrap(True)
+        inside = QWidget()
+        inside.setLayout(form)
+        inside.setMaximumWidth(self.fontMetrics().horizontalAdvance("M") * 50)
         column = QVBoxLayout(self)
         column.addWidget(note)
-        column.addLayout(form)
+        column.addWidget(inside)
         column.addStretch(1)
 
     def show_status(self, status: Status | None) -> None:
@@ -115,7 +120,13 @@ class FaultPanel(QWidget):
         if devices == self._devices or not devices:
             return
         self._devices = devices
-        self._choices = fault_choices(devices)
+        self._worker.submit(lambda: fault_choices(devices), self._offer, self._cannot)
+
+    def _cannot(self, error: Exception) -> None:
+        self.problem.setText(f"The faults of the simulated rig are not known: {error}")
+
+    def _offer(self, choices: list[FaultChoice]) -> None:
+        self._choices = choices
         self.kind.clear()
         for choice in self._choices:
             self.kind.addItem(f"{choice.where}: {choice.kind.replace('_', ' ')}")

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from rigapp.gui.palette import Theme, measured_pen
 from rigapp.gui.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.pyramid import thinned
 from rigapp.gui.ranges import SteadyRange
 from rigapp.gui.series import LiveData
 
@@ -18,14 +19,17 @@ class ProbePanel(QWidget):
 
     def __init__(self, prefix: str, theme: Theme) -> None:
         super().__init__()
+        self._theme = theme
+        self._means: dict[str, float] = {}
         self._drawn = -1
         self.setObjectName(f"{prefix}_probe_panel")
         self.setAccessibleName("Pin position over one revolution")
         self.plot = QuietPlot(f"{prefix}_probe_plot", "Pin position against crank angle", theme)
-        self.plot.label("left", "Position (µm)")
+        self.plot.label("left", "Position − mean (µm)")
+        self.plot.guide(0.0, horizontal=True, theme=theme)
         self.plot.show_crank_angle(theme)
         self._curves = {name: self.plot.curve(measured_pen(theme, name)) for name in PROBES}
-        self._range = SteadyRange(5.0)
+        self._range = SteadyRange(5.0, symmetric=True)
         self.legend = LegendRow(f"{prefix}_probe_legend")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -39,9 +43,16 @@ class ProbePanel(QWidget):
         self.plot.dress(theme)
         for name, curve in self._curves.items():
             curve.setPen(measured_pen(theme, name))
-        self.legend.show_entries(
-            [LegendEntry(text, measured_pen(theme, name)) for name, text in PROBES.items()]
-        )
+        self._theme = theme
+        self._show_legend()
+
+    def _show_legend(self) -> None:
+        entries = []
+        for name, text in PROBES.items():
+            mean = self._means.get(name)
+            shown = text if mean is None else f"{text}, mean {mean:.1f} µm"
+            entries.append(LegendEntry(shown, measured_pen(self._theme, name)))
+        self.legend.show_entries(entries)
 
     def refresh(self, data: LiveData) -> None:
         """Draw the newest revolution if it is not drawn yet."""
@@ -50,9 +61,13 @@ class ProbePanel(QWidget):
             return
         self._drawn = cycle.revolution
         angle = cycle.angle_deg.astype(np.float64)
-        values = {name: cycle.channels[name].astype(np.float64) for name in PROBES}
+        values = {}
         for name, curve in self._curves.items():
-            curve.setData(angle, values[name])
+            position = cycle.channels[name].astype(np.float64)
+            self._means[name] = float(position.mean())
+            values[name] = position - self._means[name]
+            curve.setData(*thinned(angle, values[name], max(self.plot.width(), 200)))
+        self._show_legend()
         low = min(float(array.min()) for array in values.values())
         high = max(float(array.max()) for array in values.values())
         if self._range.update(low, high) and self._range.range is not None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QSplitter, QTabWidget, QWidget
+from PySide6.QtWidgets import QSplitter, QTabWidget, QVBoxLayout, QWidget
 
 from rigapp.engine.messages import Status
 from rigapp.gui.alarms import AlarmPanel
@@ -55,7 +55,7 @@ class Tabs(QTabWidget):
         self.overview = OverlayPanel("overview", theme)
         self.overview_trend = TrendPanel("overview", theme)
         self.overview_wear = TrendPanel("overview_wear", theme, "wear", access_keys=False)
-        self.overview_alarms = AlarmPanel("overview", theme)
+        self.overview_alarms = AlarmPanel("overview", theme, compact=True)
         self.cycle = CyclePanel(theme)
         self.upper_trend = TrendPanel("upper", theme, "force")
         self.lower_trend = TrendPanel("lower", theme, "wear", access_keys=False)
@@ -67,7 +67,7 @@ class Tabs(QTabWidget):
         self.devices = DevicePanel(theme, watchdog)
         self.log = LogPanel(worker)
         self.browser = BrowserPanel(theme, results_folder, worker)
-        self.faults = FaultPanel()
+        self.faults = FaultPanel(worker)
         self.splitters: list[QSplitter] = [self.cycle, self.cycle.right, self.prepare]
         self.splitters.append(self.browser)
         self._trends = (
@@ -147,12 +147,17 @@ class Tabs(QTabWidget):
             self.prepare.recipe.open_file(tests[0])
 
     def _build(self) -> None:
-        right = self._split("overview_right", VERTICAL, [330, 220, 150])
-        for panel in (self.overview_trend, self.overview_wear, self.overview_alarms):
-            right.addWidget(panel)
-        overview = self._split("overview_split", HORIZONTAL, [700, 700])
-        overview.addWidget(self.overview)
-        overview.addWidget(right)
+        right = self._split("overview_right", VERTICAL, [380, 260])
+        right.addWidget(self.overview_trend)
+        right.addWidget(self.overview_wear)
+        upper = self._split("overview_split", HORIZONTAL, [700, 700])
+        upper.addWidget(self.overview)
+        upper.addWidget(right)
+        overview = QWidget()
+        column = QVBoxLayout(overview)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(upper, 1)
+        column.addWidget(self.overview_alarms)
         lower = self._split("trend_lower", HORIZONTAL, [700, 700])
         lower.addWidget(self.lower_trend)
         lower.addWidget(self.profile)

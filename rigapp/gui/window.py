@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, QTimer
-from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
+from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QApplication,
     QHBoxLayout,
@@ -25,6 +25,7 @@ from rigapp.gui.header import Header
 from rigapp.gui.headline import ACTIVE_STATES, headline
 from rigapp.gui.help import HelpWindow
 from rigapp.gui.link import Link, LinkState
+from rigapp.gui.notice import NoticeBar
 from rigapp.gui.palette import THEMES, Theme, apply_theme
 from rigapp.gui.replaybar import ReplayBar
 from rigapp.gui.session import Session
@@ -36,6 +37,9 @@ from rigapp.gui.watchdog import Watchdog
 log = logging.getLogger(__name__)
 
 TICK_MS = 100
+FRAME_HEIGHT = 40
+"""Room for the frame that the window manager puts around a window."""
+
 SLOW_EVERY = 5
 """Ticks between two drawings of trends and tables: twice a second."""
 
@@ -72,6 +76,7 @@ class MainWindow(QMainWindow):
         self.controls = ControlRow(link.request, theme)
         self.start_bar = StartBar(tests, results_folder)
         self.close_bar = CloseBar()
+        self.notice = NoticeBar(theme)
         self.replay_bar = ReplayBar()
         self.replay_bar.hide()
         self.tabs = Tabs(link, session, theme, results_folder, self._reader, self.watchdog)
@@ -138,6 +143,7 @@ class MainWindow(QMainWindow):
         if isinstance(application, QApplication):
             apply_theme(application, theme)
         self.header.dress(theme)
+        self.notice.dress(theme)
         self.controls.dress(theme)
         self.tabs.dress(theme)
         self.draw_now()
@@ -171,6 +177,7 @@ class MainWindow(QMainWindow):
 
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
+        self.notice.take_status(status)
         self._session.take(snapshot)
         self.tabs.take_status(status)
         if self._start_wanted is not None and status.state in STARTABLE:
@@ -217,6 +224,7 @@ class MainWindow(QMainWindow):
         column.setSpacing(6)
         for bar in (
             self.header,
+            self.notice,
             self.controls,
             self.replay_bar,
             self.start_bar,
@@ -225,7 +233,12 @@ class MainWindow(QMainWindow):
             column.addWidget(bar)
         column.addWidget(self.tabs, 1)
         self.setCentralWidget(body)
-        self.resize(1400, 900)
+        screen = QGuiApplication.primaryScreen()
+        room = screen.availableGeometry() if screen is not None else None
+        if room is None or room.width() < 1000:
+            self.resize(1400, 900)
+        else:
+            self.resize(min(1400, room.width()), min(900, room.height() - FRAME_HEIGHT))
 
     def _connect(self) -> None:
         self.controls.start_wanted.connect(self.start_bar.open)

@@ -1,0 +1,598 @@
+"""Devices, limits, log, results, comparison, faults, wear profile, notices."""
+
+from __future__ import annotations
+
+import dataclasses
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from rigapp.config.loading import parse_test
+from rigapp.engine.messages import DeviceView, DriveView, Event, RunState, Status
+from rigapp.gui.alarms import AlarmPanel
+from rigapp.gui.browser import BrowserPanel, list_tests
+from rigapp.gui.compare import line_of
+from rigapp.gui.devices import DevicePanel
+from rigapp.gui.faults import FaultPanel, fault_choices
+from rigapp.gui.limits import LimitPanel, limits_of
+from rigapp.gui.logbook import LogPanel, changed_limits
+from rigapp.gui.notice import NoticeBar
+from rigapp.gui.palette import DARK, LIGHT
+from rigapp.gui.recording import load_history
+from rigapp.gui.tasks import Worker
+from rigapp.gui.watchdog import STALL_S, Watchdog
+from rigapp.gui.wearprofile import ANGLES_DEG, WearProfilePanel, worn_profile
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+RULE = (
+    '\n[[limits.rule]]\nquantity = "force_max"\nwarning_above = 150.0\ncritical_above = 200.0\n'
+    'action_critical = "drive_off"\n'
+)
+
+MakeStatus = Callable[..., Status]
+
+
+@pytest.fixture
+def worker() -> Iterator[Worker]:
+    worker = Worker("test-files")
+    yield worker
+    worker.close()
+
+
+@pytest.fixture
+def asked() -> list[tuple[str, dict[str, Any]]]:
+    return []
+
+
+def collect(panel: Any, asked: list[tuple[str, dict[str, Any]]]) -> None:
+    panel.wanted.connect(lambda verb, arguments: asked.append((verb, arguments)))
+
+
+def test_devices_and_channels_show_raw_and_scaled_values(
+    qtbot: Any, qapp: Any, make_status: MakeStatus
+) -> None:
+    panel = DevicePanel(LIGHT, Watchdog())
+    qtbot.addWidget(panel)
+    lost = DeviceView("daq", "gsv8", "COM3", False, "", 960.0, 12, 3, "no reply within 0.5 s")
+    status = make_status()
+    status = msgspec.structs.replace(status, devices=(lost, *status.devices[1:]))
+    panel.show_status(status, 0.2)
+    devices = panel.devices.texts()
+    assert devices[0][1] == "▲ not connected"
+    assert devices[0][5:] == ["12", "3", "no reply within 0.5 s"]
+    channels = {row[0]: row[1:] for row in panel.channels.texts()}
+    assert channels["force_1"] == ["-0.431 mV/V", "-86.20 N", "±2 N", "rig file"]
+    assert channels["probe_1"][1:3] == ["121.00 µm", "not known"]
+    assert ["Emergency stop", "not pressed"] in panel.drive.texts()
+    stopped = DriveView(0, 0, 0, 48, 30, False, True, ("S3",), ())
+    panel.show_status(msgspec.structs.replace(status, drive=stopped), 0.2)
+    assert ["Emergency stop", "▲ pressed"] in panel.drive.texts()
+    panel.show_status(msgspec.structs.replace(status, drive=None), 0.2)
+    assert panel.drive.texts() == [["State", "not connected"]]
+
+
+def test_zero_needs_a_standing_crank_and_a_reason(
+    qtbot: Any, qapp: Any, make_status: MakeStatus, asked: list[Any]
+) -> None:
+    panel = DevicePanel(LIGHT, Watchdog())
+    qtbot.addWidget(panel)
+    collect(panel, asked)
+    panel.show_status(make_status(), 0.0)
+    panel.reason.setText("new specimen")
+    assert not panel.zero.isEnabled()
+    panel.show_status(make_status(state=RunState.READY), 0.0)
+    panel.zero.click()
+    panel.devices.selectRow(1)
+    panel.reconnect.click()
+    assert asked == [
+        ("zero", {"what": ["load_cell"], "reason": "new specimen"}),
+        ("reconnect", {"device": "drive"}),
+    ]
+    assert not panel.zero.isEnabled()
+
+
+def test_limits_are_changed_with_a_reason_while_a_test_runs(
+    qtbot: Any, qapp: Any, asked: list[Any]
+) -> None:
+    text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    test = parse_test(text + RULE, "x")
+    panel = LimitPanel()
+    qtbot.addWidget(panel)
+    collect(panel, asked)
+    panel.show_limits(RunState.READY, test, {})
+    assert "No test is under way" in panel.problem.text()
+    panel.show_limits(RunState.RUNNING, test, {})
+    assert ["force_max.critical_above", "200", "drive off"] in [
+        row[:3] for row in panel.table.texts()
+    ]
+    names = [row[0] for row in panel.table.texts()]
+    panel.table.selectRow(names.index("force_max.critical_above"))
+    assert panel.value.text() == "200"
+    assert "present value" in panel.problem.text()
+    panel.value.setText("lots")
+    assert "not a number" in panel.problem.text()
+    panel.value.setText("180")
+    assert "reason" in panel.problem.text()
+    assert not panel.change.isEnabled()
+    panel.reason.setText("bearing is new")
+    panel.change.click()
+    assert asked == [
+        (
+            "set_limit",
+            {"name": "force_max.critical_above", "value": 180.0, "reason": "bearing is new"},
+        )
+    ]
+    panel.show_limits(RunState.RUNNING, test, {"force_max.critical_above": 180.0})
+    assert limits_of(test, {"overload_N": 300.0})["overload_N"] == (300.0, "drive off")
+    assert ["force_max.critical_above", "180"] in [row[:2] for row in panel.table.texts()]
+
+
+def test_changed_limits_are_read_from_the_log() -> None:
+    events = [
+        Event(1.0, 5, "limit_changed", "Ann", "limit overload_N changed: x", "380", "350"),
+        Event(2.0, 9, "limit_changed", "Ann", "limit overload_N changed", "350", "340"),
+        Event(3.0, 9, "note", "Ann", "limit speed changed", "1", "2"),
+        Event(4.0, 9, "limit_changed", "Ann", "limit f.x changed", "1", "none"),
+    ]
+    assert changed_limits(events) == {"overload_N": 340.0}
+
+
+def test_the_log_is_read_from_the_file_and_searched(
+    qtbot: Any, qapp: Any, recorded: Path, worker: Worker
+) -> None:
+    panel = LogPanel(worker)
+    qtbot.addWidget(panel)
+
+    def read() -> bool:
+        panel.follow(recorded)
+        worker.deliver()
+        return bool(panel.events)
+
+    qtbot.waitUntil(read, timeout=5000)
+    assert panel.table.texts()[0][1:4] == ["120", "note", "Ann"]
+    panel.filter.setText("water")
+    assert panel.table.texts() == []
+    panel.filter.setText("OIL")
+    assert panel.table.texts()[0][-1] == "oil added"
+    panel.follow(None)
+    assert panel.table.texts() == []
+
+
+def test_a_log_that_cannot_be_read_is_said(
+    qtbot: Any, qapp: Any, tmp_path: Path, worker: Worker
+) -> None:
+    panel = LogPanel(worker)
+    qtbot.addWidget(panel)
+
+    def said() -> bool:
+        panel.follow(tmp_path / "gone.h5")
+        worker.deliver()
+        return "cannot be read" in panel.count.text()
+
+    qtbot.waitUntil(said, timeout=5000)
+
+
+@pytest.fixture
+def folder(recorded: Path, tmp_path: Path) -> Path:
+    """Return a folder with a test, its copy, and a file that is none."""
+    shutil.copy(recorded, tmp_path / "second.h5")
+    (tmp_path / "broken.h5").write_bytes(b"not hdf5")
+    return tmp_path
+
+
+def test_the_results_folder_is_listed_with_what_cannot_be_read(folder: Path) -> None:
+    found = {one.path.name: one for one in list_tests(folder)}
+    assert found["broken.h5"].status == "not readable"
+    assert "not an HDF5 file" in found["broken.h5"].reason
+    first = found["quick-20270101-080000.h5"]
+    assert (first.status, first.title, first.revolutions) == ("complete", "Quick test", 300)
+
+
+def test_results_are_compared_and_replayed(
+    qtbot: Any, qapp: Any, folder: Path, worker: Worker
+) -> None:
+    launched: list[list[str]] = []
+    panel = BrowserPanel(LIGHT, folder, worker, lambda arguments: launched.append([*arguments]))
+    qtbot.addWidget(panel)
+    panel.look()
+
+    def listed() -> bool:
+        worker.deliver()
+        return panel.table.rowCount() == 3
+
+    qtbot.waitUntil(listed, timeout=5000)
+    names = [row[0] for row in panel.table.texts()]
+    panel.table.selectRow(names.index("broken.h5"))
+    assert not panel.buttons["replay"].isEnabled()
+    assert not panel.buttons["resume"].isEnabled()
+    panel.table.selectRow(names.index("second.h5"))
+    panel.buttons["replay"].click()
+    assert launched == [["replay", str(folder / "second.h5")]]
+    panel.table.selectAll()
+    assert not panel.buttons["compare"].isEnabled()
+    panel.table.clearSelection()
+    for name in ("second.h5", "quick-20270101-080000.h5"):
+        panel.table.item(names.index(name), 0).setSelected(True)  # type: ignore[union-attr]
+    panel.buttons["compare"].click()
+
+    def compared() -> bool:
+        worker.deliver()
+        return len(panel.compare.runs) == 2
+
+    qtbot.waitUntil(compared, timeout=5000)
+    x, y = panel.compare._curves[0].getData()
+    assert len(x) == 300
+    assert y[0] == pytest.approx(97.0, abs=2.0)
+    for index in range(panel.compare.quantity.count()):
+        panel.compare.quantity.setCurrentIndex(index)
+    panel.compare.axis.setCurrentIndex(1)
+    panel.dress(DARK)
+    assert len(panel.compare.legend._entries) == 2
+
+
+def test_a_comparison_on_the_wear_axis_ascends(recorded: Path) -> None:
+    data = load_history(recorded).data
+    x, y = line_of(data, "force_max", "measured_wear_depth")
+    assert len(x) == len(y) == 300
+    assert (np.diff(x) >= 0.0).all()
+    assert x[0] == pytest.approx(data.predictions.series("measured_wear_depth").values[0], rel=1e-5)
+
+
+def test_an_interrupted_test_can_be_gone_on_with(
+    qtbot: Any, qapp: Any, recorded: Path, worker: Worker, asked: list[Any]
+) -> None:
+    panel = BrowserPanel(LIGHT, recorded.parent, worker)
+    qtbot.addWidget(panel)
+    collect(panel, asked)
+    panel._found_tests(
+        [dataclasses.replace(one, status="interrupted") for one in list_tests(recorded.parent)]
+    )
+    panel.table.selectRow(0)
+    panel.buttons["resume"].click()
+    assert asked == [("resume_file", {"file": str(recorded)})]
+
+
+def test_faults_of_the_simulated_rig_are_caused_and_ended(
+    qtbot: Any, qapp: Any, make_status: MakeStatus, worker: Worker, asked: list[Any]
+) -> None:
+    panel = FaultPanel(worker)
+    qtbot.addWidget(panel)
+    collect(panel, asked)
+    panel.cause.click()
+    assert asked == []
+
+    def offered() -> bool:
+        panel.show_status(make_status())
+        worker.deliver()
+        return panel.kind.count() > 10
+
+    qtbot.waitUntil(offered, timeout=30_000)
+    panel.kind.setCurrentIndex(panel.kind.findText("signal: stuck value"))
+    panel.channel.setCurrentText("probe_1")
+    panel.cause.click()
+    panel.kind.setCurrentIndex(panel.kind.findText("drive: cable pull"))
+    panel.duration.setText("")
+    panel.value.setText("3")
+    panel.cause.click()
+    panel.end.click()
+    assert asked == [
+        ("inject_fault", {"kind": "stuck_value", "channel": "probe_1", "duration_s": 2.0}),
+        ("inject_fault", {"kind": "cable_pull", "device": "drive", "value": 3.0}),
+        ("clear_fault", {"kind": "cable_pull"}),
+    ]
+    panel.value.setText("much")
+    panel.cause.click()
+    assert "must be a number" in panel.problem.text()
+    assert len(asked) == 3
+
+
+def test_the_faults_of_each_device_are_its_own() -> None:
+    found = fault_choices((("daq", "gsv8"), ("drive", "roboclaw"), ("other", "unheard_of")))
+    kinds = {(choice.where, choice.kind) for choice in found}
+    assert ("drive", "emergency_stop") in kinds
+    assert ("daq", "emergency_stop") not in kinds
+    assert ("other", "cable_pull") in kinds
+    assert len(kinds) == len(found)
+
+
+def test_the_worn_profile_is_deepest_at_the_contact_point() -> None:
+    profile = worn_profile(0.45, 9.5, 10.0)
+    assert profile[len(profile) // 2] == pytest.approx(0.45)
+    assert profile.argmax() == len(profile) // 2
+    np.testing.assert_allclose(profile, profile[::-1], atol=1e-12)
+    assert profile[0] == 0.0
+    assert worn_profile(0.0, 9.5, 10.0).max() == pytest.approx(0.0, abs=1e-12)
+
+
+def test_the_worn_area_is_that_of_the_two_circles() -> None:
+    """The area between profile and bushing is the lens that the pin's circle cuts out."""
+    depth, pin, bushing = 0.45, 9.5, 10.0
+    radius = bushing + worn_profile(depth, pin, bushing)
+    area = 0.5 * np.trapezoid(radius**2 - bushing**2, np.radians(ANGLES_DEG))
+    distance = bushing - pin + depth
+    first = np.arccos((distance**2 + pin**2 - bushing**2) / (2 * distance * pin))
+    second = np.arccos((distance**2 + bushing**2 - pin**2) / (2 * distance * bushing))
+    triangle = distance * bushing * np.sin(second)
+    lens = pin**2 * first + bushing**2 * second - triangle
+    assert area == pytest.approx(np.pi * pin**2 - lens, rel=1e-3)
+
+
+def test_the_profile_panel_shows_both_depths(qtbot: Any, qapp: Any, recorded: Path) -> None:
+    history = load_history(recorded)
+    assert history.test is not None
+    panel = WearProfilePanel("test", LIGHT)
+    qtbot.addWidget(panel)
+    panel.refresh(history.data, history.test.model.joint)
+    predicted = history.data.predictions.last("wear_depth")
+    assert panel._model.getData()[1].max() == pytest.approx(predicted)
+    assert f"model {predicted:.4f} mm" in panel.legend.accessibleName()
+    panel.dress(DARK)
+
+
+def test_the_reason_of_a_fault_is_shown_whole(
+    qtbot: Any, qapp: Any, make_status: MakeStatus
+) -> None:
+    bar = NoticeBar(LIGHT)
+    qtbot.addWidget(bar)
+    bar.take_status(make_status())
+    assert bar.isHidden()
+    reason = "daq on /dev/ttyUSB0: the connection broke while reading; check cable and power."
+    bar.take_status(make_status(state=RunState.FAULT, reason=reason))
+    assert not bar.isHidden()
+    assert bar.text.text() == f"Fault: {reason}"
+    bar.take_status(make_status(state=RunState.READY, reason=""))
+    assert bar.isHidden()
+
+
+def test_a_new_engine_in_the_middle_of_a_test_is_told_until_understood(
+    qtbot: Any, qapp: Any, make_status: MakeStatus
+) -> None:
+    bar = NoticeBar(DARK)
+    qtbot.addWidget(bar)
+    bar.take_status(make_status(committed=1233))
+    bar.take_status(make_status(state=RunState.READY, engine_pid=5000, file="", test=""))
+    bar.take_status(make_status(state=RunState.READY, engine_pid=5000, file="", test=""))
+    assert "1\u2009233 revolutions are safe" in bar.text.text()
+    bar.away.click()
+    assert bar.isHidden()
+
+
+def test_alarms_fold_away_on_the_overview(qtbot: Any, qapp: Any, alarm: Any) -> None:
+    panel = AlarmPanel("x", LIGHT, compact=True)
+    qtbot.addWidget(panel)
+    panel.show()
+    assert not panel.table.isVisible()
+    panel.show_alarms((alarm,))
+    assert panel.table.isVisible()
+    panel.dress(DARK)
+    assert panel.table.isVisible()
+    panel.show_alarms(())
+    assert not panel.table.isVisible()
+
+
+def test_a_reset_is_offered_after_a_trip(qtbot: Any, qapp: Any, asked: list[Any]) -> None:
+    panel = AlarmPanel("x", LIGHT)
+    qtbot.addWidget(panel)
+    collect(panel, asked)
+    panel.show_state(RunState.RUNNING)
+    assert not panel.reset.isEnabled()
+    panel.show_state(RunState.FAULT)
+    panel.reset.click()
+    assert asked == [("reset", {})]
+
+
+def test_the_watchdog_notes_a_stall(qapp: Any) -> None:
+    now = [0.0]
+    watchdog = Watchdog(clock=lambda: now[0])
+    for step in (0.0, 0.020, 0.021, 0.020 + STALL_S + 0.001, 0.020):
+        now[0] += step
+        watchdog.beat()
+    assert watchdog.stalls == 1
+    assert watchdog.worst_s == pytest.approx(STALL_S + 0.001)
+
+
+def test_the_cursor_reads_values_with_units(
+    window: Any, engine: Any, attach: Callable[[], None], qtbot: Any
+) -> None:
+    engine.say(count=5)
+    attach()
+    overlay = window.tabs.overview
+    overlay.set_cursor(180.0)
+    text = overlay.readout.whole
+    assert text.startswith("At 180.0 deg:")
+    assert "|F| 9" in text
+    assert "model 96.0 N" in text
+    qtbot.keyClick(overlay.plot, Qt.Key.Key_Right)
+    assert overlay.readout.whole.startswith("At 181.0 deg")
+    qtbot.keyClick(overlay.residual_plot, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert overlay.readout.whole.startswith("At 171.0 deg")
+    qtbot.keyClick(overlay.plot, Qt.Key.Key_Escape)
+    assert not overlay.plot.cursor_line.isVisible()
+
+
+def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
+    window: Any, engine: Any, attach: Callable[[], None], qtbot: Any, recorded: Path
+) -> None:
+    window._session._revolution = lambda path, revolution: load_it(recorded, revolution)
+    window.tabs.setCurrentIndex(1)
+    engine.say(count=5)
+    attach()
+    cycle = window.tabs.cycle
+    cycle.hold.setChecked(True)
+    engine.say(first=6, count=1)
+    attach()
+    assert cycle.overlay.shown.measured_revolution == 5
+    cycle.hold.setChecked(False)
+    window.draw_now()
+    assert cycle.overlay.shown.measured_revolution == 6
+    cycle.stored.setValue(37)
+    cycle.show_stored.setChecked(True)
+
+    def compared() -> bool:
+        window.tick()
+        return "Grey: revolution 40" in cycle.overlay.title.whole
+
+    qtbot.waitUntil(compared, timeout=5000)
+    assert cycle.stored.value() == 40
+    assert len(cycle.overlay._references["force"].getData()[0]) > 100
+    cycle.show_stored.setChecked(False)
+    window.draw_now()
+    assert "Grey" not in cycle.overlay.title.whole
+    numbers = {cycle.values.item(0, column).text() for column in range(9)}
+    assert "96.00" in numbers
+
+
+def load_it(path: Path, revolution: int) -> Any:
+    from rigapp.gui.recording import load_revolution
+
+    return load_revolution(path, revolution)
+
+
+def test_every_trend_draws_what_it_names(
+    window: Any, engine: Any, attach: Callable[[], None]
+) -> None:
+    window.tabs.setCurrentIndex(2)
+    engine.say(count=1500)
+    attach()
+    trend = window.tabs.upper_trend
+    for index in range(trend.choice.count()):
+        trend.choice.setCurrentIndex(index)
+        window.draw_now()
+        assert trend._curves
+        assert all(len(curve.getData()[0]) > 0 for _, _, curve in trend._curves)
+    trend.choice.setCurrentIndex(0)
+    trend.last.click()
+    window.draw_now()
+    low, high = trend.plot.viewRange()[0]
+    assert high - low == pytest.approx(1000.0)
+    assert low <= 1500 <= high
+    trend.whole.click()
+    window.draw_now()
+    assert trend.plot.viewRange()[0][0] == 1.0
+    assert "maximum" in trend.values.whole
+
+
+def test_a_trend_is_zoomed_by_keys(
+    window: Any, engine: Any, attach: Callable[[], None], qtbot: Any
+) -> None:
+    window.tabs.setCurrentIndex(2)
+    engine.say(count=1500)
+    attach()
+    trend = window.tabs.upper_trend
+    before = trend.plot.viewRange()[0]
+    qtbot.keyClick(trend.plot, Qt.Key.Key_Plus)
+    window.draw_now()
+    after = trend.plot.viewRange()[0]
+    assert after[1] - after[0] == pytest.approx((before[1] - before[0]) / 2)
+    engine.say(first=1501, count=500)
+    attach()
+    assert trend.plot.viewRange()[0] == after
+    qtbot.keyClick(trend.plot, Qt.Key.Key_Right)
+    assert trend.plot.viewRange()[0][0] > after[0]
+
+
+def test_closing_asks_while_a_test_is_under_way(
+    window: Any, engine: Any, attach: Callable[[], None], qtbot: Any
+) -> None:
+    engine.say(count=5)
+    attach()
+    window.start()
+    window.close()
+    assert window.isVisible()
+    assert window.close_bar.isVisible()
+    qtbot.keyClick(window.close_bar, Qt.Key.Key_Escape)
+    assert not window.close_bar.isVisible()
+    window.close()
+    window.close_bar.stop_first.emit()
+
+    def asked() -> bool:
+        return "stop" in engine.verbs
+
+    qtbot.waitUntil(asked, timeout=5000)
+    assert window.isVisible()
+    engine.say(first=6, count=1, state=RunState.STOPPED)
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=5000)
+
+
+def test_a_minimised_window_draws_nothing(
+    window: Any, engine: Any, attach: Callable[[], None]
+) -> None:
+    engine.say(count=5)
+    attach()
+    window.showMinimized()
+    engine.say(first=6, count=1)
+    window.tick()
+    assert window.tabs.overview.shown.measured_revolution == 5
+    assert len(window._session.data.rows) == 6
+
+
+def test_a_replay_starts_again(recorded: Path, qtbot: Any, qapp: Any) -> None:
+    from rigapp.gui.link import Link
+    from rigapp.gui.replay import ReplayClient
+    from rigapp.gui.session import Session
+    from rigapp.gui.window import MainWindow
+
+    client = ReplayClient(recorded, at_end=True)
+    window = MainWindow(Link(lambda: client), Session(), LIGHT)
+    qtbot.addWidget(window)
+    window.show()
+
+    def rows(count: int) -> bool:
+        window.tick()
+        return len(window._session.data.rows) == count
+
+    qtbot.waitUntil(lambda: rows(300), timeout=10_000)
+    assert window.replay_bar.isVisible()
+    assert not window.tabs.isTabVisible(8)
+    client.request("replay", {"speed": 0.0})
+    client.request("rewind")
+    qtbot.waitUntil(lambda: rows(0), timeout=10_000)
+    client.request("replay", {"speed": 3000.0})
+    qtbot.waitUntil(lambda: rows(300), timeout=20_000)
+    window.close()
+
+
+def test_the_layout_is_remembered(
+    engine: Any, qtbot: Any, qapp: Any, tmp_path: Path, no_history: Any
+) -> None:
+    from PySide6.QtCore import QSettings
+
+    from rigapp.gui.link import Link
+    from rigapp.gui.session import Session
+    from rigapp.gui.window import MainWindow
+
+    def make() -> MainWindow:
+        settings = QSettings(str(tmp_path / "layout.ini"), QSettings.Format.IniFormat)
+        window = MainWindow(Link(engine.client), Session(no_history), LIGHT, settings=settings)
+        qtbot.addWidget(window)
+        window.show()
+        return window
+
+    first = make()
+    first.resize(1200, 760)
+    first.tabs.setCurrentIndex(2)
+    splitter = next(s for s in first.tabs.splitters if s.objectName() == "trend_split")
+    splitter.setSizes([100, 300, 200])
+    sizes = splitter.sizes()
+    first.close()
+    second = make()
+    assert second.tabs.currentIndex() == 2
+    again = next(s for s in second.tabs.splitters if s.objectName() == "trend_split")
+    assert again.sizes() == sizes
+    second.close()
+
+
+def test_help_opens_beside_the_window(window: Any, qtbot: Any) -> None:
+    window.show_help()
+    help_window = window._help
+    assert help_window.isVisible()
+    assert "emergency stop" in help_window.browser.toPlainText().lower()
+    qtbot.keyClick(help_window.browser, Qt.Key.Key_F12)
+    assert help_window.isVisible()
+    help_window.close()
