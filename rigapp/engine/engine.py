@@ -219,6 +219,13 @@ class Engine:
                 f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
                 f"run.speed_rpm = {run.speed_rpm:g}"
             )
+        reach = load_cell_reach_N(core.rig.record)
+        if test.limits.overload_N > reach:
+            raise UnusableInput(
+                f"limits.overload_N = {test.limits.overload_N:g} can never be seen: the input of "
+                f"the load cell is full at {reach:.0f} N; lower the limit or raise "
+                "load_cell.range_mV_per_V"
+            )
         samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
         if samples < FEWEST_SAMPLES:
             raise UnusableInput(
@@ -502,6 +509,15 @@ class Engine:
         core.publisher.prediction(values, prediction)
         if self._connection is not None:
             self._connection.guard.predicted(session, values)
+
+
+def load_cell_reach_N(rig: RigFile) -> float:
+    """Return the force up to which the load cell's inputs are not full, in any direction."""
+    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
+    zero = np.array(rig.load_cell.zero_mV_per_V, np.float64)
+    # A force has the signals inverse(matrix) force: the longest row fills its input first.
+    rows = np.linalg.norm(np.linalg.inv(matrix), axis=1)
+    return float(np.min((rig.load_cell.range_mV_per_V - np.abs(zero)) / rows))
 
 
 def changed_limits(

@@ -37,6 +37,16 @@ MISSED_INDEX_LIMIT = 2
 
 INDEX_SEARCH_REVOLUTIONS = 2.5
 
+CALM_REVOLUTIONS = 20
+
+CALMING = {
+    "count_mismatch": Flag.COUNT_MISMATCH,
+    "lost_samples": Flag.LOST_SAMPLES | Flag.GAP_BEFORE,
+    "device_overrun": Flag.LOST_SAMPLES | Flag.GAP_BEFORE,
+    "time_jump": Flag.TIME_JUMP,
+}
+"""Warnings that go by themselves, and the flags that keep them."""
+
 UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
 """Revolutions with one of these flags are no food for the prediction."""
 
@@ -54,6 +64,7 @@ class Guard:
         self._connection = connection
         self._on_measured = on_measured
         self._missed = 0
+        self._sound: dict[str, int] = {}
 
     # --- every block -----------------------------------------------------------------------------
 
@@ -168,12 +179,8 @@ class Guard:
             self._core.alarms.clear("index_missed")
         if flags & Flag.COUNT_MISMATCH:
             self._core.warn(causes.count_mismatch(row.number))
-        else:
-            self._core.alarms.clear("count_mismatch")
-        if not flags & (Flag.LOST_SAMPLES | Flag.GAP_BEFORE):
-            self._core.alarms.clear("lost_samples")
-        if not flags & Flag.TIME_JUMP:
-            self._core.alarms.clear("time_jump")
+        for key, bad in CALMING.items():
+            self._calm_down(key, not flags & bad)
         for verdict in row.verdicts:
             self.verdict(session, verdict)
 
@@ -207,6 +214,12 @@ class Guard:
         else:
             off = verdict.action == "drive_off"
             core.trip(Ending(FinishReason.LIMIT, cause.cause, off=off), cause)
+
+    def _calm_down(self, key: str, sound: bool) -> None:
+        """Clear a warning after enough sound revolutions; at once it would flood the log."""
+        self._sound[key] = self._sound.get(key, 0) + 1 if sound else 0
+        if self._sound[key] == CALM_REVOLUTIONS:
+            self._core.alarms.clear(key)
 
     def _store(self, session: Session, row: Row) -> None:
         revolution = row.revolution

@@ -9,6 +9,11 @@ from dataclasses import dataclass
 STANDING_COUNTS = 2
 """A crank whose count moves no more than this stands: an edge of the encoder may dither."""
 
+ENOUGH_COUNTS = 64
+"""A speed from so many counts is quantised to 1.6 % at most."""
+
+LONGEST_S = 0.4
+
 
 @dataclass(frozen=True, slots=True)
 class Point:
@@ -60,7 +65,10 @@ class MotionWindow:
             return self._points[-1] if self._points else None
 
     def speed_rpm(self, window_s: float = 0.05) -> float:
-        """Return the mean speed over the last window_s of device time, one block at least."""
+        """Return the mean speed over the last window_s of device time, one block at least.
+
+        A slow crank is looked at for longer, up to LONGEST_S, until enough counts have passed.
+        """
         with self._lock:
             if len(self._points) < 2:
                 return 0.0
@@ -106,6 +114,8 @@ class MotionWindow:
     def _back(self, window_s: float) -> Point:
         last = self._points[-1]
         for point in reversed(self._points):
-            if last.sample - point.sample >= window_s * self._rate:
+            elapsed = last.sample - point.sample
+            enough = abs(last.count - point.count) >= ENOUGH_COUNTS
+            if elapsed >= LONGEST_S * self._rate or (elapsed >= window_s * self._rate and enough):
                 return point
         return self._points[0]

@@ -432,6 +432,7 @@ def a_test(
     every: int = 5,
     rules: tuple[LimitRule, ...] = (),
     schedule: Any = "every",
+    overload_N: float = 380.0,
 ) -> TestFile:
     """Return a short test."""
     return TestFile(
@@ -440,7 +441,9 @@ def a_test(
         run=RunSection(revolutions, rpm, acceleration_rpm_per_s=600.0),
         model=None,  # type: ignore[arg-type]
         cycles=CyclesSection(schedule, every_revolutions=every, per_decade=3),
-        limits=LimitsSection(overload_N=380.0, overspeed_rpm=200.0, stale_data_s=0.5, rule=rules),
+        limits=LimitsSection(
+            overload_N=overload_N, overspeed_rpm=200.0, stale_data_s=0.5, rule=rules
+        ),
         prediction=PredictionSection(),
     )
 

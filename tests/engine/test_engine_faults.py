@@ -12,6 +12,7 @@ from drivers.api import DeviceError, ProtocolError
 from rigapp.engine.messages import FinishReason, Flag, RunState
 from rigapp.engine.publish import Finished
 from rigapp.engine.run import ENDED, Refused
+from rigapp.engine.timing import Timing
 
 LONG = 1_000_000
 
@@ -23,8 +24,6 @@ def rig() -> Iterator[MemoryRig]:
     memory.start(a_test(LONG))
     eventually(lambda: len(memory.store.rows) >= 5)
     yield memory
-    if memory.spindle.hang is not None:
-        memory.spindle.hang.set()
     memory.engine.shutdown(20.0)
 
 
@@ -215,13 +214,23 @@ def test_a_silent_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
         release.set()
 
 
-def test_a_hanging_drive_call_is_no_hanging_test(rig: MemoryRig) -> None:
+def test_a_hanging_drive_call_is_no_hanging_test() -> None:
+    quick = Timing(
+        read=0.02, poll=0.02, commit=0.05, supervise=0.01, silence=0.5, stop_margin=0.2,
+        coast=0.3, make_safe=0.05,
+    )  # fmt: skip
+    rig = MemoryRig(timing=quick)
+    rig.engine.connect()
+    rig.start(a_test(LONG))
+    eventually(lambda: len(rig.store.rows) >= 5)
     rig.spindle.hang = threading.Event()
     rig.engine.wait(ENDED, 30.0)
     outcome = rig.engine.outcome
     assert outcome is not None
     assert outcome.reason is FinishReason.INTERNAL
     assert any(a.key == "will_not_stop" for a in rig.engine.status().alarms)
+    rig.spindle.hang.set()
+    rig.engine.shutdown()
 
 
 def test_a_spindle_that_does_not_stop_raises_the_loudest_alarm(rig: MemoryRig) -> None:

@@ -274,6 +274,7 @@ def test_nothing_is_left_to_resume(rig: MemoryRig) -> None:
     [
         (a_test(rpm=500.0), "maximum_speed"),
         (a_test(rpm=250.0), "overspeed"),
+        (a_test(overload_N=720.0), "full at 700 N"),
         (a_test(rules=(LimitRule("force_mx", critical_above=1.0),)), "did you mean force_max"),
     ],
 )
