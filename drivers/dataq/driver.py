@@ -1,0 +1,262 @@
+"""Acquire from a DATAQ DI-2108 or DI-4108: voltages, and scans clocked by the encoder.
+
+Internal clock: the sample index is time; the counter row tells the angle.
+
+Encoder clock (``clock = "encoder"``, ``start 2``): encoder line A on input D6 makes the device scan
+once a pulse. The sample index is then the angle: sample i is pulse i since the start, lost scans
+counted by the counter. ``StreamSetup.sample_rate_Hz`` is nominal then, the rate that was asked for:
+it sizes buffers; the time of a sample is not known better than by ``Block.host_time_ns``.
+
+The device's counter counts one edge of one input and knows no direction: a shaft that turns back
+counts on. Counts per revolution are the encoder's lines, not its edges after quadrature, and there
+is no index; direction and absolute angle must come from elsewhere.
+
+Unknown until commissioning, and so assumed: the edge that is used, the smallest pulse width, the
+highest pulse rate, that a DI-4108 takes ``start 2`` as a DI-2108 does, and that the counter counts
+on while the device does not scan.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+from drivers.api import (
+    Block,
+    ConnectionFailed,
+    DataRequest,
+    DeviceError,
+    DriverInfo,
+    DriverKind,
+    Identity,
+    SettingRefused,
+    StreamSetup,
+    WrongDevice,
+)
+from drivers.dataq import protocol as p
+from drivers.dataq.link import Link
+from drivers.dataq.plan import Plan, Unplannable, make_plan
+from drivers.dataq.protocol import Clock, Info
+from drivers.dataq.settings import SETTINGS, defaults
+from drivers.dataq.stream import Pace, Stream, Tally
+from drivers.transport import BytePort, SerialPort
+
+_USB_VENDOR: Final = 0x0683
+_BAUD_RATE: Final = 115200  # without meaning on USB
+
+
+class Dataq:
+    """One DI-2108 or DI-4108 in CDC mode; implements ``drivers.api.DataSource``.
+
+    port may be a ``BytePort`` of one's own in place of the serial one.
+    """
+
+    def __init__(
+        self, name: str, port: str, settings: Mapping[str, Any], line: BytePort | None = None
+    ) -> None:
+        self.name = name
+        self.port = port
+        self._settings: dict[str, Any] = {**defaults(), **settings}
+        self._line = line or SerialPort(name, port, _BAUD_RATE)
+        self._link = Link(
+            self._line, self._settings["reply_timeout_s"], self._settings["command_pause_s"]
+        )
+        self._model = 0
+        self._firmware = 0
+        self._plan: Plan | None = None
+        self._stream: Stream | None = None
+
+    def open(self) -> Identity:
+        """Open the port, bring the device to rest and identify it.
+
+        Raises ConnectionFailed (port, or nothing answers) or WrongDevice.
+        """
+        self._line.open()
+        try:
+            return self._identify()
+        except BaseException:
+            self._line.close()
+            raise
+
+    def configure(self, request: DataRequest) -> StreamSetup:
+        """Tell the device everything and check every echo; raise SettingRefused."""
+        self.stop()
+        settings = {**self._settings, **request.settings}
+        try:
+            plan = make_plan(request, settings)
+        except Unplannable as error:
+            raise SettingRefused(self.name, self.port, str(error)) from error
+        self._check_model(settings["model"])
+        self._settings = settings
+        self._link.reply_timeout_s = settings["reply_timeout_s"]
+        self._link.pause_s = settings["command_pause_s"]
+        self._rest()
+        for command in plan.commands(end_list=settings["end_scan_list"]):
+            self._link.set(command)
+        self._line.drain()
+        self._plan = plan
+        self._stream = None
+        return StreamSetup(plan.channels, plan.sample_rate_Hz, self._readback(plan))
+
+    def start(self) -> None:
+        """Start streaming; sample index, block sequence and counter restart at 0."""
+        if self._plan is None:
+            raise SettingRefused(self.name, self.port, "it was not configured before the start.")
+        if self._stream is not None and self._stream.running:
+            return
+        settings = self._settings
+        pace = Pace(settings["block_s"], settings["silence_s"], settings["idle_check_s"])
+        self._rest()
+        stream = Stream(self._link, self._plan, pace)
+        stream.start()
+        self._stream = stream
+
+    def read(self, timeout_s: float) -> Block | None:
+        """Return the next Block, None when none came in time.
+
+        Raises DeviceLost (port, hang, reset) or ProtocolError (the counter check fails again and
+        again).
+        """
+        return None if self._stream is None else self._stream.read(timeout_s)
+
+    def zero(self, inputs: Sequence[str]) -> None:
+        """Refuse: the device cannot zero its inputs."""
+        raise SettingRefused(
+            self.name,
+            self.port,
+            f"it cannot zero {', '.join(inputs)} itself; the zero belongs to the calibration.",
+        )
+
+    def stop(self) -> None:
+        """Stop streaming; safe to call twice. Samples that came before can still be read."""
+        if self._stream is not None:
+            self._stream.stop()
+
+    def close(self) -> None:
+        """Stop the stream and release the port; never raises."""
+        if not self._line.is_open:
+            return
+        with contextlib.suppress(DeviceError):
+            self.stop()
+        self._line.close()
+
+    @property
+    def tally(self) -> Tally:
+        """Return what went wrong since the stream was started."""
+        return Tally() if self._stream is None else self._stream.tally
+
+    # --- set-up ---------------------------------------------------------------------------------
+
+    def _rest(self) -> None:
+        """Bring the device to rest, whatever it was doing; raise ConnectionFailed, WrongDevice."""
+        before = self._line.drain()
+        for _ in range(2):
+            data = self._link.stop()
+            if data is not None:
+                return
+        if before:
+            raise WrongDevice(
+                self.name,
+                self.port,
+                "something sends bytes, but does not answer stop as a DATAQ instrument does; check "
+                "the port in the rig file, and switch the device off and on.",
+            )
+        raise ConnectionFailed(
+            self.name,
+            self.port,
+            "nothing answers stop; check power and cable, and that the LED blinks yellow (CDC "
+            "mode).",
+        )
+
+    def _identify(self) -> Identity:
+        self._rest()
+        model = self._link.query(Info.MODEL)
+        digits = re.sub(r"\D", "", model)
+        self._model = int(digits) if digits else 0
+        self._check_model(self._settings["model"])
+        clock = self._link.query(Info.MASTER_CLOCK)
+        if clock != str(p.MASTER_CLOCK_HZ):
+            raise WrongDevice(
+                self.name,
+                self.port,
+                f"its scan rates divide {clock} Hz, where {p.MASTER_CLOCK_HZ} Hz is known; this "
+                "firmware is not supported.",
+            )
+        firmware = self._link.query(Info.FIRMWARE)
+        self._firmware = int(firmware, 16) if re.fullmatch(r"[0-9A-Fa-f]+", firmware) else 0
+        return Identity(
+            maker="DATAQ Instruments",
+            model=f"DI-{self._model}",
+            firmware=_version(self._firmware) if self._firmware else firmware,
+            serial_number=self._link.query(Info.SERIAL_NUMBER)[:8],
+            port=self.port,
+            details=self._firmware_advice(),
+        )
+
+    def _check_model(self, wanted: int) -> None:
+        if self._model == wanted:
+            return
+        advice = (
+            f"set model = {self._model} in the rig file"
+            if self._model in p.MODELS
+            else "check the port in the rig file"
+        )
+        raise WrongDevice(
+            self.name,
+            self.port,
+            f"a DI-{self._model} answers, and the rig file says DI-{wanted}; {advice}.",
+        )
+
+    def _firmware_advice(self) -> dict[str, str]:
+        if not 0 < self._firmware < p.ADVISED_FIRMWARE:
+            return {}
+        return {
+            "advice": f"firmware {_version(self._firmware)} is known to fail in binary mode and at "
+            f"high rates; load {_version(p.ADVISED_FIRMWARE)} or newer."
+        }
+
+    def _readback(self, plan: Plan) -> dict[str, str | float | int]:
+        encoder = plan.clock is Clock.ENCODER
+        return {
+            "model": plan.model.name,
+            "clock": plan.clock.value,
+            "srate": plan.rate.srate,
+            "dec": plan.rate.dec,
+            "deca": plan.rate.deca,
+            "sample_rate_Hz": plan.sample_rate_Hz,
+            "sample_index": "pulse of the encoder; sample_rate_Hz is nominal"
+            if encoder
+            else "scan of the internal clock",
+            "scan_list": " ".join(str(word) for word in plan.scan_list),
+            "filter": plan.filter_mode,
+            "packet_bytes": p.PACKET_SIZES[plan.packet_code],
+            "counter": "16 bit, pulses of one input edge, without direction or index",
+            "pulses_per_revolution": plan.pulses_per_revolution,
+            "largest_counter_step": plan.steps.highest,
+            "odds_of_unseen_byte_loss_per_scan": plan.steps.odds,
+            "assumed": "the counter counts on while the device does not scan; the pulse edge, "
+            "width and highest rate on D6",
+            **self._firmware_advice(),
+        }
+
+
+def make(name: str, port: str, settings: Mapping[str, Any]) -> Dataq:
+    """Make a driver for a named device on a port."""
+    return Dataq(name, port, settings)
+
+
+def _version(hundredths: int) -> str:
+    return f"{hundredths // 100}.{hundredths % 100:02d}"
+
+
+DRIVER = DriverInfo(
+    name="dataq",
+    title="DATAQ DI-2108 or DI-4108 data acquisition",
+    kind=DriverKind.DATA_SOURCE,
+    factory=make,
+    settings=SETTINGS,
+    simulator="drivers.dataq.simulator:DataqSimulator",
+    usb_ids=((_USB_VENDOR, None),),
+)

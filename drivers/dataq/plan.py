@@ -1,0 +1,190 @@
+"""Turn a DataRequest into a scan list, a rate, and what the rows of a Block mean; pure."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Final
+
+from drivers.api import ChannelSpec, DataRequest
+from drivers.dataq import protocol as p
+from drivers.dataq.protocol import Clock, Function, Model
+from drivers.dataq.rates import NoSuchRate, Rate, encoder_rate, rate_for
+from drivers.dataq.scans import ENCODER_STEPS, Layout, Steps
+
+COUNTER: Final = "counter_1"
+_SPARE_STEPS: Final = 2  # lines are not spaced evenly, and an edge falls before or after a scan
+_LOWEST_COUNT, _HIGHEST_COUNT = -(2.0**31), 2.0**31 - 1.0
+
+
+class Unplannable(ValueError):
+    """Say which wish the device cannot fulfil, and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """Carry everything that the device is told.
+
+    scan_list: words by position. rows: of the scan, in the order of ``channels``.
+    """
+
+    model: Model
+    clock: Clock
+    rate: Rate
+    sample_rate_Hz: float
+    scan_list: tuple[int, ...]
+    filter_mode: int
+    packet_code: int
+    layout: Layout
+    steps: Steps
+    channels: tuple[ChannelSpec, ...]
+    rows: tuple[int, ...]
+    pulses_per_revolution: float
+
+    def commands(self, *, end_list: bool) -> tuple[bytes, ...]:
+        """Return the command lines of the set-up; ps comes last, as srate may rewrite it."""
+        lines = [p.line("encode", 0)]
+        lines += [p.line("slist", place, word) for place, word in enumerate(self.scan_list)]
+        if end_list:
+            lines.append(p.line("slist", len(self.scan_list), p.END_OF_LIST))
+        channels = [word & 7 for word in self.scan_list[: self.layout.analog]]
+        lines += [p.line("filter", channel, self.filter_mode) for channel in channels]
+        lines += [
+            p.line("dec", self.rate.dec),
+            p.line("deca", self.rate.deca),
+            p.line("srate", self.rate.srate),
+            p.line("ps", self.packet_code),
+        ]
+        return tuple(lines)
+
+
+def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
+    """Return the plan for a request; raise Unplannable."""
+    model = p.MODELS[settings["model"]]
+    clock = Clock(settings["clock"])
+    ranges = _analog(request, model)
+    pulses = _pulses_per_revolution(request)
+    digital, rate_range_Hz = settings["digital"], settings["rate_range_Hz"]
+    layout = Layout(len(ranges), digital, bool(rate_range_Hz), model.mask)
+    if layout.words > p.MOST_ENTRIES:
+        raise Unplannable(
+            f"{layout.words} entries in the scan list, {p.MOST_ENTRIES} at most; "
+            "take analog inputs out."
+        )
+    words = [p.analog_word(number - 1, model.ranges_V.index(ranges[number])) for number in ranges]
+    if digital:
+        words.append(Function.DIGITAL)
+    if rate_range_Hz:
+        words.append(p.rate_word(rate_range_Hz))
+    words.append(Function.COUNTER)
+    rate, nominal = _rate(request.sample_rate_Hz, clock, layout.words)
+    channels = _channels(ranges, digital, rate_range_Hz, counter=COUNTER in request.inputs)
+    return Plan(
+        model=model,
+        clock=clock,
+        rate=rate,
+        sample_rate_Hz=nominal,
+        scan_list=tuple(words),
+        filter_mode=p.FILTERS[settings["filter"]],
+        packet_code=_packet_code(2.0 * layout.words * nominal * settings["block_s"], clock),
+        layout=layout,
+        steps=_steps(clock, nominal, pulses, settings),
+        channels=channels,
+        rows=tuple(range(len(channels))),
+        pulses_per_revolution=pulses,
+    )
+
+
+def _analog(request: DataRequest, model: Model) -> dict[int, float]:
+    """Return range in V by input number (1 to 8), in growing order."""
+    ranges: dict[int, float] = {}
+    for name, (kind, wanted) in request.inputs.items():
+        if kind == "counter":
+            if name != COUNTER:
+                raise Unplannable(f"{name}: the device has one counter, {COUNTER}.")
+            continue
+        match = re.fullmatch(r"analog_([1-8])", name)
+        if match is None:
+            raise Unplannable(f"{name} is not an input; write analog_1 to analog_8 or {COUNTER}.")
+        if kind == "bridge":
+            raise Unplannable(
+                f"{name} is declared as a bridge, and the {model.name} has no bridge inputs; put a "
+                "bridge amplifier with a voltage output before it and declare it as a voltage."
+            )
+        if kind != "voltage":
+            raise Unplannable(f"{name}: a {kind} input does not exist; declare it as a voltage.")
+        if wanted not in model.ranges_V:
+            possible = ", ".join(f"{volts:g}" for volts in model.ranges_V)
+            raise Unplannable(
+                f"{name}: the {model.name} has no range of {wanted:g} V; it has {possible} V."
+            )
+        ranges[int(match[1])] = wanted
+    return dict(sorted(ranges.items()))
+
+
+def _pulses_per_revolution(request: DataRequest) -> float:
+    pulses = request.inputs.get(COUNTER, ("counter", 3600.0))[1]
+    if not (math.isfinite(pulses) and pulses >= 1.0):
+        raise Unplannable(f"{COUNTER}: {pulses:g} counts per revolution cannot be; give 1 or more.")
+    return float(pulses)
+
+
+def _rate(wanted_Hz: float, clock: Clock, entries: int) -> tuple[Rate, float]:
+    if clock is Clock.ENCODER:
+        rate = encoder_rate(entries)
+        if not 0.0 < wanted_Hz <= rate.sample_rate_Hz:
+            raise Unplannable(
+                f"sample_rate_Hz = {wanted_Hz:g} is the nominal rate of the encoder's pulses; "
+                f"with {entries} entries in the scan list it can be {rate.sample_rate_Hz:g} at "
+                "most."
+            )
+        return rate, float(wanted_Hz)
+    try:
+        rate = rate_for(wanted_Hz, entries)
+    except NoSuchRate as error:
+        raise Unplannable(str(error)) from error
+    return rate, rate.sample_rate_Hz
+
+
+def _steps(clock: Clock, rate_Hz: float, pulses: float, settings: Mapping[str, Any]) -> Steps:
+    """Return how the counter may step; counts per scan and per scan squared."""
+    if clock is Clock.ENCODER:
+        return ENCODER_STEPS
+    speed = settings["maximum_speed_rpm"] / 60.0
+    highest = math.ceil(speed * pulses / rate_Hz) + _SPARE_STEPS
+    if highest > p.COUNTER_SPAN // 4:
+        raise Unplannable(
+            f"at {rate_Hz:g} scans/s and maximum_speed_rpm = {settings['maximum_speed_rpm']:g} the "
+            f"16-bit counter may step by {highest} from scan to scan, too much to prove that no "
+            "byte is lost; raise sample_rate_Hz or lower maximum_speed_rpm."
+        )
+    acceleration = settings["maximum_acceleration_rev_per_s2"]
+    change = math.ceil(acceleration * pulses / rate_Hz**2) + _SPARE_STEPS
+    return Steps(0, highest, min(change, highest))
+
+
+def _channels(
+    ranges: Mapping[int, float], digital: bool, rate_range_Hz: float, *, counter: bool
+) -> tuple[ChannelSpec, ...]:
+    specs = [
+        ChannelSpec(f"analog_{n}", "V", p.analog_scale(volts), 0.0, -volts, volts)
+        for n, volts in ranges.items()
+    ]
+    if digital:
+        specs.append(ChannelSpec("digital", "bits", minimum=0.0, maximum=127.0))
+    if rate_range_Hz:
+        scale, offset = p.rate_scale(rate_range_Hz)
+        specs.append(ChannelSpec("rate_1", "Hz", scale, offset, 0.0, rate_range_Hz))
+    if counter:
+        specs.append(ChannelSpec(COUNTER, "count", minimum=_LOWEST_COUNT, maximum=_HIGHEST_COUNT))
+    return tuple(specs)
+
+
+def _packet_code(block_bytes: float, clock: Clock) -> int:
+    """Return the largest packet that a block fills twice; the smallest for the encoder clock."""
+    if clock is Clock.ENCODER:
+        return 0
+    fitting = [code for code, size in enumerate(p.PACKET_SIZES) if 2 * size <= block_bytes]
+    return fitting[-1] if fitting else 0

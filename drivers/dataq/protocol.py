@@ -1,0 +1,174 @@
+"""Commands, scan-list words and conversions of the DATAQ DI-2108 and DI-4108; pure.
+
+Commands are lower-case ASCII lines that end in CR, numbers decimal. While idle, the device echoes
+each command (a query with its value behind it), CR, perhaps NULs. While it scans it echoes ``stop``
+alone. The stream has no header, no mark and no checksum: one little-endian 16-bit word for each
+entry of the scan list, in the list's order.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+MASTER_CLOCK_HZ: Final = 60_000_000
+END_OF_LIST: Final = 65535
+MOST_ENTRIES: Final = 11
+ANALOG_CHANNELS: Final = 8
+PACKET_SIZES: Final = (16, 32, 64, 128, 256, 512, 1024, 2048)
+RATE_RANGES_HZ: Final = (50e3, 20e3, 10e3, 5e3, 2e3, 1e3, 500.0, 200.0, 100.0, 50.0, 20.0, 10.0)
+COUNTER_SPAN: Final = 1 << 16
+ADVISED_FIRMWARE: Final = 135  # hundredths
+
+_DIGITAL_LINES: Final = 0x7F
+_RATE_STEPS: Final = 65535.0
+
+
+class Function(enum.IntEnum):
+    """Say what an entry of the scan list is (bits 3 to 0); 0 to 7 are the analog channels."""
+
+    DIGITAL = 8
+    RATE = 9
+    COUNTER = 10
+
+
+class Clock(enum.StrEnum):
+    """Say what makes the device scan."""
+
+    INTERNAL = "internal"
+    ENCODER = "encoder"
+
+
+class Info(enum.IntEnum):
+    """Number the queries that the driver uses."""
+
+    MODEL = 1
+    FIRMWARE = 2
+    SERIAL_NUMBER = 6
+    MASTER_CLOCK = 9
+
+
+FILTERS: Final[Mapping[str, int]] = {"last point": 0, "average": 1, "maximum": 2, "minimum": 3}
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """Tell models apart: ranges in V by range code, and the bits of a word that are signal."""
+
+    number: int
+    ranges_V: tuple[float, ...]
+    mask: int
+
+    @property
+    def name(self) -> str:
+        """Return the name on the instrument."""
+        return f"DI-{self.number}"
+
+
+MODELS: Final[Mapping[int, Model]] = {
+    2108: Model(2108, (10.0,), 0xFFFF),
+    4108: Model(4108, (10.0, 5.0, 2.0, 1.0, 0.5, 0.2), 0xFFFC),
+}
+
+
+class BadReply(ValueError):
+    """Say what is wrong with the device's answer to a command."""
+
+
+# --- commands -----------------------------------------------------------------------------------
+
+
+def analog_word(channel: int, range_code: int) -> int:
+    """Return the scan-list word of an analog channel (0 to 7)."""
+    if not 0 <= channel < ANALOG_CHANNELS:
+        raise ValueError(f"analog channel {channel} is not 0 to {ANALOG_CHANNELS - 1}")
+    return range_code << 8 | channel
+
+
+def rate_word(range_Hz: float) -> int:
+    """Return the scan-list word of the rate input; raise ValueError for a range it has not."""
+    if range_Hz not in RATE_RANGES_HZ:
+        raise ValueError(f"the rate input has no range of {range_Hz:g} Hz")
+    return (RATE_RANGES_HZ.index(range_Hz) + 1) << 8 | Function.RATE
+
+
+def line(*words: str | int) -> bytes:
+    """Return a command line."""
+    return " ".join(str(word) for word in words).encode("ascii") + b"\r"
+
+
+def start_line(clock: Clock) -> bytes:
+    """Return the command that starts scanning: by the internal clock, or by edges on D6."""
+    return line("start", 2) if clock is Clock.ENCODER else line("start")
+
+
+# --- replies ------------------------------------------------------------------------------------
+
+
+def split_replies(data: bytes) -> tuple[list[str], bytes]:
+    """Return the complete lines of idle text and what is left of the last one.
+
+    NULs and line feeds are not part of a line; bytes beyond ASCII show as escapes.
+    """
+    *lines, rest = data.replace(b"\0", b"").replace(b"\n", b"").split(b"\r")
+    return [text.decode("ascii", "backslashreplace") for text in lines], rest
+
+
+def query_value(command: bytes, reply: str) -> str:
+    """Return the value in the answer to a query; raise BadReply."""
+    asked = command.rstrip(b"\r").decode("ascii").strip()
+    value = reply.removeprefix(asked)
+    if value == reply or not value.strip():
+        raise BadReply(f"{asked!r} was answered with {reply!r}")
+    return value.strip()
+
+
+def echoes_of(command: bytes) -> tuple[bytes, ...]:
+    """Return what may stand before the first sample: the echo of ``start``, in either form."""
+    return tuple(dict.fromkeys((command, b"start\r")))
+
+
+def without_echo(data: bytes, echoes: tuple[bytes, ...]) -> bytes | None:
+    """Return the stream without an echo at its very beginning; None: too few bytes to tell.
+
+    Only an exact echo is taken off: a sample may contain 0D.
+    """
+    for echo in echoes:
+        if data.startswith(echo):
+            return data[len(echo) :]
+    if any(echo.startswith(data) for echo in echoes):
+        return None
+    return data
+
+
+# --- conversions: electrical signal = scale * raw + offset --------------------------------------
+
+
+def analog_scale(range_V: float) -> float:
+    """Return V per step: v = range * n / 32768, n signed."""
+    return range_V / 32768.0
+
+
+def rate_scale(range_Hz: float) -> tuple[float, float]:
+    """Return (Hz per step, Hz at 0): f = (n + 32768) / 65535 * range, n signed."""
+    return range_Hz / _RATE_STEPS, 32768.0 / _RATE_STEPS * range_Hz
+
+
+def counts_of(words: NDArray[np.uint16]) -> NDArray[np.uint16]:
+    """Return counts 0 to 65535 of counter words: n + 32768, n signed."""
+    return words ^ np.uint16(0x8000)
+
+
+def lines_of(words: NDArray[np.uint16]) -> NDArray[np.uint16]:
+    """Return the states of the digital lines D0 to D6 as bits: bytes swapped, seven bits."""
+    return np.asarray(words >> 8 & _DIGITAL_LINES, np.uint16)
+
+
+def saturated_limits(mask: int) -> tuple[int, int]:
+    """Return the signed words at both ends of the converter's range."""
+    return -32768, 32767 & mask
