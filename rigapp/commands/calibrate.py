@@ -243,7 +243,9 @@ def _probe_lines(found: ProbeCalibration) -> list[str]:
 def write_certificate(record: Path, to: Path) -> int:
     """Write the certificate of a record as PDF or HTML; return the exit status."""
     from calibration.records import RecordError, unseal
-    from rigapp.report.certificate import as_html, as_pdf, certificate_of
+    from rigapp.report.certificate import certificate_of
+    from rigapp.report.html import as_html
+    from rigapp.report.pdf import as_pdf
 
     writers = {".pdf": as_pdf, ".html": as_html}
     writer = writers.get(to.suffix.lower())

@@ -8,50 +8,17 @@ from __future__ import annotations
 
 import io
 import math
-from base64 import b64encode
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from calibration.readings import parse_load_cell, parse_probe
 from calibration.records import Record
-
-Row = Sequence[str]
-
-
-@dataclass(frozen=True, slots=True)
-class Table:
-    """A table of the certificate; without a header its first column is bold."""
-
-    title: str
-    rows: tuple[Row, ...]
-    header: Row = ()
+from rigapp.report.document import Document, Figure, Row, Section, Table, Text
 
 
-@dataclass(frozen=True, slots=True)
-class Figure:
-    """A picture of the certificate as PNG bytes, with the words for who cannot see it."""
-
-    title: str
-    png: bytes
-    words: str
-
-
-@dataclass(frozen=True, slots=True)
-class Certificate:
-    """What a certificate says, before it is set as a page."""
-
-    title: str
-    number: str
-    paragraphs: tuple[str, ...]
-    tables: tuple[Table, ...]
-    figures: tuple[Figure, ...]
-    digest_note: str
-
-
-def certificate_of(record: Record) -> Certificate:
+def certificate_of(record: Record) -> Document:
     """Compose the certificate of a record."""
     content, result = record.content, record.content["result"]
     cell = record.kind == "load cell"
@@ -59,13 +26,12 @@ def certificate_of(record: Record) -> Certificate:
     tables += _cell_tables(content) if cell else _probe_tables(content)
     tables.append(_readings_table(content, cell))
     figures = _cell_figures(content) if cell else _probe_figures(content)
-    return Certificate(
+    statements = tuple(Text(text) for text in _statements(content, result, cell))
+    return Document(
         title=f"Certificate of calibration: {_item(content)}",
-        number=record.number,
-        paragraphs=tuple(_statements(content, result, cell)),
-        tables=tuple(tables),
-        figures=tuple(figures),
-        digest_note=(
+        footer=f"Certificate {record.number}",
+        sections=(Section("", (*statements, *tables)), Section("Residuals", tuple(figures))),
+        closing=(
             f"Number {record.number} is the beginning of the SHA-256 digest of the record, readings"
             f" included. Made by {content['software']}."
         ),
@@ -298,28 +264,3 @@ def _scatter(title: str, x_label: str, x: Any, residual: Any, y_label: str) -> F
     canvas.savefig(stream, format="png", metadata={"Software": None})
     words = f"{title}: largest {np.abs(residual).max():.3g}."
     return Figure(title, stream.getvalue(), words)
-
-
-def as_html(certificate: Certificate) -> bytes:
-    """Return the certificate as one HTML file with its pictures inside."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    environment = Environment(
-        loader=PackageLoader("rigapp.report", "templates"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    pictures = [(figure, b64encode(figure.png).decode()) for figure in certificate.figures]
-    text = environment.get_template("certificate.html").render(
-        certificate=certificate, pictures=pictures
-    )
-    return text.encode()
-
-
-def as_pdf(certificate: Certificate) -> bytes:
-    """Return the certificate as PDF, pages numbered n of m."""
-    from rigapp.report.pdf import set_pages
-
-    return set_pages(certificate)

@@ -1,93 +1,279 @@
-"""Set a certificate on pages with reportlab, without a time stamp, so that the bytes repeat."""
+"""Set a document on pages with reportlab, without a time stamp, so that the bytes repeat."""
 
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import escape
 
 from reportlab.lib import colors
 from reportlab.lib.pagesizes import A4
-from reportlab.lib.styles import ParagraphStyle, getSampleStyleSheet
+from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
+from reportlab.lib.utils import ImageReader
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
-from reportlab.platypus import Image, Paragraph, SimpleDocTemplate, Spacer
+from reportlab.platypus import (
+    Flowable,
+    Image,
+    KeepTogether,
+    Paragraph,
+    Preformatted,
+    SimpleDocTemplate,
+    Spacer,
+)
 from reportlab.platypus import Table as Grid
 
-from rigapp.report.certificate import Certificate, Table
+from rigapp.report.document import Block, Document, Figure, Listing, Table, Text, numeric_columns
+
+PLAIN, BOLD, FIXED = "DejaVuSans", "DejaVuSans-Bold", "DejaVuSansMono"
+WIDTH = 174 * mm
+CELL_SIZE = 7.0
+CELL_PADDING = 8.0
+NAME_WIDTH = 55 * mm
+LISTING_COLUMNS = 112
+KEPT_ROWS = 12
+"""A table of so few rows is kept on one page with its title."""
 
 LINE = [
-    ("FONTSIZE", (0, 0), (-1, -1), 7.5),
-    ("LEADING", (0, 0), (-1, -1), 9.5),
-    ("TOPPADDING", (0, 0), (-1, -1), 1),
-    ("BOTTOMPADDING", (0, 0), (-1, -1), 1),
+    ("TOPPADDING", (0, 0), (-1, -1), 1.2),
+    ("BOTTOMPADDING", (0, 0), (-1, -1), 1.8),
+    ("LEFTPADDING", (0, 0), (-1, -1), 0),
+    ("RIGHTPADDING", (0, 0), (-1, -1), CELL_PADDING),
     ("LINEBELOW", (0, 0), (-1, -1), 0.25, colors.grey),
     ("VALIGN", (0, 0), (-1, -1), "TOP"),
 ]
 
 
-def set_pages(certificate: Certificate) -> bytes:
+def set_pages(document: Document) -> bytes:
     """Return the PDF; two passes, since every page names the number of pages."""
-    pages = _build(certificate, 0)[1]
-    return _build(certificate, pages)[0]
+    _register_fonts()
+    pages = _build(document, 0)[1]
+    return _build(document, pages)[0]
 
 
-def _build(certificate: Certificate, pages: int) -> tuple[bytes, int]:
+as_pdf = set_pages
+
+
+@cache
+def _register_fonts() -> None:
+    """Take fonts that know more than Western European letters; matplotlib brings them."""
+    import matplotlib
+
+    folder = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
+    for name in (PLAIN, BOLD, FIXED):
+        pdfmetrics.registerFont(TTFont(name, str(folder / f"{name}.ttf")))
+    pdfmetrics.registerFontFamily(PLAIN, normal=PLAIN, bold=BOLD, italic=PLAIN, boldItalic=BOLD)
+
+
+def _build(document: Document, pages: int) -> tuple[bytes, int]:
     stream = io.BytesIO()
-    document = SimpleDocTemplate(
+    template = SimpleDocTemplate(
         stream,
         pagesize=A4,
         invariant=1,
-        title=f"{certificate.title} {certificate.number}",
+        title=document.footer,
         author="",
+        lang="en",
         leftMargin=18 * mm,
         rightMargin=18 * mm,
         topMargin=16 * mm,
         bottomMargin=18 * mm,
     )
-    footer = _footer(certificate, pages)
-    document.build(_story(certificate), onFirstPage=footer, onLaterPages=footer)
-    return stream.getvalue(), document.page
+    footer = _footer(document, pages)
+    template.build(_story(document), onFirstPage=footer, onLaterPages=footer)
+    return stream.getvalue(), template.page
 
 
-def _footer(certificate: Certificate, pages: int) -> Callable[[Canvas, Any], None]:
-    def draw(canvas: Canvas, document: Any) -> None:
-        canvas.setFont("Helvetica", 8)
-        canvas.drawString(18 * mm, 10 * mm, f"Certificate {certificate.number}")
-        canvas.drawRightString(192 * mm, 10 * mm, f"page {document.page} of {pages}")
+def _footer(document: Document, pages: int) -> Callable[[Canvas, Any], None]:
+    number_width = 40 * mm
+    text = _shortened(document.footer, PLAIN, 7.5, WIDTH - number_width)
+
+    def draw(canvas: Canvas, template: Any) -> None:
+        canvas.setFont(PLAIN, 7.5)
+        canvas.drawString(18 * mm, 10 * mm, text)
+        canvas.drawRightString(192 * mm, 10 * mm, f"page {template.page} of {pages}")
 
     return draw
 
 
-def _story(certificate: Certificate) -> list[Any]:
-    styles = getSampleStyleSheet()
-    body = ParagraphStyle("body", parent=styles["BodyText"], fontSize=9, leading=12)
-    story: list[Any] = [Paragraph(escape(certificate.title), styles["Title"])]
-    story += [Paragraph(escape(text), body) for text in certificate.paragraphs]
-    for table in certificate.tables:
-        story += [Paragraph(escape(table.title), styles["Heading3"]), _grid(table, body)]
-    for figure in certificate.figures:
-        story += [Spacer(0, 4 * mm), Image(io.BytesIO(figure.png), 165 * mm, 71.5 * mm)]
-    signs = Grid([["Operator, date", "", "Reviewer, date"]], colWidths=[70 * mm, 30 * mm, 70 * mm])
-    signs.setStyle(
-        [("LINEABOVE", (0, 0), (0, 0), 0.5, colors.black),
-         ("LINEABOVE", (2, 0), (2, 0), 0.5, colors.black),
-         ("FONTSIZE", (0, 0), (-1, -1), 8)]
-    )  # fmt: skip
-    return [
-        *story,
-        Spacer(0, 18 * mm),
-        signs,
-        Spacer(0, 4 * mm),
-        Paragraph(escape(certificate.digest_note), body),
-    ]
+def _shortened(text: str, font: str, size: float, width: float) -> str:
+    shown = text
+    while len(shown) > 1 and pdfmetrics.stringWidth(shown, font, size) > width:
+        shown = shown[:-2].rstrip() + "…"
+    return shown
 
 
-def _grid(table: Table, body: ParagraphStyle) -> Grid:
-    small = ParagraphStyle("small", parent=body, fontSize=7.5, leading=9.5)
+def _style(name: str, size: float, bold: bool = False, **more: Any) -> ParagraphStyle:
+    font = BOLD if bold else PLAIN
+    more = {"leading": size * 1.32, **more}
+    return ParagraphStyle(name, fontName=font, fontSize=size, splitLongWords=1, **more)
+
+
+BODY = _style("body", 8.5, spaceAfter=3)
+STRONG = _style(
+    "strong", 8.5, bold=True, spaceAfter=4, leftIndent=8, borderPadding=(2, 2, 3, 6),
+    borderColor=colors.HexColor("#D55E00"), borderWidth=0.8, spaceBefore=3,
+)  # fmt: skip
+CELL = _style("cell", CELL_SIZE)
+NUMBER = _style("number", CELL_SIZE, alignment=2)
+HEAD = _style("head", CELL_SIZE, bold=True)
+HEAD_NUMBER = _style("head number", CELL_SIZE, bold=True, alignment=2)
+SMALL = _style("small", 7.0, textColor=colors.HexColor("#444444"))
+TITLE = _style("title", 15, bold=True, spaceAfter=8)
+HEADING = _style("heading", 11, bold=True, spaceBefore=11, spaceAfter=4, keepWithNext=1)
+CAPTION = _style("caption", 8.5, bold=True, spaceBefore=6, spaceAfter=2, keepWithNext=1)
+FIXED_STYLE = ParagraphStyle("fixed", fontName=FIXED, fontSize=6.5, leading=8.2)
+
+
+class _Heading(Paragraph):  # type: ignore[misc, unused-ignore]
+    """A heading that also stands in the outline of the PDF."""
+
+    def draw(self) -> None:
+        """Draw the heading and mark its place."""
+        key = self.getPlainText()
+        self.canv.bookmarkPage(key)
+        self.canv.addOutlineEntry(key, key, 0)
+        super().draw()
+
+
+def _story(document: Document) -> list[Flowable]:
+    story: list[Flowable] = [Paragraph(escape(document.title), TITLE)]
+    for section in document.sections:
+        if section.title:
+            story.append(_Heading(escape(section.title), HEADING))
+        for block in section.blocks:
+            story += _flowables(block)
+    if document.signatures:
+        story.append(_signatures(document.signatures))
+    if document.closing:
+        story += [Spacer(0, 4 * mm), Paragraph(escape(document.closing), SMALL)]
+    return story
+
+
+def _flowables(block: Block) -> list[Flowable]:
+    if isinstance(block, Text):
+        return [Paragraph(escape(block.text), STRONG if block.strong else BODY)]
+    if isinstance(block, Figure):
+        return [_figure(block)]
+    title = [Paragraph(escape(block.title), CAPTION)] if block.title else []
+    if isinstance(block, Listing):
+        text = block.text.expandtabs(4) or " "
+        return [
+            *title,
+            Preformatted(text, FIXED_STYLE, maxLineLength=LISTING_COLUMNS, newLineChars="  "),
+        ]
+    parts = [*title, _grid(block), Spacer(0, 2 * mm)]
+    return [KeepTogether(parts)] if len(block.rows) <= KEPT_ROWS else parts
+
+
+def _figure(figure: Figure) -> KeepTogether:
+    width, height = ImageReader(io.BytesIO(figure.image)).getSize()
+    caption = f"<b>{escape(figure.title)}.</b> {escape(figure.caption)}"
+    return KeepTogether(
+        [
+            Spacer(0, 3 * mm),
+            Image(io.BytesIO(figure.image), WIDTH, WIDTH * height / width),
+            Paragraph(caption, SMALL),
+            Spacer(0, 2 * mm),
+        ]
+    )
+
+
+def _grid(table: Table) -> Grid:
     if not table.header:
-        rows = [[name, Paragraph(escape(value), small)] for name, value in table.rows]
-        return Grid(rows, colWidths=[55 * mm, 115 * mm], style=LINE, hAlign="LEFT")
-    rows = [list(table.header), *(list(row) for row in table.rows)]
-    return Grid(rows, style=LINE, repeatRows=1, hAlign="LEFT", spaceAfter=2 * mm)
+        rows = [
+            [Paragraph(escape(name), SMALL), *(Paragraph(_cell(one), CELL) for one in values)]
+            for name, *values in table.rows
+        ]
+        columns = max((len(row) for row in table.rows), default=2) - 1
+        widths = [NAME_WIDTH, *[(WIDTH - NAME_WIDTH) / columns] * columns]
+        return Grid(rows, colWidths=widths, style=LINE, hAlign="LEFT")
+    numbers = numeric_columns(table)
+
+    def cells(values: Sequence[str], text: ParagraphStyle, number: ParagraphStyle) -> list[Any]:
+        return [
+            Paragraph(_cell(value), number if place in numbers else text)
+            for place, value in enumerate(values)
+        ]
+
+    rows = [cells(table.header, HEAD, HEAD_NUMBER)]
+    rows += [cells(row, CELL, NUMBER) for row in table.rows]
+    return Grid(rows, colWidths=_widths(table), style=LINE, repeatRows=1, hAlign="LEFT")
+
+
+def _cell(text: str) -> str:
+    return escape(text).replace("\n", "<br/>")
+
+
+def _widths(table: Table) -> list[float]:
+    """Share the page's width: narrow columns get what they need, wide ones share the rest."""
+    wanted = [
+        min(WIDTH, max(_needed(name, BOLD), *(_needed(row[i], PLAIN) for row in table.rows)))
+        if table.rows
+        else _needed(name, BOLD)
+        for i, name in enumerate(table.header)
+    ]
+    least = [
+        max(_longest_word(name, BOLD), *(_longest_word(row[i], PLAIN) for row in table.rows))
+        if table.rows
+        else 0.0
+        for i, name in enumerate(table.header)
+    ]
+    if sum(wanted) <= WIDTH:
+        return wanted
+    least = [min(one, WIDTH / len(wanted)) for one in least]
+    open_places, rest = set(range(len(wanted))), WIDTH
+    widths = [0.0] * len(wanted)
+    while open_places:
+        share = rest / len(open_places)
+        fitting = {i for i in open_places if max(wanted[i], 0.0) <= share}
+        if not fitting:
+            for i in open_places:
+                widths[i] = share
+            break
+        for i in fitting:
+            widths[i] = wanted[i]
+            rest -= wanted[i]
+        open_places -= fitting
+    return _with_words_whole(widths, least)
+
+
+def _with_words_whole(widths: list[float], least: list[float]) -> list[float]:
+    """Widen columns that would break words, at the cost of the widest."""
+    found = list(widths)
+    for i, width in enumerate(widths):
+        missing = least[i] - width
+        if missing <= 0:
+            continue
+        widest = max(range(len(found)), key=lambda k: found[k] - least[k])
+        given = min(missing, max(0.0, found[widest] - least[widest]))
+        found[i] += given
+        found[widest] -= given
+    return found
+
+
+def _needed(text: str, font: str) -> float:
+    lines = text.split("\n")
+    width = max(float(pdfmetrics.stringWidth(one, font, CELL_SIZE)) for one in lines)
+    return width + CELL_PADDING + 1
+
+
+def _longest_word(text: str, font: str) -> float:
+    return max((_needed(word, font) for word in text.split(" ")), default=0.0)
+
+
+def _signatures(names: Sequence[str]) -> KeepTogether:
+    grid = Grid(
+        [[part for name in names for part in (Paragraph(escape(name), CELL), "")][:-1]],
+        colWidths=[part for _ in names for part in (70 * mm, 20 * mm)][:-1],
+        hAlign="LEFT",
+    )
+    grid.setStyle(
+        [("LINEABOVE", (2 * i, 0), (2 * i, 0), 0.5, colors.black) for i in range(len(names))]
+    )
+    return KeepTogether([Spacer(0, 18 * mm), grid])
