@@ -40,6 +40,9 @@ from rigapp.twin.worker import TwinSetup
 EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 """Errors that are a sentence for whoever asked, not a defect."""
 
+TWIN_START_S = 15.0
+"""A test waits so long for its twin, so that the first revolutions are predicted, then goes on."""
+
 
 class EngineHost:
     """One engine of one rig, reachable by viewers while it lives."""
@@ -94,6 +97,7 @@ class EngineHost:
         if test.prediction.enabled:
             setup = TwinSetup(parameters=test.model, joint=test.prediction.joint)
             self._twin = TwinLink(setup, self.engine.submit_prediction, runtime_folder())
+            self._twin.wait_ready(TWIN_START_S)
 
     def _offer(self, measured: RevolutionMeasured) -> None:
         twin = self._twin

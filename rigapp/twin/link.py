@@ -41,6 +41,7 @@ class TwinLink:
             self._address = "tcp://127.0.0.1:*"
         self._mailbox: deque[RevolutionMeasured] = deque(maxlen=MAILBOX)
         self._wake = threading.Event()
+        self._ready = threading.Event()
         self._stop = threading.Event()
         self.dropped = 0
         self.restarts = -1
@@ -55,6 +56,10 @@ class TwinLink:
             self.dropped += 1
         self._mailbox.append(measured)
         self._wake.set()
+
+    def wait_ready(self, timeout_s: float) -> bool:
+        """Wait until the worker can predict; False when it cannot within the time."""
+        return self._ready.wait(timeout_s)
 
     @property
     def worker_pid(self) -> int:
@@ -94,15 +99,15 @@ class TwinLink:
         )
         try:
             socket.send(msgspec.msgpack.encode(self._setup))
-            patience = START_S
+            if not self._await_ready(socket):
+                return
             while not self._stop.is_set() and self._worker.poll() is None:
                 if not self._mailbox:
                     self._wake.wait(0.1)
                     self._wake.clear()
                     continue
-                if not self._exchange(socket, patience):
+                if not self._exchange(socket):
                     return
-                patience = ANSWER_S
             if not self._stop.is_set():
                 self.last_failure = f"the twin ended with status {self._worker.returncode}"
         except zmq.ZMQError as error:
@@ -116,17 +121,31 @@ class TwinLink:
                 self._worker.kill()
                 self._worker.wait()
 
-    def _exchange(self, socket: zmq.Socket[bytes], patience: float) -> bool:
+    def _await_ready(self, socket: zmq.Socket[bytes]) -> bool:
+        """Wait for the worker's first word; False when it must be started again."""
+        if self._answer(socket, START_S) is None:
+            return False
+        self._ready.set()
+        return True
+
+    def _exchange(self, socket: zmq.Socket[bytes]) -> bool:
         """Ask for one prediction; False when the worker must be started again."""
         measured = self._mailbox.popleft()
         socket.send(msgspec.msgpack.encode(measured))
+        answer = self._answer(socket, ANSWER_S)
+        if answer is None:
+            return False
+        self._on_prediction(msgspec.msgpack.decode(answer, type=Prediction))
+        return True
+
+    def _answer(self, socket: zmq.Socket[bytes], patience: float) -> bytes | None:
+        """Return what the worker says next; None when it died, is late, or nobody waits."""
         deadline = time.monotonic() + patience
         while time.monotonic() < deadline and not self._stop.is_set():
             if socket.poll(100):
-                self._on_prediction(msgspec.msgpack.decode(socket.recv(), type=Prediction))
-                return True
+                return socket.recv()
             if self._worker is None or self._worker.poll() is not None:
-                self.last_failure = "the twin died while predicting"
-                return False
+                self.last_failure = "the twin died"
+                return None
         self.last_failure = f"the twin did not answer within {patience:g} s"
-        return False
+        return None

@@ -18,6 +18,8 @@ from rigapp.engine.messages import RevolutionMeasured
 from rigapp.twin.predict import Wear, predict_revolution, unpack
 
 WAIT_MS = 500
+READY = b""
+"""What the worker says once it can predict."""
 
 
 class TwinSetup(msgspec.Struct, frozen=True):
@@ -44,6 +46,7 @@ def main(arguments: list[str]) -> int:
         if setup is None:
             setup = msgspec.msgpack.decode(body, type=TwinSetup)
             parameters = to_parameters(setup.parameters)
+            socket.send(READY)
             continue
         measured = unpack(msgspec.msgpack.decode(body, type=RevolutionMeasured))
         prediction = predict_revolution(parameters, setup.joint, measured, Wear())
