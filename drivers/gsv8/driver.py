@@ -32,6 +32,7 @@ from drivers.gsv8.frames import FrameLayout, Tally
 from drivers.gsv8.link import Link
 from drivers.gsv8.numbers import DataType
 from drivers.gsv8.plan import Plan, Unplannable, make_plan, parse_input
+from drivers.gsv8.probe import PROBE
 from drivers.gsv8.protocol import Command, u8
 from drivers.gsv8.registers import Registers
 from drivers.gsv8.settings import SETTINGS, defaults
@@ -46,6 +47,7 @@ _HALF_SCALE_TOLERANCE = 1e-3  # of the expected value
 _SETTLING_S = 0.005
 _SETTLING_PERIODS = 5.0
 _READ_SLICE_S = 0.05
+_ONLY_STREAMS_FROM_HZ = 24000.0  # from this rate on the device may leave commands unanswered
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,6 +129,7 @@ class Gsv8:
             self._link,
             settings["poll_interval_s"],
             settings["on_overrun"] == "stop",
+            plan.sample_rate_Hz < _ONLY_STREAMS_FROM_HZ,
             self._blocks.flag_loss,
         )
         self._streaming = True
@@ -166,8 +169,12 @@ class Gsv8:
                     f"zeroing {name} is prohibited in the device; allow it with the maker's "
                     "program.",
                 )
-            self._link.command(Command.SET_ZERO, u8(channel), tries=1)
+            registers.set_zero(channel)
             _log.info("%s: %s was zeroed in the device", self.name, name)
+
+    def value_faults(self) -> tuple[ValueFault, ...]:
+        """Return the faults of inputs, sensors and lines that the device stored, oldest first."""
+        return Registers(self._link, self._firmware).value_faults()
 
     def half_scale(self) -> tuple[HalfScale, ...]:
         """Feed the device's test value to all analog channels and return what arrives.
@@ -304,4 +311,5 @@ DRIVER = DriverInfo(
     factory=make,
     settings=SETTINGS,
     simulator="drivers.gsv8.simulator:Gsv8Simulator",
+    probe=PROBE,
 )

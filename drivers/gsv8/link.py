@@ -7,6 +7,7 @@ goes to its command.
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections import deque
@@ -17,6 +18,8 @@ from drivers.gsv8.frames import FrameLayout, Parsed, Response, Run, StreamParser
 from drivers.gsv8.protocol import Command, request
 from drivers.gsv8.words import status_words
 from drivers.transport import BytePort
+
+_log = logging.getLogger(__name__)
 
 _READ_BYTES = 1 << 18
 _SLICE_S = 0.02
@@ -86,11 +89,22 @@ class Link:
             self.take()
 
     def command(
-        self, command: Command, parameters: bytes = b"", *, reply: int = 0, tries: int = 3
+        self,
+        command: Command,
+        parameters: bytes = b"",
+        *,
+        reply: int = 0,
+        tries: int = 3,
+        patience: float = 1.0,
     ) -> bytes:
-        """Return the data of the answer, ``reply`` bytes; raise SettingRefused and the like."""
-        response = self.exchange(command, parameters, reply=reply, tries=tries)
-        if response.status not in _DONE:
+        """Return the data of the answer, ``reply`` bytes.
+
+        patience: how many times longer than usual to wait. Raises SettingRefused with the status
+        in words, ReplyTimeout, ProtocolError, DeviceLost.
+        """
+        response = self.exchange(command, parameters, reply=reply, tries=tries, patience=patience)
+        # "Done, and more was changed" comes without data, so it is no answer to a question.
+        if response.status not in _DONE or (reply and response.status):
             raise SettingRefused(
                 self.port.device,
                 self.port.port,
@@ -105,6 +119,7 @@ class Link:
         *,
         reply: int | None = None,
         tries: int = 3,
+        patience: float = 1.0,
     ) -> Response:
         """Send a request and return its response, whatever its status.
 
@@ -118,11 +133,17 @@ class Link:
             self._outwait_posted()
             for attempt in range(tries):
                 pending = self._send(command, parameters, reply)
-                if not self._await(pending):
+                if not self._await(pending, patience * self.reply_timeout_s):
                     stray |= pending.stray
                     continue
                 assert pending.response is not None
                 if attempt:
+                    _log.warning(
+                        "%s: %s was answered at try %d only",
+                        self.port.device,
+                        command.words,
+                        attempt + 1,
+                    )
                     self._outwait_late_replies()
                 if pending.response.status in _BUSY_STATUSES and attempt < tries - 1:
                     continue
@@ -204,9 +225,9 @@ class Link:
         self._pending = None
         self._parser.response_expected = False
 
-    def _await(self, pending: Pending) -> bool:
+    def _await(self, pending: Pending, timeout_s: float) -> bool:
         """Wait for an answer, reading the port when no other thread does."""
-        deadline = pending.sent_s + self.reply_timeout_s
+        deadline = time.monotonic() + timeout_s
         while not pending.answered.is_set():
             left = deadline - time.monotonic()
             if left <= 0.0:
@@ -279,8 +300,7 @@ class Link:
         """Let the answer to a posted request come first: answers do not say what they answer."""
         posted = self._pending
         if posted is not None:
-            posted.sent_s = max(posted.sent_s, time.monotonic() - self.reply_timeout_s / 2.0)
-            self._await(posted)
+            self._await(posted, self.reply_timeout_s / 2.0)
         self._forget()
 
     def _outwait_late_replies(self) -> None:

@@ -5,7 +5,12 @@ from __future__ import annotations
 from drivers.gsv8 import protocol as p
 from drivers.gsv8.link import Link
 from drivers.gsv8.protocol import Command, InputType, f32, read_f32, u8, u16, u32
+from drivers.gsv8.words import ValueFault, decode_value_fault
 
+SLOW = 5.0
+"""Patience for commands that the device may take long for: they measure, or store much."""
+
+_MOST_STORED_FAULTS = 82  # the last index is 83 at most
 _MAPPING_NOT_READABLE = (1, 38)
 
 
@@ -85,7 +90,7 @@ class Registers:
 
     def set_input_type(self, channel: int, kind: InputType) -> None:
         """Set the input type; the device then reloads scale and offset of the channel."""
-        self._link.command(Command.SET_INPUT_TYPE, u8(channel, kind))
+        self._link.command(Command.SET_INPUT_TYPE, u8(channel, kind), patience=SLOW)
 
     def scale(self, channel: int) -> float:
         """Return the user scale."""
@@ -107,6 +112,21 @@ class Registers:
         """Return the stored zero of an analog channel as a signed 24-bit code."""
         data = self._link.command(Command.READ_ZERO, u8(channel), reply=4)
         return int.from_bytes(data, "big", signed=True)
+
+    def value_faults(self) -> tuple[ValueFault, ...]:
+        """Return the value errors that the device stored, oldest first."""
+        stored = self._link.command(Command.GET_LAST_VALUE_ERROR, u8(0), reply=6)[1]
+        faults = []
+        for place in range(min(stored, _MOST_STORED_FAULTS)):
+            response = self._link.exchange(Command.GET_LAST_VALUE_ERROR, u8(2 + place), reply=6)
+            fault = decode_value_fault(response.data) if response.status == 0 else None
+            if fault is not None:
+                faults.append(fault)
+        return tuple(faults)
+
+    def set_zero(self, channel: int) -> None:
+        """Zero a channel on its raw values; the device stores it."""
+        self._link.command(Command.SET_ZERO, u8(channel), tries=1, patience=SLOW)
 
     def zero_prohibited(self, channel: int) -> bool:
         """Tell whether zeroing a channel is prohibited in the device."""

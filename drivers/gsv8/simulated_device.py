@@ -74,6 +74,7 @@ class Device:
         )
         self.writes = 0
         self.write_access = True
+        self.stored_faults: list[ValueFault] = []
         self.state = State()
         self.power_on()
 
@@ -81,6 +82,9 @@ class Device:
         """Start as after the power comes: the settings are still there, the rest is forgotten."""
         self.state = State(transmitting=not self.settings.transmit_flags & p.TX_ALWAYS_OFF)
         self.state.data_checksum = bool(self.settings.transmit_flags & p.TX_CHECKSUM)
+        for counter, flags in zip(self.counters, self.settings.counter_modes, strict=True):
+            if not flags & p.COUNTER_STORES_LAST:
+                counter.clear(p.decode_counter_mode(flags))
 
     def highest_rate_Hz(
         self, data_type: DataType | None = None, objects: int | None = None, counting: bool = False
@@ -102,7 +106,9 @@ class Device:
         last = self.state.faults[-1] if self.state.faults else None
         if last is None or (last.kind, last.flags) != (kind, flags):
             self.state.faults.append(fault)
+            self.stored_faults.append(fault)
             del self.state.faults[:-_MOST_STORED_FAULTS]
+            del self.stored_faults[:-_MOST_STORED_FAULTS]
 
 
 def only(value: int, allowed: int) -> None:

@@ -90,13 +90,15 @@ class LinkCommands:
         )
 
     def _value_error(self, a: bytes) -> bytes:
-        faults = self._device.state.faults
+        faults, stored = self._device.state.faults, self._device.stored_faults
         if a[0] == 0:
-            return u8(min(len(faults), 255), 0, 0, 0, 0, 0)
+            return u8(len(faults), len(stored), 0, 0, 0, 0)
         if a[0] > 83:
             raise Refused(0x51)
         if a[0] == 1 and faults:
             return encode_value_fault(faults[-1])
+        if 2 <= a[0] < 2 + len(stored):
+            return encode_value_fault(stored[a[0] - 2])
         return bytes(6)
 
     def _available(self, a: bytes) -> bytes:

@@ -30,17 +30,24 @@ class StreamWatch:
     """Poll between measured values, never waiting for an answer.
 
     on_loss: called when the device reports lost data, unless ``stop_on_loss``, which raises
-    DataOverrun. ``last_fault`` is the latest fault of the inputs that the device named.
+    DataOverrun. must_answer: raise ReplyTimeout when several questions stay unanswered, since lost
+    data would not be noticed. ``last_fault`` is the latest fault of the inputs that it named.
     """
 
     def __init__(
-        self, link: Link, interval_s: float, stop_on_loss: bool, on_loss: Callable[[], None]
+        self,
+        link: Link,
+        interval_s: float,
+        stop_on_loss: bool,
+        must_answer: bool,
+        on_loss: Callable[[], None],
     ) -> None:
         self.losses = 0
         self.last_fault: ValueFault | None = None
         self._link = link
         self._interval_s = interval_s
         self._stop_on_loss = stop_on_loss
+        self._must_answer = must_answer
         self._on_loss = on_loss
         self._pending: Pending | None = None
         self._next_s = time.monotonic() + interval_s
@@ -75,7 +82,7 @@ class StreamWatch:
             self._link.abandon(pending)
             self._pending = None
             self._misses += 1
-            if self._misses >= _MISSES_ALLOWED:
+            if self._misses >= _MISSES_ALLOWED and self._must_answer:
                 raise ReplyTimeout(
                     self._link.port.device,
                     self._link.port.port,

@@ -1,0 +1,37 @@
+"""Ask carefully whether a GSV-8 is on a port: two reads, between measured values if it streams."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from drivers.api import Identity, Probe, ProtocolError, ReplyTimeout, SettingRefused
+from drivers.gsv8 import protocol as p
+from drivers.gsv8.link import Link
+from drivers.gsv8.protocol import Command, u8
+from drivers.transport import BytePort
+
+_NO_CHANGE: Final = 0  # of the transmission; the checksum of measured values is off until set
+
+
+def ask(line: BytePort, timeout_s: float) -> Identity | None:
+    """Return who answers the read of the firmware's version; the stream goes on as it was."""
+    link = Link(line, timeout_s)
+    try:
+        version = link.command(Command.FIRMWARE_VERSION, reply=4, tries=1)
+        reply = link.command(Command.GET_INTERFACE, u8(_NO_CHANGE), reply=4, tries=1)
+        number = int.from_bytes(link.command(Command.GET_SERIAL_NUMBER, reply=4, tries=1), "big")
+    except (ReplyTimeout, ProtocolError, SettingRefused):
+        return None
+    interface = p.decode_interface(reply)
+    known = interface.model == p.MODEL_GSV8
+    return Identity(
+        maker="ME-Systeme",
+        model="GSV-8" if known else f"GSV, model {interface.model:02X}",
+        firmware=f"{int.from_bytes(version[:2], 'big')}.{int.from_bytes(version[2:], 'big'):02d}",
+        serial_number=f"{number:08d}",
+        port=line.port,
+        details={} if known else {"note": "rigapp has no driver for this model"},
+    )
+
+
+PROBE: Final = Probe(ask, (115200, 460800, 230400, 57600, 38400, 19200))

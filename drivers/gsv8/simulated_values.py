@@ -1,0 +1,215 @@
+"""Measured values of a simulated GSV-8: electrical signals and shaft angle in, frames out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.api import RigSignals
+from drivers.gsv8 import protocol as p
+from drivers.gsv8.frames import FrameLayout, encode_frames
+from drivers.gsv8.numbers import OVERRANGE, DataType
+from drivers.gsv8.simulated_device import Device
+from drivers.gsv8.simulated_faults import FaultKind, Gsv8Faults
+from drivers.gsv8.simulated_inputs import CODE_PER_RANGE, AnalogInputs, codes_of
+
+OVERRUN = 0x91
+_SATURATED, _SENSOR_BROKEN = 1, 3  # kinds of value errors
+
+
+class MeasuredValues:
+    """Convert what the terminals see, and make frames of it with what faults do to them."""
+
+    def __init__(
+        self,
+        device: Device,
+        plan: Gsv8Faults,
+        rng: np.random.Generator,
+        noise: bool,
+        delays_s: Mapping[int, float],
+    ) -> None:
+        self._device = device
+        self._plan = plan
+        self._rng = rng
+        self._inputs = AnalogInputs(rng, noise, delays_s)
+        self._codes = np.zeros((p.ANALOG_CHANNELS, 1), dtype=np.int64)
+        self._counts = np.zeros((p.COUNTER_CHANNELS, 1), dtype=np.int64)
+        self._terminals: dict[int, float] = {}
+        self._converted_as = list(device.settings.input_types)
+        self._pending: tuple[NDArray[Any], NDArray[np.bool_]] | None = None
+        self._to_drop = 0
+
+    def forget_part(self) -> None:
+        """Forget samples that wait for a high-speed frame to fill."""
+        self._pending = None
+
+    def convert(self, signals: RigSignals, now_s: float, time_s: float) -> NDArray[np.bool_]:
+        """Advance inputs and counters by these samples; return where an input is saturated."""
+        device, settings = self._device, self._device.settings
+        active = self._plan.active
+        samples = signals.shaft_revolutions.size
+        inputs = self._inputs.normalised(
+            signals.analog, samples, settings.input_types, settings.rate_Hz
+        )
+        saturated = active(FaultKind.SATURATED_INPUT, time_s, 1.0)
+        stuck = active(FaultKind.STUCK_INPUT, time_s, 1.0)
+        inputs = self._inputs.faulty(
+            inputs,
+            None if saturated is None else int(saturated),
+            None if stuck is None else int(stuck),
+        )
+        broken = active(FaultKind.SENSOR_BROKEN, time_s, 1.0)
+        if broken is not None:
+            device.note_fault(_SENSOR_BROKEN, 3 << 2 * (int(broken) - 1), now_s)
+        codes = codes_of(inputs)
+        device.state.raw = codes[:, -1].tolist()
+        self._terminals = {n: float(signal[-1]) for n, signal in signals.analog.items()}
+        self._converted_as = list(settings.input_types)
+        self._count(signals.shaft_revolutions, time_s)
+        over = self._over(inputs * CODE_PER_RANGE)
+        if over.any():
+            self._note_saturation(inputs, now_s)
+        self._codes = codes
+        if device.state.injection == 1:
+            self._codes = np.full_like(codes, p.HALF_SCALE_CODE)
+            over[:] = False
+        return over
+
+    def convert_again(self) -> None:
+        """Convert the last signals anew when an input type was changed since they came."""
+        kinds = self._device.settings.input_types
+        if kinds == self._converted_as:
+            return
+        inputs = np.zeros((p.ANALOG_CHANNELS, 1))
+        for channel, signal in self._terminals.items():
+            inputs[channel - 1] = signal / p.NOMINAL_RANGE.get(kinds[channel - 1], np.inf)
+        self._converted_as = list(kinds)
+        codes = codes_of(inputs)
+        self._device.state.raw = codes[:, 0].tolist()
+        if self._device.state.injection != 1:
+            self._codes = codes
+
+    def one_frame(self) -> bytes:
+        """Return the frame of the last sample."""
+        values = self._values(self._codes[:, -1:], self._counts[:, -1:])
+        return encode_frames(values, self._layout(), self._over(self._codes[:, -1:])).tobytes()
+
+    def frames(self, saturated: NDArray[np.bool_], time_s: float) -> bytes:
+        """Return the bytes of the samples that were converted last."""
+        layout = self._layout()
+        values: NDArray[Any] = self._values(self._codes, self._counts)
+        extra = self._plan.active(FaultKind.WRONG_OBJECT_COUNT, time_s, 1.0)
+        if extra is not None:
+            more = np.zeros((int(extra), values.shape[1]), dtype=values.dtype)
+            values = np.concatenate((values, more))
+            layout = FrameLayout(len(values), layout.data_type, layout.checksum)
+        sequences = layout.most_sequences
+        if sequences > 1:
+            values, saturated = self._whole_frames(values, saturated, sequences)
+        return self._damaged(encode_frames(values, layout, saturated, sequences), time_s)
+
+    def _count(self, shaft: NDArray[np.float64], time_s: float) -> None:
+        plan, settings = self._plan, self._device.settings
+        slip = plan.take(FaultKind.COUNTER_SLIP, time_s, 1.0)
+        false_index = plan.take(FaultKind.FALSE_INDEX, time_s) is not None
+        stuck = plan.active(FaultKind.STUCK_COUNTER, time_s) is not None
+        index = plan.active(FaultKind.MISSING_INDEX, time_s) is None
+        rows = []
+        for number, counter in enumerate(self._device.counters):
+            mode = p.decode_counter_mode(settings.counter_modes[number])
+            home = settings.counter_homes[number]
+            if slip is not None:
+                counter.slip(int(slip))
+            if false_index and mode.use_index:
+                counter.clear(mode, home)
+            before = counter.last_count
+            counts = counter.advance(shaft, mode, home, index=index)
+            rows.append(np.full_like(counts, before) if stuck else counts)
+            if stuck:
+                counter.last_count = before
+        self._counts = np.stack(rows)
+
+    def _over(self, codes: NDArray[Any]) -> NDArray[np.bool_]:
+        """Return where any channel of the frame is at the end of the converter's range."""
+        used = codes[: max(1, self._device.settings.analog_objects)]
+        limit = OVERRANGE * CODE_PER_RANGE - 1.0
+        return np.asarray((np.abs(used) >= limit).any(axis=0))
+
+    def _note_saturation(self, inputs: NDArray[np.float64], now_s: float) -> None:
+        above = np.flatnonzero((inputs >= OVERRANGE).any(axis=1))
+        below = np.flatnonzero((inputs <= -OVERRANGE).any(axis=1))
+        flags = sum(1 << int(n) for n in above) | sum(1 << 8 + int(n) for n in below)
+        self._device.note_fault(_SATURATED, flags, now_s)
+
+    def _layout(self) -> FrameLayout:
+        settings, state = self._device.settings, self._device.state
+        fast = settings.rate_Hz >= p.HIGH_SPEED_FROM_HZ and state.high_speed
+        return FrameLayout(
+            objects=settings.objects,
+            data_type=settings.data_type,
+            checksum=state.data_checksum,
+            high_speed=fast,
+            offset_binary=self._device.hardware.offset_binary,
+        )
+
+    def _values(
+        self, codes: NDArray[np.int64], counts: NDArray[np.int64]
+    ) -> NDArray[np.float64] | NDArray[np.int64]:
+        """Return the objects of the frame: analog channels first, counters last."""
+        settings = self._device.settings
+        analog = settings.analog_objects
+        zeros = np.array(settings.zeros[:analog])[:, None]
+        injected = self._device.state.injection == 1
+        codes = codes[:analog] - (0 if injected else zeros)
+        np.clip(codes, -(1 << 23), (1 << 23) - 1, out=codes)
+        counts = counts[list(settings.counters)]
+        if settings.data_type is DataType.FLOAT32:
+            scales, offsets = (
+                np.array(settings.scales)[:, None],
+                np.array(settings.offsets)[:, None],
+            )
+            places = [p.ANALOG_CHANNELS + number for number in settings.counters]
+            signal = codes * (1.0 / CODE_PER_RANGE) * scales[:analog] + offsets[:analog]
+            angle = counts * 2.0**-23 * scales[places] + offsets[places]
+            return np.concatenate((signal, angle))
+        values = np.concatenate((codes, counts))
+        return values >> 8 if settings.data_type is DataType.INT16 else values
+
+    def _whole_frames(
+        self, values: NDArray[Any], saturated: NDArray[np.bool_], sequences: int
+    ) -> tuple[NDArray[Any], NDArray[np.bool_]]:
+        """Keep the samples that do not fill a frame for the next call."""
+        if self._pending is not None and len(self._pending[0]) == len(values):
+            values = np.concatenate((self._pending[0], values), axis=1)
+            saturated = np.concatenate((self._pending[1], saturated))
+        whole = values.shape[1] // sequences * sequences
+        self._pending = (values[:, whole:], saturated[whole:])
+        return values[:, :whole], saturated[:whole]
+
+    def _damaged(self, frames: NDArray[np.uint8], time_s: float) -> bytes:
+        """Return the bytes of frames with what faults do to them."""
+        take = self._plan.take
+        overrun = take(FaultKind.OVERRUN, time_s, 10.0)
+        if overrun is not None:
+            self._device.state.asynchronous_error = OVERRUN
+        self._to_drop += int(overrun or 0) + int(take(FaultKind.DROPPED_FRAMES, time_s, 1.0) or 0)
+        if self._to_drop:
+            dropped = min(self._to_drop, len(frames))
+            self._to_drop -= dropped
+            frames = frames[dropped:]
+        if len(frames) == 0:
+            return b""
+        flipped = take(FaultKind.FLIPPED_BIT, time_s, 5.0)
+        if flipped is not None:
+            frames[0, int(flipped) % frames.shape[1]] ^= 0x10
+        data = frames.tobytes()
+        cut = take(FaultKind.CUT_FRAME, time_s, 11.0)
+        if cut is not None:
+            data = data[: int(cut)] + data[frames.shape[1] :]
+        garbage = take(FaultKind.GARBAGE, time_s, 7.0)
+        if garbage is not None:
+            data = self._rng.bytes(max(1, int(garbage))) + data
+        return data
