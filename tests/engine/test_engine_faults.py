@@ -128,7 +128,7 @@ def test_a_missing_index_ends_the_test(rig: MemoryRig) -> None:
 def test_overspeed_takes_the_power_off(rig: MemoryRig) -> None:
     with rig.crank.lock:
         rig.crank.target, rig.crank.acceleration = 5.0, 100.0
-    ended(rig, FinishReason.LIMIT, "encoder shows", "limit is 200")
+    ended(rig, FinishReason.LIMIT, "shows", "limit is 200")
     assert rig.stands
 
 
