@@ -7,6 +7,7 @@ that it can keep up with, and never delays the engine. A worker that dies or doe
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import threading
@@ -93,13 +94,12 @@ class TwinLink:
         endpoint = socket.getsockopt_string(zmq.LAST_ENDPOINT)
         self.restarts += 1
         self._worker = subprocess.Popen(
-            [sys.executable, "-m", "rigapp.twin.worker", endpoint],
+            [sys.executable, "-m", "rigapp.twin.worker", endpoint, str(os.getpid())],
             stdin=subprocess.DEVNULL,
             start_new_session=True,  # Ctrl-C is for the engine, which ends the twin itself
         )
         try:
-            socket.send(msgspec.msgpack.encode(self._setup))
-            if not self._await_ready(socket):
+            if not self._introduce(socket):
                 return
             while not self._stop.is_set() and self._worker.poll() is None:
                 if not self._mailbox:
@@ -121,8 +121,14 @@ class TwinLink:
                 self._worker.kill()
                 self._worker.wait()
 
-    def _await_ready(self, socket: zmq.Socket[bytes]) -> bool:
-        """Wait for the worker's first word; False when it must be started again."""
+    def _introduce(self, socket: zmq.Socket[bytes]) -> bool:
+        """Give the worker its model and wait until it can predict; False: start another."""
+        deadline = time.monotonic() + START_S
+        while not socket.poll(100, zmq.POLLOUT):
+            if self._stop.is_set() or not self.worker_pid or time.monotonic() > deadline:
+                self.last_failure = f"the twin did not come up within {START_S:g} s"
+                return False
+        socket.send(msgspec.msgpack.encode(self._setup))
         if self._answer(socket, START_S) is None:
             return False
         self._ready.set()

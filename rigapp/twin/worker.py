@@ -1,7 +1,7 @@
 """The twin's process: setup first, then one prediction for each measured revolution.
 
-Started by ``rigapp.twin.link`` as ``python -m rigapp.twin.worker ADDRESS``; ends when the engine's
-process is gone or asks for it with an empty message.
+Started by ``rigapp.twin.link`` as ``python -m rigapp.twin.worker ADDRESS ENGINE_PID``; ends when
+the engine's process is gone or asks for it with an empty message.
 """
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ class TwinSetup(msgspec.Struct, frozen=True):
 
 def main(arguments: list[str]) -> int:
     """Serve predictions until the engine is gone."""
-    parent = os.getppid()
+    engine = int(arguments[1])
     context = zmq.Context()
     socket = context.socket(zmq.PAIR)
     socket.setsockopt(zmq.LINGER, 0)
     socket.connect(arguments[0])
     setup: TwinSetup | None = None
-    while os.getppid() == parent:
+    while os.getppid() == engine:
         if not socket.poll(WAIT_MS):
             continue
         body = socket.recv()
