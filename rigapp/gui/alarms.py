@@ -170,7 +170,7 @@ class AlarmPanel(QWidget):
         for widget in (self.table, self.acknowledge, self.reason, self.minutes, self.shelve):
             widget.setVisible(used)
         self.reset.setVisible(used)
-        self.table.setFixedHeight(int(9 * self.fontMetrics().height()))
+        self.table.setFixedHeight(int(7 * self.fontMetrics().height()))
 
     def chosen(self) -> Alarm | None:
         """Return the chosen alarm."""

@@ -125,7 +125,7 @@ class ControlRow(QWidget):
         """Take a theme."""
         self._theme = theme
 
-    def show_status(self, status: Status | None, link: LinkState) -> None:
+    def show_status(self, status: Status | None, link: LinkState, *, replay: bool = False) -> None:
         """Enable what applies now; Stop stays enabled when the state is not known."""
         self._state = status.state if status is not None else None
         self._start_when_ready()
@@ -133,7 +133,7 @@ class ControlRow(QWidget):
             applies = status is not None and status.state in command.states
             if command.verb == "stop":
                 applies = applies or link is not LinkState.ATTACHED
-            elif link is LinkState.LOST:
+            elif link is LinkState.LOST or (replay and command.verb in ("connect", "start")):
                 applies = False
             button = self.buttons[command.verb]
             if button.isEnabled() != applies:
@@ -210,7 +210,6 @@ class ControlRow(QWidget):
         button.setObjectName(command.verb)
         button.setAccessibleName(command.text.replace("&", ""))
         button.setToolTip(f"{command.tip} ({command.key})")
-        button.setShortcut(QKeySequence())
         button.setMinimumHeight(int(button.sizeHint().height() * 1.3))
         button.clicked.connect(partial(self.act, command.verb))
         shortcut = QShortcut(QKeySequence(command.key), self)

@@ -27,8 +27,8 @@ from rigapp.gui.series import LiveData
 
 HEADINGS = tuple(
     f"{statistic}\n{kind}"
-    for statistic in ("maximum", "minimum", "RMS")
-    for kind in ("measured", "model", "difference")
+    for statistic in ("max", "min", "RMS")
+    for kind in ("meas.", "model", "diff.")
 )
 
 

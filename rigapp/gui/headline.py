@@ -137,8 +137,8 @@ def _end(status: Status, now: float) -> Field:
     moment = time.localtime(status.expected_end_at)
     today = time.localtime(now)
     days = (moment.tm_year, moment.tm_yday) != (today.tm_year, today.tm_yday)
-    clock = time.strftime("%a %H:%M" if days else "%H:%M", moment)
-    return Field(clock, f"in {duration(left)}")
+    day = time.strftime("%a, ", moment) if days else ""
+    return Field(time.strftime("%H:%M", moment), f"{day}in {duration(left)}")
 
 
 def _age(status: Status, data_age_s: float | None) -> Field:

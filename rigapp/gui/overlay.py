@@ -100,7 +100,7 @@ class OverlayPanel(QWidget):
             theme,
             self.set_cursor,
         )
-        self.residual_plot.label("left", "Meas. − model (N)")
+        self.residual_plot.label("left", "ΔF (N)")
         self.residual_plot.show_crank_angle(theme)
         self.residual_plot.guide(0.0, horizontal=True, theme=theme)
         self._band = self.residual_plot.band(theme)
@@ -129,7 +129,10 @@ class OverlayPanel(QWidget):
         self.tools.addWidget(self.frame_box)
         self.legend = LegendRow(f"{prefix}_overlay_legend")
         self.readout = ElidedLabel(f"{prefix}_cursor", "Values at the cursor")
-        self.readout.show_text("Click a plot, or Tab to it and use ← →, to read values.")
+        self.readout.show_text(
+            "Lower strip: measured − model, grey every sample.  Click a plot, or Tab to it and use"
+            " ← →, to read values."
+        )
         self.column = QVBoxLayout(self)
         self.column.setContentsMargins(0, 0, 0, 0)
         self.column.setSpacing(2)
@@ -299,6 +302,6 @@ class OverlayPanel(QWidget):
         if self._reference is not None:
             entries.append(LegendEntry("stored", measured_pen(theme, "frozen")))
         if self._uncertainty is not None:
-            text = f"band: ±{self._uncertainty:.3g} N uncertainty"
+            text = f"±{self._uncertainty:.3g} N uncertainty"
             entries.append(LegendEntry(text, line_pen(theme.band)))
         self.legend.show_entries(entries)

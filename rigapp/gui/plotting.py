@@ -115,6 +115,8 @@ class LegendRow(QWidget):
         self._row.setContentsMargins(4, 0, 4, 0)
         self._row.setSpacing(4)
         self._row.addStretch(1)
+        self.setMinimumWidth(1)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._entries: tuple[LegendEntry, ...] = ()
 
     def show_entries(self, entries: Sequence[LegendEntry]) -> None:

@@ -21,6 +21,8 @@ from rigapp.storage import TestReader, open_test
 Floats = NDArray[np.float64]
 
 PERIOD_S = 0.1
+PREDICTION_BACK = 5
+"""Saved cycles to go back for a predicted curve when the newest has none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +151,14 @@ class ReplayClient:
         if index < 0 or index == self._shown_cycle:
             return None
         self._shown_cycle = index
-        return stored_revolution(self._test, index)
+        stored = stored_revolution(self._test, index)
+        for earlier in range(index - 1, max(index - 1 - PREDICTION_BACK, -1), -1):
+            if stored.prediction is not None:
+                break
+            stored = StoredRevolution(
+                stored.cycle, stored_revolution(self._test, earlier).prediction
+            )
+        return stored
 
     def _status(self) -> Status:
         tape, done = self._tape, int(self._row)

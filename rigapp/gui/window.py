@@ -107,7 +107,7 @@ class MainWindow(QMainWindow):
         self.header.show_headline(
             headline(status, self._link.state, self._link.reason, self._link.data_age_s())
         )
-        self.controls.show_status(status, self._link.state)
+        self.controls.show_status(status, self._link.state, replay=self._link.is_replay)
         self.replay_bar.setVisible(self._link.is_replay)
         if self._session.problem:
             self.controls.show_answer(self._session.problem, good=False)
