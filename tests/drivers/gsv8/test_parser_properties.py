@@ -317,3 +317,22 @@ def test_reserved_bits_of_the_third_byte_are_ignored() -> None:
     parsed = StreamParser(layout).feed(bytes.fromhex("AA10BE3F80000085"))
     assert parsed.runs[0].values.tolist() == [[1.0]]
     assert parsed.runs[0].quality.tolist() == [0]
+
+
+def test_overwritten_frames_are_counted_by_their_length() -> None:
+    layout = FrameLayout(objects=5)
+    frames = encode_frames(_samples(layout, 10), layout)
+    frames[3:6] = 0x11
+    runs = StreamParser(layout).feed(frames.tobytes()).runs
+    assert [run.lost_before for run in runs] == [0, 3]
+    fast = FrameLayout(objects=5, high_speed=True)
+    packed = encode_frames(_samples(fast, 30), fast, sequences=3)
+    packed[2:4] = 0x11
+    runs = StreamParser(fast).feed(packed.tobytes()).runs
+    assert [run.lost_before for run in runs] == [0, 6]
+
+
+def test_a_refusal_with_data_is_no_response() -> None:
+    parser = StreamParser()
+    assert parser.feed(bytes.fromhex("AA5251000085")).responses == []
+    assert parser.tally.dropped_bytes > 0
