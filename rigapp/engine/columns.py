@@ -91,6 +91,7 @@ def prediction_columns() -> tuple[Column, ...]:
         Column("phase_shift", "<f8", "deg", "shift of the measured |F| against the predicted"),
         Column("wear_depth", "<f8", "mm", "predicted wear depth at the contact point"),
         Column("measured_wear_depth", "<f8", "mm", "wear depth from the probes, NaN when unknown"),
+        Column("driven_wear_depth", "<f8", "mm", "wear depth by the model from measured forces"),
     )
     body = tuple(
         Column(f"{channel}_{statistic}", "<f8", "N", f"predicted {statistic} of {channel}")

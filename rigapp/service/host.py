@@ -87,15 +87,15 @@ class EngineHost:
                 if self.engine.state in ACTIVE:
                     raise Refused("a test is under way; stop it first")
                 self.connect(test.record)
-            self._start_twin(test.record)
+            self._start_twin(test.record, _new_position(out) if resume else None)
             self.engine.start(test, out, operator=operator, resume=resume)
 
-    def _start_twin(self, test: TestFile) -> None:
+    def _start_twin(self, test: TestFile, new_position: tuple[float, float] | None) -> None:
         if self._twin is not None:
             self._twin.close()
             self._twin = None
         if test.prediction.enabled:
-            setup = TwinSetup(parameters=test.model, joint=test.prediction.joint)
+            setup = TwinSetup(test.model, test.prediction.joint, new_position)
             self._twin = TwinLink(setup, self.engine.submit_prediction, runtime_folder())
             self._twin.wait_ready(TWIN_START_S)
 
@@ -205,6 +205,22 @@ def recorded_test(path: Path) -> Document[TestFile]:
     with open_test(path) as reader:
         text = reader.configuration()["test"]
     return Document(path, text, parse_test(text, f"{path} (its test)"))
+
+
+def _new_position(path: Path) -> tuple[float, float] | None:
+    """Return the mean pin position (um) in the new bushing from the first rows of a file."""
+    from rigapp.storage.reader import open_test
+    from rigapp.twin.twin import FIRST_STEADY, NEW_REVOLUTIONS
+
+    with open_test(path) as reader:
+        number = reader.column("revolution")
+        rows = (number >= FIRST_STEADY) & (number < FIRST_STEADY + NEW_REVOLUTIONS)
+        if rows.sum() < NEW_REVOLUTIONS:
+            return None
+        return (
+            float(reader.column("probe_1_mean")[rows].mean()),
+            float(reader.column("probe_2_mean")[rows].mean()),
+        )
 
 
 def serve(rig_path: Path, speed: str | None) -> int:

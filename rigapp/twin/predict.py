@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import inverse_dynamics
+from model.dynamics import Motion, inverse_dynamics
 from model.history import motion_from_history
 from model.parameters import Parameters
 from rigapp.engine.columns import PREDICTION_POINTS
@@ -33,9 +33,14 @@ class Measured:
 
 @dataclass(frozen=True, slots=True)
 class Wear:
-    """What is known of the wear when a revolution is predicted, m; NaN when unknown."""
+    """What is known of the wear at a revolution, m at the contact point; NaN when unknown.
+
+    predicted: by the model alone. driven: by the model from the measured forces. measured: by the
+    probes.
+    """
 
     predicted_depth: float = 0.0
+    driven_depth: float = float("nan")
     measured_depth: float = float("nan")
 
 
@@ -55,40 +60,45 @@ def unpack(message: RevolutionMeasured) -> Measured:
     )
 
 
-def predict_revolution(
-    parameters: Parameters, joint: str, measured: Measured, wear: Wear
-) -> Prediction:
-    """Predict the joint force of a measured revolution from its angle history alone.
+def predict_motion(parameters: Parameters, joint: str, measured: Measured, depth: float) -> Motion:
+    """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
 
-    joint: "perfect", or "continuous" with the clearance of the worn bushing (paper, Eq. 12).
-    The force is that on the follower by the pin, in the crank frame, at ``GRID``.
+    joint: "perfect", or "continuous" with the clearance of the bushing worn by depth (m) at the
+    contact point (paper, Eq. 12).
     """
     speed, acceleration = motion_from_history(measured.time, measured.angle)
-    clearance = 0.0
-    if joint == "continuous":
-        new = parameters.joint.bushing_radius - parameters.joint.pin_radius
-        clearance = new + wear.predicted_depth
-    motion = inverse_dynamics(
+    clearance = parameters.joint.clearance + depth if joint == "continuous" else 0.0
+    return inverse_dynamics(
         parameters.mechanism,
         GRID,
         _on_grid(measured.angle, speed),
         _on_grid(measured.angle, acceleration),
         clearance,
+        contact=parameters.joint,
     )
+
+
+def measured_force(measured: Measured) -> Array:
+    """Return the measured joint force (2, points) at ``GRID``, crank frame, N."""
+    return np.stack(
+        (_on_grid(measured.angle, measured.force_1), _on_grid(measured.angle, measured.force_2))
+    )
+
+
+def compare(measured: Measured, motion: Motion, wear: Wear) -> Prediction:
+    """Say what was predicted for a revolution and how far the measurement is from it."""
     force_1, force_2 = motion.force_crank
     force = motion.force_magnitude
-    residual_1 = measured.force_1 - _at(measured.angle, force_1)
-    residual_2 = measured.force_2 - _at(measured.angle, force_2)
     size = np.hypot(measured.force_1, measured.force_2)
-    residual = size - _at(measured.angle, force)
     head = (
         measured.revolution,
-        _rms(residual),
-        _rms(residual_1),
-        _rms(residual_2),
+        _rms(size - _at(measured.angle, force)),
+        _rms(measured.force_1 - _at(measured.angle, force_1)),
+        _rms(measured.force_2 - _at(measured.angle, force_2)),
         np.degrees(phase_shift(_on_grid(measured.angle, size), force)),
         1e3 * wear.predicted_depth,
         1e3 * wear.measured_depth,
+        1e3 * wear.driven_depth,
     )
     body = [f(curve) for curve in (force_1, force_2, force) for f in (np.max, np.min, _rms)]
     return Prediction(

@@ -15,7 +15,8 @@ import zmq
 from rigapp.config.model_parameters import to_parameters
 from rigapp.config.parameters import ParameterFile
 from rigapp.engine.messages import RevolutionMeasured
-from rigapp.twin.predict import Wear, predict_revolution, unpack
+from rigapp.twin.predict import unpack
+from rigapp.twin.twin import Twin
 
 WAIT_MS = 500
 READY = b""
@@ -23,10 +24,15 @@ READY = b""
 
 
 class TwinSetup(msgspec.Struct, frozen=True):
-    """Tell the twin which model to run."""
+    """Tell the twin which model to run.
+
+    new_position_um: mean pin position (probe_1, probe_2) of the new bushing, where the file of a
+    resumed test knows it; else the first revolutions tell.
+    """
 
     parameters: ParameterFile
     joint: str
+    new_position_um: tuple[float, float] | None = None
 
 
 def main(arguments: list[str]) -> int:
@@ -45,12 +51,11 @@ def main(arguments: list[str]) -> int:
             break
         if setup is None:
             setup = msgspec.msgpack.decode(body, type=TwinSetup)
-            parameters = to_parameters(setup.parameters)
+            twin = Twin(to_parameters(setup.parameters), setup.joint, setup.new_position_um)
             socket.send(READY)
             continue
         measured = unpack(msgspec.msgpack.decode(body, type=RevolutionMeasured))
-        prediction = predict_revolution(parameters, setup.joint, measured, Wear())
-        socket.send(msgspec.msgpack.encode(prediction))
+        socket.send(msgspec.msgpack.encode(twin.predict(measured)))
     context.destroy(linger=0)
     return 0
 

@@ -14,7 +14,7 @@ from rigapp.config.loading import read_parameter_file
 from rigapp.config.model_parameters import to_parameters
 from rigapp.engine.columns import prediction_columns
 from rigapp.engine.messages import RevolutionMeasured, as_array
-from rigapp.twin.predict import GRID, Wear, phase_shift, predict_revolution, unpack
+from rigapp.twin.predict import GRID, Wear, compare, phase_shift, predict_motion, unpack
 
 PARAMETERS = to_parameters(
     read_parameter_file(Path(__file__).parents[2] / "examples" / "parameters.toml").record
@@ -34,6 +34,12 @@ def revolution(ripple: float, clearance: float, samples: int = 1920) -> Revoluti
     zeros = np.zeros(samples)
     arrays = (time, counts, *motion.force_crank, zeros, zeros)
     return RevolutionMeasured(7, *(np.asarray(a, "<f8").tobytes() for a in arrays))
+
+
+def predict_revolution(parameters, joint, measured, wear):  # type: ignore[no-untyped-def]
+    return compare(
+        measured, predict_motion(parameters, joint, measured, wear.predicted_depth), wear
+    )
 
 
 def values(prediction: object) -> dict[str, float]:
