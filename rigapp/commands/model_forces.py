@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rigapp.commands.tables import check_target, write_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import MM, read_parameters
 
@@ -60,7 +60,7 @@ def write_forces(
         columns, remark, warning = _cycle(parameters, rpm, joint, points)
     except ValueError as error:
         raise UnusableInput(f"{params_path}: {error}.") from error
-    _write(target, columns)
+    write_table("--to", target, columns)
     size = columns["f_N"]
     print(
         f"{target}: {points} crank angles at {rpm:g} rpm, joint {joint}; "
@@ -89,12 +89,7 @@ def _check(
                 "--clearance-mm has no meaning for a perfect joint; use --joint continuous or"
                 " contact."
             )
-    if target.suffix.lower() != ".csv":
-        raise UnusableInput(f"--to {target}: give a name that ends with .csv.")
-    if target.is_dir() or not target.absolute().parent.is_dir():
-        raise UnusableInput(f"--to {target}: there is no such folder, or it is one itself.")
-    if target.exists() and source.exists() and target.samefile(source):
-        raise UnusableInput(f"--to {target}: that is the parameter file; give another name.")
+    check_target("--to", target, source)
 
 
 def _with_clearance(parameters: Parameters, path: Path, clearance_mm: float | None) -> Parameters:
@@ -189,18 +184,3 @@ def _columns(degrees: Array, motion: Motion, pin_radius: float) -> dict[str, Arr
         motion.slip_increments(pin_radius) / MM,
     )
     return dict(zip(COLUMNS, values, strict=True))
-
-
-def _write(target: Path, columns: dict[str, Array]) -> None:
-    """Write beside the target and rename, so that no half table is ever seen."""
-    table = np.column_stack([np.asarray(column, dtype=np.float64) for column in columns.values()])
-    partial = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        with partial.open("w", encoding="ascii", newline="\n") as file:
-            np.savetxt(
-                file, table + 0.0, fmt="%.15g", delimiter=",", header=",".join(columns), comments=""
-            )
-        partial.replace(target)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise UnusableInput(f"--to {target}: cannot be written ({error.strerror}).") from error

@@ -1,0 +1,37 @@
+"""Tables that the model's verbs write: numbers as CSV, whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rigapp.config.errors import UnusableInput
+
+
+def check_target(option: str, target: Path, source: Path | None = None) -> None:
+    """Refuse a target that is no CSV file in a folder, or that is the file read from."""
+    if target.suffix.lower() != ".csv":
+        raise UnusableInput(f"{option} {target}: give a name that ends with .csv.")
+    if target.is_dir() or not target.absolute().parent.is_dir():
+        raise UnusableInput(f"{option} {target}: there is no such folder, or it is one itself.")
+    if source is not None and target.exists() and source.exists() and target.samefile(source):
+        raise UnusableInput(f"{option} {target}: that is the parameter file; give another name.")
+
+
+def write_table(option: str, target: Path, columns: Mapping[str, Any]) -> None:
+    """Write columns beside the target and rename, so that no half table is ever seen."""
+    table = np.column_stack([np.asarray(column, dtype=np.float64) for column in columns.values()])
+    partial = target.with_name(f".{target.name}.{os.getpid()}.part")
+    try:
+        with partial.open("w", encoding="ascii", newline="\n") as file:
+            np.savetxt(
+                file, table + 0.0, fmt="%.15g", delimiter=",", header=",".join(columns), comments=""
+            )
+        partial.replace(target)
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        raise UnusableInput(f"{option} {target}: cannot be written ({error.strerror}).") from error
