@@ -21,7 +21,11 @@ from model.wear.loads import CycleLoads
 Array = NDArray[np.float64]
 LoadsAt = Callable[[Front, float], CycleLoads]
 
+# Early in a life the relative error may be so many times the tolerance; it shrinks with the root
+# of the cycles.
 EARLY_TOLERANCE = 5.0
+# No step is made smaller than this part of the cycles done by then.
+SMALLEST_PART = 0.15
 _RUNS = (1, 2, 4)
 
 
@@ -63,7 +67,7 @@ def integrate(
     """Yield the moment at every row, from 0 cycles on, and at what other steps the error needs.
 
     loads_at: the loads for a front after so many cycles; rows: increasing cycles above 0;
-    tolerance: of the depth, as a part of it; in the first tenth of the life five times as much.
+    tolerance: of the depth at the end, as a part of it; earlier up to five times as much.
     Raises ContactError, WornThrough or ModelError.
     """
     if not tolerance > 0.0:
@@ -80,11 +84,12 @@ def integrate(
             after = _advance(problem, loads_at, runs, done, target)
             moment = _moment(problem, target, after, loads_at(after[-1], target))
             depth = moment.front.depth(problem.ring.inner).max()
-            allowed = (
-                tolerance * float(depth) * (EARLY_TOLERANCE if target < 0.1 * rows[-1] else 1.0)
-            )
-            # Smaller steps are of no use where the error is the mesh's: nodes coming into contact.
-            if allowed < moment.time_error < 0.7 * refused:
+            early = float(np.clip(np.sqrt(rows[-1] / target), 1.0, EARLY_TOLERANCE))
+            allowed = tolerance * float(depth) * early
+            # Smaller steps are of no use where the error is older, or the mesh's: nodes that come
+            # into contact one after another.
+            worth_it = target - done > SMALLEST_PART * target
+            if worth_it and allowed < moment.time_error < 0.7 * refused:
                 share = np.sqrt(allowed / moment.time_error)
                 step = (target - done) * float(np.clip(0.8 * share, 0.2, 0.7))
                 refused = moment.time_error
