@@ -18,12 +18,15 @@ A driver knows bytes and meaning, never engineering units of the rig and never t
 from __future__ import annotations
 
 import enum
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from drivers.transport import BytePort
 
 
 class DeviceError(Exception):
@@ -288,10 +291,24 @@ class DriverFactory(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
+class Probe:
+    """Tell how to ask who is on an open port, without moving a motor or changing a setting.
+
+    ask: takes the open port and the longest wait for one answer in s; returns None when the device
+    is another one. baud_rates: the usual ones, tried in turn where a port has a speed.
+    """
+
+    ask: Callable[[BytePort, float], Identity | None]
+    baud_rates: tuple[int, ...] = (115200,)
+
+
+@dataclass(frozen=True, slots=True)
 class DriverInfo:
     """Describe a driver: the object that an entry point of ``rigapp.drivers`` names.
 
     simulator: "package.module:Class" of its byte-level simulator, loaded by the simulated rig only.
+    usb_ids: vendor and product (None: any of that vendor) of devices with a USB id of their own.
+    probe: how ``rigapp doctor`` asks for the device; None: it is recognised by its USB id only.
     """
 
     name: str
@@ -301,6 +318,7 @@ class DriverInfo:
     settings: Mapping[str, SettingSpec] = field(default_factory=dict)
     simulator: str | None = None
     usb_ids: tuple[tuple[int, int | None], ...] = ()
+    probe: Probe | None = None
 
 
 # --- what the simulated rig sees of a simulated device ------------------------------------------

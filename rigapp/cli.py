@@ -267,11 +267,16 @@ def calibrate_certificate(
 
 
 @app.command()
-def doctor() -> None:
-    """Show versions, ports, adapters and permissions; test the window's libraries."""
+def doctor(
+    port: Annotated[
+        str | None,
+        typer.Option("--port", metavar="URL", help="Ask only this port who is there."),
+    ] = None,
+) -> None:
+    """Show versions, ports with the devices on them, permissions; test the window's libraries."""
     from rigapp.commands.doctor import examine
 
-    raise typer.Exit(examine())
+    raise typer.Exit(examine(port))
 
 
 @app.command(hidden=True)

@@ -30,6 +30,7 @@ from drivers.cia402.control import DriveControl
 from drivers.cia402.identify import identify
 from drivers.cia402.monitor import Motion, NodeMonitor
 from drivers.cia402.network import CanNode
+from drivers.cia402.probe import PROBE
 from drivers.cia402.protocol import (
     EMERGENCY_BASE,
     HEARTBEAT_BASE,
@@ -343,4 +344,5 @@ DRIVER: Final = DriverInfo(
     factory=Cia402Drive,
     settings=SETTINGS,
     simulator="drivers.cia402.simulator:Cia402Simulator",
+    probe=PROBE,
 )

@@ -6,6 +6,7 @@ lock serialises the SDOs.
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -25,8 +26,10 @@ from drivers.cia402.protocol import (
     Nmt,
     NodeState,
 )
+from drivers.transport import SerialPort
 
 TRIES: Final = 3
+_SLCAN_BAUD_RATE: Final = 115200  # as python-can opens it
 _OBJECTS: Final = Path(__file__).with_name("objects.eds")
 _WAIT_S: Final = 0.05
 _SEND_S: Final = 0.2
@@ -89,7 +92,11 @@ class CanNode:
     def open(self) -> None:
         """Open the bus and start to receive; raise ConnectionFailed."""
         try:
+            self._refuse_shared_port()
             self._bus = can.Bus(**self._bus_options)
+            _hold_port(self._bus)
+        except ConnectionFailed:
+            raise
         except Exception as error:  # each interface has errors of its own
             interface = self._bus_options["interface"]
             raise ConnectionFailed(
@@ -101,6 +108,20 @@ class CanNode:
         name = f"{self.device} CAN receiver"
         self._thread = threading.Thread(target=self._receive, name=name, daemon=True)
         self._thread.start()
+
+    def _refuse_shared_port(self) -> None:
+        """Leave an slcan adapter alone that another program uses; python-can would share it."""
+        channel = str(self._bus_options["channel"])
+        if self._bus_options["interface"] != "slcan" or "://" in channel:
+            return
+        line = SerialPort(self.device, channel.partition("@")[0], _SLCAN_BAUD_RATE)
+        try:
+            line.open()
+        except ConnectionFailed as error:
+            if "in use" in error.sentence:
+                raise
+        finally:
+            line.close()
 
     def listen(self, identifier: int, taker: Taker) -> None:
         """Call taker(data, host_time_ns) in the receiving thread for frames of an identifier."""
@@ -256,6 +277,19 @@ class CanNode:
 
 def _shown(index: int, subindex: int) -> str:
     return f"{index:04X}:{subindex}"
+
+
+def _hold_port(bus: Any) -> None:
+    """Keep other programs off the serial port of an slcan bus."""
+    port: Any = getattr(bus, "serialPortOrig", None)
+    if not hasattr(port, "fd"):
+        return
+    try:
+        port.exclusive = True
+    except Exception:  # another program was faster
+        with contextlib.suppress(Exception):
+            bus.shutdown()
+        raise
 
 
 def _close_port(bus: Any) -> None:

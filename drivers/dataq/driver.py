@@ -38,6 +38,7 @@ from drivers.api import (
 from drivers.dataq import protocol as p
 from drivers.dataq.link import Link
 from drivers.dataq.plan import Plan, Unplannable, make_plan
+from drivers.dataq.probe import PROBE
 from drivers.dataq.protocol import Clock, Info
 from drivers.dataq.settings import SETTINGS, defaults
 from drivers.dataq.stream import Pace, Stream, Tally
@@ -259,4 +260,5 @@ DRIVER = DriverInfo(
     settings=SETTINGS,
     simulator="drivers.dataq.simulator:DataqSimulator",
     usb_ids=((_USB_VENDOR, None),),
+    probe=PROBE,
 )

@@ -29,6 +29,7 @@ from drivers.api import (
 )
 from drivers.roboclaw.commission import Setup, check_request, commission, identify
 from drivers.roboclaw.link import Link
+from drivers.roboclaw.probe import PROBE
 from drivers.roboclaw.protocol import (
     CURRENT_UNIT_A,
     TEMPERATURE_UNIT_C,
@@ -335,4 +336,5 @@ DRIVER: Final = DriverInfo(
     settings=SETTINGS,
     simulator="drivers.roboclaw.simulator:RoboClawSimulator",
     usb_ids=((0x03EB, 0x2404),),
+    probe=PROBE,
 )

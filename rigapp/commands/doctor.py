@@ -1,16 +1,20 @@
-"""`rigapp doctor`: is this machine ready for a rig and for the window?"""
+"""`rigapp doctor`: is this machine ready for a rig and for the window, and what is on its ports?"""
 
 from __future__ import annotations
 
-import grp
 import importlib.metadata
 import os
 import platform
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from drivers.api import DriverInfo
+    from drivers.discovery import Inquiry
 
 PACKAGES = (
     "rigapp",
@@ -26,6 +30,11 @@ PACKAGES = (
     "PySide6-Essentials",
     "pyqtgraph",
 )
+PROMPT_LATENCY_MS = 2
+CAN_LISTEN_S = 1.0
+NETWORKS = Path("/sys/class/net")
+USB_SERIAL = Path("/sys/bus/usb-serial/devices")
+_CAN_NETWORK = "280"
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,17 +46,36 @@ class Finding:
     good: bool = True
 
 
-def examine() -> int:
-    """Print every finding; status 1 when one needs action."""
+def examine(port: str | None = None) -> int:
+    """Print every finding; status 1 when one needs action. port: ask this one, nothing else."""
+    findings = _all() if port is None else ask_port(port)
+    return _report(findings)
+
+
+def _all() -> Iterator[Finding]:
+    yield from _versions()
+    yield from _folders()
+    yield from ports()
+    yield from can_interfaces()
+    yield from _window()
+
+
+def _report(findings: Iterable[Finding]) -> int:
     from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
-    findings = [*_versions(), *_folders(), *_ports(), *_can_interfaces(), *_window()]
     table = Table(show_header=False, box=None, pad_edge=False)
+    good = True
     for finding in findings:
-        table.add_row("ok" if finding.good else "ACT", finding.subject, finding.text)
+        good &= finding.good
+        mark = "ok" if finding.good else "ACT"
+        table.add_row(mark, Text(finding.subject), Text(finding.text))
     Console(soft_wrap=True).print(table)
-    return 0 if all(finding.good for finding in findings) else 1
+    return 0 if good else 1
+
+
+# --- the machine ------------------------------------------------------------------------------
 
 
 def _versions() -> Iterator[Finding]:
@@ -79,59 +107,191 @@ def _folders() -> Iterator[Finding]:
     yield Finding("Running engines", words or "none")
 
 
-def _ports() -> Iterator[Finding]:
+# --- serial ports -----------------------------------------------------------------------------
+
+
+def installed_drivers(findings: list[Finding]) -> list[DriverInfo]:
+    """Return the drivers that can be loaded; a broken one becomes a finding."""
+    from drivers.registry import DriverNotFound, available_drivers, load_driver
+
+    drivers = []
+    for name in available_drivers():
+        try:
+            drivers.append(load_driver(name))
+        except DriverNotFound as error:
+            findings.append(Finding(f"Driver {name}", str(error), False))
+        except Exception as error:  # of a third party's package
+            sentence = f"cannot be loaded ({error!r}); reinstall the package that brings it."
+            findings.append(Finding(f"Driver {name}", sentence, False))
+    return drivers
+
+
+def ports() -> Iterator[Finding]:
+    """Name the devices on the serial ports, by USB id and by asking where that is safe."""
     from serial.tools import list_ports
 
-    from drivers.registry import available_drivers, load_driver
-
-    drivers = [load_driver(name) for name in available_drivers()]
+    broken: list[Finding] = []
+    drivers = installed_drivers(broken)
     yield Finding("Drivers", ", ".join(f"{info.name} ({info.title})" for info in drivers))
-    ports = sorted(list_ports.comports())
-    if not ports:
+    yield from broken
+    found = sorted(list_ports.comports())
+    if not found:
         yield Finding("Serial ports", "none found; simulated rigs need none")
-    for port in ports:
-        makers = [
-            info.title
-            for info in drivers
-            for vendor, product in info.usb_ids
-            if port.vid == vendor and product in (None, port.pid)
-        ]
-        text = " / ".join(makers) or port.description or "unknown device"
-        if not os.access(port.device, os.R_OK | os.W_OK):
-            yield Finding(port.device, f"{text}: {_permission_advice(port.device)}", False)
-            continue
-        yield Finding(port.device, text)
-        yield from _latency_timer(Path(port.device).name)
+    for port in found:
+        yield from _port(port, drivers)
 
 
-def _permission_advice(device: str) -> str:
+def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Finding]:
+    from drivers.discovery import ask, drivers_of_usb_id, may_be_asked
+
+    known = drivers_of_usb_id(port.vid, port.pid, drivers)
+    described = "" if port.description in (None, "n/a") else port.description
+    label = " / ".join(info.title for info in known) or described or "serial port"
+    if not os.access(port.device, os.R_OK | os.W_OK):
+        yield Finding(port.device, f"{label}: {permission_advice(port.device)}", False)
+    elif may_be_asked(port.device, known):
+        others = [info for info in drivers if info not in known]
+        yield from _inquiry_finding(ask(port.device, [*known, *others]), label, bool(known))
+    else:
+        yield Finding(
+            port.device,
+            f"{label}: not asked, because a motor controller behind it could take any byte for a "
+            f"speed; when that is safe: rigapp doctor --port {port.device}",
+        )
+    yield from latency_timer(Path(port.device).name)
+
+
+def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Finding]:
+    """Say what came of a port that the user has not named: a stranger there is no fault."""
+    if inquiry.answer is not None:
+        yield Finding(inquiry.port, identity_words(inquiry))
+    elif inquiry.problem:
+        in_use = "in use" in inquiry.problem
+        yield Finding(inquiry.port, f"{label}: {inquiry.problem}", in_use or not known)
+    elif known:
+        yield Finding(
+            inquiry.port,
+            f"{label} by its USB id, but it does not answer; switch it off and on, and check its "
+            "mode (DATAQ: CDC, yellow; RoboClaw: packet serial).",
+            False,
+        )
+    else:
+        yield Finding(inquiry.port, f"{label}: none of the known devices answers")
+
+
+def ask_port(port: str) -> Iterator[Finding]:
+    """Ask one port that the user names."""
+    from drivers.discovery import ask
+
+    broken: list[Finding] = []
+    drivers = installed_drivers(broken)
+    yield from broken
+    if port.startswith("/") and os.path.exists(port) and not os.access(port, os.R_OK | os.W_OK):
+        yield Finding(port, permission_advice(port), False)
+        return
+    inquiry = ask(port, drivers)
+    if inquiry.answer is not None:
+        yield Finding(port, identity_words(inquiry))
+        yield Finding("In the rig file", f'driver = "{inquiry.answer.driver}", port = "{port}"')
+    elif inquiry.problem:
+        yield Finding(port, inquiry.problem, False)
+    else:
+        yield Finding(
+            port,
+            f"nothing that is known answers (asked for: {', '.join(inquiry.asked)}); check power, "
+            "cable and, on a UART, the device's baud rate.",
+            False,
+        )
+    yield from latency_timer(Path(port).name)
+
+
+def identity_words(inquiry: Inquiry) -> str:
+    """Return who answered, with what the rig file needs to know."""
+    answer = inquiry.answer
+    assert answer is not None
+    who = answer.identity
+    words = [" ".join(part for part in (who.maker, who.model) if part)]
+    words += [f"firmware {who.firmware}"] if who.firmware else []
+    words += [f"serial number {who.serial_number}"] if who.serial_number else []
+    words += [f"{key.replace('_', ' ')} {value}" for key, value in who.details.items()]
+    words += [f"{answer.baud_rate} baud"] if answer.baud_rate is not None else []
+    return f"{', '.join(words)} (driver {answer.driver})"
+
+
+def permission_advice(device: str) -> str:
+    """Return what to do about a port that this user may not open."""
     try:
+        import grp
+
         group = grp.getgrgid(os.stat(device).st_gid).gr_name
-    except (OSError, KeyError):
+    except (ImportError, OSError, KeyError):
         return "no permission to open it."
     return f"no permission; run 'sudo usermod -aG {group} $USER' and log in again."
 
 
-def _latency_timer(name: str) -> Iterator[Finding]:
-    timer = Path(f"/sys/bus/usb-serial/devices/{name}/latency_timer")
-    if timer.exists():
+def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Finding]:
+    """Explain the latency timer of an FTDI adapter; nothing for other ports."""
+    timer = folder / name / "latency_timer"
+    try:
         milliseconds = int(timer.read_text())
-        yield Finding(
-            f"{name} latency",
-            f"{milliseconds} ms"
-            + ("" if milliseconds <= 2 else f"; write 1 to {timer} for prompt replies."),
-            milliseconds <= 2,
-        )
+    except (OSError, ValueError):
+        return
+    prompt = milliseconds <= PROMPT_LATENCY_MS
+    advice = (
+        ""
+        if prompt
+        else "; the adapter holds short replies back for so long. rigapp asks for the low-latency "
+        f"mode when it opens the port; if replies stay late: echo 1 | sudo tee {timer}"
+    )
+    yield Finding(f"{name} latency timer", f"{milliseconds} ms{advice}")
 
 
-def _can_interfaces() -> Iterator[Finding]:
-    folder = Path("/sys/class/net")
-    names = [
-        path.name
-        for path in (folder.iterdir() if folder.is_dir() else ())
-        if (path / "type").exists() and (path / "type").read_text().strip() == "280"
-    ]
-    yield Finding("CAN interfaces", ", ".join(sorted(names)) or "none found")
+# --- CAN --------------------------------------------------------------------------------------
+
+
+def can_interfaces(folder: Path = NETWORKS) -> Iterator[Finding]:
+    """Name the CAN interfaces and the nodes whose heartbeat is heard on them."""
+    names = [path.name for path in _children(folder) if _text(path / "type") == _CAN_NETWORK]
+    if not names:
+        yield Finding("CAN interfaces", "none found; slcan adapters are serial ports")
+    for name in sorted(names):
+        if _text(folder / name / "operstate") == "down":
+            yield Finding(
+                name,
+                "CAN interface, down; to use it: "
+                f"sudo ip link set {name} up type can bitrate 500000",
+            )
+        else:
+            yield _heard(name)
+
+
+def _heard(name: str) -> Finding:
+    from drivers.api import DeviceError
+    from drivers.cia402.probe import listen, node_words
+
+    try:
+        nodes = listen("socketcan", name, CAN_LISTEN_S)
+    except DeviceError as error:
+        return Finding(name, f"CAN interface: {error.sentence}", False)
+    silence = "" if nodes else "; a drive is silent until its object 1017 is set or its power comes"
+    return Finding(name, f"CAN interface, {node_words(nodes)}{silence}")
+
+
+def _children(folder: Path) -> list[Path]:
+    try:
+        return list(folder.iterdir())
+    except OSError:
+        return []
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text("utf-8").strip()
+    except (OSError, UnicodeDecodeError):
+        return ""
+
+
+# --- the window -------------------------------------------------------------------------------
 
 
 def _window() -> Iterator[Finding]:
@@ -155,6 +315,9 @@ def _window() -> Iterator[Finding]:
         )
     except subprocess.TimeoutExpired:
         yield Finding("Window self test", "did not end within 120 s.", False)
+        return
+    except OSError as error:
+        yield Finding("Window self test", f"could not be started ({error}).", False)
         return
     if done.returncode == 0:
         yield Finding("Window self test", "passed")

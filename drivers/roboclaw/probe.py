@@ -1,0 +1,48 @@
+"""Ask carefully whether a RoboClaw is on a port: the read of its firmware text, no write."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from drivers.api import Identity, Probe
+from drivers.roboclaw.protocol import Command, Rejected, parse_version, read_packet
+from drivers.transport import BytePort
+
+_ADDRESSES: Final = range(0x80, 0x88)
+_LONGEST: Final = 64
+_QUIET_S: Final = 0.015  # longer than the drive's own time-out inside a packet
+
+
+def ask(line: BytePort, timeout_s: float) -> Identity | None:
+    """Return who answers at the first of the addresses 128 to 135 that does.
+
+    Over USB the drive answers at any of them.
+    """
+    wait_s = min(timeout_s, 0.1)
+    for address in _ADDRESSES:
+        line.write(read_packet(address, Command.VERSION))
+        text = parse_version(address, _answer(line, wait_s))
+        if isinstance(text, Rejected) or not text.strip():
+            continue
+        model, _, firmware = text.rpartition(" ")
+        return Identity(
+            maker="Basicmicro",
+            model=model or text,
+            firmware=firmware if model else "",
+            serial_number="",
+            port=line.port,
+            details={"address": str(address)},
+        )
+    return None
+
+
+def _answer(line: BytePort, timeout_s: float) -> bytes:
+    """Return what comes until the line is quiet."""
+    data = part = line.read_some(_LONGEST, timeout_s)
+    while part and len(data) < _LONGEST:
+        part = line.read_some(_LONGEST, _QUIET_S)
+        data += part
+    return data
+
+
+PROBE: Final = Probe(ask, (38400, 115200, 460800, 230400, 57600, 19200, 9600, 2400))

@@ -1,0 +1,108 @@
+"""The contract's table: which drivers, how they are asked, which faults they must tell and when.
+
+``contract.toml`` holds the shipped drivers. A driver of another package brings a file of the same
+form, named in the environment variable RIGAPP_CONTRACT (several are separated as in PATH).
+"""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from drivers.api import DriverInfo
+from drivers.registry import available_drivers, load_driver
+
+TABLE = Path(__file__).with_name("contract.toml")
+VARIABLE = "RIGAPP_CONTRACT"
+
+
+@dataclass(frozen=True)
+class ExpectedFault:
+    """One row: what happens, how the driver tells it, within how many seconds.
+
+    layer: ``wire`` (of any device) or ``device`` (the simulator's own list). drivers: names, or
+    ``data source`` / ``spindle`` for all of a kind. tells: names of error classes, ``flag NAME`` of
+    a sample's quality, ``fault`` or ``warning`` in the drive's status, ``silence`` (no samples at
+    all) or ``nothing`` (the fault is borne). words: a regular expression for the text.
+    """
+
+    kind: str
+    layer: str
+    drivers: tuple[str, ...]
+    tells: tuple[str, ...]
+    within_s: float
+    words: str = ""
+    value: float | None = None
+    count: int | None = None
+    title: str = ""
+    settings: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """Return the name of the row."""
+        return self.title or self.kind
+
+
+@dataclass(frozen=True)
+class Contract:
+    """A driver, how the suite configures it and its simulator, and its faults."""
+
+    info: DriverInfo
+    settings: dict[str, Any]
+    simulator: dict[str, Any]
+    inputs: dict[str, tuple[str, float]]
+    sample_rate_Hz: float
+    faults: tuple[ExpectedFault, ...]
+
+
+def read_contracts() -> list[Contract]:
+    """Return a contract for every installed driver that has a simulator."""
+    files = list(_files())
+    rows = [_row(row) for file in files for row in file.get("fault", ())]
+    profiles = {name: profile for file in files for name, profile in file["driver"].items()}
+    contracts = []
+    for name in available_drivers():
+        info = load_driver(name)
+        if info.simulator is None:
+            continue
+        profile = profiles.get(name)
+        assert profile is not None, f"driver {name} is in no contract file: add [driver.{name}]"
+        faults = tuple(row for row in rows if {name, str(info.kind)} & set(row.drivers))
+        inputs = {key: (kind, span) for key, (kind, span) in profile.get("inputs", {}).items()}
+        contracts.append(
+            Contract(
+                info=info,
+                settings=profile.get("settings", {}),
+                simulator=profile.get("simulator", {}),
+                inputs=inputs,
+                sample_rate_Hz=float(profile.get("sample_rate_Hz", 960.0)),
+                faults=_own_rows_first(faults, name),
+            )
+        )
+    return contracts
+
+
+def _own_rows_first(rows: tuple[ExpectedFault, ...], name: str) -> tuple[ExpectedFault, ...]:
+    """Let a row that names the driver take the place of one for its whole kind."""
+    own = [row for row in rows if name in row.drivers]
+    taken = {row.name for row in own}
+    return (*own, *(row for row in rows if name not in row.drivers and row.name not in taken))
+
+
+def _files() -> Iterator[dict[str, Any]]:
+    others = os.environ.get(VARIABLE, "")
+    for path in [TABLE, *(Path(text) for text in others.split(os.pathsep) if text)]:
+        yield tomllib.loads(path.read_text("utf-8"))
+
+
+def _row(row: dict[str, Any]) -> ExpectedFault:
+    tells = row.pop("tells")
+    return ExpectedFault(
+        tells=(tells,) if isinstance(tells, str) else tuple(tells),
+        drivers=tuple(row.pop("drivers")),
+        **row,
+    )

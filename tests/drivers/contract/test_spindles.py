@@ -1,0 +1,198 @@
+"""What every spindle must do, in front of its simulator; faults as in ``contract.toml``."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import threading
+import time
+from collections.abc import Callable
+
+import pytest
+from contract_bench import COUNTS, WATCHDOG_S, SpindleBench, wait_until
+from contract_table import Contract, ExpectedFault
+
+from drivers.api import (
+    ConnectionFailed,
+    DeviceError,
+    DeviceFault,
+    DriveStatus,
+    SettingRefused,
+)
+
+Make = Callable[..., SpindleBench]
+SAFE_S = WATCHDOG_S + 1.5
+PATIENT_S = 5.0
+
+
+def test_open_configure_turn_stop_close_reopen_twice(spindle: Contract, bench: Make) -> None:
+    b = bench(spindle)
+    for _ in range(3):
+        b.driver.open()
+        with pytest.raises(SettingRefused, match="configure the drive first"):
+            b.driver.set_speed(1.0, 10.0)
+        b.connect(PATIENT_S)
+        for speed in (2.0, -1.0):
+            b.turn(speed)
+            status = b.driver.status()
+            assert status.speed_rev_per_s == pytest.approx(speed, abs=0.02)
+            assert status.setpoint_rev_per_s == pytest.approx(speed, abs=0.02)
+            assert status.enabled
+            assert not status.faults
+        b.driver.set_speed(0.0, 1000.0)
+        wait_until(b.is_safe, "the controlled stop")
+        b.turn()
+        b.driver.drive_off()
+        wait_until(b.is_safe, "the power to be off")
+        assert not b.driver.status().enabled
+        b.turn()
+        b.driver.close()
+        b.driver.close()
+        wait_until(b.is_safe, "close to stop the motor")
+        b.driver = b.make()
+
+
+def test_a_port_in_use_is_refused_and_the_motor_goes_on(spindle: Contract, bench: Make) -> None:
+    b = bench(spindle)
+    b.connect(PATIENT_S)
+    b.turn()
+    second = b.make()
+    with pytest.raises(ConnectionFailed, match="in use by another program"):
+        second.open()
+    second.close()
+    assert not b.driver.status().faults
+    b.turn(1.0)
+
+
+def test_close_from_another_thread_stops_the_motor(spindle: Contract, bench: Make) -> None:
+    b = bench(spindle)
+    b.connect(PATIENT_S)
+    b.turn()
+    outcome: list[BaseException] = []
+    began = threading.Event()
+
+    def poll() -> None:
+        try:
+            while True:
+                b.driver.status()
+                began.set()
+        except BaseException as error:
+            outcome.append(error)
+
+    poller = threading.Thread(target=poll, name="poller", daemon=True)
+    poller.start()
+    assert began.wait(5.0)
+    b.driver.close()
+    poller.join(5.0)
+    assert not poller.is_alive(), "the poller hangs after close"
+    assert isinstance(outcome[0], DeviceError), outcome
+    wait_until(b.is_safe, "close to stop the motor")
+    b.driver = b.make()
+    b.connect(PATIENT_S)
+    b.turn()
+
+
+def test_a_silent_host_stops_the_motor(spindle: Contract, bench: Make) -> None:
+    b = bench(spindle)
+    b.connect()
+    b.turn()
+    wait_until(b.is_safe, "the drive's own watchdog", SAFE_S)
+    with pytest.raises(DeviceFault, match=r"watchdog.*reset the fault"):
+        b.driver.set_speed(1.0, 10.0)
+    assert any("watchdog" in words for words in b.driver.status().faults)
+    b.driver.reset_fault()
+    assert b.is_safe(), "a reset must not start the motor"
+    b.turn()
+
+
+def test_fault_is_told_in_time_and_the_spindle_is_safe(
+    spindle_fault: tuple[Contract, ExpectedFault], bench: Make
+) -> None:
+    spindle, fault = spindle_fault
+    b = bench(spindle, **fault.settings)
+    b.connect()
+    b.turn()
+    b.port.start_fault(fault)
+    told, words = _poll_until_told(b, fault)
+    assert told in fault.tells, f"{fault.name}: told {told}: {words}"
+    assert re.search(fault.words, words), words
+    if told not in ("nothing", "warning"):
+        with contextlib.suppress(DeviceError):
+            b.driver.drive_off()
+        wait_until(b.is_safe, "the spindle to be safe", SAFE_S)
+    b.port.stop_fault(fault)
+    if told in ("nothing", "warning"):
+        b.turn(1.0)
+    elif told == "fault":
+        _resets(b)
+    else:
+        b.driver.close()
+        _reconnects(b)
+
+
+def _poll_until_told(b: SpindleBench, fault: ExpectedFault) -> tuple[str, str]:
+    """Poll as the engine does; return what was told and in which words. Values must be true."""
+    deadline = time.monotonic() + fault.within_s
+    told = "nothing", ""
+    while time.monotonic() < deadline:
+        try:
+            status = b.driver.status()
+        except DeviceError as error:
+            return _named(error, b)
+        if status.faults:
+            assert not status.enabled
+            told = "fault", "; ".join(status.faults)
+            if re.search(fault.words, told[1]):
+                return told
+            continue
+        _is_true(b, status)
+        if status.warnings and "warning" in fault.tells:
+            return "warning", "; ".join(status.warnings)
+        time.sleep(0.01)
+    return told
+
+
+def _named(error: DeviceError, b: SpindleBench) -> tuple[str, str]:
+    assert str(error).startswith(f"drive on {b.port.url}: ")
+    return type(error).__name__, error.sentence
+
+
+def _is_true(b: SpindleBench, status: DriveStatus) -> None:
+    """Compare a status without a fault with the motor."""
+    speeds = {0.0, 2.0}
+    assert any(abs(status.speed_rev_per_s - speed) < 0.05 for speed in speeds), status
+    assert status.setpoint_rev_per_s == pytest.approx(2.0, abs=0.01), status
+    assert status.position_count / COUNTS < 1000.0, status
+
+
+def _resets(b: SpindleBench) -> None:
+    """Acknowledge on the operator's command; only a new speed turns the motor."""
+
+    def is_reset() -> bool:
+        try:
+            b.driver.reset_fault()
+        except DeviceFault:
+            return False
+        return not b.driver.status().faults
+
+    wait_until(is_reset, "the fault to be reset")
+    assert b.is_safe(), "a reset must not start the motor"
+    b.turn()
+
+
+def _reconnects(b: SpindleBench) -> None:
+    """Open again until it works; nothing turns before it is told to."""
+    b.driver = b.make()
+
+    def connected() -> bool:
+        try:
+            b.connect(PATIENT_S)
+        except DeviceError:
+            b.driver.close()
+            return False
+        return True
+
+    wait_until(connected, "the device to be there again")
+    assert b.is_safe(), "a connection must not start the motor"
+    b.driver.reset_fault()
+    b.turn()
