@@ -149,6 +149,17 @@ def replay(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")]) -> N
 
 
 @app.command()
+def report(
+    file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
+    to: Annotated[Path, typer.Option("--to", help="REPORT.html or REPORT.pdf")],
+) -> None:
+    """Write the report of a test, the same bytes each time."""
+    from rigapp.commands.report import write_report
+
+    raise typer.Exit(write_report(file, to))
+
+
+@app.command()
 def picture(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")], to: ToOption) -> None:
     """Draw a recorded test as the window shows it (PNG)."""
     from rigapp.commands.window import draw_picture

@@ -18,6 +18,7 @@ from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import (
+    CondPageBreak,
     Flowable,
     Image,
     KeepTogether,
@@ -36,7 +37,8 @@ CELL_SIZE = 7.0
 CELL_PADDING = 8.0
 NAME_WIDTH = 55 * mm
 LISTING_COLUMNS = 112
-KEPT_ROWS = 12
+HEADING_ROOM = 45 * mm
+KEPT_ROWS = 14
 """A table of so few rows is kept on one page with its title."""
 
 LINE = [
@@ -125,8 +127,8 @@ HEAD = _style("head", CELL_SIZE, bold=True)
 HEAD_NUMBER = _style("head number", CELL_SIZE, bold=True, alignment=2)
 SMALL = _style("small", 7.0, textColor=colors.HexColor("#444444"))
 TITLE = _style("title", 15, bold=True, spaceAfter=8)
-HEADING = _style("heading", 11, bold=True, spaceBefore=11, spaceAfter=4, keepWithNext=1)
-CAPTION = _style("caption", 8.5, bold=True, spaceBefore=6, spaceAfter=2, keepWithNext=1)
+HEADING = _style("heading", 11, bold=True, spaceBefore=11, spaceAfter=4)
+CAPTION = _style("caption", 8.5, bold=True, spaceBefore=6, spaceAfter=2)
 FIXED_STYLE = ParagraphStyle("fixed", fontName=FIXED, fontSize=6.5, leading=8.2)
 
 
@@ -144,10 +146,9 @@ class _Heading(Paragraph):  # type: ignore[misc, unused-ignore]
 def _story(document: Document) -> list[Flowable]:
     story: list[Flowable] = [Paragraph(escape(document.title), TITLE)]
     for section in document.sections:
-        if section.title:
-            story.append(_Heading(escape(section.title), HEADING))
-        for block in section.blocks:
-            story += _flowables(block)
+        heading = [_Heading(escape(section.title), HEADING)] if section.title else []
+        for place, block in enumerate(section.blocks):
+            story += _flowables(block, heading if place == 0 else [])
     if document.signatures:
         story.append(_signatures(document.signatures))
     if document.closing:
@@ -155,33 +156,33 @@ def _story(document: Document) -> list[Flowable]:
     return story
 
 
-def _flowables(block: Block) -> list[Flowable]:
-    if isinstance(block, Text):
-        return [Paragraph(escape(block.text), STRONG if block.strong else BODY)]
+def _flowables(block: Block, heading: list[Flowable]) -> list[Flowable]:
+    """Set a block below its heading, which is never left alone at the foot of a page."""
     if isinstance(block, Figure):
-        return [_figure(block)]
+        return [KeepTogether([*heading, *_figure(block)])]
+    if isinstance(block, Text):
+        paragraph = Paragraph(escape(block.text), STRONG if block.strong else BODY)
+        return [CondPageBreak(HEADING_ROOM), *heading, paragraph] if heading else [paragraph]
     title = [Paragraph(escape(block.title), CAPTION)] if block.title else []
     if isinstance(block, Listing):
         text = block.text.expandtabs(4) or " "
-        return [
-            *title,
-            Preformatted(text, FIXED_STYLE, maxLineLength=LISTING_COLUMNS, newLineChars="  "),
-        ]
-    parts = [*title, _grid(block), Spacer(0, 2 * mm)]
-    return [KeepTogether(parts)] if len(block.rows) <= KEPT_ROWS else parts
+        listing = Preformatted(text, FIXED_STYLE, maxLineLength=LISTING_COLUMNS, newLineChars="  ")
+        return [CondPageBreak(HEADING_ROOM), *heading, *title, listing]
+    parts = [*heading, *title, _grid(block), Spacer(0, 2 * mm)]
+    if len(block.rows) <= KEPT_ROWS:
+        return [KeepTogether(parts)]
+    return [CondPageBreak(HEADING_ROOM), *parts]
 
 
-def _figure(figure: Figure) -> KeepTogether:
+def _figure(figure: Figure) -> list[Flowable]:
     width, height = ImageReader(io.BytesIO(figure.image)).getSize()
     caption = f"<b>{escape(figure.title)}.</b> {escape(figure.caption)}"
-    return KeepTogether(
-        [
-            Spacer(0, 3 * mm),
-            Image(io.BytesIO(figure.image), WIDTH, WIDTH * height / width),
-            Paragraph(caption, SMALL),
-            Spacer(0, 2 * mm),
-        ]
-    )
+    return [
+        Spacer(0, 3 * mm),
+        Image(io.BytesIO(figure.image), WIDTH, WIDTH * height / width),
+        Paragraph(caption, SMALL),
+        Spacer(0, 2 * mm),
+    ]
 
 
 def _grid(table: Table) -> Grid:

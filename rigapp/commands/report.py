@@ -1,0 +1,54 @@
+"""`rigapp report`: the report of a test as one HTML or PDF file."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+
+ENDINGS = (".html", ".pdf")
+
+
+def write_report(path: Path, to: Path) -> int:
+    """Write the report of a test file; an earlier report of that name is replaced as a whole.
+
+    Returns the exit status. Raises UnusableInput for another ending, a file that is not a test, a
+    target that cannot be written.
+    """
+    ending = to.suffix.lower()
+    if ending not in ENDINGS:
+        raise UnusableInput(f"{to}: a report is .html or .pdf; name it so")
+    if to.is_dir():
+        raise UnusableInput(f"{to}: this is a folder; name the report's file")
+    if not to.parent.is_dir():
+        raise UnusableInput(f"{to}: the folder {to.parent} does not exist; create it first")
+    from rigapp.report.html import as_html
+    from rigapp.report.testreport import report_of
+
+    document = report_of(path, vector=ending == ".html")
+    if ending == ".html":
+        data = as_html(document)
+    else:
+        from rigapp.report.pdf import as_pdf
+
+        data = as_pdf(document)
+    _replace(to, data)
+    print(f"The report is {to}.")
+    return 0
+
+
+def _replace(to: Path, data: bytes) -> None:
+    """Put the bytes in place at once: a reader never sees half a report."""
+    hidden = to.parent / f".{to.name}.part-{os.getpid()}"
+    try:
+        hidden.write_bytes(data)
+        os.replace(hidden, to)
+    except OSError as error:
+        raise UnusableInput(
+            f"{to}: the report cannot be written ({error.strerror}); choose another place"
+        ) from error
+    finally:
+        with contextlib.suppress(OSError):
+            hidden.unlink(missing_ok=True)

@@ -1,0 +1,198 @@
+"""The sections of a report that are made of data: extremes, model, cycles, wear, quality."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from rigapp.report import plots
+from rigapp.report.document import Block, Section, Table, Text
+from rigapp.report.facts import ENDS, Channel, Gap, Peak, Rows
+from rigapp.report.model_facts import Agreement, CyclePicture, Wear
+from rigapp.report.wording import (
+    CHANNELS,
+    FLAGS,
+    UNKNOWN,
+    count,
+    counted,
+    flags,
+    number,
+    quantity,
+    symbol,
+)
+
+RESIDUALS = {
+    "residual_rms": "residual of |F|, RMS",
+    "residual_1_rms": "residual of force_1, RMS",
+    "residual_2_rms": "residual of force_2, RMS",
+    "phase_shift": "phase shift of |F|",
+}
+WEAR = {
+    "measured_wear_depth": "measured (probes)",
+    "wear_depth": "predicted (model)",
+    "driven_wear_depth": "model driven by the measured forces",
+}
+STATISTICS = {"max": "maximum", "min": "minimum", "rms": "RMS"}
+
+
+def extremes(rows: Rows | None, agreement: Agreement | None, vector: bool) -> list[Section]:
+    """Return the table of extremes and the trends of every channel."""
+    title = "Extremes and RMS of every channel"
+    if rows is None:
+        return [Section(title, (Text("No revolution is recorded."),))]
+    channels = [*rows.channels, *([rows.speed] if rows.speed is not None else [])]
+    noted: dict[str, str] = {}
+    table = Table(
+        "Over the whole test",
+        tuple(_extremes_row(one, noted) for one in channels),
+        ("channel", "unit", "largest", "in revolution", "smallest", "in revolution",
+         "RMS over the test", f"RMS, first {ENDS}", f"RMS, last {ENDS}"),
+    )  # fmt: skip
+    blocks: list[Block] = [table]
+    if noted:
+        notes = "; ".join(f"revolution {one}: {words}" for one, words in noted.items())
+        blocks.append(Text(f"* The revolution carries a quality flag. {notes}."))
+    blocks.append(
+        Text(
+            f"RMS, first and last {ENDS}: mean over the first and last {ENDS} revolutions without "
+            "a quality flag."
+        )
+    )
+    forces = [one for one in rows.channels if one.unit == "N"]
+    others = [one for one in channels if one.unit != "N"]
+    if forces:
+        blocks.append(
+            plots.trends(forces, agreement, rows.gaps, "Forces against revolution", vector)
+        )
+    if others:
+        name = "Displacement and speed against revolution"
+        blocks.append(plots.trends(others, None, rows.gaps, name, vector))
+    return [Section(title, tuple(blocks))]
+
+
+def _extremes_row(channel: Channel, noted: dict[str, str]) -> tuple[str, ...]:
+    def place(peak: Peak) -> str:
+        if not math.isfinite(peak.value):
+            return UNKNOWN
+        if not peak.quality:
+            return count(peak.revolution)
+        noted[count(peak.revolution)] = flags(peak.quality) or f"flag {peak.quality}"
+        return f"{count(peak.revolution)}*"
+
+    values = (channel.rms, channel.start, channel.end)
+    return (
+        CHANNELS[channel.name],
+        symbol(channel.unit),
+        number(channel.largest.value, channel.unit),
+        place(channel.largest),
+        number(channel.smallest.value, channel.unit),
+        place(channel.smallest),
+        *(number(value, channel.unit) for value in values),
+    )
+
+
+def agreement(found: Agreement | None, rows: Rows | None, vector: bool) -> list[Section]:
+    """Return how well the model agrees with the measurement."""
+    title = "Agreement with the model"
+    if found is None or rows is None:
+        return [Section(title, (Text("No prediction is recorded in the file."),))]
+    residuals = Table(
+        "Measured minus model",
+        tuple(
+            (RESIDUALS[one.name], symbol(one.unit), number(one.mean, one.unit, 2),
+             number(one.worst.value, one.unit, 2),
+             count(one.worst.revolution) if math.isfinite(one.worst.value) else UNKNOWN,
+             number(one.last, one.unit, 2))
+            for one in found.residuals
+        ),
+        ("quantity", "unit", "mean", "largest", "in revolution", "last"),
+    )  # fmt: skip
+    pairs = Table(
+        "Mean of the statistics over the compared revolutions, N",
+        tuple(
+            (_statistic(one.name), number(one.measured, "N"), number(one.predicted, "N"),
+             number(one.measured - one.predicted, "N"))
+            for one in found.pairs
+        ),
+        ("statistic", "measured", "model", "difference"),
+    )  # fmt: skip
+    lead = Text(
+        f"{counted(found.compared, 'revolution')} of {count(rows.revolutions)} compared."
+        + _relative(found, rows)
+    )
+    blocks: list[Block] = [lead, residuals]
+    if found.pairs:
+        blocks.append(pairs)
+    blocks.append(plots.residual_trend(found, rows.gaps, vector))
+    return [Section(title, tuple(blocks))]
+
+
+def _relative(found: Agreement, rows: Rows) -> str:
+    residual = next((one.mean for one in found.residuals if one.name == "residual_rms"), math.nan)
+    force = next((one.rms for one in rows.channels if one.name == "force"), math.nan)
+    if not (math.isfinite(residual) and force > 0):
+        return ""
+    return f" The mean residual of |F| is {100 * residual / force:.1f} % of the RMS force."
+
+
+def _statistic(name: str) -> str:
+    channel, _, statistic = name.rpartition("_")
+    return f"{STATISTICS[statistic]} of {plots.SHORT[channel]}"
+
+
+def cycles(pictures: Sequence[CyclePicture], refused: int, vector: bool) -> Section:
+    """Return the picture of the first, middle and last saved cycle."""
+    blocks: list[Block] = []
+    if refused:
+        text = f"{counted(refused, 'whole cycle')} had no room in the file and could not be kept."
+        blocks.append(Text(text, strong=True))
+    if pictures:
+        blocks.append(plots.cycles(pictures, vector))
+    else:
+        blocks.append(Text("No whole cycle is saved."))
+    return Section("Whole cycles", tuple(blocks))
+
+
+def wear(found: Agreement | None, gaps: Sequence[Gap], vector: bool) -> Section:
+    """Return the wear depth, measured and predicted, and its rate; what is not known says so."""
+    known = found.wear if found is not None else {}
+    table = Table(
+        "",
+        tuple(
+            (words, *_wear_cells(known.get(name)))
+            for name, words in WEAR.items()
+        ),
+        ("wear depth", "depth, µm", "at revolution", "rate, µm per 1000 revolutions"),
+    )  # fmt: skip
+    blocks: list[Block] = [table, Text("The rate is a straight line through the last half.")]
+    picture = plots.wear_trend(found, gaps, vector) if found is not None else None
+    if picture is not None:
+        blocks.append(picture)
+    return Section("Wear", tuple(blocks))
+
+
+def _wear_cells(found: Wear | None) -> tuple[str, str, str]:
+    if found is None:
+        return UNKNOWN, UNKNOWN, UNKNOWN
+    rate = UNKNOWN if math.isnan(found.rate) else f"{1e6 * found.rate:.3g}"
+    return number(1e3 * found.depth, "um", 2), count(found.revolution), rate
+
+
+def quality(rows: Rows | None) -> Section:
+    """Return the quality flags, counted, in words."""
+    title = "Quality of the data"
+    if rows is None:
+        return Section(title, (Text("No revolution is recorded."),))
+    counted_flags = [(FLAGS[flag], count(value)) for flag, value in rows.flags.items() if value]
+    if rows.unknown_flags:
+        counted_flags.append(("flags that this version does not know", count(rows.unknown_flags)))
+    table = Table(
+        "",
+        (("no flag, good", count(rows.good)), *counted_flags),
+        ("quality", "revolutions"),
+    )
+    text = (
+        f"{counted(rows.lost_samples, 'sample')} lost in all; a revolution has about "
+        f"{quantity(rows.samples_each, '1')} samples. A revolution can carry several flags."
+    )
+    return Section(title, (table, Text(text)))

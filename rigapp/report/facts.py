@@ -1,0 +1,205 @@
+"""Reduce a test file to what a report says of it, one column at a time.
+
+Only a column or two of the revolutions is in memory at once, so that a test of 10^7 revolutions
+needs no more than a few hundred megabytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.engine.columns import CHANNELS
+from rigapp.engine.messages import Flag
+from rigapp.report.envelope import Floats, envelope
+from rigapp.storage.reader import TestReader
+
+Line = tuple[Floats, Floats]
+
+ENDS = 10
+"""Good revolutions at each end of the test that are averaged to say how a quantity changed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Peak:
+    """An extreme value, the revolution it was in, and that revolution's quality flags."""
+
+    value: float
+    revolution: int
+    quality: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Channel:
+    """What a report says of a channel. rms: over the whole test; start, end: mean RMS there."""
+
+    name: str
+    unit: str
+    largest: Peak
+    smallest: Peak
+    rms: float
+    start: float
+    end: float
+    lines: Mapping[str, Line]
+
+
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """Data missing before a revolution. missing: revolutions not recorded. seconds: without data,
+    by the host's clock."""
+
+    revolution: int
+    missing: int
+    lost_samples: int
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rows:
+    """What the statistics of the revolutions say. flags: revolutions with each flag."""
+
+    revolutions: int
+    good: int
+    first: int
+    last: int
+    flags: Mapping[Flag, int]
+    unknown_flags: int
+    lost_samples: int
+    samples_each: float
+    mean_speed: float
+    test_s: float
+    host_span: tuple[float, float]
+    channels: tuple[Channel, ...]
+    speed: Channel | None
+    gaps: tuple[Gap, ...]
+
+
+class _Table:
+    """Read columns of the rows that were safe when the report was begun."""
+
+    def __init__(self, reader: TestReader) -> None:
+        self._reader = reader
+        self.rows = reader.committed()
+        self.units = reader.column_units()
+
+    def column(self, name: str) -> NDArray[Any]:
+        """Return the safe rows of a column."""
+        return self._reader.column(name, 0, self.rows)
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.units
+
+
+def rows_of(reader: TestReader) -> Rows | None:
+    """Return what the statistics say; None when no revolution is recorded."""
+    table = _Table(reader)
+    if table.rows == 0:
+        return None
+    number = table.column("revolution").astype(np.int64)
+    quality = table.column("quality").astype(np.int64)
+    lost = table.column("lost_samples")
+    host, time = table.column("host_time"), table.column("time")
+    known = int(sum(Flag))
+    channels = tuple(
+        _channel(table, name, number, quality)
+        for name in CHANNELS
+        if all(f"{name}_{one}" in table for one in ("max", "min", "rms"))
+    )
+    speed = table.column("speed")
+    return Rows(
+        revolutions=table.rows,
+        good=int(np.count_nonzero(quality == 0)),
+        first=int(number[0]),
+        last=int(number[-1]),
+        flags={flag: int(np.count_nonzero(quality & flag)) for flag in Flag if flag},
+        unknown_flags=int(np.count_nonzero(quality & ~known)),
+        lost_samples=int(lost.sum()),
+        samples_each=float(np.median(table.column("samples"))),
+        mean_speed=mean(speed),
+        test_s=float(time[-1]),
+        host_span=(float(host[0]), float(host[-1])),
+        channels=channels,
+        speed=_channel(table, "speed", number, quality) if "speed_max" in table else None,
+        gaps=_gaps(number, quality, lost, host, speed),
+    )
+
+
+def mean(values: NDArray[Any]) -> float:
+    """Return the mean of the finite values, NaN without any."""
+    finite = values[np.isfinite(values)]
+    return float(finite.mean()) if finite.size else float("nan")
+
+
+def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
+    """Return the smallest and the largest value of a measured or predicted column, and its unit.
+
+    None when there is no such column or no value in it.
+    """
+    if name in reader.column_units():
+        values, unit = reader.column(name), reader.column_units()[name]
+    elif name in reader.column_units("prediction"):
+        values, unit = reader.predictions()[name], reader.column_units("prediction")[name]
+    else:
+        return None
+    finite = values[np.isfinite(values)]
+    if not finite.size:
+        return None
+    return float(finite.min()), float(finite.max()), unit
+
+
+def _channel(
+    table: _Table, name: str, number: NDArray[np.int64], quality: NDArray[np.int64]
+) -> Channel:
+    largest, smallest, rms = (table.column(f"{name}_{one}") for one in ("max", "min", "rms"))
+    good = np.flatnonzero(quality == 0)
+    return Channel(
+        name=name,
+        unit=table.units[f"{name}_max"],
+        largest=_peak(largest, number, quality, 1.0),
+        smallest=_peak(smallest, number, quality, -1.0),
+        rms=float(np.sqrt(mean(np.square(rms)))),
+        start=mean(rms[good[:ENDS]]),
+        end=mean(rms[good[-ENDS:]]),
+        lines={
+            "max": envelope(number, largest),
+            "min": envelope(number, smallest),
+            "rms": envelope(number, rms),
+        },
+    )
+
+
+def _peak(
+    values: NDArray[Any], number: NDArray[np.int64], quality: NDArray[np.int64], sign: float
+) -> Peak:
+    if not np.isfinite(values).any():
+        return Peak(float("nan"), 0, 0)
+    place = int(np.argmax(np.where(np.isfinite(values), sign * values, -np.inf)))
+    return Peak(float(values[place]), int(number[place]), int(quality[place]))
+
+
+def _gaps(
+    number: NDArray[np.int64],
+    quality: NDArray[np.int64],
+    lost: NDArray[Any],
+    host: NDArray[Any],
+    speed: NDArray[Any],
+) -> tuple[Gap, ...]:
+    steps = np.diff(number, prepend=number[0] - 1)
+    places = np.flatnonzero((quality & int(Flag.GAP_BEFORE) != 0) | (steps != 1))
+    found = []
+    for place in places.tolist():
+        turn = 60.0 / abs(speed[place]) if speed[place] else 0.0
+        seconds = float(host[place] - host[place - 1] - turn) if place else float("nan")
+        found.append(
+            Gap(
+                int(number[place]),
+                max(0, int(steps[place]) - 1),
+                int(lost[place]),
+                max(0.0, seconds) if np.isfinite(seconds) else float("nan"),
+            )
+        )
+    return tuple(found)

@@ -1,0 +1,159 @@
+"""Make the log of a test readable: alarms from raised to cleared, limits, changes, the course."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from rigapp.config.recipe import LimitsSection
+from rigapp.engine.messages import Event
+
+_ALARM = re.compile(
+    r"(?P<title>.+?): (?P<what>raised|cleared|acknowledged|reset|shelved for [^:]*:.*?)\. "
+    r"(?P<cause>.*)",
+    re.DOTALL,
+)
+_CHANGED = re.compile(r"limit (\S+?) changed")
+
+CHANGES = ("note", "limit_changed", "zero", "extended")
+LEFT_OUT = ("alarm", *CHANGES)
+
+
+@dataclass(frozen=True, slots=True)
+class AlarmRecord:
+    """One alarm from its beginning on. Times are UTC seconds, None when it did not happen."""
+
+    title: str
+    cause: str
+    raised_at: float
+    revolution: int
+    cleared_at: float | None = None
+    acknowledged: str = ""
+    first_out: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """One limit of the test. now: after the last change. quantity: a column, or empty."""
+
+    name: str
+    quantity: str
+    above: bool
+    unit: str
+    start: float
+    now: float
+    action: str
+
+
+def alarms_of(events: Sequence[Event], reason: str) -> list[AlarmRecord]:
+    """Return the alarms in the order in which they were raised.
+
+    reason: the sentence with which the test ended; the alarm that gives it is the first-out one.
+    """
+    found: list[AlarmRecord] = []
+    place: dict[str, int] = {}
+    for event in events:
+        match = _ALARM.fullmatch(event.text) if event.kind == "alarm" else None
+        if match is None:
+            continue
+        title, what, cause = match["title"], match["what"], match["cause"]
+        if what == "raised":
+            place[title] = len(found)
+            found.append(AlarmRecord(title, cause, event.time, event.revolution))
+        elif title in place:
+            found[place[title]] = _continued(found[place[title]], event, what)
+    first = next((i for i, one in enumerate(found) if one.cause and one.cause in reason), None)
+    if first is not None:
+        found[first] = replace(found[first], first_out=True)
+    return found
+
+
+def _continued(record: AlarmRecord, event: Event, what: str) -> AlarmRecord:
+    if what == "cleared":
+        return replace(record, cleared_at=event.time)
+    if what == "acknowledged":
+        return replace(record, acknowledged=event.source)
+    if what.startswith("shelved"):
+        words = f"{what}, by {event.source}"
+        return replace(record, acknowledged=f"{record.acknowledged}; {words}".lstrip("; "))
+    return record
+
+
+def changes_of(events: Iterable[Event]) -> list[Event]:
+    """Return the operator's notes and everything that was changed, with before and after."""
+    return [one for one in events if one.kind in CHANGES]
+
+
+def course_of(events: Iterable[Event]) -> list[Event]:
+    """Return what else happened: states, commands, gaps, stops."""
+    return [one for one in events if one.kind not in LEFT_OUT]
+
+
+def limits_of(test_text: str, events: Iterable[Event]) -> list[Limit]:
+    """Return the limits of the test file (TOML), and what they were changed to."""
+    try:
+        document = tomllib.loads(test_text)
+    except tomllib.TOMLDecodeError:
+        return []
+    section = document.get("limits", {})
+    if "run" not in document or not isinstance(section, Mapping):
+        return []
+    defaults = LimitsSection()
+    changed = _changed(events)
+    fixed = (
+        ("overload_N", "force_max", "N", "drive off"),
+        ("overspeed_rpm", "speed_max", "rpm", "drive off"),
+        ("stale_data_s", "", "s", "drive off"),
+    )
+    found = [
+        Limit(name, quantity, True, unit, value, changed.get(name, value), action)
+        for name, quantity, unit, action in fixed
+        for value in _number(section.get(name, getattr(defaults, name)))
+    ]
+    rules = section.get("rule", ())
+    for rule in rules if isinstance(rules, list) else ():
+        found += _rule_limits(rule, changed)
+    return found
+
+
+def _rule_limits(rule: Any, changed: Mapping[str, float]) -> list[Limit]:
+    if not isinstance(rule, Mapping):
+        return []
+    quantity = str(rule.get("quantity", ""))
+    actions = {
+        "warning": str(rule.get("action_warning", "warn")),
+        "critical": str(rule.get("action_critical", "stop")),
+    }
+    found = []
+    for level in ("warning_above", "critical_above", "warning_below", "critical_below"):
+        name = f"{quantity}.{level}"
+        given = _number(rule.get(level))
+        if not given and name not in changed:
+            continue
+        start = given[0] if given else float("nan")
+        severity, _, side = level.partition("_")
+        action = actions[severity].replace("_", " ")
+        found.append(
+            Limit(name, quantity, side == "above", "", start, changed.get(name, start), action)
+        )
+    return found
+
+
+def _changed(events: Iterable[Event]) -> dict[str, float]:
+    found = {}
+    for event in events:
+        match = _CHANGED.match(event.text)
+        if event.kind == "limit_changed" and match is not None:
+            for value in _number(event.after):
+                found[match[1]] = value
+    return found
+
+
+def _number(value: Any) -> list[float]:
+    try:
+        return [float(value)] if value is not None else []
+    except (TypeError, ValueError):
+        return []

@@ -1,0 +1,162 @@
+"""The sections of a report that are made of the log: gaps, limits, alarms, changes, course."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from rigapp.engine.messages import Event
+from rigapp.report.document import Block, Section, Table, Text
+from rigapp.report.facts import Rows, span_of
+from rigapp.report.history import (
+    AlarmRecord,
+    Limit,
+    alarms_of,
+    changes_of,
+    course_of,
+    limits_of,
+)
+from rigapp.report.wording import UNKNOWN, count, counted, duration, symbol, utc
+from rigapp.storage.reader import TestReader
+
+SHOWN = 60
+"""Longest table of the log; the rest is counted, and is in the file."""
+
+KINDS = {
+    "note": "note",
+    "limit_changed": "limit changed",
+    "zero": "zero taken",
+    "extended": "test extended",
+}
+
+
+def sections(
+    reader: TestReader, events: Sequence[Event], rows: Rows | None, reason: str
+) -> list[Section]:
+    """Return the sections about gaps, limits, alarms, changes and the course of the test."""
+    limits = limits_of(str(reader.configuration().get("test", "")), events)
+    refused = reader.state("events_refused")
+    course = [_course(events)]
+    if refused:
+        text = f"The log was full: {counted(refused, 'event')} could not be kept."
+        course.insert(0, Text(text, strong=True))
+    return [
+        Section("Gaps", _gaps(events, rows)),
+        Section("Limits and alarms", (*_limits(reader, limits), *_alarms(events, reason))),
+        Section("Notes and changes", _changes(events)),
+        Section("Course of the test", tuple(course)),
+    ]
+
+
+def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
+    told = [one for one in events if one.kind == "gap"]
+    found = rows.gaps if rows is not None else ()
+    if not told and not found:
+        return (Text("None: every revolution follows the one before."),)
+    blocks: list[Block] = []
+    if found:
+        known = [gap.seconds for gap in found if math.isfinite(gap.seconds)]
+        missing = sum(gap.missing for gap in found)
+        text = f"{counted(len(found), 'gap')}, {counted(missing, 'revolution')} not recorded"
+        blocks.append(Text(f"{text}, {duration(sum(known))} without data in all."))
+        table = tuple(
+            (count(gap.revolution), count(gap.missing), count(gap.lost_samples),
+             duration(gap.seconds))
+            for gap in found
+        )  # fmt: skip
+        header = ("before revolution", "revolutions not recorded", "samples lost", "without data")
+        blocks += _cut("Where data are missing", table, header)
+    if told:
+        rows_told = tuple((utc(one.time), count(one.revolution), one.text) for one in told)
+        blocks += _cut("What the log says", rows_told, ("time, UTC", "after revolution", "gap"))
+    return tuple(blocks)
+
+
+def _limits(reader: TestReader, limits: Sequence[Limit]) -> list[Block]:
+    if not limits:
+        return [Text("The file does not tell the limits of the test.")]
+    table = tuple(_limit_row(reader, one) for one in limits)
+    header = ("limit", "at the start", "at the end", "reached", "unit", "action")
+    return [Table("Limits", table, header)]
+
+
+def _limit_row(reader: TestReader, limit: Limit) -> tuple[str, ...]:
+    span = span_of(reader, limit.quantity) if limit.quantity else None
+    unit = limit.unit or (span[2] if span is not None else "")
+    reached = "–"
+    if span is not None:
+        reached = f"{span[1] if limit.above else span[0]:.5g}"
+    start, now = (f"{value:g}" if math.isfinite(value) else "none"
+                  for value in (limit.start, limit.now))  # fmt: skip
+    name = limit.name.replace("_", " ").replace(".", ", ").removesuffix(f" {unit}")
+    return name, start, now, reached, symbol(unit), limit.action
+
+
+def _alarms(events: Sequence[Event], reason: str) -> list[Block]:
+    found = alarms_of(events, reason)
+    silent = [one for one in events if one.kind == "limit"]
+    blocks: list[Block] = []
+    if silent:
+        blocks.append(
+            Text(f"Limits that act by a line in the log only: {counted(len(silent), 'line')}.")
+        )
+    if not found:
+        return [*blocks, Text("No alarm was raised.")]
+    first = next((one for one in found if one.first_out), None)
+    if first is not None:
+        text = f"First out, the alarm that ended the test: {first.title}. {first.cause}"
+        blocks.append(Text(text, strong=True))
+    header = ("raised, UTC", "revolution", "alarm", "cause", "cleared, UTC", "acknowledged")
+    table = tuple(_alarm_row(one) for one in found)
+    return [*blocks, *_cut(f"Alarms: {count(len(found))} raised", table, header)]
+
+
+def _alarm_row(alarm: AlarmRecord) -> tuple[str, ...]:
+    title = f"{alarm.title} (first out)" if alarm.first_out else alarm.title
+    cleared = utc(alarm.cleared_at) if alarm.cleared_at is not None else "not in the log"
+    return (
+        utc(alarm.raised_at),
+        count(alarm.revolution),
+        title,
+        alarm.cause,
+        cleared,
+        f"by {alarm.acknowledged}" if alarm.acknowledged else "no",
+    )
+
+
+def _changes(events: Sequence[Event]) -> tuple[Block, ...]:
+    found = changes_of(events)
+    if not found:
+        return (Text("No notes were written and nothing was changed during the test."),)
+    header = ("time, UTC", "revolution", "what", "by", "text", "before", "after")
+    table = tuple(
+        (utc(one.time), count(one.revolution), KINDS[one.kind], one.source, one.text,
+         one.before or "–", one.after or "–")
+        for one in found
+    )  # fmt: skip
+    return tuple(_cut("", table, header, shown=5 * SHOWN))
+
+
+def _course(events: Sequence[Event]) -> Block:
+    found = course_of(events)
+    if not found:
+        return Text("The log has no entries.")
+    table = tuple(
+        (utc(one.time), count(one.revolution), one.kind.replace("_", " "), one.source,
+         one.text or UNKNOWN)
+        for one in found
+    )  # fmt: skip
+    kept = table if len(table) <= SHOWN else table[: SHOWN // 2] + table[-SHOWN // 2 :]
+    title = "" if kept is table else f"First and last {SHOWN // 2} of {count(len(table))} entries"
+    return Table(title, kept, ("time, UTC", "revolution", "what", "by", "text"))
+
+
+def _cut(
+    title: str, rows: tuple[tuple[str, ...], ...], header: tuple[str, ...], shown: int = SHOWN
+) -> list[Block]:
+    """Return a table, and when it is too long a sentence on what is left out."""
+    blocks: list[Block] = [Table(title, rows[:shown], header)]
+    if len(rows) > shown:
+        text = f"{count(len(rows) - shown)} more are left out here; they are in the file."
+        blocks.append(Text(text))
+    return blocks

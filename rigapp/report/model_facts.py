@@ -1,0 +1,172 @@
+"""Reduce the prediction of a test file: agreement with the model, wear, whole cycles."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.report.envelope import Floats, envelope
+from rigapp.report.facts import Line, Peak, mean
+from rigapp.storage.reader import Columns, TestReader
+
+RESIDUALS = ("residual_rms", "residual_1_rms", "residual_2_rms", "phase_shift")
+WEAR = ("wear_depth", "measured_wear_depth", "driven_wear_depth")
+COMPARED = tuple(
+    f"{channel}_{one}" for channel in ("force", "force_1", "force_2")
+    for one in ("max", "min", "rms")
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Residual:
+    """One measure of agreement over the test. worst: the largest magnitude."""
+
+    name: str
+    unit: str
+    mean: float
+    worst: Peak
+    last: float
+    line: Line
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """The mean of a statistic over the compared revolutions, measured and predicted."""
+
+    name: str
+    measured: float
+    predicted: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Wear:
+    """A wear depth in mm: the last one known, its revolution, its rate in mm a revolution over
+    the last half of the revolutions with a depth."""
+
+    depth: float
+    revolution: int
+    rate: float
+    line: Line
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Agreement:
+    """What the prediction says. compared: revolutions that were compared."""
+
+    compared: int
+    residuals: tuple[Residual, ...]
+    pairs: tuple[Pair, ...]
+    lines: Mapping[str, Line]
+    wear: Mapping[str, Wear | None]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CyclePicture:
+    """A saved cycle by angle, with the model's curves where they are saved.
+
+    columns: angle and channels, sorted by angle. model: angle and curves of model_revolution.
+    residual: measured minus predicted by channel, at the measured angles.
+    """
+
+    revolution: int
+    columns: Columns
+    model_revolution: int | None
+    model: Columns
+    residual: Mapping[str, Floats]
+
+
+def agreement_of(reader: TestReader) -> Agreement | None:
+    """Return what the prediction says of the test; None when nothing is predicted."""
+    table = reader.predictions()
+    number = table["revolution"].astype(np.int64)
+    if number.size == 0:
+        return None
+    units = reader.column_units("prediction")
+    return Agreement(
+        compared=int(number.size),
+        residuals=tuple(
+            _residual(name, units[name], number, table[name]) for name in RESIDUALS if name in table
+        ),
+        pairs=_pairs(reader, number, table),
+        lines={name: envelope(number, table[name]) for name in COMPARED if name in table},
+        wear={name: _wear(number, table[name]) if name in table else None for name in WEAR},
+    )
+
+
+def _residual(name: str, unit: str, number: NDArray[np.int64], values: NDArray[Any]) -> Residual:
+    finite = np.flatnonzero(np.isfinite(values))
+    worst, last = Peak(float("nan"), 0, 0), float("nan")
+    if finite.size:
+        place = finite[int(np.argmax(np.abs(values[finite])))]
+        worst = Peak(float(values[place]), int(number[place]), 0)
+        last = float(values[finite[-1]])
+    return Residual(name, unit, mean(values), worst, last, envelope(number, values))
+
+
+def _pairs(reader: TestReader, number: NDArray[np.int64], table: Columns) -> tuple[Pair, ...]:
+    measured_number = reader.column("revolution").astype(np.int64)
+    if measured_number.size == 0:
+        return ()
+    known = reader.column_units()
+    places = np.minimum(np.searchsorted(measured_number, number), measured_number.size - 1)
+    common = measured_number[places] == number
+    found = []
+    for name in COMPARED:
+        if name not in table or name not in known:
+            continue
+        measured = reader.column(name, 0, measured_number.size)[places]
+        both = common & np.isfinite(measured) & np.isfinite(table[name])
+        found.append(Pair(name, mean(measured[both]), mean(table[name][both])))
+    return tuple(found)
+
+
+def _wear(number: NDArray[np.int64], depth: NDArray[Any]) -> Wear | None:
+    finite = np.flatnonzero(np.isfinite(depth))
+    if finite.size == 0:
+        return None
+    late = finite[finite.size // 2 :]
+    rate = float("nan")
+    if late.size >= 2 and number[late[-1]] > number[late[0]]:
+        x = (number[late] - number[late[0]]).astype(np.float64)
+        x -= x.mean()
+        rate = float(x @ (depth[late] - depth[late].mean()) / (x @ x))
+    last = finite[-1]
+    line = envelope(number[finite], depth[finite])
+    return Wear(float(depth[last]), int(number[last]), rate, line)
+
+
+def cycles_of(reader: TestReader) -> tuple[CyclePicture, ...]:
+    """Return the first, the middle and the last saved cycle, fewer when fewer are saved."""
+    total = reader.committed("cycles")
+    curves = reader.curve_revolutions()
+    places = sorted({0, total // 2, total - 1}) if total else []
+    saved = reader.cycle_revolutions()
+    found = []
+    for place in places:
+        following = int(saved[place + 1]) if place + 1 < total else None
+        found.append(_picture(reader, place, following, curves))
+    return tuple(found)
+
+
+def _picture(
+    reader: TestReader, place: int, following: int | None, curves: NDArray[np.int64]
+) -> CyclePicture:
+    stored = reader.cycle(place)
+    order = np.argsort(stored.columns["angle"], kind="stable")
+    columns = {name: values[order] for name, values in stored.columns.items()}
+    later = curves[curves >= stored.revolution]
+    later = later if following is None else later[later < following]
+    model_revolution = int(later.min()) if later.size else None
+    model: Columns = {}
+    if model_revolution is not None:
+        model = reader.predicted_curve(model_revolution) or {}
+    residual = {
+        name: columns[name] - np.interp(columns["angle"], model["angle"], model[name], period=360.0)
+        for name in model
+        if name != "angle" and name in columns
+    }
+    return CyclePicture(stored.revolution, columns, model_revolution, model, residual)

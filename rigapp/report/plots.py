@@ -1,0 +1,303 @@
+"""The pictures of a report: measured solid, model dashed, colours that everybody can tell apart."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from rigapp.report.document import Figure
+from rigapp.report.envelope import envelope
+from rigapp.report.facts import Channel, Gap
+from rigapp.report.model_facts import Agreement, CyclePicture
+from rigapp.report.wording import CHANNELS, THIN, number, quantity, symbol
+
+WIDTH_IN = 7.2
+DPI = 200
+COLOURS = {
+    "force": "#000000",
+    "force_1": "#0072B2",
+    "force_2": "#009E73",
+    "probe_1": "#0072B2",
+    "probe_2": "#009E73",
+    "max": "#0072B2",
+    "rms": "#000000",
+    "min": "#009E73",
+}
+MODEL = "#D55E00"
+DRIVEN = "#CC79A7"
+GAP = "#E69F00"
+MODEL_LINE: Mapping[str, Any] = {"color": MODEL, "ls": (0, (4, 2)), "lw": 1.1}
+GAPS_SHOWN = 40
+SHORT = {
+    "force": "|F|",
+    "force_1": "force_1",
+    "force_2": "force_2",
+    "probe_1": "probe_1",
+    "probe_2": "probe_2",
+    "max": "maximum",
+    "rms": "RMS",
+    "min": "minimum",
+}
+STYLE: dict[Any, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 8.0,
+    "axes.titlesize": 8.5,
+    "axes.labelsize": 8.0,
+    "axes.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#DDDDDD",
+    "grid.linewidth": 0.5,
+    "lines.linewidth": 1.1,
+    "legend.fontsize": 7.5,
+    "legend.frameon": False,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "svg.hashsalt": "rigapp",
+    "path.simplify": True,
+}
+
+
+@contextmanager
+def _canvas(height_in: float) -> Iterator[Any]:
+    """Yield a matplotlib figure in the report's style."""
+    import matplotlib
+    from matplotlib.figure import Figure as Canvas
+
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(STYLE)
+        yield Canvas(figsize=(WIDTH_IN, height_in), layout="constrained")
+
+
+def _saved(canvas: Any, title: str, words: str, caption: str, vector: bool) -> Figure:
+    stream = io.BytesIO()
+    if vector:
+        canvas.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
+        return Figure(title, stream.getvalue(), words, "image/svg+xml", caption)
+    canvas.savefig(stream, format="png", dpi=DPI, metadata={"Software": None})
+    return Figure(title, stream.getvalue(), words, "image/png", caption)
+
+
+def _revolution_axis(axes: Any) -> None:
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+    axes.xaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,.0f}".replace(",", THIN)))
+    axes.set_xlabel("revolution")
+    axes.margins(x=0.01)
+
+
+def _draw(axes: Any, line: tuple[Any, Any], **style: Any) -> None:
+    marker = {"marker": "o", "ms": 3} if len(line[0]) == 1 else {}
+    axes.plot(*line, **{**marker, **style})
+
+
+def _mark_gaps(axes: Any, gaps: Sequence[Gap]) -> None:
+    for place, gap in enumerate(gaps[:GAPS_SHOWN]):
+        begin, end = gap.revolution - gap.missing - 0.5, gap.revolution - 0.5
+        axes.axvspan(begin, end, color=GAP, alpha=0.3, lw=0)
+        axes.axvline(end, color=GAP, lw=1.2, ls=":", label="data missing" if not place else None)
+
+
+def trends(
+    channels: Sequence[Channel],
+    agreement: Agreement | None,
+    gaps: Sequence[Gap],
+    title: str,
+    vector: bool,
+) -> Figure:
+    """Draw maximum, RMS and minimum of channels against revolution, one panel a channel."""
+    predicted = agreement.lines if agreement is not None else {}
+    with _canvas(0.4 + 1.4 * len(channels)) as canvas:
+        panels = canvas.subplots(len(channels), 1, sharex=True, squeeze=False)[:, 0]
+        for axes, channel in zip(panels, channels, strict=True):
+            _mark_gaps(axes, gaps)
+            with_model = False
+            _draw(axes, channel.lines["max"], color=COLOURS["max"], label=SHORT["max"])
+            x, rms = channel.lines["rms"]
+            negative = channel.rms > max(0.0, channel.largest.value)
+            _draw(
+                axes,
+                (x, -rms if negative else rms),
+                color=COLOURS["rms"],
+                label="−RMS" if negative else SHORT["rms"],
+            )
+            _draw(axes, channel.lines["min"], color=COLOURS["min"], label=SHORT["min"])
+            for one in ("max", "rms", "min"):
+                line = predicted.get(f"{channel.name}_{one}")
+                if line is not None and np.isfinite(line[1]).any():
+                    _draw(axes, line, **MODEL_LINE, label=None if with_model else "model")
+                    with_model = True
+            axes.set_title(CHANNELS[channel.name], loc="left")
+            axes.set_ylabel(f"{SHORT.get(channel.name, channel.name)} ({symbol(channel.unit)})")
+            axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        _revolution_axis(panels[-1])
+        words = f"{title}: " + " ".join(
+            f"{CHANNELS[one.name]} between {number(one.smallest.value, one.unit)} and "
+            f"{quantity(one.largest.value, one.unit)}."
+            for one in channels
+        )
+        caption = "Maximum, RMS and minimum of every revolution, measured (solid)"
+        model = any(f"{one.name}_max" in predicted for one in channels)
+        caption += " and by the model (dashed)." if model else "."
+        return _saved(canvas, title, words, caption, vector)
+
+
+def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figure:
+    """Draw the agreement with the model against revolution."""
+    found = {one.name: one for one in agreement.residuals}
+    forces = [one for one in ("residual_rms", "residual_1_rms", "residual_2_rms") if one in found]
+    names = dict(zip(("residual_rms", "residual_1_rms", "residual_2_rms"),
+                     ("force", "force_1", "force_2"), strict=True))  # fmt: skip
+    with _canvas(3.6) as canvas:
+        upper, lower = canvas.subplots(2, 1, sharex=True)
+        for axes in (upper, lower):
+            _mark_gaps(axes, gaps)
+        for name in forces:
+            channel = names[name]
+            _draw(upper, found[name].line, color=COLOURS[channel], label=SHORT[channel])
+        upper.set_ylim(bottom=0.0)
+        upper.set_ylabel("residual RMS (N)")
+        upper.set_title("measured minus model, RMS over a revolution", loc="left")
+        upper.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        if "phase_shift" in found:
+            _draw(lower, found["phase_shift"].line, color=COLOURS["force"])
+        lower.axhline(0.0, color="#777777", lw=0.6)
+        lower.set_ylabel("phase shift (°)")
+        lower.set_title("shift of the measured |F| against the model", loc="left")
+        _revolution_axis(lower)
+        words = "Agreement with the model: " + " ".join(
+            f"{name.replace('_', ' ')}: mean {quantity(one.mean, one.unit, 2)}, last "
+            f"{quantity(one.last, one.unit, 2)}."
+            for name, one in found.items()
+        )
+        return _saved(canvas, "Agreement with the model", words, "", vector)
+
+
+def wear_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figure | None:
+    """Draw wear depth against revolution; None when none is known."""
+    measured, predicted, driven = (
+        agreement.wear[one] for one in ("measured_wear_depth", "wear_depth", "driven_wear_depth")
+    )
+    if measured is None and predicted is None and driven is None:
+        return None
+    with _canvas(2.6) as canvas:
+        axes = canvas.subplots()
+        _mark_gaps(axes, gaps)
+        words = "Wear depth against revolution:"
+        if measured is not None:
+            x, y = measured.line
+            _draw(axes, (x, 1e3 * y), color=COLOURS["force"], label="measured")
+            words += f" measured {quantity(1e3 * measured.depth, 'um')} at the end;"
+        if predicted is not None:
+            x, y = predicted.line
+            _draw(axes, (x, 1e3 * y), **MODEL_LINE, label="model")
+            words += f" predicted {quantity(1e3 * predicted.depth, 'um')} at the end."
+        if driven is not None:
+            x, y = driven.line
+            style = {"color": DRIVEN, "ls": "-.", "lw": 1.1}
+            _draw(axes, (x, 1e3 * y), **style, label="model by\nmeasured\nforces")
+            words += f" by the measured forces {quantity(1e3 * driven.depth, 'um')} at the end."
+        axes.set_ylabel("wear depth (µm)")
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        _revolution_axis(axes)
+        caption = "From the probes (solid), by the model (dashed), by the model from the measured"
+        caption += " forces (dash-dotted); what is unknown is not drawn."
+        return _saved(canvas, "Wear depth", words, caption, vector)
+
+
+def cycles(pictures: Sequence[CyclePicture], vector: bool) -> Figure:
+    """Draw whole cycles side by side: forces with the model, residual, displacement."""
+    rows: list[tuple[str, Callable[[Any, CyclePicture], None]]] = [("force (N)", _force_panel)]
+    if any(one.residual for one in pictures):
+        rows.append(("measured −\nmodel (N)", _residual_panel))
+    if any("probe_1" in one.columns for one in pictures):
+        rows.append(("pin, less its\nmean (µm)", _probe_panel))
+    heights = [2.4 if draw is _force_panel else 1.5 for _, draw in rows]
+    with _canvas(0.55 + sum(heights)) as canvas:
+        grid = canvas.subplots(
+            len(rows), len(pictures), sharex=True, sharey="row", squeeze=False,
+            height_ratios=heights,
+        )  # fmt: skip
+        for (label, draw), line in zip(rows, grid, strict=True):
+            for axes, picture in zip(line, pictures, strict=True):
+                draw(axes, picture)
+            line[0].set_ylabel(label)
+            line[-1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        for axes, picture in zip(grid[0], pictures, strict=True):
+            axes.set_title(f"revolution {picture.revolution:,}".replace(",", THIN))
+        for axes in grid[-1]:
+            axes.set_xlabel("crank angle (°)")
+            axes.set_xticks(range(0, 361, 90))
+            axes.set_xlim(0, 360)
+        which = {1: "the only one", 2: "first and last", 3: "first, middle and last"}
+        title = f"Whole cycles, {which[len(pictures)]}"
+        return _saved(canvas, title, _cycle_words(pictures), _cycle_caption(pictures), vector)
+
+
+def _cycle_words(pictures: Sequence[CyclePicture]) -> str:
+    parts = []
+    for one in pictures:
+        force = one.columns["force"]
+        text = f"Revolution {one.revolution}: |F| between {number(float(force.min()), 'N')} and "
+        text += quantity(float(force.max()), "N")
+        if "force" in one.residual:
+            text += (
+                f", largest residual {quantity(float(np.abs(one.residual['force']).max()), 'N')}"
+            )
+        parts.append(text + ".")
+    return " ".join(parts)
+
+
+def _cycle_caption(pictures: Sequence[CyclePicture]) -> str:
+    if not any(one.model for one in pictures):
+        return "Measured (solid). No prediction is saved for these cycles."
+    text = "Measured (solid) and by the model (dashed)."
+    others = [
+        f"revolution {one.revolution} is compared with the prediction for {one.model_revolution}"
+        for one in pictures
+        if one.model_revolution is not None and one.model_revolution != one.revolution
+    ]
+    without = [str(one.revolution) for one in pictures if not one.model]
+    if without:
+        others.append(f"no prediction is saved for revolution {', '.join(without)}")
+    return f"{text} {'; '.join(others).capitalize()}." if others else text
+
+
+def _curve(axes: Any, picture: CyclePicture, values: Any, **style: Any) -> None:
+    axes.plot(*envelope(picture.columns["angle"], values), **style)
+
+
+def _force_panel(axes: Any, picture: CyclePicture) -> None:
+    for name in ("force", "force_1", "force_2"):
+        _curve(axes, picture, picture.columns[name], color=COLOURS[name], label=SHORT[name])
+    label = "model"
+    for name in ("force", "force_1", "force_2"):
+        if name in picture.model:
+            axes.plot(picture.model["angle"], picture.model[name], **MODEL_LINE, label=label)
+            label = ""
+
+
+def _residual_panel(axes: Any, picture: CyclePicture) -> None:
+    axes.axhline(0.0, color="#777777", lw=0.6)
+    for name in ("force", "force_1", "force_2"):
+        if name in picture.residual:
+            _curve(axes, picture, picture.residual[name], color=COLOURS[name], label=SHORT[name])
+        else:
+            axes.plot([], [], color=COLOURS[name], label=SHORT[name])
+
+
+def _probe_panel(axes: Any, picture: CyclePicture) -> None:
+    means = []
+    for name in ("probe_1", "probe_2"):
+        values = picture.columns[name]
+        mean = float(np.mean(values))
+        means.append(number(mean, "um"))
+        _curve(axes, picture, values - mean, color=COLOURS[name], label=SHORT[name])
+    axes.set_title(f"means {', '.join(means)} µm", fontsize=7.0, loc="right", pad=2.0)

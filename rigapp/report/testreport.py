@@ -1,0 +1,237 @@
+"""The report of a test: everything that its file says, in one document.
+
+Nothing comes from the clock or the machine, so that the same file gives the same bytes. Sections
+about data are in ``datasections``, those about what happened in ``logsections``.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rigapp.report import datasections, logsections
+from rigapp.report.document import Block, Document, Listing, Section, Table, Text
+from rigapp.report.facts import Rows, rows_of
+from rigapp.report.model_facts import agreement_of, cycles_of
+from rigapp.report.wording import (
+    REASONS,
+    STATUSES,
+    UNKNOWN,
+    count,
+    counted,
+    duration,
+    number,
+    quantity,
+    settings,
+    size,
+    stamp,
+)
+from rigapp.storage.reader import TestReader, open_test
+
+LEADS = {
+    "running": "The test was still running when this report was made.",
+    "stopped": "The test was stopped before the planned end.",
+    "interrupted": "The test was interrupted.",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """The file itself. digest: SHA-256 in hexadecimal, empty for a file that still changes."""
+
+    name: str
+    octets: int
+    digest: str
+
+
+def report_of(path: Path, vector: bool) -> Document:
+    """Compose the report of a test file; vector: pictures as SVG, else as PNG.
+
+    Raises UnusableInput for a file that cannot be read as a test.
+    """
+    with open_test(path) as reader:
+        summary, about = reader.summary(), reader.metadata()
+        identity = _identity(path, running=summary["status"] == "running")
+        rows, agreement = rows_of(reader), agreement_of(reader)
+        events = reader.events()
+        gaps = rows.gaps if rows is not None else ()
+        sections = [
+            _summary(summary, about, rows, identity),
+            *logsections.sections(reader, events, rows, summary["reason"]),
+            *datasections.extremes(rows, agreement, vector),
+            *datasections.agreement(agreement, rows, vector),
+            datasections.cycles(cycles_of(reader), reader.state("cycles_refused"), vector),
+            datasections.wear(agreement, gaps, vector),
+            datasections.quality(rows),
+            *_setup(reader),
+            _file_section(identity, summary, reader),
+        ]
+    title = about["title"] or path.stem
+    return Document(
+        title=f"Test report: {title}",
+        footer=f"Test report: {title} ({identity.name})",
+        sections=tuple(one for one in sections if one.blocks),
+        closing=_closing(identity, about),
+    )
+
+
+def _identity(path: Path, running: bool) -> Identity:
+    octets = path.stat().st_size
+    if running:
+        return Identity(path.name, octets, "")
+    with path.open("rb") as file:
+        return Identity(path.name, octets, hashlib.file_digest(file, "sha256").hexdigest())
+
+
+def _closing(identity: Identity, about: dict[str, Any]) -> str:
+    origin = f"Made from {identity.name}, test {about['identifier'] or UNKNOWN}"
+    if not identity.digest:
+        return f"{origin}, while the test was running: a later report will say more."
+    return f"{origin}, SHA-256 {identity.digest}."
+
+
+def _summary(
+    summary: dict[str, Any], about: dict[str, Any], rows: Rows | None, identity: Identity
+) -> Section:
+    status, revolutions = summary["status"], summary["revolutions"]
+    planned = about["planned_revolutions"]
+    blocks: list[Block] = []
+    if about["simulated"]:
+        blocks.append(Text("The rig was simulated: these are not measurements.", strong=True))
+    if status != "complete":
+        sentence = LEADS.get(status, f"The status of the test is {status}.")
+        blocks.append(Text(f"{sentence} {_capital(summary['reason'])}".strip(), strong=True))
+    lines = [
+        ("Title", about["title"]),
+        ("Specimen", about["specimen"]),
+        ("Bushing", about["bushing"]),
+        ("Operator", about["operator"]),
+        ("Rig", about["rig"] + (" (simulated)" if about["simulated"] else "")),
+        ("Started", stamp(about["started"])),
+        ("Ended", _ended(status, about)),
+        ("Status", _capital(STATUSES.get(status, status))),
+        ("Reason", _reason(summary, about)),
+        ("Revolutions", f"{count(revolutions)} of {count(planned)} planned"),
+        *_data_lines(summary, rows),
+        ("Notes", about["notes"]),
+        ("File", identity.name),
+    ]
+    optional = ("Notes", "Bushing")
+    shown = tuple((a, b or UNKNOWN) for a, b in lines if b or a not in optional)
+    return Section("Summary", (*blocks, Table("", shown)))
+
+
+def _data_lines(summary: dict[str, Any], rows: Rows | None) -> list[tuple[str, str]]:
+    if rows is None:
+        return [("Data", "no revolution is recorded")]
+    missing = sum(gap.missing for gap in rows.gaps)
+    gaps = "none"
+    if rows.gaps or summary["gaps"]:
+        gaps = f"{counted(max(len(rows.gaps), summary['gaps']), 'gap')}"
+        gaps += f", {counted(missing, 'revolution')} not recorded" if missing else ""
+    speed = f"mean {number(rows.mean_speed, 'rpm')} rpm"
+    if rows.speed is not None:
+        low, high = rows.speed.smallest.value, rows.speed.largest.value
+        speed += f", between {number(low, 'rpm')} and {number(high, 'rpm')} rpm"
+    force = next((one for one in rows.channels if one.name == "force"), None)
+    lines = [
+        ("Numbers of the revolutions", f"{count(rows.first)} to {count(rows.last)}"),
+        ("Time of the test", f"{duration(rows.test_s)} by the device's clock"),
+        ("Speed", speed),
+    ]
+    if force is not None:
+        peak = force.largest
+        place = f" in revolution {count(peak.revolution)}" if math.isfinite(peak.value) else ""
+        lines.append(("Largest joint force", quantity(peak.value, "N") + place))
+    return [
+        *lines,
+        ("Gaps", gaps),
+        ("Revolutions without a quality flag", f"{count(rows.good)} of {count(rows.revolutions)}"),
+        ("Whole cycles saved", count(summary["cycles_saved"])),
+    ]  # fmt: skip
+
+
+def _ended(status: str, about: dict[str, Any]) -> str:
+    if status == "running":
+        return "the test is running"
+    if not about["ended"]:
+        return "unknown, the test was not closed"
+    return stamp(about["ended"])
+
+
+def _reason(summary: dict[str, Any], about: dict[str, Any]) -> str:
+    words = REASONS.get(about["reason_code"], "")
+    return ". ".join(_capital(one) for one in (words, summary["reason"]) if one) or "none given"
+
+
+def _capital(text: str) -> str:
+    """Begin a sentence, unless it begins with the name of a column."""
+    name = "_" in text.partition(" ")[0]
+    return text if name else text[:1].upper() + text[1:]
+
+
+def _setup(reader: TestReader) -> list[Section]:
+    calibration, configuration = reader.calibration(), reader.configuration()
+    titles = {
+        "load_cell": "Load cell",
+        "probes": "Displacement probes",
+        "encoder": "Crank encoder",
+        "acquisition": "Acquisition",
+    }
+    devices = {name: value for name, value in calibration.items() if name.startswith("device_")}
+    others = [name for name in calibration if name not in titles and name not in devices]
+    ordered = [*(name for name in titles if name in calibration), *others]
+    records = tuple(
+        Table(titles.get(name, name), tuple(settings(_mapping(calibration[name]))))
+        for name in ordered
+    )
+    readback = tuple(
+        Table(f"Device {name.removeprefix('device_')}, as read back", tuple(settings(values)))
+        for name, values in devices.items()
+    )
+    missing = (Text("The file holds no calibration records."),)
+    return [
+        Section("Calibration used", tuple(one for one in records if one.rows) or missing),
+        Section("Devices", tuple(one for one in readback if one.rows)),
+        _configuration(configuration),
+    ]
+
+
+def _mapping(value: Any) -> dict[str, Any]:
+    return value if isinstance(value, dict) else {"value": value}
+
+
+def _configuration(configuration: dict[str, Any]) -> Section:
+    blocks: list[Block] = []
+    parameters = settings(configuration.get("parameters", {}))
+    if parameters:
+        blocks.append(Table("Parameters of the model", tuple(parameters)))
+    for name, title in (("test", "Test file, as given"), ("rig", "Rig file, as given")):
+        text = str(configuration.get(name, ""))
+        blocks.append(
+            Listing(title, text.rstrip()) if text.strip() else Text(f"{title}: not in the file.")
+        )
+    return Section("Configuration", tuple(blocks))
+
+
+def _file_section(identity: Identity, summary: dict[str, Any], reader: TestReader) -> Section:
+    versions = reader.configuration().get("versions", {})
+    form = "compressed, as after the test" if reader.compressed else "in place, as during the test"
+    altered = reader.first_altered_event()
+    log = "unbroken: every line follows from the one before"
+    if altered is not None:
+        log = f"BROKEN at line {altered + 1}: the log was changed after it was written"
+    rows = (
+        ("File", identity.name),
+        ("Size", size(identity.octets)),
+        ("SHA-256", identity.digest or "not stated, the test is running and the file changes"),
+        ("Test", str(reader.metadata()["identifier"])),
+        ("Schema, form", f"{summary['schema']}, {form}"),
+        ("Chain of the log", log),
+    )
+    found = tuple((str(name), str(value)) for name, value in versions.items())
+    tables = (Table("", rows), Table("Versions that wrote the file", found))
+    return Section("File and versions", tuple(one for one in tables if one.rows))

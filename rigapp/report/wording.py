@@ -1,0 +1,160 @@
+"""Numbers, times and codes in the words of a report."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from typing import Any
+
+from rigapp.engine.messages import Flag
+from rigapp.storage.metadata import unit_of_key
+
+UNKNOWN = "unknown"
+THIN = "\u202f"
+
+DECIMALS = {"N": 1, "um": 1, "mm": 4, "rpm": 2, "deg": 1, "s": 1, "1": 0}
+"""Digits after the point that a unit deserves on this kind of rig."""
+
+CHANNELS = {
+    "force": "joint force |F|",
+    "force_1": "force along the crank, force_1",
+    "force_2": "force across the crank, force_2",
+    "probe_1": "pin along the follower, probe_1",
+    "probe_2": "pin across the follower, probe_2",
+    "speed": "speed of the crank",
+}
+
+FLAGS = {
+    Flag.LOST_SAMPLES: "samples lost in or just before the revolution",
+    Flag.COUNT_MISMATCH: "encoder count at the index differs from a whole turn",
+    Flag.MISSED_INDEX: "no index pulse",
+    Flag.SATURATED: "an input at the end of its range",
+    Flag.GAP_BEFORE: "data missing before the revolution",
+    Flag.REVERSED: "the crank turned backwards",
+    Flag.PARTIAL: "the revolution is not whole",
+    Flag.TIME_JUMP: "device time and host time parted",
+    Flag.PAUSED: "a pause in the revolution",
+    Flag.RAMP: "the speed was being changed",
+}
+
+STATUSES = {
+    "running": "running while the report was made",
+    "complete": "complete",
+    "stopped": "stopped before the planned end",
+    "interrupted": "interrupted: the program ended without closing the test",
+}
+
+REASONS = {
+    "complete": "all planned revolutions were made",
+    "operator": "stopped by the operator",
+    "limit": "stopped by a limit",
+    "device": "stopped because a device failed",
+    "storage": "stopped because the file could not be written",
+    "internal": "stopped because a part of the program failed",
+}
+
+
+def symbol(unit: str) -> str:
+    """Return a unit as it is printed."""
+    return {"um": "µm", "1": "", "deg": "°"}.get(unit, unit.replace("um/", "µm/"))
+
+
+def number(value: float, unit: str = "1", digits: int | None = None) -> str:
+    """Return a value with the decimals that its unit deserves; not finite: unknown."""
+    if not math.isfinite(value):
+        return UNKNOWN
+    places = DECIMALS.get(unit, 3) if digits is None else digits
+    text = f"{value:.{places}f}"
+    return text.lstrip("-") if float(text) == 0.0 else text
+
+
+def quantity(value: float, unit: str, digits: int | None = None) -> str:
+    """Return a value with its unit; not finite: unknown."""
+    text = number(value, unit, digits)
+    return text if text == UNKNOWN else f"{text} {symbol(unit)}".rstrip()
+
+
+def count(value: int) -> str:
+    """Return a whole number, its thousands set apart from 10 000 on."""
+    return f"{value:,}".replace(",", THIN) if abs(value) >= 10_000 else str(value)
+
+
+def counted(value: int, one: str, many: str = "") -> str:
+    """Return a number with its noun."""
+    return f"{count(value)} {one if value == 1 else many or one + 's'}"
+
+
+def utc(seconds: float) -> str:
+    """Return UTC seconds since 1970-01-01 as a date and time of day."""
+    if not math.isfinite(seconds):
+        return UNKNOWN
+    try:
+        return f"{datetime.fromtimestamp(seconds, UTC):%Y-%m-%d %H:%M:%S}"
+    except (OverflowError, OSError, ValueError):
+        return UNKNOWN
+
+
+def stamp(text: str) -> str:
+    """Return an ISO 8601 time of the file as a date and time of day, empty: unknown."""
+    try:
+        return f"{datetime.fromisoformat(text).astimezone(UTC):%Y-%m-%d %H:%M:%S} UTC"
+    except ValueError:
+        return text or UNKNOWN
+
+
+def duration(seconds: float) -> str:
+    """Return a time span: 0.42 s, 12.3 s, 4 min 05 s, 3 h 20 min, 5 d 04 h."""
+    if not math.isfinite(seconds):
+        return UNKNOWN
+    if seconds < 99.95:
+        return f"{seconds:.2f} s" if abs(seconds) < 9.995 else f"{seconds:.1f} s"
+    minutes, rest = divmod(round(seconds), 60)
+    if minutes < 100:
+        return f"{minutes} min {rest:02d} s"
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours} h {minutes:02d} min" if hours < 100 else f"{hours // 24} d {hours % 24:02d} h"
+
+
+def size(octets: int) -> str:
+    """Return a file's size in decimal units and in bytes."""
+    exact = f"{count(octets)} bytes"
+    for unit, factor in (("GB", 1e9), ("MB", 1e6), ("kB", 1e3)):
+        if octets >= factor:
+            return f"{octets / factor:.1f} {unit} ({exact})"
+    return exact
+
+
+def flags(quality: int) -> str:
+    """Return the flags of a revolution in words, empty for a good one."""
+    return "; ".join(words for flag, words in FLAGS.items() if quality & flag)
+
+
+def settings(values: Mapping[str, Any], prefix: str = "") -> list[tuple[str, str]]:
+    """Return nested settings as rows of name and value, the unit of the key beside the value."""
+    rows: list[tuple[str, str]] = []
+    for key, value in values.items():
+        if isinstance(value, Mapping):
+            rows += settings(value, f"{prefix}{key.replace('_', ' ')}, ")
+            continue
+        name, unit = _name_and_unit(key)
+        shown = f"{_setting(value)} {symbol(unit)}".rstrip()
+        rows.append((f"{prefix}{name.replace('_', ' ')}", shown or "none"))
+    return rows
+
+
+def _name_and_unit(key: str) -> tuple[str, str]:
+    """Cut the unit off a key; a unit that the program does not know stays in the name."""
+    unit = unit_of_key(key)
+    places = [i for i, letter in enumerate(key) if letter == "_" and unit_of_key(key[i:]) == unit]
+    if unit == "1" or not places or key[: places[-1]].endswith("_per"):
+        return key, "1"
+    return key[: places[-1]], unit
+
+
+def _setting(value: Any) -> str:
+    if isinstance(value, list):
+        if any(isinstance(one, list) for one in value):
+            return "[" + "; ".join(", ".join(map(_setting, row)) for row in value) + "]"
+        return "[" + ", ".join(map(_setting, value)) + "]"
+    return f"{value:.8g}" if isinstance(value, float) else str(value)
