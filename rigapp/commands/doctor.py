@@ -35,6 +35,7 @@ CAN_LISTEN_S = 1.0
 NETWORKS = Path("/sys/class/net")
 USB_SERIAL = Path("/sys/bus/usb-serial/devices")
 _CAN_NETWORK = "280"
+_SUBJECT_WIDTH = 19
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,17 +62,12 @@ def _all() -> Iterator[Finding]:
 
 
 def _report(findings: Iterable[Finding]) -> int:
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(show_header=False, box=None, pad_edge=False)
+    """Print findings as they come, a line each: a port may take seconds to answer."""
     good = True
     for finding in findings:
         good &= finding.good
         mark = "ok" if finding.good else "ACT"
-        table.add_row(mark, Text(finding.subject), Text(finding.text))
-    Console(soft_wrap=True).print(table)
+        print(f"{mark:<3}  {finding.subject:<{_SUBJECT_WIDTH}}  {finding.text}", flush=True)
     return 0 if good else 1
 
 

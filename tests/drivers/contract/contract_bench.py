@@ -56,6 +56,7 @@ class Port:
         self.wire = Wire(PtyEndpoint(link))
         self.url = self.wire.endpoint.url
         self.failure: BaseException | None = None
+        self.received = bytearray()
         self._simulator, self._produce, self._streams = simulator, produce, streams
         self._stopping = threading.Event()
         self._lock = threading.Lock()
@@ -100,6 +101,7 @@ class Port:
     def _step(self, now_s: float) -> None:
         self.wire.connected()
         data = self.wire.receive()
+        self.received += data
         if data:
             self.wire.send(self._simulator.receive(data, now_s), now_s, droppable=False)
         made = self._produce(now_s)
