@@ -152,12 +152,11 @@ class Dataq:
 
     def _rest(self) -> None:
         """Bring the device to rest, whatever it was doing; raise ConnectionFailed, WrongDevice."""
-        before = self._line.drain()
         for _ in range(2):
             data = self._link.stop()
             if data is not None:
                 return
-        if before:
+        if self._link.heard:
             raise WrongDevice(
                 self.name,
                 self.port,

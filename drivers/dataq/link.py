@@ -17,12 +17,16 @@ _SHOWN: Final = 40
 
 
 class Link:
-    """Speak with one instrument; one thread at a time."""
+    """Speak with one instrument; one thread at a time.
+
+    heard: bytes that came in answer to the latest ``stop``, its echo among them.
+    """
 
     def __init__(self, port: BytePort, reply_timeout_s: float, pause_s: float) -> None:
         self.port = port
         self.reply_timeout_s = reply_timeout_s
         self.pause_s = pause_s
+        self.heard = 0
 
     def set(self, command: bytes) -> None:
         """Send a command and wait for its echo; raise ReplyTimeout or ProtocolError."""
@@ -60,6 +64,7 @@ class Link:
         deadline = time.monotonic() + self.reply_timeout_s
         while (left := deadline - time.monotonic()) > 0.0:
             data += self.port.read_some(READ_BYTES, min(left, _SLICE_S))
+            self.heard = len(data)
             place = data.rfind(_STOP)
             if place >= 0:
                 self.port.drain()
@@ -70,8 +75,9 @@ class Link:
         """Return the answering line; a line that is not for this command is passed over."""
         wanted = _words(command)
         stray = ""
-        for _ in range(TRIES):
-            self.port.drain()
+        for attempt in range(TRIES):
+            if attempt:
+                self.port.drain()
             self.port.write(command)
             rest = b""
             deadline = time.monotonic() + self.reply_timeout_s

@@ -7,8 +7,13 @@ other bytes in the counter's place. By chance such a word passes once with odds 
 them have passed, and are discarded with the first one that does not.
 
 With the encoder clock a step of n + 1 that is followed by ``GUARD`` steps of 1 is a loss of n whole
-scans: the alignment holds, the gap is known exactly and the stream goes on. Every other mismatch
-ends the parser's work until ``restart``.
+scans: the alignment holds, the gap is known exactly and the stream goes on. The scan with that step
+is discarded, too, as it may be joined from the ends of two. Every other mismatch ends the parser's
+work until ``restart``.
+
+Not seen here: bytes that change without being lost (USB checks them), and with the internal clock
+whole scans that are lost while the shaft stands, or turns so slowly that ``Steps.change`` hides
+them. The host's clock shows those.
 """
 
 from __future__ import annotations
@@ -89,15 +94,13 @@ class Run:
     lost_before: int | None = 0
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Mark:
-    """The last scan that was handed on: count, its step, and its unwrapped count."""
+    """A scan to go on from: count, unwrapped count, and the step to it where that is known."""
 
-    count: int = 0
-    step: int = 0
-    total: int = 0
-    known: bool = False
-    stepped: bool = False
+    count: int
+    total: int
+    step: int | None = None
 
 
 class ScanParser:
@@ -117,8 +120,10 @@ class ScanParser:
         self._begun = False
         self._resumed = False
         self._bytes = b""
-        self._mark = Mark()
         self._held = 0
+        self._last: Mark | None = None  # the last scan that was handed on
+        self._mark: Mark | None = None  # what the next scan is compared with
+        self._gap: int | None = 0  # scans missing before the next run
         self._limits = saturated_limits(layout.mask)
         self._signed_mask = np.int16(np.array(layout.mask, np.uint16).astype(np.int16))
 
@@ -127,16 +132,19 @@ class ScanParser:
         """Return how many whole scans are held back."""
         return self._held
 
-    def restart(self) -> None:
-        """Expect a stream from its beginning; the counter goes on from the last good scan."""
+    def restart(self, *, clean: bool = False) -> None:
+        """Expect a stream from its beginning; the counter goes on from the last good scan.
+
+        clean: the stream before was stopped and read to its end, so that nothing need be lost.
+        """
         self.discarded_bytes += len(self._bytes)
         self._bytes = b""
         self._held = 0
         self._begun = False
-        self._resumed = self._mark.known
+        self._resumed = self._last is not None or not clean
+        self._mark = None
         self.broken = None
         self.received = 0
-        self._mark.stepped = False
 
     def feed(self, data: bytes) -> list[Run]:
         """Return the runs that are certain by now, oldest first."""
@@ -159,7 +167,9 @@ class ScanParser:
             data = stripped
         size = 2 * self.layout.words
         scans = len(data) // size
-        words = np.frombuffer(data, "<u2", scans * self.layout.words).reshape(scans, -1)
+        words = np.frombuffer(data, "<u2", scans * self.layout.words).reshape(
+            scans, self.layout.words
+        )
         self.received += scans - self._held
         runs: list[Run] = []
         begin = self._scan(words, guard, runs)
@@ -173,76 +183,88 @@ class ScanParser:
     def _scan(self, words: Words, guard: int, runs: list[Run]) -> int:
         """Hand on what is certain; return where the scans that are held begin."""
         begin = 0
+        if self._mark is None and len(words):
+            begin = self._enter(int(counts_of(words[:1, -1])[0]))
         while begin < len(words):
             steps, bad = self._check(words[begin:])
             if bad is None:
                 end = max(begin, len(words) - guard)
                 self._hand_on(words[begin:end], steps, runs)
                 return end
-            if not self.steps.exact:
-                self._give_up(words[begin:], steps, bad, runs)
-                return begin + max(0, bad - GUARD)
+            safe = begin + max(0, bad - GUARD)
             behind = steps[bad + 1 : bad + 1 + GUARD]
-            lost = int(steps[bad]) - 1
-            aligned = bool((behind == 1).all()) and 0 < lost < MOST_LOST
-            if aligned and len(behind) < GUARD and guard:
-                end = begin + max(0, bad - GUARD)
-                self._hand_on(words[begin:end], steps, runs)
-                return end
-            if not aligned or len(behind) < GUARD:
-                self._give_up(words[begin:], steps, bad, runs)
-                return begin + max(0, bad - GUARD)
+            missing = int(steps[bad])
+            aligned = self.steps.exact and 1 < missing < MOST_LOST and bool((behind == 1).all())
+            if not aligned or (len(behind) < GUARD and not guard):
+                self._hand_on(words[begin:safe], steps, runs)
+                self.broken = self._reason(missing)
+                return safe
+            if len(behind) < GUARD:
+                self._hand_on(words[begin:safe], steps, runs)
+                return safe
             self._hand_on(words[begin : begin + bad], steps, runs)
-            after = self._decoded(words[begin + bad : begin + bad + 1], steps[bad:])
-            after.quality[0] |= GAP
-            runs.append(Run(after.values, after.quality, lost))
             begin += bad + 1
+            self._skip(missing)
         return begin
+
+    def _enter(self, count: int) -> int:
+        """Take the first scan of a stream as reference; return how many scans that used up.
+
+        Nothing proves it whole, so it is discarded, unless it is the very next pulse.
+        """
+        last = self._last
+        step = (count - last.count) % COUNTER_SPAN if last is not None else 0
+        if last is not None and self.steps.exact and step == 1:
+            self._mark, self._gap, self._resumed = last, 0, False
+            return 0
+        self._mark = Mark(count, last.total + step if last is not None else count)
+        if last is not None and self.steps.exact:
+            self._gap = step
+        else:
+            self._gap = None if self._resumed else 0
+        return 1
+
+    def _skip(self, missing: int) -> None:
+        """Leave out a scan whose count is ``missing`` behind the mark, and what was lost before."""
+        assert self._mark is not None
+        count = (self._mark.count + missing) % COUNTER_SPAN
+        self._mark = Mark(count, self._mark.total + missing)
+        self._gap = missing
 
     def _check(self, words: Words) -> tuple[Words, int | None]:
         """Return the steps up to each scan, and the first scan whose step cannot be."""
+        mark, rule = self._mark, self.steps
+        assert mark is not None
         counts = counts_of(words[:, -1])
         steps = np.empty_like(counts)
         np.subtract(counts[1:], counts[:-1], out=steps[1:])
-        first = 0
-        mark = self._mark
-        steps[0] = (int(counts[0]) - mark.count) % COUNTER_SPAN if mark.known else 0
-        if self._resumed or not mark.known:
-            first = 1  # nothing to compare the first scan with
-        rule = self.steps
+        steps[0] = (int(counts[0]) - mark.count) % COUNTER_SPAN
         if rule.exact:
             wrong = steps != 1
         else:
             wrong = (steps < rule.lowest) | (steps > rule.highest)
             signed = steps.astype(np.int32)
-            change = np.empty_like(signed)
-            np.subtract(signed[1:], signed[:-1], out=change[1:])
-            change[0] = int(signed[0]) - mark.step if mark.stepped else 0
-            if first and len(change) > 1:
-                change[1] = 0
+            change = np.diff(signed, prepend=signed[:1] if mark.step is None else mark.step)
             wrong |= np.abs(change) > rule.change
-        wrong[:first] = False
         place = int(wrong.argmax())
         return steps, place if wrong[place] else None
 
     def _hand_on(self, words: Words, steps: Words, runs: list[Run]) -> None:
         if len(words) == 0:
             return
-        resumed = self._resumed
-        run = self._decoded(words, steps)
-        if resumed:
-            lost: int | None = None
-            if self.steps.exact:
-                lost = (int(steps[0]) - 1) % COUNTER_SPAN
-            if lost != 0:
-                run.quality[0] |= GAP | Quality.RESYNCHRONISED
-            run = Run(run.values, run.quality, lost)
+        run = self._decoded(words, steps[: len(words)])
+        if self._gap != 0:
+            run.quality[0] |= GAP
+            if self._resumed:
+                run.quality[0] |= Quality.RESYNCHRONISED
+            run = Run(run.values, run.quality, self._gap)
+        self._gap, self._resumed = 0, False
         runs.append(run)
 
     def _decoded(self, words: Words, steps: Words) -> Run:
-        """Return scans as rows, and take note of the last one."""
+        """Return scans as rows, and take the last one as mark."""
         layout, mark = self.layout, self._mark
-        steps = steps[: len(words)]
+        assert mark is not None
         rows = np.empty((layout.words, len(words)), np.int32)
         signed = words.view(np.int16)
         inputs = rows[: layout.analog]
@@ -255,21 +277,11 @@ class ScanParser:
             row += 1
         if layout.rate:
             rows[row] = signed[:, row]
-        travel = np.cumsum(steps, dtype=np.int64)
-        if not mark.known:
-            mark.total = int(counts_of(words[:1, -1])[0])
-        rows[-1] = (travel + mark.total).astype(np.int32)
-        quality = self._saturation(inputs)
-        stepped = len(words) > 1 or (mark.known and not self._resumed)
-        self._mark = Mark(
-            count=int(counts_of(words[-1:, -1])[0]),
-            step=int(steps[-1]),
-            total=mark.total + int(travel[-1]),
-            known=True,
-            stepped=stepped,
-        )
-        self._resumed = False
-        return Run(rows, quality)
+        travel = np.cumsum(steps, dtype=np.int64) + mark.total
+        rows[-1] = travel.astype(np.int32)
+        count = int(counts_of(words[-1:, -1])[0])
+        self._last = self._mark = Mark(count, int(travel[-1]), int(steps[-1]))
+        return Run(rows, self._saturation(inputs))
 
     def _saturation(self, inputs: NDArray[np.int32]) -> NDArray[np.uint8]:
         quality = np.zeros(inputs.shape[1], np.uint8)
@@ -279,12 +291,10 @@ class ScanParser:
             quality[over] = Quality.SATURATED
         return quality
 
-    def _give_up(self, words: Words, steps: Words, bad: int, runs: list[Run]) -> None:
-        self._hand_on(words[: max(0, bad - GUARD)], steps, runs)
-        step = int(steps[bad])
+    def _reason(self, step: int) -> str:
         signed = step - COUNTER_SPAN if step > MOST_LOST else step
         wanted = "1" if self.steps.exact else f"{self.steps.lowest} to {self.steps.highest}"
-        self.broken = (
+        return (
             f"the counter stepped by {signed} from one scan to the next, where {wanted} "
             f"(and a change of {self.steps.change} at most) is possible"
         )

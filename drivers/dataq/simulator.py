@@ -46,7 +46,7 @@ class State:
     scan_list: list[int] = field(default_factory=lambda: [0])
     filters: dict[int, int] = field(default_factory=dict)
     values: dict[str, int] = field(
-        default_factory=lambda: {"srate": 6000, "dec": 1, "deca": 1, "ps": 0, "encode": 0}
+        default_factory=lambda: {"srate": 60000, "dec": 1, "deca": 1, "ps": 0, "encode": 0}
     )
     scanning: bool = False
     by_encoder: bool = False
@@ -108,11 +108,13 @@ class DataqSimulator:
 
     @property
     def sample_rate_Hz(self) -> float:
-        """Return the scan rate; under the encoder clock how often the rig is looked at."""
-        if self._state.by_encoder:
-            return self._encoder_rate_Hz
-        values = self._state.values
-        return p.MASTER_CLOCK_HZ / (values["srate"] * values["dec"] * values["deca"])
+        """Return the scan rate; under the encoder clock how often the rig is looked at.
+
+        While idle it is the encoder clock's at most: nobody sees what a faster plant would do.
+        """
+        if not self._state.scanning:
+            return min(self._scan_rate_Hz(), self._encoder_rate_Hz)
+        return self._encoder_rate_Hz if self._state.by_encoder else self._scan_rate_Hz()
 
     @property
     def streaming(self) -> bool:
@@ -183,6 +185,10 @@ class DataqSimulator:
         whole = len(state.packet) // size * size
         data, state.packet = state.packet[:whole], state.packet[whole:]
         return replies + data
+
+    def _scan_rate_Hz(self) -> float:
+        values = self._state.values
+        return p.MASTER_CLOCK_HZ / (values["srate"] * values["dec"] * values["deca"])
 
     # --- the time of the wire -------------------------------------------------------------------
 
@@ -262,7 +268,7 @@ class DataqSimulator:
         if command == "din":
             return " 0"
         if command == "rrate":
-            return f" {self.sample_rate_Hz:g}"
+            return f" {self._scan_rate_Hz():g}"
         return self._set(command, numbers)
 
     def _begin(self, numbers: tuple[int, ...]) -> str | None:

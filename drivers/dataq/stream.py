@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import threading
 import time
@@ -11,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from drivers.api import Block, DeviceLost, ProtocolError, ReplyTimeout
+from drivers.api import Block, DeviceError, DeviceLost, ProtocolError, ReplyTimeout
 from drivers.dataq.link import READ_BYTES, Link
 from drivers.dataq.plan import Plan
 from drivers.dataq.protocol import Clock, echoes_of, line, start_line
@@ -175,7 +176,7 @@ class Stream:
         """Find out what silence means: with the encoder clock it may be a standing shaft."""
         if self._plan.clock is Clock.ENCODER:
             self._end()
-            self._parser.restart()
+            self._parser.restart(clean=True)
             self._begin()
             return
         self._halt()
@@ -205,6 +206,8 @@ class Stream:
         self._bad_restarts += 1
         self._say(f"{why}: bytes were lost or added; the stream was restarted.")
         if self._bad_restarts > _MOST_RESTARTS:
+            with contextlib.suppress(DeviceError):
+                self._halt()
             self._running = False
             raise self._error(
                 ProtocolError,
@@ -243,10 +246,17 @@ class Stream:
         self._blocks.append(block)
 
     def _lost_by_time(self, host_time_ns: int) -> int:
-        """Return how many scans of the internal clock passed unseen while it was restarted."""
+        """Return how many scans of the internal clock passed unseen while it was restarted.
+
+        With the encoder clock it is 0, before any scan was good: the index begins afterwards.
+        """
+        if self._plan.clock is Clock.ENCODER:
+            return 0
         then_ns, then_sample = self._anchor
         passed = round((host_time_ns - then_ns) * 1e-9 * self._plan.sample_rate_Hz)
-        return max(1, then_sample + passed - self._parser.received - self._next_sample)
+        discarded = 1  # the first scan of a stream
+        begin = then_sample + passed - self._parser.received + discarded
+        return max(1, begin - self._next_sample)
 
     def _watch_stuck(self, run: Run) -> None:
         """Name inputs whose converter value is the very same for two turns of the shaft."""
