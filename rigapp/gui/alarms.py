@@ -79,6 +79,7 @@ class AlarmPanel(QWidget):
         self.table.setWordWrap(True)
         self.table.setTabKeyNavigation(False)
         self.table.verticalHeader().hide()
+        self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         for column in (2, 3, 4, 5):
@@ -153,7 +154,6 @@ class AlarmPanel(QWidget):
         self.table.setRowCount(len(ordered))
         for row, alarm in enumerate(ordered):
             self._fill(row, alarm)
-        self.table.resizeRowsToContents()
         keys = [alarm.key for alarm in ordered]
         if chosen is not None and chosen.key in keys:
             self.table.selectRow(keys.index(chosen.key))
@@ -197,6 +197,7 @@ class AlarmPanel(QWidget):
         for column, text in enumerate(texts):
             item = QTableWidgetItem(text)
             item.setToolTip(text)
+            item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
             if column == 0 and not alarm.acknowledged:
                 item.setBackground(QBrush(QColor(back)))
                 item.setForeground(QBrush(QColor(ink)))

@@ -17,18 +17,8 @@ from rigapp.gui.series import LiveData, MeasuredCycle, PredictedCycle
 if TYPE_CHECKING:
     from rigapp.storage import TestReader
 
-
-@dataclass(frozen=True, slots=True)
-class History:
-    """Carry what a file holds of a test at one moment.
-
-    cycle_revolutions: the revolutions whose whole cycle is saved. test: None when the test file
-    inside cannot be read.
-    """
-
-    data: LiveData
-    test: TestFile | None
-    cycle_revolutions: NDArray[np.int64]
+PREDICTION_BACK = 5
+"""Saved cycles to go back for a predicted curve when the newest has none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +27,20 @@ class StoredRevolution:
 
     cycle: MeasuredCycle
     prediction: PredictedCycle | None
+
+
+@dataclass(frozen=True, slots=True)
+class History:
+    """Carry what a file holds of a test at one moment.
+
+    cycle_revolutions: the revolutions whose whole cycle is saved. test: None when the test file
+    inside cannot be read. newest: the newest saved cycle, None while there is none.
+    """
+
+    data: LiveData
+    test: TestFile | None
+    cycle_revolutions: NDArray[np.int64]
+    newest: StoredRevolution | None = None
 
 
 def load_history(path: Path, planned: int = 0) -> History:
@@ -55,7 +59,9 @@ def load_history(path: Path, planned: int = 0) -> History:
             data.predictions.load(predictions)
         data.rows.settle()
         data.predictions.settle()
-        return History(data, recipe_of(test), test.cycle_revolutions())
+        saved = test.cycle_revolutions()
+        newest = newest_revolution(test, len(saved) - 1) if len(saved) else None
+        return History(data, recipe_of(test), saved, newest)
 
 
 def load_revolution(path: Path, revolution: int) -> StoredRevolution:
@@ -86,6 +92,17 @@ def stored_revolution(test: TestReader, index: int) -> StoredRevolution:
         return StoredRevolution(cycle, None)
     angle = np.asarray(curves.pop("angle"), dtype=np.float64)
     return StoredRevolution(cycle, PredictedCycle(stored.revolution, angle, curves))
+
+
+def newest_revolution(test: TestReader, index: int) -> StoredRevolution:
+    """Return saved cycle ``index``, with the newest prediction saved up to there."""
+    stored = stored_revolution(test, index)
+    prediction = stored.prediction
+    earlier = index - 1
+    while prediction is None and earlier >= max(0, index - PREDICTION_BACK):
+        prediction = stored_revolution(test, earlier).prediction
+        earlier -= 1
+    return StoredRevolution(stored.cycle, prediction)
 
 
 def load_events(path: Path) -> list[Event]:

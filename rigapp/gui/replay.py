@@ -15,14 +15,12 @@ from numpy.typing import NDArray
 
 from rigapp.engine.columns import prediction_columns, revolution_columns
 from rigapp.engine.messages import Cycle, Prediction, Reply, RunState, Snapshot, Status
-from rigapp.gui.recording import StoredRevolution, recipe_of, stored_revolution
+from rigapp.gui.recording import StoredRevolution, newest_revolution, recipe_of
 from rigapp.storage import TestReader, open_test
 
 Floats = NDArray[np.float64]
 
 PERIOD_S = 0.1
-PREDICTION_BACK = 5
-"""Saved cycles to go back for a predicted curve when the newest has none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,14 +149,7 @@ class ReplayClient:
         if index < 0 or index == self._shown_cycle:
             return None
         self._shown_cycle = index
-        stored = stored_revolution(self._test, index)
-        for earlier in range(index - 1, max(index - 1 - PREDICTION_BACK, -1), -1):
-            if stored.prediction is not None:
-                break
-            stored = StoredRevolution(
-                stored.cycle, stored_revolution(self._test, earlier).prediction
-            )
-        return stored
+        return newest_revolution(self._test, index)
 
     def _status(self) -> Status:
         tape, done = self._tape, int(self._row)

@@ -161,6 +161,11 @@ class LiveData:
         if snapshot.prediction is not None:
             self.prediction = predicted_cycle(snapshot.prediction)
 
+    def expect(self, committed: int) -> None:
+        """Take note of how many rows the file has: what was never sent is missing too."""
+        if committed > len(self.rows) and self.missing_from is None:
+            self.missing_from = len(self.rows)
+
     def load_rows(self, columns: Mapping[str, NDArray[np.generic]]) -> None:
         """Take the rows of a file; the next live row is the one after them."""
         self.rows.load(columns)

@@ -47,6 +47,7 @@ class Session:
         self._held: deque[Snapshot] | None = None
         self._attempts = 0
         self._again_at: float | None = None
+        self._not_before = 0.0
         self.data = LiveData()
         self.test: TestFile | None = None
         self.cycle_revolutions: NDArray[np.int64] = np.empty(0, dtype=np.int64)
@@ -77,6 +78,7 @@ class Session:
         if changed:
             self._begin(status)
         self.data.take(snapshot)
+        self.data.expect(status.committed)
         if self._held is not None:
             self._held.append(snapshot)
         elif self._wants_history():
@@ -117,12 +119,15 @@ class Session:
     def _wants_history(self) -> bool:
         if not self._file:
             return False
-        due = self._again_at is not None and self._clock() >= self._again_at
-        return due or (self._again_at is None and self.data.missing_from is not None)
+        now = self._clock()
+        if self._again_at is not None:
+            return now >= self._again_at
+        return self.data.missing_from is not None and now >= self._not_before
 
     def _read(self, status: Status, snapshot: Snapshot) -> None:
         path, planned = Path(status.file), status.planned
         self._again_at = None
+        self._not_before = self._clock() + RETRY_S
         self._held = deque([snapshot], maxlen=HELD_SNAPSHOTS)
         accepted = self._worker.submit(
             lambda: self._history(path, planned),
@@ -138,17 +143,20 @@ class Session:
             return
         held, self._held = self._held, None
         if self.data.missing_from is not None:
-            self._replace(history.data, held)
+            self._replace(history, held)
         self.test = history.test
         self.cycle_revolutions = history.cycle_revolutions
         self._attempts = 0
         self.problem = ""
 
-    def _replace(self, data: LiveData, held: deque[Snapshot]) -> None:
+    def _replace(self, history: History, held: deque[Snapshot]) -> None:
+        data, newest = history.data, history.newest
         for snapshot in held:
             data.take(snapshot)
         data.cycle = data.cycle or self.data.cycle
         data.prediction = data.prediction or self.data.prediction
+        if data.cycle is None and newest is not None:
+            data.cycle, data.prediction = newest.cycle, newest.prediction
         self.data = data
 
     def _failed(self, path: Path, error: Exception) -> None:

@@ -18,11 +18,17 @@ class Watchdog(QObject):
     """Beat every 20 ms on the screen's thread and note how late a beat comes."""
 
     def __init__(
-        self, parent: QObject | None = None, clock: Callable[[], float] = time.perf_counter
+        self,
+        parent: QObject | None = None,
+        clock: Callable[[], float] = time.perf_counter,
+        own_clock: Callable[[], float] = time.thread_time,
     ) -> None:
+        """Make a watchdog; own_clock: processor time of the screen's thread."""
         super().__init__(parent)
         self._clock = clock
+        self._own_clock = own_clock
         self._last: float | None = None
+        self._last_own = 0.0
         self.stalls = 0
         self.worst_s = 0.0
         self._timer = QTimer(self)
@@ -41,11 +47,15 @@ class Watchdog(QObject):
 
     def beat(self) -> None:
         """Note one beat."""
-        now = self._clock()
+        now, own = self._clock(), self._own_clock()
         if self._last is not None:
             stall = now - self._last - PERIOD_S
             self.worst_s = max(self.worst_s, stall)
             if stall > STALL_S:
                 self.stalls += 1
-                log.warning("The window stood still for %.0f ms", 1000.0 * stall)
-        self._last = now
+                log.warning(
+                    "The window stood still for %.0f ms, %.0f ms of them its own work",
+                    1000.0 * stall,
+                    1000.0 * (own - self._last_own),
+                )
+        self._last, self._last_own = now, own

@@ -195,7 +195,7 @@ def make_snapshot(
     """Return a snapshot with rows first .. and the newest curves."""
     last = first + count - 1
     changes.setdefault("revolution", last + 1)
-    changes.setdefault("committed", last)
+    changes.setdefault("committed", last if count else 0)
     changes.setdefault("twin_revolution", last)
     return Snapshot(
         status=make_status(**changes),

@@ -117,6 +117,26 @@ def test_a_window_opened_late_gets_the_earlier_rows_from_the_file(
     window.close()
 
 
+def test_a_window_opened_after_the_end_shows_the_whole_test(
+    recorded: Path, engine: Any, qtbot: Any, qapp: Any
+) -> None:
+    window = MainWindow(Link(engine.client), Session(), DARK)
+    qtbot.addWidget(window)
+    window.show()
+    engine.say(count=0, curves=False, file=str(recorded), committed=300, state=RunState.STOPPED)
+
+    def complete() -> bool:
+        window.tick()
+        return len(window._session.data.rows) == 300
+
+    qtbot.waitUntil(complete, timeout=10_000)
+    window.draw_now()
+    shown = window.tabs.overview.shown
+    assert shown is not None
+    assert shown.measured_revolution == shown.model_revolution == 300
+    window.close()
+
+
 def _after_gap(window: MainWindow) -> bool:
     window.tick()
     revolutions = window._session.data.rows.revolutions
