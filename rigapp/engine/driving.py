@@ -141,6 +141,12 @@ class SpindleControl:
         self.answered_s = time.monotonic()
         return status
 
+    def reset_fault(self) -> None:
+        """Acknowledge the drive's faults; the motor stays off. Raises DeviceError."""
+        with self._command:
+            self._spindle.reset_fault()
+        self.poll()
+
     @property
     def answering(self) -> bool:
         """Tell whether the drive answered lately."""

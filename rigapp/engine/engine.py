@@ -357,10 +357,25 @@ class Engine:
         with self._command:
             core, connection = self._core, self._connection
             transition(core.state, Trigger.RESET)
+            if connection is not None:
+                self._reset_drive(connection)
             core.alarms.reset(operator)
             if connection is None or any(worker.ended for worker in connection.workers):
                 raise Refused("the connection to the devices is broken; reconnect")
             core.fire(Trigger.RESET, f"reset by {operator}" if operator else "")
+
+    def _reset_drive(self, connection: Connection) -> None:
+        """Acknowledge the drive's own faults, so that the alarm they raised can go."""
+        status = connection.control.status
+        if status is None or not status.faults:
+            return
+        try:
+            connection.control.reset_fault()
+        except DeviceError as error:
+            raise Refused(f"the drive keeps its fault: {error.sentence}") from error
+        fresh = connection.control.status
+        if fresh is not None and not fresh.faults:
+            self._core.alarms.clear("drive_fault")
 
     # --- alarms, notes, limits, zero -------------------------------------------------------------
 

@@ -20,6 +20,7 @@ from drivers.api import (
     Block,
     ChannelSpec,
     DataRequest,
+    DeviceFault,
     DeviceLost,
     DriveRequest,
     DriverInfo,
@@ -192,11 +193,17 @@ class FakeSpindle:
         self.lost = False
         self.hang: threading.Event | None = None
         self.faults: tuple[str, ...] = ()
+        self.cause_remains = False
         self.warnings: tuple[str, ...] = ()
         self.emergency_stop = False
         self.commands: list[tuple[str, float]] = []
         self.off_at: float | None = None
         self.polls = 0
+
+    def reset_fault(self) -> None:
+        if self.cause_remains:
+            raise DeviceFault(self.name, self.port, "the cause is still there")
+        self.faults = ()
 
     def open(self) -> Identity:
         if self.lost:

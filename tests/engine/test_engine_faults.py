@@ -87,11 +87,12 @@ def test_a_drive_fault_ends_the_test(rig: MemoryRig) -> None:
     ended(rig, FinishReason.DEVICE, "overcurrent")
     assert rig.stands
     rig.engine.acknowledge(operator="Ada")
-    with pytest.raises(Refused, match="still active"):
+    rig.spindle.cause_remains = True
+    with pytest.raises(Refused, match="keeps its fault"):
         rig.engine.reset("Ada")
-    rig.spindle.faults = ()
-    eventually(lambda: not rig.engine.status().alarms[0].active)
+    rig.spindle.cause_remains = False
     rig.engine.reset("Ada")
+    assert rig.spindle.faults == ()
     assert rig.engine.state is RunState.READY
 
 
