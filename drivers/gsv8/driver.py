@@ -142,13 +142,19 @@ class Gsv8:
         """
         blocks, watch = self._blocks, self._watch
         if blocks is None or watch is None:
+            _idle(timeout_s)
             return None
         deadline = time.monotonic() + timeout_s
         while True:
             blocks.add(self._link.take())
             left = deadline - time.monotonic()
-            if blocks.ready(time.monotonic_ns()) or left <= 0.0 or not self._streaming:
+            if blocks.ready(time.monotonic_ns()) or left <= 0.0:
                 break
+            if not self._streaming:
+                block = blocks.make()
+                if block is None:
+                    _idle(left)
+                return block
             self._link.read(min(left, _READ_SLICE_S))
             if self._streaming:
                 watch.step()
@@ -205,19 +211,20 @@ class Gsv8:
 
     def stop(self) -> None:
         """Stop streaming; safe to call twice. Samples that came before can still be read."""
-        if not self._streaming:
-            return
-        self._streaming = False
-        self._link.command(Command.STOP_TRANSMISSION)
+        if self._streaming:
+            self._streaming = False
+            self._link.command(Command.STOP_TRANSMISSION)
 
     def close(self) -> None:
         """Stop the stream, give the write access back, release the port; never raises."""
         if not self._line.is_open:
             return
-        with contextlib.suppress(DeviceError):
-            self.stop()
-        with contextlib.suppress(DeviceError):
-            self._link.exchange(Command.RELEASE_INTERFACE, tries=1)
+        # One try each: a device that hangs must not hold up the end of a test.
+        goodbye = [Command.STOP_TRANSMISSION] if self._streaming else []
+        self._streaming = False
+        for command in (*goodbye, Command.RELEASE_INTERFACE):
+            with contextlib.suppress(DeviceError):
+                self._link.exchange(command, tries=1)
         self._line.close()
 
     @property
@@ -297,6 +304,11 @@ class Gsv8:
         if number - 1 not in counters:
             raise SettingRefused(self.name, self.port, f"{name} is not in use.")
         return p.ANALOG_CHANNELS + 1 + counters.index(number - 1)
+
+
+def _idle(left_s: float) -> None:
+    """Wait a moment, so that a reader of a stopped device does not spin."""
+    time.sleep(min(max(left_s, 0.0), _READ_SLICE_S))
 
 
 def make(name: str, port: str, settings: Mapping[str, Any]) -> Gsv8:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import contextlib
 import os
 import select
+import socket
 import threading
 import time
 import tty
@@ -30,24 +31,32 @@ LINK_BYTES = 1 << 16
 
 
 class Wire:
-    """One simulated device on one pty."""
+    """One simulated device on one pty, or behind a TCP port as ``socket://``."""
 
     def __init__(
         self,
         respond: Respond,
         produce: Produce | None = None,
         overrun: Callable[[float], None] | None = None,
+        *,
+        tcp: bool = False,
     ) -> None:
         self.received = bytearray()
         self.failure: BaseException | None = None
         self._respond, self._produce, self._overrun = respond, produce, overrun
         self._waiting = bytearray()
         self._stopping = threading.Event()
-        self._device, self._host = os.openpty()
-        tty.setraw(self._device)
-        tty.setraw(self._host)
-        os.set_blocking(self._device, False)
-        self.port = os.ttyname(self._host)
+        self._device, self._host = -1, -1
+        self._server: socket.socket | None = None
+        if tcp:
+            self._server = socket.create_server(("127.0.0.1", 0))
+            self.port = f"socket://127.0.0.1:{self._server.getsockname()[1]}"
+        else:
+            self._device, self._host = os.openpty()
+            tty.setraw(self._device)
+            tty.setraw(self._host)
+            os.set_blocking(self._device, False)
+            self.port = os.ttyname(self._host)
         self._thread = threading.Thread(target=self._run, name=f"wire {self.port}", daemon=True)
         self._thread.start()
 
@@ -59,6 +68,8 @@ class Wire:
         for descriptor in (self._device, self._host):
             with contextlib.suppress(OSError):
                 os.close(descriptor)
+        if self._server is not None:
+            self._server.close()
 
     def close(self) -> None:
         """End the thread and say what went wrong in it."""
@@ -72,16 +83,28 @@ class Wire:
 
     def _run(self) -> None:
         try:
+            while self._server is not None and self._device < 0 and not self._stopping.is_set():
+                self._accept(self._server)
             while not self._stopping.is_set():
                 self._step()
+        except ConnectionError:
+            return
         except BaseException as failure:
             self.failure = failure
+
+    def _accept(self, server: socket.socket) -> None:
+        if select.select([server], [], [], PERIOD_S)[0]:
+            connection, _ = server.accept()
+            connection.setblocking(False)
+            self._device = connection.detach()
 
     def _step(self) -> None:
         writers = [self._device] if self._waiting else []
         ready, writable, _ = select.select([self._device], writers, [], PERIOD_S)
         if ready:
             data = os.read(self._device, 65536)
+            if not data:
+                raise ConnectionError("the host closed the connection")
             self.received += data
             self._waiting += self._respond(data, time.monotonic())
         if self._produce is not None:
@@ -129,18 +152,25 @@ class Wires:
         respond: Respond,
         produce: Produce | None = None,
         overrun: Callable[[float], None] | None = None,
+        *,
+        tcp: bool = False,
     ) -> Wire:
-        """Put a device on a new pty."""
-        wire = Wire(respond, produce, overrun)
+        """Put a device on a new pty or TCP port."""
+        wire = Wire(respond, produce, overrun, tcp=tcp)
         self._made.append(wire)
         return wire
 
     def source(
-        self, simulator: Any, signals: Callable[[Any], Any], speed: float = 1.0
+        self,
+        simulator: Any,
+        signals: Callable[[Any], Any],
+        speed: float = 1.0,
+        *,
+        tcp: bool = False,
     ) -> tuple[Wire, Clock]:
-        """Put a simulated data source on a new pty; signals(sample indices) -> RigSignals."""
+        """Put a simulated data source on a new port; signals(sample indices) -> RigSignals."""
         clock = Clock(simulator, signals, speed)
-        return self(simulator.receive, clock, simulator.overrun), clock
+        return self(simulator.receive, clock, simulator.overrun, tcp=tcp), clock
 
     def close(self) -> None:
         """Close all wires."""

@@ -72,9 +72,14 @@ def bench(wire: Any) -> Iterator[MakeBench]:
     """Make benches: ``bench(speed=..., settings={...}, **simulator options)``."""
     drivers = []
 
-    def make(speed: float = 1.0, settings: dict[str, Any] | None = None, **options: Any) -> Bench:
+    def make(
+        speed: float = 1.0,
+        settings: dict[str, Any] | None = None,
+        tcp: bool = False,
+        **options: Any,
+    ) -> Bench:
         simulator = Gsv8Simulator(**options)
-        line, clock = wire.source(simulator, rig_signals, speed)
+        line, clock = wire.source(simulator, rig_signals, speed, tcp=tcp)
         driver = Gsv8("daq", line.port, {"reply_timeout_s": 0.3, **(settings or {})})
         drivers.append(driver)
         return Bench(simulator, line, clock, driver)

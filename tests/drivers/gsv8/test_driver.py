@@ -457,6 +457,26 @@ def test_a_late_answer_is_not_taken_for_another(bench: Any) -> None:
     assert setup.readback["analog_1.user_offset"] == 0.0
 
 
+def test_close_does_not_wait_long_for_a_device_that_hangs(bench: Any) -> None:
+    b = bench(settings={"reply_timeout_s": 0.1})
+    b.stream()
+    b.simulator.inject("lost_command")
+    b.driver.close()
+    sent = bytes(b.wire.received)
+    assert sent.endswith(bytes.fromhex("AA902385AA907A85"))
+
+
+def test_it_streams_over_a_socket(bench: Any) -> None:
+    b = bench(tcp=True)
+    b.stream(12000.0)
+    values, quality = _joined(b.blocks(6000))
+    assert values[0] == pytest.approx(np.full(values.shape[1], 0.5), abs=1e-5)
+    assert not quality.any()
+    b.wire.unplug()
+    with pytest.raises(DeviceLost, match="check cable and power"):
+        b.blocks(100_000)
+
+
 def test_a_device_that_falls_silent(bench: Any) -> None:
     b = bench(settings={"reply_timeout_s": 0.05})
     b.driver.open()
