@@ -40,6 +40,7 @@ from rigapp.twin.worker import TwinSetup
 EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 """Errors that are a sentence for whoever asked, not a defect."""
 
+LONELY_S = 60.0
 TWIN_START_S = 15.0
 """A test waits so long for its twin, so that the first revolutions are predicted, then goes on."""
 
@@ -115,6 +116,11 @@ class EngineHost:
             self._server.close()
             withdraw(os.getpid())
             self.ended.set()
+
+    @property
+    def watched(self) -> bool:
+        """Tell whether a viewer is attached."""
+        return self._server.watched
 
     # --- what viewers ask ------------------------------------------------------------------------
 
@@ -224,13 +230,21 @@ def _new_position(path: Path) -> tuple[float, float] | None:
 
 
 def serve(rig_path: Path, speed: str | None) -> int:
-    """Host an engine for windows until one of them, or a signal, shuts it down."""
+    """Host an engine for windows until one of them, or a signal, shuts it down.
+
+    Without a test and without a viewer for ``LONELY_S`` it ends by itself.
+    """
     rig = read_rig(rig_path)
     host = EngineHost(rig, parse_speed(speed, rig))
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: host.ended.set())
     threading.Thread(target=_connect_quietly, args=(host,), name="connect", daemon=True).start()
-    host.ended.wait()
+    lonely_since = time.monotonic()
+    while not host.ended.wait(1.0):
+        if host.watched or host.engine.state in ACTIVE:
+            lonely_since = time.monotonic()
+        elif time.monotonic() - lonely_since > LONELY_S:
+            break
     host.close()
     return 0
 

@@ -2,8 +2,8 @@
 
 Commands arrive on a ROUTER socket and are answered in the order in which they finish; a slow one
 (connect, start) never delays another (stop). At most ``PENDING`` are under way; further ones are
-answered "busy". Snapshots leave on a PUB socket with a short queue: a viewer that lags loses the
-oldest, and sees the gap in ``Snapshot.first_row``.
+answered "busy". Snapshots leave on an XPUB socket with a short queue: a viewer that lags loses the
+oldest, and sees the gap in ``Snapshot.first_row``; ``Server.watched`` tells whether anyone looks.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Server:
         self._snapshots = snapshots
         self._context = zmq.Context()
         self._router = self._context.socket(zmq.ROUTER)
-        self._publisher = self._context.socket(zmq.PUB)
+        self._publisher = self._context.socket(zmq.XPUB)
         for socket in (self._router, self._publisher):
             socket.setsockopt(zmq.LINGER, 200)
             socket.setsockopt(zmq.SNDHWM, SNAPSHOT_QUEUE if socket is self._publisher else 100)
@@ -50,6 +50,7 @@ class Server:
         self._stop = threading.Event()
         self._workers = ThreadPoolExecutor(max_workers=PENDING, thread_name_prefix="request")
         self._thread = threading.Thread(target=self._serve, name="service", daemon=True)
+        self.watched = False
         self.failure: BaseException | None = None
 
     def start(self) -> None:
@@ -73,10 +74,14 @@ class Server:
         try:
             poller = zmq.Poller()
             poller.register(self._router, zmq.POLLIN)
+            poller.register(self._publisher, zmq.POLLIN)
             clock = _Period(PUBLISH_PERIOD_S)
             while not self._stop.is_set():
-                if poller.poll(POLL_MS):
+                ready = dict(poller.poll(POLL_MS))
+                if self._router in ready:
                     self._accept()
+                if self._publisher in ready:
+                    self.watched = self._publisher.recv()[:1] == b"\x01"
                 self._send_replies()
                 if clock.due():
                     self._publish()
