@@ -21,6 +21,7 @@ from rigapp.gui.tasks import Worker
 
 HEADINGS = ("File", "State", "Title", "Specimen", "Revolutions", "Cycles", "Started", "Reason")
 REPORT_TIMEOUT_S = 300.0
+RESUMABLE = ("interrupted", "stopped")
 
 Launch = Callable[[Sequence[str]], None]
 
@@ -129,7 +130,7 @@ class BrowserPanel(QSplitter):
             ("compare", "Co&mpare", "Compare the chosen tests", self._compare),
             ("replay", "Repla&y", "Replay the chosen test in a window of its own", self._replay),
             ("report", "Report", "Write the report of the chosen test", self._report),
-            ("resume", "&Go on with it", "Go on with an interrupted test", self._resume),
+            ("resume", "&Go on with it", "Go on with an interrupted or stopped test", self._resume),
         ):
             button = QPushButton(text)
             button.setObjectName(f"browser_{name}")
@@ -194,7 +195,8 @@ class BrowserPanel(QSplitter):
         self.buttons["compare"].setEnabled(readable)
         for name in ("replay", "report"):
             self.buttons[name].setEnabled(readable and len(chosen) == 1)
-        self.buttons["resume"].setEnabled(len(chosen) == 1 and chosen[0].status == "interrupted")
+        open_ended = len(chosen) == 1 and chosen[0].status in RESUMABLE
+        self.buttons["resume"].setEnabled(open_ended)
 
     def _compare(self) -> None:
         self.compare.load([one.path for one in self.chosen()])

@@ -52,11 +52,13 @@ class ValueTable(QTableWidget):
                 self.setItem(row, column, item)
         self._fit()
 
-    def show_values(self, shown: Shown, frame: Frame) -> None:
-        """Fill the table."""
+    def show_values(self, shown: Shown | None, frame: Frame) -> None:
+        """Fill the table, with dashes when nothing is shown."""
         first, second = COMPONENT_NAMES[frame]
         self.setVerticalHeaderLabels(["|F| (N)", f"{first} (N)", f"{second} (N)"])
-        for row, (_, values) in enumerate(statistics(shown)):
+        unknown = [float("nan")] * len(HEADINGS)
+        table = [unknown] * 3 if shown is None else [values for _, values in statistics(shown)]
+        for row, values in enumerate(table):
             for column, value in enumerate(values):
                 sign = "+" if column % 3 == 2 else ""
                 text = "–" if value != value else f"{value:{sign}.2f}"
@@ -130,7 +132,7 @@ class CyclePanel(QSplitter):
         """Draw the newest revolution."""
         self.overlay.refresh(data, stale=stale)
         shown = self.overlay.shown
-        if shown is not None and shown is not self._valued:
+        if shown is not self._valued:
             self._valued = shown
             self.values.show_values(shown, self.overlay.frame)
             self.polar.refresh(shown, self.overlay.frame)

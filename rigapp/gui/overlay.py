@@ -191,7 +191,7 @@ class OverlayPanel(QWidget):
         if prediction is not None and cycle is not None and not stale:
             cycle = data.partner(prediction) or cycle
         if cycle is None:
-            self.title.show_text("No revolution measured yet")
+            self._clear()
             return
         if self.held and self.shown is not None:
             return
@@ -200,6 +200,14 @@ class OverlayPanel(QWidget):
             self._drawn = token
             self._draw_reference()
             self.draw(compose(cycle, prediction, self.frame, self._ratio))
+
+    def _clear(self) -> None:
+        self.title.show_text("No revolution measured yet")
+        if self.shown is not None:
+            self.shown, self._drawn = None, ()
+            curves = (*self._measured.values(), *self._model.values(), *self._residual.values())
+            for curve in (*curves, self._raw_residual):
+                curve.setData([], [])
 
     def draw(self, shown: Shown) -> None:
         """Draw arrays."""

@@ -45,9 +45,13 @@ class PolarPanel(QWidget):
 
     def refresh(self, shown: Shown | None, frame: Frame) -> None:
         """Draw the revolution that the overlay shows."""
-        if shown is None or shown is self._drawn:
+        if shown is self._drawn:
             return
         self._drawn = shown
+        if shown is None:
+            self._measured.setData([], [])
+            self._model.setData([], [])
+            return
         first, second = COMPONENT_NAMES[frame]
         self.plot.label("bottom", f"Force {first} (N)")
         self.plot.label("left", f"Force {second} (N)")

@@ -57,6 +57,10 @@ class ProbePanel(QWidget):
     def refresh(self, data: LiveData) -> None:
         """Draw the newest revolution if it is not drawn yet."""
         cycle = data.cycle
+        if cycle is None and self._drawn >= 0:
+            self._drawn = -1
+            for curve in self._curves.values():
+                curve.setData([], [])
         if cycle is None or cycle.revolution == self._drawn:
             return
         self._drawn = cycle.revolution

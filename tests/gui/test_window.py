@@ -395,3 +395,22 @@ def test_light_and_dark_are_both_complete(
         picture = window.tabs.overview.plot.grab().toImage()
         corner = picture.pixelColor(picture.width() - 3, 3).name()
         assert corner == background
+
+
+@pytest.mark.parametrize("tab", [0, 1])
+def test_another_test_begins_with_empty_plots(
+    window: MainWindow, engine: Any, attach: Attach, tab: int
+) -> None:
+    window.tabs.setCurrentIndex(tab)
+    engine.say(count=5)
+    attach()
+    engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="", test="")
+    attach()
+    overlay = window.tabs.overview if tab == 0 else window.tabs.cycle.overlay
+    assert overlay.shown is None
+    assert len(overlay._measured["force"].getData()[0]) == 0
+    assert overlay.title.whole == "No revolution measured yet"
+    if tab == 1:
+        item = window.tabs.cycle.values.item(0, 0)
+        assert item is not None
+        assert item.text() == "–"
