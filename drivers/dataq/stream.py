@@ -260,8 +260,6 @@ class Stream:
 
     def _watch_stuck(self, run: Run) -> None:
         """Name inputs whose converter value is the very same for two turns of the shaft."""
-        if not self._plan.pulses_per_revolution:
-            return
         travel = int(run.values[-1, -1]) - int(run.values[-1, 0])
         for row in range(self._plan.layout.analog):
             values = run.values[row]

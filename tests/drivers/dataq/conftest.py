@@ -15,6 +15,7 @@ from drivers.dataq.simulator import DataqSimulator
 
 LINES = 900
 VOLTS_PER_REVOLUTION = 0.25
+SPEED = 3.0
 
 
 class Shaft:
@@ -22,7 +23,7 @@ class Shaft:
 
     def __init__(self, simulator: DataqSimulator, rev_per_s: float) -> None:
         self.rev_per_s = rev_per_s
-        self.revolutions = 0.0001
+        self.revolutions = -36.0001  # -9 V; +9 V is 8 s away
         self._simulator = simulator
 
     def __call__(self, index: np.ndarray) -> RigSignals:
@@ -120,7 +121,7 @@ def bench(wire: Any, clock: str) -> Iterator[Callable[..., Bench]]:
         settings |= options.pop("settings", {})
         simulator = DataqSimulator(model, counts_per_revolution=LINES, **options)
         shaft = Shaft(simulator, rev_per_s)
-        line, _ = wire.source(simulator, shaft)
+        line, _ = wire.source(simulator, shaft, SPEED)
         driver = Dataq("daq", line.port, settings)
         opened.append(driver)
         driver.open()

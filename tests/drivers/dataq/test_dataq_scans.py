@@ -112,7 +112,7 @@ def _good(runs: list[Run]) -> list[Run]:
     ]
 
 
-@settings(max_examples=200)
+@settings(max_examples=120)
 @given(layouts, rules, drops, st.lists(st.integers(0, 3000), max_size=10))
 def test_lost_bytes_never_make_a_wrong_sample(
     layout: Layout, rule: str, lost: list[tuple[int, int]], cuts: list[int]
@@ -130,7 +130,7 @@ def test_lost_bytes_never_make_a_wrong_sample(
     assert numbers == sorted(set(numbers))
 
 
-@settings(max_examples=200)
+@settings(max_examples=120)
 @given(layouts, rules, garbage, st.lists(st.integers(0, 3000), max_size=10))
 def test_garbage_never_makes_a_wrong_sample(
     layout: Layout, rule: str, added: list[tuple[int, bytes]], cuts: list[int]
@@ -146,7 +146,7 @@ def test_garbage_never_makes_a_wrong_sample(
     assert numbers == sorted(set(numbers))
 
 
-@settings(max_examples=200)
+@settings(max_examples=120)
 @given(layouts, rules, st.binary(max_size=600), st.lists(st.integers(0, 600), max_size=10))
 def test_any_bytes_are_borne(layout: Layout, rule: str, data: bytes, cuts: list[int]) -> None:
     parser = ScanParser(layout, RULES[rule][0], (b"start\r",))
