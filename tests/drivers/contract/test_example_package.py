@@ -1,0 +1,73 @@
+"""A driver of another package appears and keeps the contract, without a change in the program."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+from contract_table import VARIABLE
+
+ROOT = Path(__file__).parents[3]
+EXAMPLE = ROOT / "examples" / "driver_example"
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
+    """Build and install the example package beside the program; return the environment."""
+    pytest.importorskip("setuptools", reason="building the example package needs setuptools")
+    folder = tmp_path_factory.mktemp("third_party")
+    source = folder / "source"
+    shutil.copytree(EXAMPLE, source)
+    site = folder / "site"
+    options = ["--no-deps", "--no-build-isolation", "--no-index", "--quiet", "--target", str(site)]
+    pip = [sys.executable, "-m", "pip", "install", "--disable-pip-version-check"]
+    done = run(pip + options + [str(source)])
+    assert done.returncode == 0, done.stderr
+    path = os.pathsep.join([str(site), os.environ.get("PYTHONPATH", "")]).strip(os.pathsep)
+    return {**os.environ, "PYTHONPATH": path, VARIABLE: str(EXAMPLE / "contract.toml")}
+
+
+def run(
+    command: list[str], environment: Mapping[str, str] | None = None
+) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        command,
+        env=environment,
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=100,
+        check=False,
+    )
+
+
+def test_it_is_listed_beside_the_shipped_drivers(installed: Mapping[str, str]) -> None:
+    script = (
+        "from drivers.registry import *\n"
+        "info = load_driver('simple_adc')\n"
+        "print(available_drivers(), info.title, load_simulator(info).__name__)\n"
+        "print(check_settings(info, {'block_s': 0.1}, 'rig'))\n"
+    )
+    done = run([sys.executable, "-c", script], installed)
+    assert done.returncode == 0, done.stderr
+    assert "'simple_adc'" in done.stdout
+    assert "'gsv8'" in done.stdout
+    assert "Acme SimpleADC (imaginary) SimpleAdcSimulator" in done.stdout
+    assert "'block_s': 0.1" in done.stdout
+
+
+def test_it_keeps_the_contract_of_data_sources(installed: Mapping[str, str]) -> None:
+    suite = ["test_data_sources.py", "test_discovery.py"]
+    files = [str(Path(__file__).with_name(name)) for name in suite]
+    pytest_command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
+    done = run([*pytest_command, *files, "-k", "simple_adc"], installed)
+    assert done.returncode == 0, done.stdout
+    summary = done.stdout.strip().splitlines()[-1]
+    passed = int(summary.split(" passed")[0].split()[-1])
+    assert passed >= 11, "three life cycles, six faults of the wire, discovery"
+    assert "failed" not in summary
