@@ -17,6 +17,7 @@ from rigapp.engine.calibrate import Calibration, calibration_of
 from rigapp.engine.devices import make_devices
 from rigapp.engine.limits import check_rules
 from rigapp.engine.schedule import Schedule
+from rigapp.service.records import with_records
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.simulation.handle import SimulationFailed
 from rigapp.storage.layout import FilePlan, reserved_bytes, streams_of
@@ -40,8 +41,11 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
     from rich.console import Console
     from rich.table import Table
 
-    rig, test = read_rig(rig_path), read_test(test_path)
-    items = list(preflight(rig, test, Path.cwd()))
+    records = with_records(read_rig(rig_path))
+    test = read_test(test_path)
+    items = [Item("Calibration", text, False) for text in records.blocking.values()]
+    items += [Item("Calibration", f"{name}: {text}") for name, text in records.remarks.items()]
+    items += preflight(records.rig, test, Path.cwd())
     table = Table(show_header=False, box=None, pad_edge=False)
     for item in items:
         mark = "ok" if item.good else ("BLOCKS" if item.blocks else "note")
@@ -100,7 +104,7 @@ def _calibration(rig: RigFile) -> Iterator[Item]:
     else:
         yield Item("Load cell", rig.load_cell.calibration or "linear, from the rig file")
     usable = all(math.isfinite(value) and value != 0.0 for value in rig.probes.sensitivity_um_per_V)
-    text = rig.probes.calibration or "linear, from the rig file"
+    text = rig.probes.calibration_name or "linear, from the rig file"
     yield Item("Probes", text if usable else "a sensitivity of 0 cannot be used", usable)
 
 

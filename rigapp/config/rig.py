@@ -71,7 +71,11 @@ class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[load_cell]: two bridges in the pin; force on the pin = matrix (signal - zero)."""
+    """[load_cell]: two bridges in the pin; force on the pin = matrix (signal - zero).
+
+    uncertainty_N: expanded uncertainty U(F) = first + second F. calibration: a record that takes
+    the place of matrix, zero and uncertainty; calibration_override: why it is used though expired.
+    """
 
     device: str
     input_1: str
@@ -82,11 +86,16 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     full_scale_N: Positive = 400.0
     resolution_N: Positive = 2.0
     latency_ms: Pair = (0.0, 0.0)
+    uncertainty_N: Pair | None = None
     calibration: str = ""
+    calibration_override: str = ""
 
 
 class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[probes]: two capacitance probes; position = sensitivity (voltage - offset)."""
+    """[probes]: two capacitance probes; position = sensitivity (voltage - offset).
+
+    calibration: a record for both probes, or one for each, in the place of these numbers.
+    """
 
     device: str
     input_1: str
@@ -95,7 +104,14 @@ class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     offset_V: Pair = (0.0, 0.0)
     range_V: Positive = 10.0
     latency_ms: Pair = (0.0, 0.0)
-    calibration: str = ""
+    calibration: str | tuple[str, str] = ""
+    calibration_override: str = ""
+
+    @property
+    def calibration_name(self) -> str:
+        """Return the record's name, or both."""
+        names = self.calibration
+        return names if isinstance(names, str) else " + ".join(names)
 
 
 class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -215,7 +215,7 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
         units=(specs[0][1].unit, specs[1][1].unit, specs[2][1].unit, specs[3][1].unit),
         counter_scale=counter.scale,
         counter_offset=counter.offset,
-        names=(rig.load_cell.calibration, rig.probes.calibration),
+        names=(rig.load_cell.calibration, rig.probes.calibration_name),
     )
 
 

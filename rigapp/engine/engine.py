@@ -28,6 +28,7 @@ from rigapp.engine.core import Core, Session
 from rigapp.engine.devices import LoadDriver, make_devices
 from rigapp.engine.driving import Ramp
 from rigapp.engine.limits import RuleMonitor
+from rigapp.engine.listening import SignalView, hear
 from rigapp.engine.messages import (
     FinishReason,
     Prediction,
@@ -68,7 +69,9 @@ class Engine:
         open_store: OpenStore = open_file,
         timing: Timing | None = None,
         on_measured: Callable[[RevolutionMeasured], None] | None = None,
+        records: Mapping[str, str] | None = None,
     ) -> None:
+        self._records = dict(records or {})
         self._core = Core(rig, timing or Timing())
         self._ports = dict(ports or {})
         self._load = load
@@ -253,6 +256,7 @@ class Engine:
                 test=test,
                 calibration=calibration,
                 devices=connection.devices.readback,
+                records=self._records,
                 operator=operator,
                 resume=resume,
             )
@@ -456,6 +460,20 @@ class Engine:
             shown = [np.array2string(one, precision=6) for one in (before, tare)]
             core.event("zero", operator or "operator", f"load cell zeroed{why}", shown[0], shown[1])
             return {"load_cell": (float(tare[0]), float(tare[1]))}
+
+    def hear(self, window_s: float) -> SignalView:
+        """Return the electrical signals of the last seconds and the angle, for a calibration.
+
+        Only while no test is under way; raises Refused.
+        """
+        simulated = self._core.rig.record.simulation is not None
+        return hear(self._connection, self._core.state, window_s, simulated=simulated)
+
+    @property
+    def samples_processed(self) -> int:
+        """Return the device sample that comes next, 0 without a connection."""
+        connection = self._connection
+        return connection.processor.next_sample if connection is not None else 0
 
     def _note_command(self, verb: str, operator: str, reason: str) -> None:
         self._core.event("command", operator or "operator", f"{verb} {reason}".strip())

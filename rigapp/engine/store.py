@@ -88,6 +88,7 @@ class OpenRequest:
     test: Document[TestFile]
     calibration: Calibration
     devices: Mapping[str, Mapping[str, str | float | int]]
+    records: Mapping[str, str]
     operator: str
     resume: bool
 
@@ -121,7 +122,11 @@ def _create(request: OpenRequest) -> Opened:
         rig_text=request.rig.text,
         test_text=request.test.text,
         parameters=msgspec.to_builtins(test.model),
-        calibration={**calibration_record(request.calibration), **_plain(request.devices)},
+        calibration={
+            **calibration_record(request.calibration),
+            **_plain(request.devices),
+            **_records(request.records),
+        },
         rig_name=rig.name,
         operator=request.operator or test.metadata.operator,
         specimen=test.metadata.specimen,
@@ -190,3 +195,8 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
 
 def _plain(devices: Mapping[str, Mapping[str, str | float | int]]) -> dict[str, Any]:
     return {f"device_{name}": dict(readback) for name, readback in devices.items()}
+
+
+def _records(texts: Mapping[str, str]) -> dict[str, Any]:
+    """Return the sealed calibration records as the file keeps them, one group each."""
+    return {f"record_{section}": {"record": text} for section, text in texts.items()}

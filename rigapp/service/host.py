@@ -24,6 +24,7 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.engine import Engine
 from rigapp.engine.messages import Reply, Request, RevolutionMeasured, RunState, Snapshot
 from rigapp.engine.run import ACTIVE, Refused
+from rigapp.service.records import with_records
 from rigapp.service.registry import (
     EngineEntry,
     announce,
@@ -45,6 +46,33 @@ TWIN_START_S = 15.0
 """A test waits so long for its twin, so that the first revolutions are predicted, then goes on."""
 
 
+HAND_LOOKS = 3
+
+
+class Behind:
+    """Relate the simulated rig's samples to the engine's, which lag by what is on the wire.
+
+    The engine's count less the rig's is at most the constant between the two numberings; the
+    largest difference seen is the best estimate of it.
+    """
+
+    def __init__(self) -> None:
+        """Know nothing."""
+        self._difference: int | None = None
+        self._processed = 0
+
+    def note(self, processed: int, made: int) -> None:
+        """Take a look at both; ``processed`` is read before ``made``."""
+        if self._difference is None or processed < self._processed:
+            self._difference = processed - made
+        self._processed = processed
+        self._difference = max(self._difference, processed - made)
+
+    def processed_at(self, made: int) -> int:
+        """Return the engine's number of the rig's sample ``made``."""
+        return made + (self._difference or 0)
+
+
 class EngineHost:
     """One engine of one rig, reachable by viewers while it lives."""
 
@@ -52,11 +80,15 @@ class EngineHost:
         """Make the engine and begin to serve; devices are opened by ``connect`` or ``start``."""
         self._simulated = SimulatedDevices(rig, speed)
         self._twin: TwinLink | None = None
-        self.engine = Engine(rig, on_measured=self._offer)
+        self._records = with_records(rig)
+        self.engine = Engine(
+            self._records.rig, on_measured=self._offer, records=self._records.texts
+        )
         self._subscription = self.engine.subscribe()
         self.notices = self.engine.watch()
         self._starting = threading.Lock()
         self.ended = threading.Event()
+        self._behind = Behind()
         self._verbs = self._table()
         folder = runtime_folder()
         self._server = Server(self.handle, self.snapshot, *local_endpoints(folder, os.getpid()))
@@ -83,6 +115,8 @@ class EngineHost:
     def start(self, test: Document[TestFile], out: Path, operator: str, *, resume: bool) -> None:
         """Connect where needed and start a test; raises what the engine raises."""
         with self._starting:
+            if self._records.blocking:
+                raise Refused("; ".join(self._records.blocking.values()))
             ready = self.engine.state in (RunState.READY, RunState.STOPPED)
             if not (ready and self._simulated.suits(test.record.model)):
                 if self.engine.state in ACTIVE:
@@ -175,9 +209,19 @@ class EngineHost:
             ),
             "inject_fault": lambda a, who: self._simulated.process.inject(**a),
             "clear_fault": lambda a, who: self._simulated.process.clear(a["kind"]),
+            "signals": lambda a, who: msgspec.to_builtins(engine.hear(float(a["window_s"]))),
+            "hand": self._hand_request,
             "simulation_state": lambda a, who: self._simulated.process.state(),
             "shutdown": lambda a, who: self.ended.set(),
         }
+
+    def _hand_request(self, arguments: dict[str, Any], operator: str) -> dict[str, int]:
+        """Let the simulated hands do something; return the first device sample after it."""
+        process = self._simulated.process
+        for _ in range(HAND_LOOKS):
+            self._behind.note(self.engine.samples_processed, int(process.state()["samples"]))
+        process.hand(str(arguments["what"]), **dict(arguments.get("details", {})))
+        return {"after_sample": self._behind.processed_at(int(process.state()["samples"]))}
 
     def _start_request(self, arguments: dict[str, Any], operator: str) -> None:
         test = with_revolutions(read_test(Path(arguments["test"])), arguments.get("revolutions"))

@@ -1,0 +1,136 @@
+"""Calibration records that a rig file names: read, judged, put in the place of its own numbers."""
+
+from __future__ import annotations
+
+import calendar
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from calibration.records import Record, RecordError, unseal
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document
+from rigapp.config.rig import RigFile
+
+SECTIONS = {"load_cell": "load cell", "probes": "probe"}
+
+
+@dataclass(frozen=True, slots=True)
+class RigRecords:
+    """A rig with the numbers of its records. texts: section -> the record as stored, sealed.
+
+    blocking: section -> why the record forbids a start (expired), empty when none does.
+    """
+
+    rig: Document[RigFile]
+    texts: Mapping[str, str] = field(default_factory=dict)
+    blocking: Mapping[str, str] = field(default_factory=dict)
+    remarks: Mapping[str, str] = field(default_factory=dict)
+
+
+def with_records(rig: Document[RigFile], now: float | None = None) -> RigRecords:
+    """Read the records that ``load_cell.calibration`` and ``probes.calibration`` name.
+
+    Paths are relative to the rig file. Raises UnusableInput for a record that is missing, changed
+    after it was made, or of something else.
+    """
+    load_cell, probes = rig.record.load_cell, rig.record.probes
+    texts: dict[str, str] = {}
+    blocking: dict[str, str] = {}
+    remarks: dict[str, str] = {}
+    moment = time.time() if now is None else now
+    if load_cell.calibration:
+        text, record = _read(rig, "load_cell", load_cell.calibration)
+        texts["load_cell"] = text
+        load_cell = _load_cell(rig, record)
+        _judge_age("load_cell", record, load_cell.calibration_override, moment, blocking, remarks)
+    if probes.calibration:
+        names = probes.calibration
+        pair = (names, names) if isinstance(names, str) else names
+        found = [_read(rig, "probes", name) for name in pair]
+        for number, (text, record) in enumerate(found, 1):
+            section = f"probe_{number}"
+            texts[section] = text
+            _judge_age(section, record, probes.calibration_override, moment, blocking, remarks)
+        sensitivities = tuple(_number(rig, r, "sensitivity_um_per_V") for _, r in found)
+        offsets = tuple(_number(rig, r, "offset_V") for _, r in found)
+        probes = msgspec.structs.replace(
+            probes, sensitivity_um_per_V=sensitivities, offset_V=offsets
+        )
+    record_file = msgspec.structs.replace(rig.record, load_cell=load_cell, probes=probes)
+    return RigRecords(Document(rig.path, rig.text, record_file), texts, blocking, remarks)
+
+
+def _read(rig: Document[RigFile], section: str, name: str) -> tuple[str, Record]:
+    path = Path(name)
+    if not path.is_absolute():
+        path = rig.path.parent / path
+    where = f"{rig.path}: {section}.calibration = {name!r}"
+    try:
+        data = path.read_bytes()
+        record = unseal(data)
+    except OSError as error:
+        raise UnusableInput(f"{where}: the record cannot be read ({error}).") from error
+    except RecordError as error:
+        raise UnusableInput(f"{where}: {error}.") from error
+    if record.kind != SECTIONS[section]:
+        raise UnusableInput(
+            f"{where}: this is the record of a {record.kind}, not of a {SECTIONS[section]}."
+        )
+    return data.decode(), record
+
+
+def _load_cell(rig: Document[RigFile], record: Record) -> Any:
+    result = record.content["result"]
+    if result.get("quadratic_unit_per_N2"):
+        raise UnusableInput(
+            f"{rig.path}: the record {record.number} has quadratic terms, which are not applied"
+            " while a test runs; calibrate again over the range that is used."
+        )
+    unit = record.content["settings"]["cell"]["signal_unit"]
+    if unit != "mV/V":
+        raise UnusableInput(
+            f"{rig.path}: the record {record.number} is in N per {unit}; the rig measures mV/V."
+        )
+    line = result["uncertainty_line_N"]
+    return msgspec.structs.replace(
+        rig.record.load_cell,
+        matrix_N_per_mV_per_V=tuple(tuple(row) for row in result["matrix_N_per_unit"]),
+        zero_mV_per_V=tuple(result["zero"]),
+        uncertainty_N=(line["constant_N"], line["per_N"]),
+    )
+
+
+def _number(rig: Document[RigFile], record: Record, key: str) -> float:
+    value = record.content["result"].get(key)
+    if not isinstance(value, int | float):
+        raise UnusableInput(f"{rig.path}: the record {record.number} has no {key}.")
+    return float(value)
+
+
+def _judge_age(
+    section: str,
+    record: Record,
+    override: str,
+    now: float,
+    blocking: dict[str, str],
+    remarks: dict[str, str],
+) -> None:
+    due_text = str(record.content["due_at"])
+    due = calendar.timegm(time.strptime(due_text, "%Y-%m-%dT%H:%M:%SZ"))
+    if now <= due:
+        remarks[section] = f"record {record.number}, due {due_text[:10]}"
+    elif override.strip():
+        remarks[section] = (
+            f"record {record.number}, expired {due_text[:10]}, used all the same:"
+            f" {override.strip()}"
+        )
+    else:
+        blocking[section] = (
+            f"the calibration record {record.number} of {section} expired on {due_text[:10]};"
+            f" calibrate again, or write calibration_override with the reason"
+        )
