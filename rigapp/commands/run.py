@@ -19,7 +19,12 @@ from rigapp.config.recipe import TestFile
 from rigapp.engine.messages import FinishReason
 from rigapp.engine.publish import Committed, Finished, Notice, StateChanged
 from rigapp.engine.run import Refused
-from rigapp.service.host import EngineHost, recorded_test, with_revolutions
+from rigapp.service.host import (
+    EngineHost,
+    compress_complete,
+    recorded_test,
+    with_revolutions,
+)
 from rigapp.service.simulated import parse_speed
 
 STATUS = {
@@ -96,6 +101,8 @@ def _conduct(
     finally:
         shown.close()
         host.close()
+        if host.engine.outcome is not None:
+            compress_complete(host.engine.outcome)
 
 
 def _refuse_bad_target(out: Path) -> None:

@@ -23,6 +23,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.engine import Engine
 from rigapp.engine.messages import Reply, Request, RevolutionMeasured, RunState, Snapshot
+from rigapp.engine.publish import Finished
 from rigapp.engine.run import ACTIVE, Refused
 from rigapp.service.records import with_records
 from rigapp.service.registry import (
@@ -284,13 +285,27 @@ def serve(rig_path: Path, speed: str | None) -> int:
         signal.signal(number, lambda *_: host.ended.set())
     threading.Thread(target=_connect_quietly, args=(host,), name="connect", daemon=True).start()
     lonely_since = time.monotonic()
-    while not host.ended.wait(1.0):
+    while not host.ended.is_set():
+        notice = host.notices.get(1.0)
+        if isinstance(notice, Finished):
+            compress_complete(notice)
         if host.watched or host.engine.state in ACTIVE:
             lonely_since = time.monotonic()
         elif time.monotonic() - lonely_since > LONELY_S:
             break
     host.close()
     return 0
+
+
+def compress_complete(end: Finished) -> None:
+    """Compress the file of a complete test in a process of its own that outlives this one.
+
+    A test that was stopped stays as it is: it can be resumed.
+    """
+    if end.status == "complete":
+        from rigapp.storage.compact import compact_in_background
+
+        compact_in_background(Path(end.file))
 
 
 def _connect_quietly(host: EngineHost) -> None:
