@@ -154,9 +154,10 @@ class Procedure:
         return self._next(event, taken=(*self.taken, reading), hanging=change.hanging)
 
     def reject(self, index: int, reason: str) -> Procedure:
-        """Reject the reading number ``index`` (from 0) with a reason; its step is taken again.
+        """Reject the reading number ``index`` (from 0) with a reason; its series is taken again.
 
-        Readings after it in the same series are rejected with it, since their order counts.
+        The other readings of the series are rejected with it, since their order counts. Between two
+        series, and at the end, any series can be rejected; the others stand.
         """
         if not reason.strip():
             raise ProcedureError("a reading is rejected with a reason; write one")
@@ -167,11 +168,13 @@ class Procedure:
             raise ProcedureError("this reading is rejected already")
         series = self.steps[first.step].series
         start = next(i for i, step in enumerate(self.steps) if step.series == series)
-        if self.position < len(self.steps) and self.step.series not in (series, ""):
+        if self.under_way not in (series, ""):
             raise ProcedureError(
-                "only readings of the series under way can be taken again; finish, and repeat the"
-                " calibration if the result is refused"
+                f"series {self.under_way} is under way; finish it first, then reject and repeat"
+                f" series {series}"
             )
+        if self.under_way != series:
+            start = _first_of_angle(self.steps, start)
         words = reason.strip()
         taken = tuple(
             replace(one, rejected=words if one is first else f"series repeated: {words}")
@@ -187,8 +190,20 @@ class Procedure:
             raise ProcedureError(f"now comes: {self.step.kind}, not {kind}")
         return self.step
 
+    @property
+    def under_way(self) -> str:
+        """Return the series that is begun but not complete, empty between two series."""
+        if self.done:
+            return ""
+        series = self.step.series
+        begun = any(
+            not one.rejected and self.steps[one.step].series == series for one in self.taken
+        )
+        return series if series and begun else ""
+
     def _next(self, event: Mapping[str, Any], **changes: Any) -> Procedure:
-        return replace(self, position=self.position + 1, events=(*self.events, event), **changes)
+        after = replace(self, position=self.position + 1, events=(*self.events, event), **changes)
+        return replace(after, position=_skip_complete(after))
 
     # --- results ---------------------------------------------------------------------------------
 
@@ -203,6 +218,28 @@ class Procedure:
             angle=np.array([one.angle for one in kept]),
             signal=np.array([one.signal for one in kept]).reshape(-1, 2),
         )
+
+
+def _first_of_angle(steps: Sequence[Step], index: int) -> int:
+    """Return the step at which the pin is turned to the angle of the step ``index``."""
+    while index > 0 and steps[index].kind is not StepKind.TURN:
+        index -= 1
+    return index
+
+
+def _skip_complete(procedure: Procedure) -> int:
+    """Return the next step, past angles whose every reading stands already."""
+    steps, position = procedure.steps, procedure.position
+    standing = {one.step for one in procedure.taken if not one.rejected}
+    while position < len(steps) and steps[position].kind is StepKind.TURN:
+        end = position + 1
+        while end < len(steps) and steps[end].kind is not StepKind.TURN:
+            end += 1
+        wanted = [i for i in range(position, end) if steps[i].kind is StepKind.READING]
+        if not all(index in standing for index in wanted):
+            break
+        position = end
+    return position
 
 
 def begin(kind: PlanKind, heaviest: float, pieces: Sequence[float]) -> Procedure:
@@ -254,7 +291,7 @@ def _change_words(change: Change, mass: float) -> str:
         return " + ".join(f"{piece:g} kg" for piece in pieces)
 
     if mass == 0.0:
-        return "Take all weights off." if change.remove else "Hang nothing."
+        return "Take all weights off." if change.remove else "Nothing may hang on the pin."
     parts = []
     if change.remove:
         parts.append(f"take off {listed(change.remove)}")

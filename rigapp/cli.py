@@ -248,12 +248,48 @@ JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 @calibrate_app.command("load-cell")
 def calibrate_load_cell(
-    readings: ReadingsOption, settings: SettingsOption, to: RecordOption, json: JsonOption = False
+    settings: SettingsOption,
+    to: RecordOption,
+    readings: Annotated[
+        Path | None, typer.Option("--readings", help="CSV of readings as taken; or --rig.")
+    ] = None,
+    json: JsonOption = False,
+    rig: Annotated[
+        Path | None, typer.Option("--rig", help="Rig file: take the readings live.")
+    ] = None,
+    plan: Annotated[str, typer.Option("--plan", help="daily, routine or full.")] = "routine",
+    weights: Annotated[
+        str, typer.Option("--weights", help="Pieces in kg; 5x8: eight pieces of 5 kg.")
+    ] = "5x8,2,2,1,0.5",
+    journal: Annotated[
+        Path | None, typer.Option("--journal", help="Where events are kept; taken up if there.")
+    ] = None,
+    practise: Annotated[
+        bool, typer.Option("--practise", help="Simulated rig: simulated hands do the work.")
+    ] = False,
 ) -> None:
-    """Fit dead-weight readings of the load cell; a bad fit is refused, not saved."""
-    from rigapp.commands.calibrate import calibrate_cell
+    """Calibrate the load cell from a CSV of readings or live; a bad fit is refused, not saved."""
+    if (readings is None) == (rig is None):
+        raise UnusableInput("give --readings (a CSV) or --rig (live readings), one of the two.")
+    if readings is not None:
+        from rigapp.commands.calibrate import calibrate_cell
 
-    raise typer.Exit(calibrate_cell(readings, settings, to, as_json=json))
+        raise typer.Exit(calibrate_cell(readings, settings, to, as_json=json))
+    from rigapp.commands.live_terminal import calibrate_live
+
+    assert rig is not None
+    raise typer.Exit(
+        calibrate_live(
+            rig,
+            settings,
+            to,
+            plan=plan,
+            weights=weights,
+            journal=journal,
+            practise=practise,
+            as_json=json,
+        )
+    )
 
 
 @calibrate_app.command("probes")

@@ -37,12 +37,12 @@ def calibrate_cell(readings: Path, settings: Path, to: Path, *, as_json: bool) -
         taken = parse_load_cell(text)
     except ReadingsError as error:
         raise UnusableInput(f"{readings}: {error}.") from error
-    _refuse_existing(to)
+    refuse_existing(to)
     found = calibrate_load_cell(taken, meaning)
     result = load_cell_result(found, meaning)
     if found.accepted:
-        _keep(to, "load cell", text, given, result)
-    _say(result, to, as_json=as_json, lines=_cell_lines(found, meaning))
+        keep_record(to, "load cell", text, given, result)
+    say_result(result, to, as_json=as_json, lines=cell_lines(found, meaning))
     return 0 if found.accepted else 1
 
 
@@ -54,12 +54,12 @@ def calibrate_probes(readings: Path, settings: Path, to: Path, *, as_json: bool)
         taken = parse_probe(text)
     except ReadingsError as error:
         raise UnusableInput(f"{readings}: {error}.") from error
-    _refuse_existing(to)
+    refuse_existing(to)
     found = calibrate_probe(taken, meaning)
     result = probe_result(found)
     if found.accepted:
-        _keep(to, "probe", text, given, result)
-    _say(result, to, as_json=as_json, lines=_probe_lines(found))
+        keep_record(to, "probe", text, given, result)
+    say_result(result, to, as_json=as_json, lines=_probe_lines(found))
     return 0 if found.accepted else 1
 
 
@@ -151,21 +151,26 @@ def _text(path: Path) -> str:
         raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
 
 
-def _refuse_existing(to: Path) -> None:
+def refuse_existing(to: Path) -> None:
+    """Refuse a record that exists or has no folder; raise UnusableInput."""
     if os.path.lexists(to):
         raise UnusableInput(f"{to}: exists; records are never overwritten, name another file.")
     if not to.parent.is_dir():
         raise UnusableInput(f"{to}: the folder {to.parent} does not exist; make it first.")
 
 
-def _keep(
+def keep_record(
     to: Path,
     kind: str,
     readings: str,
     settings: LoadCellFile | ProbeFile,
     result: Mapping[str, Any],
+    taken: Mapping[str, Any] | None = None,
 ) -> None:
-    """Write the record so that it is there whole or not at all, and read-only."""
+    """Write the record so that it is there whole or not at all, and read-only.
+
+    taken: how the readings were taken, for those that the program took itself.
+    """
     now = int(time.time())
     content = {
         "kind": kind,
@@ -176,6 +181,8 @@ def _keep(
         "readings_csv": readings,
         "result": dict(result),
     }
+    if taken is not None:
+        content["taken"] = dict(taken)
     part = to.with_name(f".{to.name}.part-{os.getpid()}")
     try:
         with part.open("xb") as stream:
@@ -194,7 +201,8 @@ def _day(seconds: int) -> str:
     return time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds))
 
 
-def _say(result: Mapping[str, Any], to: Path, *, as_json: bool, lines: Sequence[str]) -> None:
+def say_result(result: Mapping[str, Any], to: Path, *, as_json: bool, lines: Sequence[str]) -> None:
+    """Print a result and its problems."""
     if as_json:
         print(json.dumps(result))
     else:
@@ -210,7 +218,8 @@ def _say(result: Mapping[str, Any], to: Path, *, as_json: bool, lines: Sequence[
         print(f"The record is {to}.")
 
 
-def _cell_lines(found: LoadCellCalibration, settings: LoadCellSettings) -> list[str]:
+def cell_lines(found: LoadCellCalibration, settings: LoadCellSettings) -> list[str]:
+    """Return the result in words and numbers, a line each."""
     if found.fit is None or found.budget is None or found.expanded_line is None:
         return [found.classification]
     unit = settings.cell.signal_unit

@@ -16,6 +16,7 @@ from rigapp.engine.assembler import Assembler, Revolution
 from rigapp.engine.calibrate import Calibration
 from rigapp.engine.checks import PeakForce
 from rigapp.engine.motion import MotionWindow, Point
+from rigapp.engine.signals import Means, RecentSignals
 from rigapp.engine.timewatch import TimeWatch
 
 
@@ -99,6 +100,8 @@ class Processor:
         self._overload_N = overload_N
         self._watch = TimeWatch(calibration.sample_rate_Hz) if real_time else None
         self._averaging: Averaging | None = None
+        self._recent: RecentSignals | None = None
+        self.index_seen = False
         self._discard = threading.Event()
         self._lost = 0
         self._over = False
@@ -153,6 +156,14 @@ class Processor:
         self._averaging = averaging
         return averaging
 
+    def listen(self, window_s: float) -> Means:
+        """Return the signals of the last window_s; they are kept from the first call on."""
+        recent = self._recent
+        if recent is None or recent.window_s < 0.95 * window_s:
+            recent = RecentSignals(self.calibration.sample_rate_Hz, window_s)
+            self._recent = recent
+        return recent.read()
+
     def handle(self, block: Block) -> None:
         """Process a block."""
         n = block.values.shape[1]
@@ -191,6 +202,12 @@ class Processor:
             Point(block.first_sample + n - 1, last, host_s, phase),
         )
         self._newest = block
+        self.index_seen = self.index_seen or phase is not None
+        recent = self._recent
+        if recent is not None:
+            recent.add(block.first_sample, self.calibration.signals(block.values))
+            if recent.forgotten:
+                self._recent = None
         averaging = self._averaging
         if averaging is not None:
             averaging.add(self.calibration.signals(block.values))

@@ -17,6 +17,8 @@ CHANNELS = {
     "probe_2": "probe_2",
 }
 FAR_OUT = {"bridge_1": 1e3, "bridge_2": 1e3, "probe_1": 1e3, "probe_2": 1e3}
+_OTHER = {"bridge_1": "bridge_2", "bridge_2": "bridge_1"}
+SWINGS_PER_S = 0.8
 _SPIKES = np.uint64(17)
 
 
@@ -27,6 +29,8 @@ class SignalFault(enum.StrEnum):
     SATURATED_INPUT = "saturated_input"  # sign of the overload, +1 by default
     BROKEN_BRIDGE_WIRE = "broken_bridge_wire"  # the bridge's input floats to one side
     SLIP_RING_SPIKES = "slip_ring_spikes"  # mV/V, about ``rate_per_s`` of them, either sign
+    SWAPPED_BRIDGES = "swapped_bridges"  # the two bridges' plugs are exchanged
+    SWINGING_WEIGHT = "swinging_weight"  # share of the signal by which it goes to and fro
     JAM = "jam"  # N m of dry friction on the shaft
 
 
@@ -49,6 +53,8 @@ class Disturbances:
         if fault is SignalFault.SLIP_RING_SPIKES:
             default = 1.5
             self._spike_rate = rate
+        if fault is SignalFault.SWINGING_WEIGHT:
+            default = 0.03
         for name in _terminals(channel):
             self._channels[fault, name] = default if value is None else value
 
@@ -67,6 +73,9 @@ class Disturbances:
             return samples
         changed: dict[str, Array] = {}
         for (fault, name), value in self._channels.items():
+            if fault is SignalFault.SWAPPED_BRIDGES:
+                changed[name] = getattr(samples, _OTHER.get(name, name))
+                continue
             signal = changed.get(name, getattr(samples, name))
             changed[name] = self._disturbed(fault, name, value, signal, samples, sample_rate_Hz)
         return replace(samples, **changed)  # type: ignore[arg-type]
@@ -82,6 +91,9 @@ class Disturbances:
     ) -> Array:
         if fault is SignalFault.STUCK_VALUE:
             return np.full_like(signal, self._stuck.setdefault(name, float(signal[0])))
+        if fault is SignalFault.SWINGING_WEIGHT:
+            seconds = (samples.first_sample + np.arange(signal.size)) / rate
+            return signal * (1.0 + value * np.sin(2.0 * np.pi * SWINGS_PER_S * seconds))
         if fault is SignalFault.SLIP_RING_SPIKES:
             chance = uniform(self._seed, _SPIKES, samples.first_sample, signal.size)
             threshold = self._spike_rate / rate

@@ -1,0 +1,51 @@
+"""A line to an engine for a command: the one that runs for the rig, or one hosted here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+from rigapp.engine.messages import Reply, Request
+
+Ask = Callable[[str, dict[str, Any]], Any]
+REQUEST_TIMEOUT_S = 30.0
+
+
+@contextmanager
+def engine_line(rig: Path, operator: str = "", *, own: bool = False) -> Iterator[Ask]:
+    """Yield a function that asks the rig's engine; what is refused raises UnusableInput.
+
+    own: host an engine here even if another one runs (simulated rigs).
+    """
+    from rigapp.service.client import Client
+    from rigapp.service.host import EngineHost
+    from rigapp.service.launch import find_engine
+    from rigapp.service.simulated import parse_speed
+
+    entry = None if own else find_engine(rig)
+    if entry is not None:
+        client = Client(entry, operator)
+        try:
+            yield lambda verb, arguments: _result(
+                client.request(verb, arguments, REQUEST_TIMEOUT_S)
+            )
+        finally:
+            client.close()
+        return
+    document = read_rig(rig)
+    host = EngineHost(document, parse_speed(None, document))
+    try:
+        host.connect()
+        yield lambda verb, arguments: _result(host.handle(Request(verb, arguments, operator)))
+    finally:
+        host.close()
+
+
+def _result(reply: Reply) -> Any:
+    if not reply.ok:
+        raise UnusableInput(reply.sentence)
+    return reply.result

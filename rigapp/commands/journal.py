@@ -1,0 +1,73 @@
+"""The journal of a calibration under way: every event on the disk before it counts."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from rigapp.config.errors import UnusableInput
+from rigapp.storage.locks import hold_writer_lock
+
+
+class Journal:
+    """Append events as JSON lines, each forced to the disk; one writer at a time.
+
+    A last line without its end was cut off while it was written; nobody was told that it was saved,
+    and it is removed when the journal is taken up.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Open a journal, making it where there is none; raise UnusableInput."""
+        self.path = path
+        try:
+            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o644)
+        except OSError as error:
+            raise UnusableInput(f"{path}: the journal cannot be opened ({error}).") from error
+        if not hold_writer_lock(self._file):
+            os.close(self._file)
+            raise UnusableInput(
+                f"{path}: another calibration writes this journal; close it, or name another."
+            )
+
+    def read(self) -> list[dict[str, Any]]:
+        """Return the events so far; raise UnusableInput for a line that is no event."""
+        with open(self._file, "rb", closefd=False) as stream:
+            stream.seek(0)
+            data = stream.read()
+        whole = data[: data.rfind(b"\n") + 1]
+        if len(whole) < len(data):
+            os.ftruncate(self._file, len(whole))
+        events = []
+        for number, line in enumerate(whole.splitlines(), 1):
+            try:
+                event = json.loads(line)
+                if not isinstance(event, dict):
+                    raise ValueError("not an object")
+            except ValueError as error:
+                raise UnusableInput(
+                    f"{self.path}: line {number} is not an event ({error}); name another journal."
+                ) from error
+            events.append(event)
+        return events
+
+    def append(self, event: Mapping[str, Any]) -> None:
+        """Write one event to the disk; raise UnusableInput when it is not there."""
+        line = json.dumps(event, ensure_ascii=False, allow_nan=False).encode() + b"\n"
+        try:
+            written = os.write(self._file, line)
+            if written < len(line):
+                raise OSError(f"only {written} of {len(line)} bytes were written")
+            os.fsync(self._file)
+        except OSError as error:
+            raise UnusableInput(
+                f"{self.path}: the reading was not saved ({error}); make room and record it again."
+            ) from error
+
+    def close(self) -> None:
+        """Let the journal go; safe to call twice."""
+        if self._file >= 0:
+            os.close(self._file)
+            self._file = -1

@@ -1,0 +1,245 @@
+"""`rigapp calibrate load-cell` with live readings: the terminal's face of ``LiveSession``."""
+
+from __future__ import annotations
+
+import math
+import os
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from calibration.live import WINDOW_S, Readiness, Window
+from calibration.plans import PlanKind, StepKind
+from calibration.procedure import ProcedureError
+from rigapp.commands.calibrate import cell_lines, refuse_existing, say_result
+from rigapp.commands.engine_line import Ask, engine_line
+from rigapp.commands.live_calibration import (
+    PLANS,
+    LiveSession,
+    Outcome,
+    Rig,
+    Wish,
+    parse_pieces,
+    window_of,
+)
+from rigapp.commands.practice import Action, Mistake, preparation, step_actions, tidy_up
+from rigapp.config.calibration_settings import read_load_cell_settings
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+
+LISTEN_S = WINDOW_S + 1.0
+PATIENCE_S = 60.0
+LOOK_EVERY_S = 0.03
+
+
+class Terminal:
+    """Ask the operator step by step; ``read`` is ``input`` or a script."""
+
+    def __init__(
+        self,
+        session: LiveSession,
+        ask: Ask,
+        read: Callable[[str], str],
+        say: Callable[[str], None],
+        hands: Hands | None = None,
+    ) -> None:
+        """Take the session, the engine and, for a practice, the simulated hands."""
+        self._session, self._ask = session, ask
+        self._read, self._say, self._hands = read, say, hands
+
+    def run(self) -> bool:
+        """Take every step; return False when the operator closes it to take it up again."""
+        session = self._session
+        while not session.procedure.done:
+            procedure = session.procedure
+            self._say(f"\n[{procedure.progress}] {procedure.instruction}")
+            try:
+                if not self._step():
+                    return False
+            except ProcedureError as error:
+                self._say(f"  {error}")
+        return True
+
+    def _step(self) -> bool:
+        if self._hands is not None:
+            self._hands.do(self._session)
+            self._take(self._wait_ready())
+            return True
+        answer = self._read("Enter records, r rejects, q closes: ").strip().lower()
+        if answer == "q":
+            return False
+        if answer == "r":
+            self._reject()
+        elif answer == "":
+            self._take(self._wait_ready())
+        else:
+            self._say("  Enter, r or q.")
+        return True
+
+    def _reject(self) -> None:
+        taken = self._session.procedure.taken
+        for number, one in enumerate(taken, 1):
+            if not one.rejected:
+                self._say(f"  {number}: {one.mass:g} kg at {math.degrees(one.angle):.1f} degrees")
+        word = self._read("  number of the reading: ").strip()
+        if not word.isdigit():
+            self._say("  That is not a number; nothing was rejected.")
+            return
+        self._session.reject(int(word) - 1, self._read("  reason: "))
+
+    def _wait_ready(self) -> Window:
+        """Return a window that is ready; raise ProcedureError when none comes in time."""
+        deadline = time.monotonic() + PATIENCE_S
+        said = ""
+        while True:
+            window = window_of(self._ask("signals", {"window_s": LISTEN_S}))
+            found = self._session.look(window)
+            if found.ready:
+                return window
+            words = found.words.partition(";")[0]
+            if words != said and self._hands is None:
+                self._say(f"  {found.words} …")
+                said = words
+            if time.monotonic() > deadline + found.left:
+                raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {found.words}")
+            time.sleep(LOOK_EVERY_S)
+
+    def _take(self, window: Window) -> None:
+        session = self._session
+        kind = session.procedure.step.kind
+        if kind is StepKind.ANGLE_REFERENCE:
+            self._reference(window)
+            return
+        found = session.look(window)
+        session.take(window)
+        if kind is StepKind.READING:
+            self._say(f"  {_recorded(found, session.given.cell.signal_unit)}")
+
+    def _reference(self, window: Window) -> None:
+        assert window.angle is not None
+        shown = math.degrees(window.angle)
+        if self._hands is None:
+            word = self._read(f"  angle with the crank level [{shown:.1f} degrees]: ").strip()
+            try:
+                shown = float(word) if word else shown
+            except ValueError as error:
+                raise ProcedureError(f"{word!r} is not a number of degrees") from error
+        uncertainty = math.radians(self._session.given.angle.standard_uncertainty_deg)
+        self._session.reference(math.radians(shown), uncertainty)
+
+
+def _recorded(found: Readiness, unit: str) -> str:
+    one, two = found.steadiness.mean
+    return (
+        f"recorded: {one:.5f}, {two:.5f} {unit}"
+        f" (the calibration in use makes {found.felt:.1f} N of it)"
+    )
+
+
+class Hands:
+    """Let the simulated hands do what the step asks, with a mistake where one is wanted."""
+
+    def __init__(self, ask: Ask, mistake: Mistake = Mistake.NONE, at: int = 8) -> None:
+        """Take the engine; the mistake is made at the step number ``at`` only."""
+        self._ask, self._mistake, self._at = ask, mistake, at
+
+    def prepare(self) -> None:
+        """Take the follower off and find the index."""
+        for action in preparation():
+            self._do(action)
+
+    def tidy_up(self) -> None:
+        """Put the follower on."""
+        for action in tidy_up():
+            self._do(action)
+
+    def do(self, session: LiveSession) -> None:
+        """Do what the step under way asks."""
+        settings, procedure = session.settings, session.procedure
+        mistake = self._mistake if procedure.position == self._at else Mistake.NONE
+        view = self._ask("signals", {"window_s": LISTEN_S})
+        for action in step_actions(
+            procedure, mistake, settings.place.gravity, settings.weights.hanger_mass
+        ):
+            after = self._do(action)
+            session.changed_at(after / view["sample_rate_Hz"])
+
+    def _do(self, action: Action) -> float:
+        result = self._ask(action.verb, dict(action.arguments))
+        return float(result["after_sample"]) if isinstance(result, dict) else 0.0
+
+
+def calibrate_live(
+    rig: Path,
+    settings: Path,
+    to: Path,
+    *,
+    plan: str,
+    weights: str,
+    journal: Path | None,
+    practise: bool,
+    as_json: bool,
+    read: Callable[[str], str] = input,
+) -> int:
+    """Take the readings on the terminal and keep a record when they are good; the exit status."""
+    given, meaning = read_load_cell_settings(settings)
+    document = read_rig(rig)
+    if plan not in PLANS:
+        raise UnusableInput(f"--plan {plan}: choose {', '.join(PLANS)}.")
+    simulated = document.record.simulation is not None
+    if practise and not simulated:
+        raise UnusableInput(f"--practise: {rig} is not simulated; simulated hands move nothing.")
+    refuse_existing(to)
+    wish = Wish(PLANS[plan], parse_pieces(weights))
+    where = journal or to.with_name(f"{to.name}.journal")
+    operator = given.paperwork.operator or os.environ.get("USER", "")
+    session = LiveSession(
+        given,
+        meaning,
+        Rig(document.record.name, simulated, operator),
+        where,
+        wish,
+        keep_waiting_times=not practise,
+    )
+
+    def say(text: str) -> None:
+        print(text, file=sys.stderr if as_json else sys.stdout, flush=True)
+
+    try:
+        with engine_line(rig, operator, own=practise) as ask:
+            hands = Hands(ask) if practise else None
+            if hands is not None:
+                hands.prepare()
+            if not Terminal(session, ask, read, say, hands).run():
+                say(f"Closed. Take it up again with the same command; the journal is {where}.")
+                return 1
+            session.look(window_of(ask("signals", {"window_s": LISTEN_S})))
+            if hands is not None:
+                hands.tidy_up()
+        return _conclude(session, to, as_json=as_json, say=say)
+    finally:
+        session.close()
+
+
+def _conclude(session: LiveSession, to: Path, *, as_json: bool, say: Callable[[str], None]) -> int:
+    outcome = session.judge()
+    if session.procedure.kind is PlanKind.DAILY:
+        return _say_check(outcome, as_json=as_json, say=say)
+    assert outcome.calibration is not None
+    lines = cell_lines(outcome.calibration, outcome.settings)
+    if outcome.accepted:
+        outcome = session.save(outcome, to)
+    say_result(outcome.result, to, as_json=as_json, lines=lines)
+    return 0 if outcome.accepted else 1
+
+
+def _say_check(outcome: Outcome, *, as_json: bool, say: Callable[[str], None]) -> int:
+    if as_json:
+        import json
+
+        print(json.dumps(outcome.result))
+    assert outcome.check is not None
+    say(outcome.check.sentence)
+    say("The readings are in the journal; a daily check makes no record.")
+    return 0 if outcome.accepted else 1

@@ -1,0 +1,89 @@
+"""What a calibration hears from the engine: the last seconds' signals and the pin's angle."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+
+from rigapp.engine.connection import Connection
+from rigapp.engine.messages import RunState
+from rigapp.engine.run import Refused
+
+PERMITTED = (RunState.READY, RunState.STOPPED)
+
+
+class SignalView(msgspec.Struct, frozen=True):
+    """Carry a window of signals to a calibration.
+
+    end: device sample at the end of each mean. signals: force_1, force_2, probe_1, probe_2, each a
+    list as long as ``end``. angle_deg: crank angle of the newest sample, None while the index has
+    not been passed. matrix, zero: the calibration in use, N per unit of the load cell and unit.
+    """
+
+    end: list[int]
+    signals: list[list[float]]
+    samples_per_mean: int
+    sample_rate_Hz: float
+    units: tuple[str, str, str, str]
+    angle_deg: float | None
+    count_deg: float
+    stands: bool
+    simulated: bool
+    matrix: list[list[float]]
+    zero: list[float]
+
+
+def hear(
+    connection: Connection | None, state: RunState, window_s: float, *, simulated: bool
+) -> SignalView:
+    """Return the signals of the last window_s (device time); raise Refused while a test runs.
+
+    The first call begins to keep them and returns an empty window.
+    """
+    if connection is None or state not in PERMITTED:
+        raise Refused(
+            f"readings are taken while the rig is ready and no test is under way, not while {state}"
+        )
+    if not 0.0 < window_s < math.inf:
+        raise Refused("the window is a number of seconds above 0")
+    processor = connection.processor
+    means = processor.listen(window_s)
+    calibration = processor.calibration
+    encoder = calibration.encoder
+    return SignalView(
+        end=means.end.tolist(),
+        signals=means.signals.T.tolist(),
+        samples_per_mean=means.samples_per_mean,
+        sample_rate_Hz=means.sample_rate_Hz,
+        units=calibration.units,
+        angle_deg=_angle_deg(connection) if processor.index_seen else None,
+        count_deg=360.0 / encoder.counts_per_revolution,
+        stands=connection.stands(),
+        simulated=simulated,
+        matrix=calibration.matrix.tolist(),
+        zero=calibration.zero.tolist(),
+    )
+
+
+def _angle_deg(connection: Connection) -> float | None:
+    """Return the crank angle from the counter itself where it restarts at the index.
+
+    The count says where a standing crank is; the tracked phase, which serves a running one, may be
+    withheld after a hand has turned the crank faster than a spindle can.
+    """
+    processor = connection.processor
+    calibration, live = processor.calibration, processor.live
+    encoder = calibration.encoder
+    if live is None:
+        return None
+    if not encoder.restarts_at_index:
+        newest = processor.motion.newest()
+        phase = None if newest is None else newest.phase
+    else:
+        counts = calibration.counter_scale * live.count + calibration.counter_offset
+        phase = round(encoder.direction * counts)
+    if phase is None:
+        return None
+    degrees = math.degrees(calibration.index_angle_rad)
+    return (degrees + 360.0 * phase / encoder.counts_per_revolution) % 360.0

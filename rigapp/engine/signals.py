@@ -1,0 +1,82 @@
+"""The electrical signals of the last seconds, for who calibrates: short means, kept while asked."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+MEANS_PER_SECOND = 20.0
+LONGEST_WINDOW_S = 60.0
+FORGOTTEN_AFTER_S = 30.0
+"""Nobody asked for so long (host time): the signals are not kept any more."""
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Means:
+    """Means of consecutive samples: signals (n, 4), device sample (n,) at the end of each mean."""
+
+    end: NDArray[np.int64]
+    signals: Array
+    samples_per_mean: int
+    sample_rate_Hz: float
+
+
+class RecentSignals:
+    """Keep the means of the last window; the processing thread adds, any thread reads.
+
+    A gap in the sample numbers clears it, so that what is read is always consecutive.
+    """
+
+    def __init__(self, sample_rate_Hz: float, window_s: float) -> None:
+        self._rate = sample_rate_Hz
+        self._each = max(1, round(sample_rate_Hz / MEANS_PER_SECOND))
+        kept = max(1, round(min(window_s, LONGEST_WINDOW_S) * sample_rate_Hz / self._each))
+        self._means: deque[tuple[int, Array]] = deque(maxlen=kept)
+        self._rest: Array = np.empty((4, 0))
+        self._next = -1
+        self._asked = time.monotonic()
+        self._lock = threading.Lock()
+
+    @property
+    def window_s(self) -> float:
+        """Return the length of the window, s of device time."""
+        return (self._means.maxlen or 0) * self._each / self._rate
+
+    @property
+    def forgotten(self) -> bool:
+        """Tell whether nobody has asked for a while."""
+        return time.monotonic() - self._asked > FORGOTTEN_AFTER_S
+
+    def add(self, first_sample: int, signals: Array) -> None:
+        """Add signals (4, n) that begin with a device sample."""
+        with self._lock:
+            if first_sample != self._next:
+                self._means.clear()
+                self._rest = np.empty((4, 0))
+            self._next = first_sample + signals.shape[1]
+            together = np.concatenate((self._rest, signals), axis=1)
+            whole = together.shape[1] // self._each
+            start = self._next - together.shape[1]
+            cut = together[:, : whole * self._each].reshape(4, whole, self._each).mean(axis=2)
+            for index in range(whole):
+                self._means.append((start + (index + 1) * self._each, cut[:, index]))
+            self._rest = together[:, whole * self._each :]
+
+    def read(self) -> Means:
+        """Return what is kept."""
+        with self._lock:
+            self._asked = time.monotonic()
+            kept = list(self._means)
+        return Means(
+            end=np.array([end for end, _ in kept], dtype=np.int64),
+            signals=np.array([mean for _, mean in kept]).reshape(-1, 4),
+            samples_per_mean=self._each,
+            sample_rate_Hz=self._rate,
+        )
