@@ -87,6 +87,7 @@ class ControlRow(QWidget):
         self._send = send
         self._theme = theme
         self._asked_why = ""
+        self._good = True
         self._state: RunState | None = None
         self._waiting_start: tuple[dict[str, Any], float] | None = None
         self.setObjectName("controls")
@@ -124,6 +125,7 @@ class ControlRow(QWidget):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
+        self._paint_answer()
 
     def show_status(self, status: Status | None, link: LinkState, *, replay: bool = False) -> None:
         """Enable what applies now; Stop stays enabled when the state is not known."""
@@ -195,8 +197,13 @@ class ControlRow(QWidget):
     def show_answer(self, sentence: str, *, good: bool) -> None:
         """Show one sentence; a refusal is marked."""
         self.answer.show_text(sentence if good else f"▲ {sentence}")
-        colour = self._theme.muted if good else self._theme.critical
-        self.answer.setStyleSheet(f"color: {colour};" + ("" if good else " font-weight: bold;"))
+        self._good = good
+        self._paint_answer()
+
+    def _paint_answer(self) -> None:
+        colour = self._theme.muted if self._good else self._theme.critical
+        weight = "" if self._good else " font-weight: bold;"
+        self.answer.setStyleSheet(f"color: {colour};{weight}")
 
     def _answered(self, label: str, reply: Reply) -> None:
         stamp = time.strftime("%H:%M:%S")

@@ -7,6 +7,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import PurePath
 
 from rigapp.engine.messages import RunState, Severity, Status
 from rigapp.gui.link import LinkState
@@ -203,7 +204,7 @@ def _line(status: Status) -> str:
     if status.operator:
         parts.append(f"Operator: {status.operator}")
     if status.file:
-        parts.append(f"File: {status.file}")
+        parts.append(f"File: {PurePath(status.file).name}")
     return "     ".join(parts)
 
 

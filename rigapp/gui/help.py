@@ -20,8 +20,8 @@ KEYS = """
 | F9 | Light or dark |
 | Ctrl+1 … Ctrl+9 | Go to a tab |
 | Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom |
-| ← → in a force plot | Move the cursor |
+| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
+| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
 | Esc | Close the start bar or this window |
 
 The emergency stop is the red button on the rig. It works without this program, and no program

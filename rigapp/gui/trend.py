@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +13,7 @@ from PySide6.QtGui import QKeyEvent, QPen
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from rigapp.gui.header import ElidedLabel
-from rigapp.gui.palette import Theme, measured_pen, model_pen
+from rigapp.gui.palette import Theme, line_pen, measured_pen, model_pen
 from rigapp.gui.plotting import LegendEntry, LegendRow, QuietPlot
 from rigapp.gui.pyramid import polyline
 from rigapp.gui.ranges import SteadyRange, nice_step
@@ -98,14 +100,33 @@ QUANTITIES = {
 class TrendPlot(QuietPlot):
     """A plot whose x axis can be moved and zoomed by mouse and by keys."""
 
-    def __init__(self, name: str, theme: Theme) -> None:
+    def __init__(self, name: str, theme: Theme, pointed: Callable[[float | None], None]) -> None:
         super().__init__(name, "Statistics against cycle", theme)
+        self._pointed = pointed
         self.setMouseEnabled(x=True, y=False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.label("bottom", "Cycle")
+        self.cursor_line = self.guide(0.0, horizontal=False, theme=theme)
+        self.cursor_line.hide()
+        self.scene().sigMouseClicked.connect(self._clicked)
+
+    def show_cursor(self, cycle: float | None, theme: Theme) -> None:
+        """Put the cursor at a cycle, or take it away."""
+        self.cursor_line.setVisible(cycle is not None)
+        if cycle is not None:
+            self.cursor_line.setPen(line_pen(theme.text))
+            self.cursor_line.setValue(cycle)
+
+    def _clicked(self, event: Any) -> None:
+        view = self.getViewBox()
+        if view.sceneBoundingRect().contains(event.scenePos()):
+            self._pointed(float(view.mapSceneToView(event.scenePos()).x()))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move by the arrows, zoom by plus and minus."""
+        """Move by the arrows, zoom by plus and minus; Esc takes the cursor away."""
+        if event.key() == Qt.Key.Key_Escape:
+            self._pointed(None)
+            return
         low, high = self.viewRange()[0]
         span = high - low
         moves = {
@@ -137,7 +158,9 @@ class TrendPanel(QWidget):
         self._curves: list[tuple[Line, bool, object]] = []
         self.setObjectName(f"{prefix}_trend_panel")
         self.setAccessibleName("Statistics against cycle")
-        self.plot = TrendPlot(f"{prefix}_trend_plot", theme)
+        self._cursor: float | None = None
+        self._data: LiveData | None = None
+        self.plot = TrendPlot(f"{prefix}_trend_plot", theme, self.point_at)
         self.plot.getViewBox().sigRangeChangedManually.connect(self._moved_by_hand)
         self._ranges: dict[str, SteadyRange] = {}
         self._build(prefix)
@@ -190,18 +213,18 @@ class TrendPanel(QWidget):
         self.plot.dress(theme)
         for line, predicted, curve in self._curves:
             curve.setPen(self._pen(line, predicted))  # type: ignore[attr-defined]
+        self.plot.show_cursor(self._cursor, theme)
         self._show_legend()
-
-    def forget(self) -> None:
-        """Start again for another test."""
-        self._drawn = ()
-        self._ranges.clear()
 
     def refresh(self, data: LiveData) -> None:
         """Draw if rows, quantity or view have changed since the last time."""
+        if data is not self._data:
+            self._data = data
+            self._drawn = ()
+            self._ranges.clear()
         self._place_view(data.rows, data.predictions)
         view = tuple(self.plot.viewRange()[0])
-        token = (self._name, len(data.rows), len(data.predictions), view, id(data))
+        token = (self._name, len(data.rows), len(data.predictions), view)
         if token == self._drawn:
             return
         self._drawn = token
@@ -216,11 +239,28 @@ class TrendPanel(QWidget):
             if known.any():
                 low = min(low, float(np.nanmin(y)))
                 high = max(high, float(np.nanmax(y)))
-            value = table.last(line.column)
-            if np.isfinite(value) and (not predicted or not self.quantity.measured):
-                texts.append(f"{line.text} {value:.4g}")
-        self.values.show_text("Now: " + ", ".join(texts) if texts else "")
+            value = self._value(table, line.column)
+            if np.isfinite(value):
+                model = "model " if predicted and self.quantity.measured else ""
+                if self._cursor is not None or not model:
+                    texts.append(f"{model}{line.text} {value:.4g}")
+        when = "Now" if self._cursor is None else f"At cycle {self._cursor:.0f}"
+        self.values.show_text(f"{when}: " + ", ".join(texts) if texts else "")
         self._set_y(low, high)
+
+    def point_at(self, cycle: float | None) -> None:
+        """Read the values at a cycle; None: the newest again."""
+        self._cursor = None if cycle is None else float(round(cycle))
+        self.plot.show_cursor(self._cursor, self._theme)
+        self._drawn = ()
+
+    def _value(self, table: Table, column: str) -> float:
+        if self._cursor is None or not len(table):
+            return table.last(column)
+        place = int(np.searchsorted(table.revolutions, self._cursor))
+        if place >= len(table) or table.revolutions[place] != self._cursor:
+            return float("nan")
+        return float(table.series(column).values[place])
 
     def _set_y(self, low: float, high: float) -> None:
         steady = self._ranges.setdefault(self._name, SteadyRange(self.quantity.minimum_span))

@@ -497,6 +497,26 @@ def test_a_trend_is_zoomed_by_keys(
     assert trend.plot.viewRange()[0][0] > after[0]
 
 
+def test_a_trend_is_read_at_a_cycle(
+    window: Any, engine: Any, attach: Callable[[], None], qtbot: Any
+) -> None:
+    window.tabs.setCurrentIndex(2)
+    engine.say(count=1500)
+    attach()
+    trend = window.tabs.upper_trend
+    trend.point_at(700.3)
+    window.draw_now()
+    expected = window._session.data.rows.series("force_max").values[699]
+    assert f"At cycle 700: maximum {expected:.4g}" in trend.values.whole
+    assert "model maximum" in trend.values.whole
+    trend.point_at(99_999.0)
+    window.draw_now()
+    assert trend.values.whole == ""
+    qtbot.keyClick(trend.plot, Qt.Key.Key_Escape)
+    window.draw_now()
+    assert trend.values.whole.startswith("Now: maximum")
+
+
 def test_closing_asks_while_a_test_is_under_way(
     window: Any, engine: Any, attach: Callable[[], None], qtbot: Any
 ) -> None:
