@@ -80,7 +80,9 @@ def inputs_of(rig: RigFile) -> Inputs:
     if len(set(numbers)) < len(numbers):
         taken = ", ".join(f"{key} = {name!r}" for key, name in names.items())
         raise UnusableInput(f"{taken}: two signals cannot share one input; give each its own.")
-    return Inputs(*numbers, amplifier=rig.load_cell.amplifier_mV_per_V_per_V or 1.0)
+    bridge_1, bridge_2, probe_1, probe_2 = numbers
+    gain = rig.load_cell.amplifier_mV_per_V_per_V or 1.0
+    return Inputs(bridge_1, bridge_2, probe_1, probe_2, gain)
 
 
 def data_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> DataDevice:
