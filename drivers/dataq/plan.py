@@ -24,6 +24,23 @@ class Unplannable(ValueError):
 
 
 @dataclass(frozen=True, slots=True)
+class Analog:
+    """Describe an analog input: its range, and the gain of a bridge amplifier before it, if any.
+
+    gain: V at the input for 1 mV/V of the bridge; None: the input is a voltage.
+    """
+
+    range_V: float
+    gain: float | None = None
+
+    def spec(self, number: int) -> ChannelSpec:
+        """Return what the row of this input means: V, or mV/V of the bridge before the gain."""
+        span = self.range_V if self.gain is None else self.range_V / self.gain
+        unit = "V" if self.gain is None else "mV/V"
+        return ChannelSpec(f"analog_{number}", unit, p.analog_scale(span), 0.0, -span, span)
+
+
+@dataclass(frozen=True, slots=True)
 class Plan:
     """Carry everything that the device is told.
 
@@ -64,23 +81,23 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
     """Return the plan for a request; raise Unplannable."""
     model = p.MODELS[settings["model"]]
     clock = Clock(settings["clock"])
-    ranges = _analog(request, model)
+    analog = _analog(request, model, settings["bridge_amplifiers"])
     pulses = _pulses_per_revolution(request)
     digital, rate_range_Hz = settings["digital"], settings["rate_range_Hz"]
-    layout = Layout(len(ranges), digital, bool(rate_range_Hz), model.mask)
+    layout = Layout(len(analog), digital, bool(rate_range_Hz), model.mask)
     if layout.words > p.MOST_ENTRIES:
         raise Unplannable(
             f"{layout.words} entries in the scan list, {p.MOST_ENTRIES} at most; "
             "take analog inputs out."
         )
-    words = [p.analog_word(number - 1, model.ranges_V.index(ranges[number])) for number in ranges]
+    words = [p.analog_word(n - 1, model.ranges_V.index(analog[n].range_V)) for n in analog]
     if digital:
         words.append(Function.DIGITAL)
     if rate_range_Hz:
         words.append(p.rate_word(rate_range_Hz))
     words.append(Function.COUNTER)
     rate, nominal = _rate(request.sample_rate_Hz, clock, layout.words)
-    channels = _channels(ranges, digital, rate_range_Hz, counter=COUNTER in request.inputs)
+    channels = _channels(analog, digital, rate_range_Hz, counter=COUNTER in request.inputs)
     return Plan(
         model=model,
         clock=clock,
@@ -97,9 +114,9 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
     )
 
 
-def _analog(request: DataRequest, model: Model) -> dict[int, float]:
-    """Return range in V by input number (1 to 8), in growing order."""
-    ranges: dict[int, float] = {}
+def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -> dict[int, Analog]:
+    """Return the analog inputs by number (1 to 8), in growing order."""
+    analog: dict[int, Analog] = {}
     for name, (kind, wanted) in request.inputs.items():
         if kind == "counter":
             if name != COUNTER:
@@ -109,19 +126,45 @@ def _analog(request: DataRequest, model: Model) -> dict[int, float]:
         if match is None:
             raise Unplannable(f"{name} is not an input; write analog_1 to analog_8 or {COUNTER}.")
         if kind == "bridge":
-            raise Unplannable(
-                f"{name} is declared as a bridge, and the {model.name} has no bridge inputs; put a "
-                "bridge amplifier with a voltage output before it and declare it as a voltage."
-            )
+            analog[int(match[1])] = _bridge(name, wanted, model, amplifiers)
+            continue
         if kind != "voltage":
             raise Unplannable(f"{name}: a {kind} input does not exist; declare it as a voltage.")
         if wanted not in model.ranges_V:
-            possible = ", ".join(f"{volts:g}" for volts in model.ranges_V)
             raise Unplannable(
-                f"{name}: the {model.name} has no range of {wanted:g} V; it has {possible} V."
+                f"{name}: the {model.name} has no range of {wanted:g} V; it has {_ranges(model)} V."
             )
-        ranges[int(match[1])] = wanted
-    return dict(sorted(ranges.items()))
+        analog[int(match[1])] = Analog(wanted)
+    return dict(sorted(analog.items()))
+
+
+def _bridge(name: str, range_mV_per_V: float, model: Model, gains: Mapping[str, Any]) -> Analog:
+    """Return a bridge behind an external amplifier, in the smallest range that holds it."""
+    if name not in gains:
+        raise Unplannable(
+            f"{name} is declared as a bridge, and the {model.name} has no bridge inputs; put a "
+            "bridge amplifier with a voltage output before it and tell its output in V for 1 mV/V "
+            f"as bridge_amplifiers = {{ {name} = ... }}."
+        )
+    gain = gains[name]
+    usable = isinstance(gain, int | float) and not isinstance(gain, bool)
+    if not (usable and math.isfinite(gain) and gain > 0.0):
+        raise Unplannable(
+            f"bridge_amplifiers.{name} = {gain!r} is no gain; give the amplifier's output in V for "
+            "1 mV/V, a number above 0."
+        )
+    needed = range_mV_per_V * gain
+    fitting = [volts for volts in model.ranges_V if volts >= needed * (1.0 - 1e-9)]
+    if not fitting:
+        raise Unplannable(
+            f"{name}: {range_mV_per_V:g} mV/V make {needed:g} V behind the amplifier of {gain:g} V "
+            f"for 1 mV/V; the {model.name} has {_ranges(model)} V; lower range_mV_per_V."
+        )
+    return Analog(min(fitting), float(gain))
+
+
+def _ranges(model: Model) -> str:
+    return ", ".join(f"{volts:g}" for volts in model.ranges_V)
 
 
 def _pulses_per_revolution(request: DataRequest) -> float:
@@ -166,12 +209,9 @@ def _steps(clock: Clock, rate_Hz: float, pulses: float, settings: Mapping[str, A
 
 
 def _channels(
-    ranges: Mapping[int, float], digital: bool, rate_range_Hz: float, *, counter: bool
+    analog: Mapping[int, Analog], digital: bool, rate_range_Hz: float, *, counter: bool
 ) -> tuple[ChannelSpec, ...]:
-    specs = [
-        ChannelSpec(f"analog_{n}", "V", p.analog_scale(volts), 0.0, -volts, volts)
-        for n, volts in ranges.items()
-    ]
+    specs = [analog[number].spec(number) for number in analog]
     if digital:
         specs.append(ChannelSpec("digital", "bits", minimum=0.0, maximum=127.0))
     if rate_range_Hz:

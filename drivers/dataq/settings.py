@@ -29,6 +29,12 @@ SETTINGS: Mapping[str, SettingSpec] = {
         "What becomes of the readings between two scans; average delays by an unknown time.",
         choices=tuple(FILTERS),
     ),
+    "bridge_amplifiers": SettingSpec(
+        dict,
+        {},
+        "External bridge amplifiers: their output in V for 1 mV/V of the bridge, by input, for "
+        "example { analog_1 = 2.5, analog_2 = 2.5 }.",
+    ),
     "digital": SettingSpec(
         bool, False, "Record the digital lines D0 to D6 as another row (an encoder index, say)."
     ),

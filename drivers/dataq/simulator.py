@@ -64,6 +64,7 @@ class DataqSimulator:
     stop_sends_rest: a packet that is not full leaves at stop (else it is lost). overrun_drops:
     "scans" or "bytes", what is missing after the link was full. encoder_rate_Hz: how often the
     rig is to be looked at under the encoder clock; readings are interpolated at the edges.
+    bridge_amplifiers: V at an input for 1 mV/V of the bridge before it, by the input's name.
     A scan rate above 160 kHz over all entries hangs the device. faults: ``Fault`` records or tables
     of their fields, see ``FaultKind``.
     """
@@ -82,6 +83,7 @@ class DataqSimulator:
         stop_sends_rest: bool = True,
         overrun_drops: str = "scans",
         encoder_rate_Hz: float = 2000.0,
+        bridge_amplifiers: dict[str, float] | None = None,
         faults: Iterable[Fault[FaultKind] | Mapping[str, Any]] = (),
     ) -> None:
         if overrun_drops not in ("scans", "bytes"):
@@ -95,6 +97,8 @@ class DataqSimulator:
         self._stop_sends_rest = stop_sends_rest
         self._overrun_drops = overrun_drops
         self._encoder_rate_Hz = encoder_rate_Hz
+        gains = bridge_amplifiers or {}
+        self._gains = {int(name.removeprefix("analog_")): gains[name] for name in gains}
         self._plan = FaultPlan(FaultKind, faults)
         self._rng = np.random.default_rng(seed)
         self._terminals = Terminals(counts_per_revolution)
@@ -175,7 +179,9 @@ class DataqSimulator:
         state = self._state
         self._disturb(time_s)
         readings = self._terminals.read(
-            signals, self.sample_rate_Hz, by_encoder=state.by_encoder and state.scanning
+            self._amplified(signals),
+            self.sample_rate_Hz,
+            by_encoder=state.by_encoder and state.scanning,
         )
         if not state.scanning or self._mute(time_s):
             return replies
@@ -185,6 +191,11 @@ class DataqSimulator:
         whole = len(state.packet) // size * size
         data, state.packet = state.packet[:whole], state.packet[whole:]
         return replies + data
+
+    def _amplified(self, signals: RigSignals) -> RigSignals:
+        """Return the signals behind the bridge amplifiers: V where mV/V went in."""
+        analog = {n: signal * self._gains.get(n, 1.0) for n, signal in signals.analog.items()}
+        return RigSignals(analog, signals.shaft_revolutions)
 
     def _scan_rate_Hz(self) -> float:
         values = self._state.values
