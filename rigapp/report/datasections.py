@@ -164,7 +164,9 @@ def wear(found: Agreement | None, gaps: Sequence[Gap], vector: bool) -> Section:
         ),
         ("wear depth", "depth, µm", "at revolution", "rate, µm per 1000 revolutions"),
     )  # fmt: skip
-    blocks: list[Block] = [table, Text("The rate is a straight line through the last half.")]
+    blocks: list[Block] = [table]
+    if any(known.values()):
+        blocks.append(Text("The rate is that of a straight line through the last half."))
     picture = plots.wear_trend(found, gaps, vector) if found is not None else None
     if picture is not None:
         blocks.append(picture)

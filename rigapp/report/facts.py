@@ -20,6 +20,8 @@ from rigapp.storage.reader import TestReader
 
 Line = tuple[Floats, Floats]
 
+UNSTEADY = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
+
 ENDS = 10
 """Good revolutions at each end of the test that are averaged to say how a quantity changed."""
 
@@ -35,7 +37,10 @@ class Peak:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Channel:
-    """What a report says of a channel. rms: over the whole test; start, end: mean RMS there."""
+    """What a report says of a channel. rms: over the whole test; start, end: mean RMS there.
+
+    steady: smallest and largest value in revolutions at a steady speed, None without any.
+    """
 
     name: str
     unit: str
@@ -44,6 +49,7 @@ class Channel:
     rms: float
     start: float
     end: float
+    steady: tuple[float, float] | None
     lines: Mapping[str, Line]
 
 
@@ -164,12 +170,22 @@ def _channel(
         rms=float(np.sqrt(mean(np.square(rms)))),
         start=mean(rms[good[:ENDS]]),
         end=mean(rms[good[-ENDS:]]),
+        steady=_steady_range(largest, smallest, quality),
         lines={
             "max": envelope(number, largest),
             "min": envelope(number, smallest),
             "rms": envelope(number, rms),
         },
     )
+
+
+def _steady_range(
+    largest: NDArray[Any], smallest: NDArray[Any], quality: NDArray[np.int64]
+) -> tuple[float, float] | None:
+    steady = (quality & int(UNSTEADY) == 0) & np.isfinite(largest) & np.isfinite(smallest)
+    if not steady.any():
+        return None
+    return float(smallest[steady].min()), float(largest[steady].max())
 
 
 def _peak(

@@ -16,7 +16,7 @@ from rigapp.report.history import (
     course_of,
     limits_of,
 )
-from rigapp.report.wording import UNKNOWN, count, counted, duration, symbol, utc
+from rigapp.report.wording import UNKNOWN, count, counted, duration, number, symbol, utc
 from rigapp.storage.reader import TestReader
 
 SHOWN = 60
@@ -85,7 +85,7 @@ def _limit_row(reader: TestReader, limit: Limit) -> tuple[str, ...]:
     unit = limit.unit or (span[2] if span is not None else "")
     reached = "–"
     if span is not None:
-        reached = f"{span[1] if limit.above else span[0]:.5g}"
+        reached = number(span[1] if limit.above else span[0], unit)
     start, now = (f"{value:g}" if math.isfinite(value) else "none"
                   for value in (limit.start, limit.now))  # fmt: skip
     name = limit.name.replace("_", " ").replace(".", ", ").removesuffix(f" {unit}")

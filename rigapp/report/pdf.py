@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import escape
 
+from reportlab import rl_config
 from reportlab.lib import colors
 from reportlab.lib.pagesizes import A4
 from reportlab.lib.styles import ParagraphStyle
@@ -53,7 +54,7 @@ LINE = [
 
 def set_pages(document: Document) -> bytes:
     """Return the PDF; two passes, since every page names the number of pages."""
-    _register_fonts()
+    _prepare()
     pages = _build(document, 0)[1]
     return _build(document, pages)[0]
 
@@ -62,9 +63,11 @@ as_pdf = set_pages
 
 
 @cache
-def _register_fonts() -> None:
+def _prepare() -> None:
     """Take fonts that know more than Western European letters; matplotlib brings them."""
     import matplotlib
+
+    rl_config.useA85 = 0  # binary streams: its encoding as text is slow and a quarter larger
 
     folder = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
     for name in (PLAIN, BOLD, FIXED):
@@ -73,6 +76,7 @@ def _register_fonts() -> None:
 
 
 def _build(document: Document, pages: int) -> tuple[bytes, int]:
+    """Set the pages; without their number only to count them, with room for the pictures."""
     stream = io.BytesIO()
     template = SimpleDocTemplate(
         stream,
@@ -87,7 +91,7 @@ def _build(document: Document, pages: int) -> tuple[bytes, int]:
         bottomMargin=18 * mm,
     )
     footer = _footer(document, pages)
-    template.build(_story(document), onFirstPage=footer, onLaterPages=footer)
+    template.build(_story(document, draft=pages == 0), onFirstPage=footer, onLaterPages=footer)
     return stream.getvalue(), template.page
 
 
@@ -143,12 +147,12 @@ class _Heading(Paragraph):  # type: ignore[misc, unused-ignore]
         super().draw()
 
 
-def _story(document: Document) -> list[Flowable]:
+def _story(document: Document, draft: bool) -> list[Flowable]:
     story: list[Flowable] = [Paragraph(escape(document.title), TITLE)]
     for section in document.sections:
         heading = [_Heading(escape(section.title), HEADING)] if section.title else []
         for place, block in enumerate(section.blocks):
-            story += _flowables(block, heading if place == 0 else [])
+            story += _flowables(block, heading if place == 0 else [], draft)
     if document.signatures:
         story.append(_signatures(document.signatures))
     if document.closing:
@@ -156,10 +160,10 @@ def _story(document: Document) -> list[Flowable]:
     return story
 
 
-def _flowables(block: Block, heading: list[Flowable]) -> list[Flowable]:
+def _flowables(block: Block, heading: list[Flowable], draft: bool) -> list[Flowable]:
     """Set a block below its heading, which is never left alone at the foot of a page."""
     if isinstance(block, Figure):
-        return [KeepTogether([*heading, *_figure(block)])]
+        return [KeepTogether([*heading, *_figure(block, draft)])]
     if isinstance(block, Text):
         paragraph = Paragraph(escape(block.text), STRONG if block.strong else BODY)
         return [CondPageBreak(HEADING_ROOM), *heading, paragraph] if heading else [paragraph]
@@ -174,12 +178,13 @@ def _flowables(block: Block, heading: list[Flowable]) -> list[Flowable]:
     return [CondPageBreak(HEADING_ROOM), *parts]
 
 
-def _figure(figure: Figure) -> list[Flowable]:
+def _figure(figure: Figure, draft: bool) -> list[Flowable]:
     width, height = ImageReader(io.BytesIO(figure.image)).getSize()
     caption = f"<b>{escape(figure.title)}.</b> {escape(figure.caption)}"
+    drawn = WIDTH, WIDTH * height / width
     return [
         Spacer(0, 3 * mm),
-        Image(io.BytesIO(figure.image), WIDTH, WIDTH * height / width),
+        Spacer(*drawn) if draft else Image(io.BytesIO(figure.image), *drawn),
         Paragraph(caption, SMALL),
         Spacer(0, 2 * mm),
     ]

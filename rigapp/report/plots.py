@@ -17,6 +17,8 @@ from rigapp.report.wording import CHANNELS, THIN, number, quantity, symbol
 
 WIDTH_IN = 7.2
 DPI = 200
+TITLE_IN, AXIS_IN = 0.25, 0.4
+PANEL_IN, BETWEEN_IN = 1.1, 0.3
 COLOURS = {
     "force": "#000000",
     "force_1": "#0072B2",
@@ -65,14 +67,31 @@ STYLE: dict[Any, Any] = {
 
 @contextmanager
 def _canvas(height_in: float) -> Iterator[Any]:
-    """Yield a matplotlib figure in the report's style."""
+    """Yield a matplotlib figure in the report's style; its margins are the same in all."""
     import matplotlib
     from matplotlib.figure import Figure as Canvas
 
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(STYLE)
-        yield Canvas(figsize=(WIDTH_IN, height_in), layout="constrained")
+        canvas = Canvas(figsize=(WIDTH_IN, height_in))
+        canvas.subplots_adjust(
+            left=0.095,
+            right=0.84,
+            top=1.0 - TITLE_IN / height_in,
+            bottom=AXIS_IN / height_in,
+        )
+        yield canvas
+
+
+def _height(panels: int) -> float:
+    return TITLE_IN + AXIS_IN + panels * PANEL_IN + (panels - 1) * BETWEEN_IN
+
+
+def _panels(canvas: Any, number: int) -> Sequence[Any]:
+    """Return panels below each other over one axis, with room for a title each."""
+    space = {"hspace": BETWEEN_IN / PANEL_IN}
+    return tuple(canvas.subplots(number, 1, sharex=True, squeeze=False, gridspec_kw=space)[:, 0])
 
 
 def _saved(canvas: Any, title: str, words: str, caption: str, vector: bool) -> Figure:
@@ -114,8 +133,9 @@ def trends(
 ) -> Figure:
     """Draw maximum, RMS and minimum of channels against revolution, one panel a channel."""
     predicted = agreement.lines if agreement is not None else {}
-    with _canvas(0.4 + 1.4 * len(channels)) as canvas:
-        panels = canvas.subplots(len(channels), 1, sharex=True, squeeze=False)[:, 0]
+    with _canvas(_height(len(channels))) as canvas:
+        panels = _panels(canvas, len(channels))
+        zoomed = False
         for axes, channel in zip(panels, channels, strict=True):
             _mark_gaps(axes, gaps)
             with_model = False
@@ -134,6 +154,7 @@ def trends(
                 if line is not None and np.isfinite(line[1]).any():
                     _draw(axes, line, **MODEL_LINE, label=None if with_model else "model")
                     with_model = True
+            zoomed |= _leave_out_unsteady(axes, channel)
             axes.set_title(CHANNELS[channel.name], loc="left")
             axes.set_ylabel(f"{SHORT.get(channel.name, channel.name)} ({symbol(channel.unit)})")
             axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -146,7 +167,22 @@ def trends(
         caption = "Maximum, RMS and minimum of every revolution, measured (solid)"
         model = any(f"{one.name}_max" in predicted for one in channels)
         caption += " and by the model (dashed)." if model else "."
+        if zoomed:
+            caption += " Revolutions in which the speed changed may lie outside the scale."
         return _saved(canvas, title, words, caption, vector)
+
+
+def _leave_out_unsteady(axes: Any, channel: Channel) -> bool:
+    """Keep a start or a pause from flattening the curves; True when something is out of sight."""
+    if channel.steady is None:
+        return False
+    low, high = channel.steady
+    drawn_low, drawn_high = axes.get_ylim()
+    margin = 0.08 * (high - low) or 0.05 * abs(high) or 1.0
+    if drawn_high - drawn_low < 1.6 * (high - low + 2 * margin):
+        return False
+    axes.set_ylim(low - margin, high + margin)
+    return channel.smallest.value < low or channel.largest.value > high
 
 
 def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figure:
@@ -155,8 +191,8 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> F
     forces = [one for one in ("residual_rms", "residual_1_rms", "residual_2_rms") if one in found]
     names = dict(zip(("residual_rms", "residual_1_rms", "residual_2_rms"),
                      ("force", "force_1", "force_2"), strict=True))  # fmt: skip
-    with _canvas(3.6) as canvas:
-        upper, lower = canvas.subplots(2, 1, sharex=True)
+    with _canvas(_height(2)) as canvas:
+        upper, lower = _panels(canvas, 2)
         for axes in (upper, lower):
             _mark_gaps(axes, gaps)
         for name in forces:
@@ -223,7 +259,7 @@ def cycles(pictures: Sequence[CyclePicture], vector: bool) -> Figure:
     with _canvas(0.55 + sum(heights)) as canvas:
         grid = canvas.subplots(
             len(rows), len(pictures), sharex=True, sharey="row", squeeze=False,
-            height_ratios=heights,
+            height_ratios=heights, gridspec_kw={"hspace": 0.14, "wspace": 0.07},
         )  # fmt: skip
         for (label, draw), line in zip(rows, grid, strict=True):
             for axes, picture in zip(line, pictures, strict=True):
@@ -234,7 +270,7 @@ def cycles(pictures: Sequence[CyclePicture], vector: bool) -> Figure:
             axes.set_title(f"revolution {picture.revolution:,}".replace(",", THIN))
         for axes in grid[-1]:
             axes.set_xlabel("crank angle (°)")
-            axes.set_xticks(range(0, 361, 90))
+            axes.set_xticks(range(0, 360, 90))
             axes.set_xlim(0, 360)
         which = {1: "the only one", 2: "first and last", 3: "first, middle and last"}
         title = f"Whole cycles, {which[len(pictures)]}"
@@ -288,7 +324,8 @@ def _residual_panel(axes: Any, picture: CyclePicture) -> None:
     axes.axhline(0.0, color="#777777", lw=0.6)
     for name in ("force", "force_1", "force_2"):
         if name in picture.residual:
-            _curve(axes, picture, picture.residual[name], color=COLOURS[name], label=SHORT[name])
+            style = {"color": COLOURS[name], "lw": 0.6, "label": SHORT[name]}
+            _curve(axes, picture, picture.residual[name], **style)
         else:
             axes.plot([], [], color=COLOURS[name], label=SHORT[name])
 

@@ -50,25 +50,41 @@ class Identity:
 def report_of(path: Path, vector: bool) -> Document:
     """Compose the report of a test file; vector: pictures as SVG, else as PNG.
 
-    Raises UnusableInput for a file that cannot be read as a test.
+    A file that is replaced meanwhile by its compressed form is read again. Raises UnusableInput for
+    a file that cannot be read as a test.
     """
-    with open_test(path) as reader:
-        summary, about = reader.summary(), reader.metadata()
-        identity = _identity(path, running=summary["status"] == "running")
-        rows, agreement = rows_of(reader), agreement_of(reader)
-        events = reader.events()
-        gaps = rows.gaps if rows is not None else ()
-        sections = [
-            _summary(summary, about, rows, identity),
-            *logsections.sections(reader, events, rows, summary["reason"]),
-            *datasections.extremes(rows, agreement, vector),
-            *datasections.agreement(agreement, rows, vector),
-            datasections.cycles(cycles_of(reader), reader.state("cycles_refused"), vector),
-            datasections.wear(agreement, gaps, vector),
-            datasections.quality(rows),
-            *_setup(reader),
-            _file_section(identity, summary, reader),
-        ]
+    while True:
+        before = _inode(path)
+        with open_test(path) as reader:
+            document = _document(reader, path, vector)
+        if _inode(path) == before:
+            return document
+
+
+def _inode(path: Path) -> int:
+    try:
+        return path.stat().st_ino
+    except OSError:
+        return 0
+
+
+def _document(reader: TestReader, path: Path, vector: bool) -> Document:
+    summary, about = reader.summary(), reader.metadata()
+    identity = _identity(path, running=summary["status"] == "running")
+    rows, agreement = rows_of(reader), agreement_of(reader)
+    events = reader.events()
+    gaps = rows.gaps if rows is not None else ()
+    sections = [
+        _summary(summary, about, rows, identity),
+        *logsections.sections(reader, events, rows, summary["reason"]),
+        *datasections.extremes(rows, agreement, vector),
+        *datasections.agreement(agreement, rows, vector),
+        datasections.cycles(cycles_of(reader), reader.state("cycles_refused"), vector),
+        datasections.wear(agreement, gaps, vector),
+        datasections.quality(rows),
+        *_setup(reader),
+        _file_section(identity, summary, reader),
+    ]
     title = about["title"] or path.stem
     return Document(
         title=f"Test report: {title}",
