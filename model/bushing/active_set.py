@@ -228,7 +228,7 @@ def solve(  # type: ignore[no-untyped-def]
         broken = revise(
             polar, frame, gap, touching, pressed, nodes, count, reach, 0.0, iteration > _PATIENCE
         )
-        if broken == 0 and length <= 1e-8 * reach + 1e-16:
+        if broken == 0 and length <= 1e-8 * reach + 1e-12 * pin_radius:
             for i in range(n):
                 gap[i] += extra[i] * pressed[i]
                 for p in range(count):

@@ -54,8 +54,10 @@ class Front:
     force: Array | None = None
 
     def depth(self, inner: float) -> Array:
-        """Return the radial depth of wear at each node, m."""
-        return np.hypot(self.surface[:, 0], self.surface[:, 1]) - inner
+        """Return the radial depth of wear at each node, m; exactly 0 where nothing wore."""
+        depth = np.hypot(self.surface[:, 0], self.surface[:, 1]) - inner
+        depth[np.abs(depth) < 1e-14 * inner] = 0.0
+        return depth
 
     def depth_at_contact_point(self, inner: float) -> float:
         """Return the radial depth at the initial contact point, the node at angle 0, m."""

@@ -16,7 +16,7 @@ from model.errors import ModelError, require_finite, require_positive
 from model.parameters import Parameters
 from model.wear.forces import ForceSource, constant_source, force_source
 from model.wear.front import ArcTooSmall, Front, WearProblem, wear_problem
-from model.wear.plan import MESH_ERROR, TIME_SHARE, Plan, plan_life
+from model.wear.plan import TIME_SHARE, Plan, mesh_error, plan_life
 from model.wear.profile import profile
 from model.wear.richardson import Moment, integrate
 
@@ -25,6 +25,7 @@ Technique = Literal["perfect", "continuous", "contact"]
 
 # What the tolerance of the coupled contact solution can add, as a part of the depth.
 _SOLUTION_ERROR = 3e-5
+_SAFETY = 1.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,12 +169,12 @@ def _life(
     angle = np.append(surface_angles(plan.sectors), np.pi)
     fronts = [Front(m.surface) for m in moments]
     depth = np.array([f.depth(ring.inner).max() for f in fronts])
-    depth[depth < 1e-12 * ring.inner] = 0.0
     inside = np.array([0.5 * m.nodes_in_contact for m in moments])
     done = np.array([m.cycles for m in moments])
-    relative = plan.position_error(done) + MESH_ERROR / inside**2 + _SOLUTION_ERROR
+    relative = plan.position_error(done) + mesh_error(inside) + _SOLUTION_ERROR
     error = np.array([m.time_error for m in moments]) + relative * depth
     error += np.array([source.coupling_error(m.cycles) for m in moments])
+    error *= _SAFETY
     area = np.array([m.area for m in moments])
     met = bool(error[-1] <= tolerance * depth[-1] or depth[-1] == 0.0)
     notes = list(source.notes(moments[-1].front))

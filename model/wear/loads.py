@@ -31,7 +31,7 @@ class CycleLoads:
             raise ModelError("loads", shapes, "give (M, 2) forces and (M,) slips")
         if not (np.isfinite(self.force).all() and np.isfinite(self.slip).all()):
             raise ModelError("loads", "not finite", "give finite numbers only")
-        if self.slip.min() < 0.0:
+        if self.slip.min(initial=0.0) < 0.0:
             raise ModelError("slip", float(self.slip.min()), "it must not be negative", "m")
 
     @property

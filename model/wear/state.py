@@ -20,7 +20,7 @@ from model.wear.front import (
     worn_area,
 )
 from model.wear.loads import CycleLoads, gathered, loads_of_cycle
-from model.wear.plan import MESH_ERROR
+from model.wear.plan import mesh_error
 from model.wear.profile import profile
 
 Array = NDArray[np.float64]
@@ -77,7 +77,7 @@ class WearState:
         if self.front.touching is None:
             return 0.0
         inside = 0.5 * float(self.front.touching.sum(axis=1).max())
-        return self.step_error + MESH_ERROR / inside**2 * self.max_depth
+        return self.step_error + float(mesh_error(np.array(inside))) * self.max_depth
 
     def profile(self) -> tuple[Array, Array]:
         """Return angles (rad, from -pi, 0 at the initial contact point) and depths (m)."""

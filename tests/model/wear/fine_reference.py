@@ -1,0 +1,42 @@
+"""A life computed the hard way: many implicit steps, extrapolated, on a fine mesh."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from model.bushing.ring import ring_of
+from model.wear.forces import constant_source, force_source
+from model.wear.front import implicit_step, wear_problem
+
+
+def fine_depths(parameters, speed, rows, technique, force, sectors, positions, steps, half_angle):
+    """Return the depth (m) at each of the increasing cycles ``rows``.
+
+    Between rows ``steps`` and twice as many implicit steps are taken, and extrapolated.
+    """
+    source = (
+        constant_source(force, parameters.joint)
+        if force is not None
+        else force_source(parameters, speed, technique)
+    )
+    ring = ring_of(parameters.joint, parameters.bushing.material)
+    loads = source.unworn(positions)
+    problem = wear_problem(
+        ring,
+        sectors,
+        parameters.joint.bushing_width,
+        parameters.bushing.wear_coefficient,
+        loads,
+        half_angle,
+    )
+    runs = []
+    for number in (steps, 2 * steps):
+        front, done, depths = problem.unworn(), 0.0, []
+        for row in rows:
+            for _ in range(number):
+                now = source.at(front, done, positions)
+                front = implicit_step(problem, front, now, (row - done) / number)
+            done = row
+            depths.append(float(front.depth(ring.inner).max()))
+        runs.append(np.array(depths))
+    return 2.0 * runs[1] - runs[0]

@@ -1,0 +1,36 @@
+"""The condensed contact against a general finite element library on the same mesh."""
+
+from __future__ import annotations
+
+import importlib.util
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from model.bushing.contact import simpson_weights
+from model.bushing.ring import pressure_distribution
+
+_SPEC = importlib.util.spec_from_file_location(
+    "full_ring", Path(__file__).with_name("full_ring.py")
+)
+assert _SPEC is not None
+full_ring = importlib.util.module_from_spec(_SPEC)
+assert _SPEC.loader is not None
+_SPEC.loader.exec_module(full_ring)
+
+
+@pytest.mark.parametrize("sectors", [120, 180])
+def test_condensed_contact_is_the_full_one(ring, sectors: int) -> None:
+    force = 110.0 / 0.0131
+    levels = ring.mesh(sectors).radii(ring.inner, ring.outer)
+    angle, nodal, pin = full_ring.solve_full(
+        ring.inner, ring.outer, ring.pin_radius, 500e6, 0.38, force, sectors // 2, levels
+    )
+    found = pressure_distribution(ring, (force, 0.0), sectors=sectors)
+    weights = simpson_weights(ring.circle(sectors))[sectors:]
+    pressure = nodal[:sectors] / weights
+    assert np.degrees(angle[1]) == pytest.approx(180.0 / sectors)
+    peak = float(found.pressure.max())
+    assert np.abs(pressure - found.pressure[sectors:]).max() < 1e-4 * peak
+    assert found.pin[0] == pytest.approx(pin, abs=1e-10)

@@ -1,0 +1,222 @@
+"""Whole lives: reference numbers, honest errors, the three joints, and the live state."""
+
+from __future__ import annotations
+
+import importlib.util
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from model.bushing.contact import ContactError
+from model.errors import ModelError
+from model.joints import continuous_contact
+from model.parameters import Bushing, Joint, Material, Parameters
+from model.wear.front import WornThrough
+from model.wear.life import life, row_cycles
+from model.wear.state import unworn_state
+
+_SPEC = importlib.util.spec_from_file_location(
+    "fine_reference", Path(__file__).with_name("fine_reference.py")
+)
+assert _SPEC is not None
+fine_reference = importlib.util.module_from_spec(_SPEC)
+assert _SPEC.loader is not None
+_SPEC.loader.exec_module(fine_reference)
+
+RPM30 = np.pi
+
+
+def test_constant_force_follows_the_reference(parameters, wear_reference) -> None:
+    found = life(parameters, RPM30, 21377, tolerance=1e-3, force=110.0)
+    for cycles, depth, area in wear_reference[:, :3]:
+        row = int(np.flatnonzero(found.cycles == cycles)[0])
+        bound = 1e-3 if cycles >= 1000 else 5e-3
+        assert 1e3 * found.max_depth[row] == pytest.approx(depth, rel=bound)
+        assert 1e6 * found.worn_area[row] == pytest.approx(area, rel=bound)
+    assert found.worn_mass[-1] == pytest.approx(found.worn_area[-1] * 0.0131 * 2200.0)
+    assert found.estimated_error[-1] <= 1e-3 * found.max_depth[-1]
+    assert found.tolerance_met
+    assert found.notes == ()
+    assert np.all(np.diff(found.max_depth) > 0.0)
+    assert np.all(np.diff(found.peak_pressure) < 0.0)
+    assert found.depth.max() == pytest.approx(found.max_depth[-1], rel=1e-9)
+    assert found.angle[[0, -1]] == pytest.approx([-np.pi, np.pi])
+    assert found.depth[np.argmin(np.abs(found.angle))] == found.depth.max()
+
+
+def steel(parameters: Parameters) -> Parameters:
+    """Return the paper's steel bushing (section 4.3)."""
+    return replace(parameters, bushing=Bushing(Material(206e9, 0.29), 7850.0, 1e-17))
+
+
+def thin(parameters: Parameters) -> Parameters:
+    """Return a thin, stiffer, nearly incompressible bushing."""
+    return replace(
+        parameters,
+        joint=Joint(0.0095, 0.010, 0.012, 0.0131),
+        bushing=Bushing(Material(2e9, 0.47), 2200.0, 1e-13),
+    )
+
+
+def close(parameters: Parameters) -> Parameters:
+    """Return a close fit."""
+    return replace(parameters, joint=Joint(0.00995, 0.010, 0.020, 0.0131))
+
+
+def rubbing(parameters: Parameters) -> Parameters:
+    """Return a joint with friction."""
+    return replace(parameters, joint=replace(parameters.joint, friction_coefficient=0.13))
+
+
+CASES = {
+    "constant": (None, 21377, "perfect", 110.0, (360, 1, 8, 1.2)),
+    "early": (None, 30, "perfect", 110.0, (720, 1, 8, 0.5)),
+    "continuous": (None, 3000, "continuous", None, (240, 12, 4, 0.9)),
+    "steel, constant": (steel, 23000, "perfect", 97.0, (4608, 1, 8, 0.15)),
+    "steel, continuous": (steel, 23000, "continuous", None, (2880, 16, 4, 0.1)),
+    "thin": (thin, 5000, "continuous", None, (240, 12, 4, 0.9)),
+    "close": (close, 500, "continuous", None, (120, 12, 4, 1.6)),
+    "friction": (rubbing, 2000, "perfect", None, (216, 12, 4, 0.9)),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_error_reported_is_not_below_the_true_one(parameters, case: str) -> None:
+    change, cycles, technique, force, fine = CASES[case]
+    chosen = change(parameters) if change else parameters
+    rows = row_cycles(cycles)
+    exact = fine_reference.fine_depths(chosen, RPM30, rows, technique, force, *fine)
+    for tolerance in (1e-2, 2e-3):
+        found = life(chosen, RPM30, cycles, technique, tolerance, force)
+        at = np.searchsorted(found.cycles, rows)
+        assert found.cycles[at] == pytest.approx(rows)
+        true = np.abs(found.max_depth[at] - exact)
+        assert np.all(true <= found.estimated_error[at]), case
+        assert found.estimated_error[-1] <= tolerance * found.max_depth[-1]
+        assert found.tolerance_met
+
+
+def test_worn_outboard_spring_lowers_force_and_wear(parameters) -> None:
+    constant = life(parameters, RPM30, 20000, "perfect", 2e-3)
+    evolving = life(parameters, RPM30, 20000, "continuous", 2e-3)
+    assert np.ptp(constant.mean_force) < 1e-9 * constant.mean_force[0]
+    assert np.all(constant.clearance == 0.0)
+    assert evolving.clearance[0] == pytest.approx(0.5e-3)
+    assert evolving.clearance[-1] == pytest.approx(0.5e-3 + evolving.max_depth[-1], rel=1e-3)
+    assert np.all(np.diff(evolving.mean_force) < 0.0)
+    drop = constant.max_depth[-1] - evolving.max_depth[-1]
+    assert 0.001 < drop / constant.max_depth[-1] < 0.02
+    assert drop > 0.5 * (constant.estimated_error[-1] + evolving.estimated_error[-1])
+    assert evolving.notes == ()
+
+
+def test_separate_bodies_agree_where_contact_holds(parameters) -> None:
+    joined = life(parameters, RPM30, 8000, "continuous", 1e-2)
+    apart = life(parameters, RPM30, 8000, "contact", 1e-2)
+    assert apart.max_depth[-1] == pytest.approx(joined.max_depth[-1], rel=3e-3)
+    assert apart.clearance[-1] == pytest.approx(joined.clearance[-1], rel=3e-3)
+    assert apart.estimated_error[-1] >= abs(apart.max_depth[-1] - joined.max_depth[-1]) / 3.0
+    assert apart.notes == ()
+
+
+def test_losing_contact_is_said(parameters) -> None:
+    loose = replace(parameters, mechanism=replace(parameters.mechanism, spring=None))
+    found = life(loose, RPM30, 300, "continuous", 5e-2)
+    assert any("Continuous contact does not hold" in note for note in found.notes)
+    assert np.count_nonzero(found.depth[np.abs(found.angle) > 2.5] > 0.0) > 5
+    apart = life(loose, RPM30, 50, "contact", 1e-1)
+    assert any("touch only" in note for note in apart.notes)
+
+
+def test_wear_follows_the_force_to_the_other_wall(parameters) -> None:
+    pushed = life(parameters, RPM30, 1000, tolerance=1e-2, force=-110.0)
+    pulled = life(parameters, RPM30, 1000, tolerance=1e-2, force=110.0)
+    assert pushed.max_depth[-1] == pytest.approx(pulled.max_depth[-1], rel=1e-6)
+    assert abs(pushed.angle[np.argmax(pushed.depth)]) == pytest.approx(np.pi)
+    assert pushed.depth[0] == pushed.depth[-1]
+
+
+def test_speed_sets_force_and_sense_does_not_matter(parameters) -> None:
+    forward = life(parameters, 2.0, 500, "continuous", 1e-2)
+    backward = life(parameters, -2.0, 500, "continuous", 1e-2)
+    assert backward.max_depth[-1] == pytest.approx(forward.max_depth[-1], rel=1e-4)
+    faster = life(parameters, 6.0, 500, "continuous", 1e-2)
+    assert faster.mean_force[-1] != pytest.approx(forward.mean_force[-1], rel=1e-2)
+
+
+def test_without_wear_coefficient_nothing_is_lost(parameters) -> None:
+    hard = replace(parameters, bushing=replace(parameters.bushing, wear_coefficient=0.0))
+    found = life(hard, RPM30, 1000, "perfect", 1e-2)
+    assert np.all(found.max_depth == 0.0)
+    assert np.all(found.worn_area == 0.0)
+    assert found.peak_pressure[-1] > 1e6
+    assert found.tolerance_met
+
+
+def test_rows_are_round_and_end_with_the_life() -> None:
+    assert list(row_cycles(21377)) == [10, 30, 100, 300, 1000, 3000, 10000, 21377]
+    assert list(row_cycles(1)) == [1]
+    assert list(row_cycles(10)) == [1, 3, 10]
+
+
+def test_progress_is_told(parameters) -> None:
+    parts: list[float] = []
+    life(parameters, RPM30, 500, tolerance=1e-2, force=50.0, progress=parts.append)
+    assert parts[0] == 0.0
+    assert parts[-1] == 1.0
+    assert parts == sorted(parts)
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "words"),
+    [
+        ({"cycles": 0}, ModelError, "cycles"),
+        ({"tolerance": 0.0}, ModelError, "tolerance"),
+        ({"speed": 0.0}, ModelError, "stands still"),
+        ({"technique": "glued"}, ModelError, "perfect, continuous or contact"),
+        ({"force": 0.0}, ModelError, "force"),
+        ({"force": 1e5}, ContactError, "through the wall|found no balance|linear elasticity"),
+        ({"force": 110.0, "cycles": 10**8}, WornThrough, "worn through"),
+    ],
+)
+def test_impossible_lives_are_refused_in_words(parameters, changes, error, words) -> None:
+    arguments = {"speed": RPM30, "cycles": 100, "technique": "perfect", "tolerance": 1e-2}
+    arguments |= changes
+    with pytest.raises(error, match=words):
+        life(parameters, **arguments)
+
+
+def test_live_state_follows_the_life(parameters) -> None:
+    whole = life(parameters, RPM30, 3000, "continuous", 1e-3)
+    state = unworn_state(parameters, 97.0)
+    angle = 2.0 * np.pi * np.arange(360) / 360
+    assert state.max_depth == 0.0
+    assert state.estimated_error == 0.0
+    done = 0
+    for cycles in (10, 90, 400, 500, 500, 500, 500, 500):
+        motion = continuous_contact(
+            parameters.mechanism, parameters.joint, angle, RPM30, 0.0, state.clearance
+        ).motion
+        slip = motion.slip_increments(parameters.joint.pin_radius)
+        state = state.advance(motion.force_follower, slip, cycles)
+        done += cycles
+        assert state.cycles == done
+    assert abs(state.max_depth - whole.max_depth[-1]) <= state.estimated_error
+    assert state.max_depth == pytest.approx(whole.max_depth[-1], rel=5e-3)
+    assert state.worn_mass == pytest.approx(whole.worn_mass[-1], rel=5e-3)
+    assert state.depth_at_contact == pytest.approx(state.max_depth, rel=1e-3)
+    assert state.mean_force == pytest.approx(whole.mean_force[-1], rel=1e-2)
+    angles, depths = state.profile()
+    assert depths.max() == pytest.approx(state.max_depth, rel=1e-9)
+    assert abs(angles[np.argmax(depths)]) < 0.02
+
+
+def test_live_state_rests_without_force(parameters) -> None:
+    state = unworn_state(parameters, 97.0)
+    still = state.advance(np.zeros((2, 8)), np.full(8, 1e-3), 10.0)
+    assert still.cycles == 10.0
+    assert still.max_depth == 0.0
+    with pytest.raises(ModelError, match="typical force"):
+        unworn_state(parameters, 0.0)

@@ -1,0 +1,164 @@
+"""The tables of `rigapp model wear` and `rigapp model pressure`, and what they refuse."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rigapp.commands.model_wear import write_pressure, write_wear
+from rigapp.config.errors import UnusableInput
+
+PARAMETERS = """\
+schema = 1
+[mechanism]
+crank_radius_mm = 76.2
+crank_mass_kg = 0.4045
+crank_inertia_kg_m2 = 204e-6
+follower_length_mm = 203.2
+follower_mass_kg = 0.8175
+follower_inertia_kg_m2 = 5500e-6
+slider_mass_kg = 5.54871
+[spring]
+stiffness_N_per_m = 525.0
+free_position_mm = 317.4952
+[joint]
+pin_radius_mm = 9.5
+bushing_radius_mm = 10.0
+bushing_outer_radius_mm = 20.0
+bushing_width_mm = 13.1
+[bushing]
+youngs_modulus_MPa = 500.0
+poissons_ratio = 0.38
+density_g_per_cm3 = 2.2
+wear_coefficient_mm3_per_Nm = 5.05e-4
+[pin]
+youngs_modulus_MPa = 206000.0
+poissons_ratio = 0.29
+"""
+
+
+@pytest.fixture
+def source(tmp_path: Path) -> Path:
+    """Return a parameter file."""
+    path = tmp_path / "parameters.toml"
+    path.write_text(PARAMETERS)
+    return path
+
+
+def read(path: Path) -> tuple[list[str], np.ndarray]:
+    """Return a table's header and its numbers."""
+    with path.open(newline="") as file:
+        rows = list(csv.reader(file))
+    return rows[0], np.array(rows[1:], dtype=float)
+
+
+def test_wear_has_the_promised_columns_and_ends_with_the_life(
+    source, tmp_path, capsys, wear_reference
+) -> None:
+    table, profile = tmp_path / "wear.csv", tmp_path / "profile.csv"
+    assert write_wear(source, 30.0, 21377, "continuous", 110.0, 1e-3, table, profile) == 0
+    header, rows = read(table)
+    assert header == [
+        "cycles",
+        "max_depth_mm",
+        "worn_area_mm2",
+        "worn_mass_g",
+        "peak_pressure_MPa",
+        "mean_force_N",
+        "estimated_error_mm",
+    ]
+    assert rows[0, :4].tolist() == [0.0, 0.0, 0.0, 0.0]
+    last = rows[-1]
+    assert last[0] == 21377
+    assert last[1:3] == pytest.approx(wear_reference[-1, 1:3], rel=1e-3)
+    assert last[3] == pytest.approx(last[2] * 13.1 * 2.2e-3)
+    assert last[5] == pytest.approx(110.0)
+    assert abs(last[1] - wear_reference[-1, 1]) <= last[6] <= 1e-3 * last[1]
+    header, rows = read(profile)
+    assert header == ["angle_deg", "depth_mm"]
+    assert rows[[0, -1], 0].tolist() == [-180.0, 180.0]
+    assert rows[np.argmax(rows[:, 1]), 0] == pytest.approx(0.0, abs=1e-9)
+    assert rows[:, 1].max() == pytest.approx(last[1], rel=1e-6)
+    printed = capsys.readouterr()
+    assert "after 21377 cycles 0.4624" in printed.out
+    assert printed.err == ""
+
+
+def test_mechanisms_forces_and_their_warning(source, tmp_path, capsys) -> None:
+    table = tmp_path / "wear.csv"
+    write_wear(source, 30.0, 300, "perfect", None, 2e-2, table, None)
+    _, rows = read(table)
+    assert rows[0, 5] == pytest.approx(59.4, abs=0.5)
+    assert capsys.readouterr().err == ""
+    text = PARAMETERS.replace("stiffness_N_per_m = 525.0", "stiffness_N_per_m = 0.0")
+    source.write_text(text)
+    write_wear(source, 30.0, 300, "continuous", None, 5e-2, table, None)
+    assert "Continuous contact does not hold" in capsys.readouterr().err
+
+
+def test_pressure_has_the_promised_columns_and_prints_the_pin(
+    source, tmp_path, capsys, pressure_reference
+) -> None:
+    table = tmp_path / "pressure.csv"
+    assert write_pressure(source, 110.0, table) == 0
+    header, rows = read(table)
+    assert header == ["angle_deg", "pressure_MPa"]
+    assert rows[[0, -1], 0].tolist() == [-180.0, 180.0]
+    found = np.interp(pressure_reference[:18, 0], rows[:, 0], rows[:, 1])
+    assert found == pytest.approx(pressure_reference[:18, 1], rel=1e-2)
+    assert "pin displacement 0.5193" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"rpm": 0.0}, "--rpm 0"),
+        ({"rpm": float("nan")}, "--rpm nan"),
+        ({"cycles": 0}, "--cycles 0: give at least 1"),
+        ({"joint": "welded"}, "--joint welded: choose one of perfect"),
+        ({"force_N": 0.0}, "--force-N 0: give a finite force"),
+        ({"force_N": 1e6}, "--force-N 1e.06: .*wall|--force-N 1e.06: .*balance"),
+        ({"tolerance": 0.0}, "--tolerance 0: give 1e-05 to 0.1"),
+        ({"target": Path("wear.txt")}, "--to wear.txt: give a name"),
+        ({"target": Path("nowhere/wear.csv")}, "no such folder"),
+        ({"force_N": 110.0, "cycles": 10**9}, "wear depth is .* worn through; give fewer cycles"),
+    ],
+)
+def test_unusable_wear_input_is_named(source, tmp_path, changes, words: str) -> None:
+    options = {
+        "params_path": source,
+        "rpm": 30.0,
+        "cycles": 100,
+        "joint": "perfect",
+        "force_N": None,
+        "tolerance": 1e-2,
+        "target": tmp_path / "wear.csv",
+        "profile": None,
+    }
+    with pytest.raises(UnusableInput, match=words):
+        write_wear(**(options | changes))
+    assert not list(tmp_path.glob("*.csv"))
+    assert not list(tmp_path.glob(".*.part"))
+
+
+def test_profile_must_be_another_file(source, tmp_path) -> None:
+    table = tmp_path / "wear.csv"
+    with pytest.raises(UnusableInput, match="that is the --to file"):
+        write_wear(source, 30.0, 100, "perfect", 110.0, 1e-2, table, table)
+
+
+@pytest.mark.parametrize(
+    ("force", "words"),
+    [
+        (0.0, "--force-N 0: give a finite force above 0"),
+        (-5.0, "--force-N -5"),
+        (1e6, "parameters.toml: --force-N 1e.06: the pin would sink .* through the wall"),
+    ],
+)
+def test_unusable_pressure_input_is_named(source, tmp_path, force: float, words: str) -> None:
+    with pytest.raises(UnusableInput, match=words):
+        write_pressure(source, force, tmp_path / "pressure.csv")
+    assert not (tmp_path / "pressure.csv").exists()
