@@ -82,6 +82,8 @@ def replay_file(path: Path) -> int:
 def draw_picture(path: Path, target: Path) -> int:
     """Draw a recorded test without a display; return the exit status."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    # The offscreen platform warns of what no picture needs.
+    os.environ.setdefault("QT_LOGGING_RULES", "default.warning=false")
     from rigapp.gui.picture import save_picture
 
     save_picture(path, target)
