@@ -198,7 +198,7 @@ def _grid(table: Table) -> Grid:
         ]
         columns = max((len(row) for row in table.rows), default=2) - 1
         widths = [NAME_WIDTH, *[(WIDTH - NAME_WIDTH) / columns] * columns]
-        return Grid(rows, colWidths=widths, style=LINE, hAlign="LEFT")
+        return Grid(rows, colWidths=widths, style=LINE, hAlign="LEFT", splitInRow=1)
     numbers = numeric_columns(table)
 
     def cells(values: Sequence[str], text: ParagraphStyle, number: ParagraphStyle) -> list[Any]:
@@ -209,7 +209,8 @@ def _grid(table: Table) -> Grid:
 
     rows = [cells(table.header, HEAD, HEAD_NUMBER)]
     rows += [cells(row, CELL, NUMBER) for row in table.rows]
-    return Grid(rows, colWidths=_widths(table), style=LINE, repeatRows=1, hAlign="LEFT")
+    widths = _widths(table)
+    return Grid(rows, colWidths=widths, style=LINE, repeatRows=1, hAlign="LEFT", splitInRow=1)
 
 
 def _cell(text: str) -> str:

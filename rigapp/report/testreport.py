@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rigapp.report import datasections, logsections
-from rigapp.report.document import Block, Document, Listing, Section, Table, Text
+from rigapp.report import datasections, logsections, setupsections
+from rigapp.report.document import Block, Document, Section, Table, Text
 from rigapp.report.facts import Rows, rows_of
 from rigapp.report.model_facts import agreement_of, cycles_of
 from rigapp.report.wording import (
@@ -25,7 +25,6 @@ from rigapp.report.wording import (
     duration,
     number,
     quantity,
-    settings,
     size,
     stamp,
 )
@@ -82,7 +81,7 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Document:
         datasections.cycles(cycles_of(reader), reader.state("cycles_refused"), vector),
         datasections.wear(agreement, gaps, vector),
         datasections.quality(rows),
-        *_setup(reader),
+        *setupsections.sections(reader),
         _file_section(identity, summary, reader),
     ]
     title = about["title"] or path.stem
@@ -187,50 +186,6 @@ def _capital(text: str) -> str:
     """Begin a sentence, unless it begins with the name of a column."""
     name = "_" in text.partition(" ")[0]
     return text if name else text[:1].upper() + text[1:]
-
-
-def _setup(reader: TestReader) -> list[Section]:
-    calibration, configuration = reader.calibration(), reader.configuration()
-    titles = {
-        "load_cell": "Load cell",
-        "probes": "Displacement probes",
-        "encoder": "Crank encoder",
-        "acquisition": "Acquisition",
-    }
-    devices = {name: value for name, value in calibration.items() if name.startswith("device_")}
-    others = [name for name in calibration if name not in titles and name not in devices]
-    ordered = [*(name for name in titles if name in calibration), *others]
-    records = tuple(
-        Table(titles.get(name, name), tuple(settings(_mapping(calibration[name]))))
-        for name in ordered
-    )
-    readback = tuple(
-        Table(f"Device {name.removeprefix('device_')}, as read back", tuple(settings(values)))
-        for name, values in devices.items()
-    )
-    missing = (Text("The file holds no calibration records."),)
-    return [
-        Section("Calibration used", tuple(one for one in records if one.rows) or missing),
-        Section("Devices", tuple(one for one in readback if one.rows)),
-        _configuration(configuration),
-    ]
-
-
-def _mapping(value: Any) -> dict[str, Any]:
-    return value if isinstance(value, dict) else {"value": value}
-
-
-def _configuration(configuration: dict[str, Any]) -> Section:
-    blocks: list[Block] = []
-    parameters = settings(configuration.get("parameters", {}))
-    if parameters:
-        blocks.append(Table("Parameters of the model", tuple(parameters)))
-    for name, title in (("test", "Test file, as given"), ("rig", "Rig file, as given")):
-        text = str(configuration.get(name, ""))
-        blocks.append(
-            Listing(title, text.rstrip()) if text.strip() else Text(f"{title}: not in the file.")
-        )
-    return Section("Configuration", tuple(blocks))
 
 
 def _file_section(identity: Identity, summary: dict[str, Any], reader: TestReader) -> Section:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from calibration.records import seal
 from rigapp.engine.messages import Event, Flag
 from rigapp.storage import FilePlan, TestMetadata, TestWriter, create_test
 
@@ -30,6 +31,15 @@ quantity = "force_max"
 warning_above = 95.0
 critical_above = 120.0
 """
+RECORD = seal(
+    {
+        "kind": "load cell",
+        "calibrated_at": "2026-03-02T09:00:00Z",
+        "due_at": "2027-03-02T09:00:00Z",
+        "settings": {"cell": {"name": "pin cell 17"}, "paperwork": {"serial_number": "S-4711"}},
+        "result": {"expanded_uncertainty_N": 2.345, "coverage_factor": 2.05},
+    }
+).decode()
 CALIBRATION = {
     "load_cell": {
         "record": "LC-17 2026-03-02",
@@ -39,6 +49,8 @@ CALIBRATION = {
         "frame": "crank",
     },
     "probes": {"record": "P-3", "sensitivity_um_per_V": [100.0, 101.0], "offset_V": [0.0, 0.1]},
+    "record_load_cell": {"record": RECORD},
+    "record_probes": {"record": RECORD.replace("4711", "4712")},
     "device_daq": {"sample_rate_Hz": 960.0, "speed_limit_count_per_s": 44000, "object_map": "a, b"},
 }
 ANGLES = np.arange(360.0)

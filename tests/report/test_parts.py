@@ -118,6 +118,7 @@ def test_long_content_is_set_on_numbered_pages() -> None:
         (
             Section("Table", (Table("wide", rows, ("number", "text", "unbroken")),)),
             Section("Listing", (Listing("file", "a = '" + "y" * 500 + "'\n" * 200),)),
+            Section("Taller than a page", (Table("", (("note", "long " * 3000),), ("a", "b")),)),
             Section("Empty", (Table("none", (), ("a", "b")), Text("ü Ω 中", strong=True))),
         ),
     )

@@ -124,6 +124,17 @@ def test_calibration_configuration_and_file(page: Page, eventful_file: Path) -> 
     assert page.value("File and versions", "Chain of the log").startswith("unbroken")
 
 
+def test_calibration_records_are_checked(page: Page) -> None:
+    rows = page.rows("Calibration used")
+    found = {row[0]: row[1] for row in rows[-7:-1]}
+    assert found["number"].endswith("the digest of the record holds")
+    assert found["serial number"] == "S-4711"
+    assert found["due"] == "2027-03-02T09:00:00Z"
+    assert found["expanded uncertainty"] == "2.35 N (k = 2.05)"
+    assert rows[-1][0] == "record"
+    assert rows[-1][1].startswith("cannot be read:")
+
+
 def test_page_needs_nothing_else_and_can_be_read_aloud(page: Page) -> None:
     assert page.language == "en"
     assert all(link.startswith("data:image/svg+xml;base64,") for link in page.links)

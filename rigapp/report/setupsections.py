@@ -1,0 +1,102 @@
+"""The sections of a report about how the test was made: calibration, devices, configuration."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from calibration.records import Record, RecordError, unseal
+from rigapp.report.document import Block, Listing, Section, Table, Text
+from rigapp.report.wording import UNKNOWN, settings
+from rigapp.storage.reader import TestReader
+
+TITLES = {
+    "load_cell": "Load cell",
+    "probes": "Displacement probes",
+    "encoder": "Crank encoder",
+    "acquisition": "Acquisition",
+}
+DEVICE, RECORD = "device_", "record_"
+
+
+def sections(reader: TestReader) -> list[Section]:
+    """Return the calibration used, the devices as read back, and the files as given."""
+    calibration = reader.calibration()
+    used = [name for name in TITLES if name in calibration]
+    used += [
+        name for name in calibration if name not in TITLES and not name.startswith((DEVICE, RECORD))
+    ]
+    tables: list[Block] = [
+        Table(TITLES.get(name, name), tuple(settings(_mapping(calibration[name])))) for name in used
+    ]
+    tables += [
+        _record(name.removeprefix(RECORD), _mapping(values))
+        for name, values in calibration.items()
+        if name.startswith(RECORD)
+    ]
+    devices = tuple(
+        Table(
+            f"Device {name.removeprefix(DEVICE)}, as read back", tuple(settings(_mapping(values)))
+        )
+        for name, values in calibration.items()
+        if name.startswith(DEVICE) and values
+    )
+    missing = (Text("The file holds no calibration."),)
+    return [
+        Section("Calibration used", tuple(tables) or missing),
+        Section("Devices", devices),
+        _configuration(reader.configuration()),
+    ]
+
+
+def _record(name: str, values: Mapping[str, Any]) -> Table:
+    """Return what a sealed calibration record says; its readings stay in the file."""
+    title = f"Calibration record of {TITLES.get(name, name.replace('_', ' ')).lower()}"
+    try:
+        record = unseal(str(values.get("record", "")).encode())
+    except RecordError as error:
+        return Table(title, (("record", f"cannot be read: {error}"),))
+    return Table(title, tuple(_record_rows(record)))
+
+
+def _record_rows(record: Record) -> list[tuple[str, str]]:
+    content = record.content
+    given, result = _mapping(content.get("settings")), _mapping(content.get("result"))
+    item = _mapping(given.get("cell") or given.get("probe"))
+    paper = _mapping(given.get("paperwork"))
+    rows = [
+        ("number", f"{record.number}, the digest of the record holds"),
+        ("item", str(item.get("name", ""))),
+        ("serial number", str(paper.get("serial_number", ""))),
+        ("calibrated", str(content.get("calibrated_at", ""))),
+        ("due", str(content.get("due_at", ""))),
+        ("classification", str(result.get("classification", ""))),
+    ]
+    factor = result.get("coverage_factor")
+    known = f"k = {factor:.2f}" if isinstance(factor, float) else "k unknown"
+    for key, unit in (("expanded_uncertainty_N", "N"), ("expanded_uncertainty_um", "µm")):
+        if isinstance(result.get(key), float):
+            rows.append(("expanded uncertainty", f"{result[key]:.2f} {unit} ({known})"))
+    for key, unit in (("residual_std_N", "N"), ("residual_std_um", "µm")):
+        if isinstance(result.get(key), float):
+            rows.append(("residual standard deviation", f"{result[key]:.3f} {unit}"))
+    return [(one, words or UNKNOWN) for one, words in rows if words or one != "classification"]
+
+
+def _mapping(value: Any) -> dict[str, Any]:
+    if isinstance(value, Mapping):
+        return dict(value)
+    return {} if value is None else {"value": value}
+
+
+def _configuration(configuration: dict[str, Any]) -> Section:
+    blocks: list[Block] = []
+    parameters = settings(configuration.get("parameters", {}))
+    if parameters:
+        blocks.append(Table("Parameters of the model", tuple(parameters)))
+    for name, title in (("test", "Test file, as given"), ("rig", "Rig file, as given")):
+        text = str(configuration.get(name, ""))
+        blocks.append(
+            Listing(title, text.rstrip()) if text.strip() else Text(f"{title}: not in the file.")
+        )
+    return Section("Configuration", tuple(blocks))
