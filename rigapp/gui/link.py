@@ -72,6 +72,7 @@ class Link:
         self._requests = Worker("gui-requests", bound=16)
         self._urgent = Worker("gui-stop", bound=4)
         self._client: EngineClient | None = None
+        self._discarded: list[EngineClient] = []
         self._state = LinkState.ATTACHING
         self._reason = "looking for the engine"
         self._last_snapshot_at: float | None = None
@@ -112,6 +113,7 @@ class Link:
         """Deliver replies, keep the line up, return what is new."""
         for worker in (self._urgent, self._requests, self._attaching):
             worker.deliver()
+        self._close_discarded()
         now = self._clock()
         if self._client is None:
             self._attach_when_due(now)
@@ -145,10 +147,10 @@ class Link:
             handler(Reply(ok=False, sentence="Too many requests are still waiting for an answer."))
 
     def close(self) -> None:
-        """Detach; the engine goes on."""
+        """Detach; the engine goes on. A client still in use is left to the end of the process."""
         self._closed = True
         client, self._client = self._client, None
-        if client is not None:
+        if client is not None and self._requests.idle and self._urgent.idle:
             client.close()
         for worker in (self._attaching, self._requests, self._urgent):
             worker.close(timeout_s=1.0)
@@ -193,5 +195,11 @@ class Link:
         self._state = LinkState.LOST if seen_before else LinkState.ATTACHING
         self._reason = reason
         if client is not None:
-            self._attaching.submit(client.close, lambda _: None, lambda _: None)
+            self._discarded.append(client)
         self._schedule()
+
+    def _close_discarded(self) -> None:
+        """Close lost clients once no request uses them: sockets are not shared between threads."""
+        if self._discarded and self._requests.idle and self._urgent.idle:
+            client = self._discarded.pop()
+            self._attaching.submit(client.close, lambda _: None, lambda _: None)

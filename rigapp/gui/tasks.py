@@ -24,6 +24,7 @@ class Worker:
     def __init__(self, name: str, bound: int = 16) -> None:
         self._calls: queue.Queue[tuple[Callable[[], Any], Done, Failed] | None] = queue.Queue(bound)
         self._results: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
+        self._waiting = 0
         self._thread = threading.Thread(target=self._work, name=name, daemon=True)
         self._thread.start()
 
@@ -33,12 +34,20 @@ class Worker:
             self._calls.put_nowait((call, done, failed))
         except queue.Full:
             return False
+        self._waiting += 1
         return True
+
+    @property
+    def idle(self) -> bool:
+        """Tell whether every call so far has ended and its result was delivered."""
+        return self._waiting == 0
 
     def deliver(self) -> None:
         """Hand over what is ready."""
         for _ in range(self._results.qsize()):
-            self._results.get_nowait()()
+            result = self._results.get_nowait()
+            self._waiting -= 1
+            result()
 
     def close(self, timeout_s: float = 2.0) -> None:
         """End the thread after the present call; a call that hangs is left to the daemon thread."""

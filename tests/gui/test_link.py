@@ -163,3 +163,21 @@ def test_requests_are_refused_when_too_many_wait(link: Link, engine: Any, pump_u
     assert 10 <= len(refused) <= 14
     engine.answering.set()
     pump_until(lambda: len(replies) == 30)
+
+
+def test_a_lost_client_is_closed_only_when_no_request_uses_it(
+    link: Link, engine: Any, clock: Clock, pump_until: Any
+) -> None:
+    engine.say(count=3)
+    pump_until(lambda: link.state is LinkState.ATTACHED)
+    client: Any = link._client
+    engine.answering.clear()
+    replies: list[Reply] = []
+    link.request("note", {"text": "x"}, replies.append)
+    clock.now += LOST_AFTER_S + 0.1
+    link.pump()
+    pump_until(lambda: engine.clients == 2)
+    assert not client.closed
+    engine.answering.set()
+    pump_until(lambda: client.closed)
+    assert len(replies) == 1

@@ -1,0 +1,1 @@
+"""The calibration wizard: a face of ``rigapp.commands.live_calibration``."""

@@ -1,0 +1,120 @@
+"""Second page: the angle reference, without which a common error of all angles stays unseen."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QVBoxLayout, QWizardPage
+
+from calibration.plans import StepKind
+from rigapp.gui.calibration.bench import Bench
+from rigapp.gui.calibration.hands_panel import HandsPanel
+from rigapp.gui.calibration.parts import Stability, field, larger, named, number, prose
+from rigapp.gui.palette import Theme
+
+
+class AnglePage(QWizardPage):
+    """Enter the encoder's angle while the crank is level."""
+
+    def __init__(self, bench: Bench, theme: Theme) -> None:
+        super().__init__()
+        self._bench = bench
+        self.setTitle("Angle reference")
+        self.setSubTitle(
+            "0.2 degrees of a common angle error turn every force by as much, and no reading shows"
+            " it. Only a level does."
+        )
+        self.instruction = prose("angle_instruction", "What to do now")
+        larger(self.instruction, 1.5)
+        self.instruction.setText(
+            "Lay the level on the flat of the crank and turn the crank until the bubble is in the"
+            " middle. The encoder should show 0 degrees, or 360."
+        )
+        self.live = prose("angle_live", "Angle of the encoder now")
+        larger(self.live, 1.5, bold=True)
+        self.stability = Stability(theme)
+        self.follow = QCheckBox("&Take the encoder's angle as it is now")
+        self.follow.setChecked(True)
+        named(self.follow, "angle_follow", "Take the encoder's angle as it is now")
+        self.shown = number(-360.0, 360.0, 2, 0.1, "degrees")
+        named(self.shown, "angle_shown", "Angle that the encoder shows, degrees")
+        self.uncertainty = number(0.005, 5.0, 3, 0.01, "degrees")
+        self.uncertainty.setValue(0.05)
+        named(
+            self.uncertainty,
+            "angle_uncertainty",
+            "Standard uncertainty of the level, degrees",
+        )
+        self.problem = prose("angle_problem", "What is wrong on this page")
+        self.hands = HandsPanel(bench)
+        form = QFormLayout()
+        form.addRow(self.follow)
+        field(form, "&Encoder shows", self.shown)
+        field(form, "Standard &uncertainty of the level", self.uncertainty)
+        column = QVBoxLayout(self)
+        column.addWidget(self.instruction)
+        column.addWidget(self.live)
+        column.addWidget(self.stability)
+        column.addLayout(form)
+        column.addStretch(1)
+        column.addWidget(self.problem)
+        column.addWidget(self.hands)
+        self.setCommitPage(True)
+        self.follow.toggled.connect(self._follow)
+        self._follow(True)
+        bench.looked.connect(self._look)
+        bench.said.connect(self.problem.setText)
+
+    def initializePage(self) -> None:
+        """Show the uncertainty of the settings."""
+        session = self._bench.session
+        if session is not None:
+            self.uncertainty.setValue(session.given.angle.standard_uncertainty_deg)
+        self.hands.setVisible(self._bench.rig.simulated)
+        self._look()
+
+    def isComplete(self) -> bool:
+        """Tell whether the crank stands at a known angle, or the reference was taken already."""
+        bench = self._bench
+        if bench.session is None:
+            return False
+        if not self._due():
+            return True
+        return bench.readiness is not None and bench.readiness.ready
+
+    def validatePage(self) -> bool:
+        """Take the reference, unless the journal holds it already."""
+        for box in (self.shown, self.uncertainty):
+            box.interpretText()
+        if not self._due():
+            return True
+        return self._bench.reference(
+            math.radians(self.shown.value()), math.radians(self.uncertainty.value())
+        )
+
+    def _due(self) -> bool:
+        session = self._bench.session
+        return (
+            session is not None
+            and not session.procedure.done
+            and session.procedure.step.kind is StepKind.ANGLE_REFERENCE
+        )
+
+    def _follow(self, on: bool) -> None:
+        self.shown.setEnabled(not on)
+        self._look()
+
+    def _look(self) -> None:
+        bench = self._bench
+        window = bench.window
+        self.stability.show_readiness(bench.readiness, "no signals from the engine")
+        if not self._due() and bench.session is not None:
+            self.live.setText("The angle reference has been taken already.")
+        elif window is None or window.angle is None:
+            self.live.setText("The encoder's angle is not known yet.")
+        else:
+            degrees = math.degrees(window.angle)
+            self.live.setText(f"The encoder shows {degrees:.2f} degrees.")
+            if self.follow.isChecked():
+                self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
+        self.completeChanged.emit()

@@ -1,0 +1,205 @@
+"""Last pages: what came out, saved or refused, and the certificate."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWizardPage,
+)
+
+from rigapp.commands.calibrate import cell_lines
+from rigapp.commands.live_calibration import Outcome
+from rigapp.config.errors import UnusableInput
+from rigapp.gui.calibration.bench import Bench
+from rigapp.gui.calibration.parts import larger, named, prose
+
+REFUSED = (
+    "Nothing is saved. Go back, select a reading of the series that is wrong, reject it with the"
+    " reason, and take that series again. All readings so far stay in the journal."
+)
+
+
+class ResultPage(QWizardPage):
+    """Show matrix, uncertainty, problems; save the record, or say why it is refused."""
+
+    def __init__(self, bench: Bench) -> None:
+        super().__init__()
+        self._bench = bench
+        self.setTitle("Result")
+        self.verdict = prose("verdict", "Verdict")
+        larger(self.verdict, 1.8, bold=True)
+        self.problems = prose("problems", "Problems")
+        larger(self.problems, 1.15)
+        self.matrix = QTableWidget(2, 3)
+        named(self.matrix, "matrix", "Matrix and zero")
+        self.matrix.setVerticalHeaderLabels(("Axis 1", "Axis 2"))
+        self.matrix.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        self.matrix.setMaximumHeight(6 * self.matrix.fontMetrics().height())
+        self.matrix.setTabKeyNavigation(False)
+        self.words = prose("result_words", "Uncertainty and classification")
+        self.target = QLineEdit()
+        named(self.target, "record_file", "Record to make")
+        self.target_label = QLabel("Save the &record as")
+        self.target_label.setBuddy(self.target)
+        self.problem = prose("result_problem", "What is wrong on this page")
+        row = QHBoxLayout()
+        row.addWidget(self.target_label)
+        row.addWidget(self.target, 1)
+        column = QVBoxLayout(self)
+        column.addWidget(self.verdict)
+        column.addWidget(self.problems)
+        column.addWidget(self.matrix)
+        column.addWidget(self.words)
+        column.addStretch(1)
+        column.addWidget(self.problem)
+        column.addLayout(row)
+        bench.judged.connect(self._show)
+        bench.said.connect(self._said)
+
+    def initializePage(self) -> None:
+        """Fit and check all readings."""
+        self.verdict.setText("Calculating …")
+        for label in (self.problems, self.words, self.problem):
+            label.clear()
+        for widget in (self.matrix, self.target, self.target_label):
+            widget.hide()
+        session = self._bench.session
+        if session is not None:
+            self.target.setText(str(session.journal.path.with_suffix(".json")))
+        self._bench.judge()
+        self.completeChanged.emit()
+
+    def isComplete(self) -> bool:
+        """Tell whether the result is there."""
+        return self._bench.outcome is not None
+
+    def nextId(self) -> int:
+        """Go to the certificate only when there is something to save."""
+        outcome = self._bench.outcome
+        if outcome is None or (outcome.accepted and outcome.calibration is not None):
+            return super().nextId()
+        return -1
+
+    def validatePage(self) -> bool:
+        """Seal the record when the calibration is accepted."""
+        outcome, session = self._bench.outcome, self._bench.session
+        if outcome is None or session is None:
+            return False
+        if not outcome.accepted or outcome.calibration is None or outcome.saved is not None:
+            return True
+        try:
+            self._bench.outcome = session.save(outcome, Path(self.target.text().strip()))
+        except UnusableInput as error:
+            self.problem.setText(str(error))
+            self.target.setFocus()
+            return False
+        return True
+
+    def _said(self, text: str) -> None:
+        if self.isVisible() and text and self._bench.outcome is None:
+            self.verdict.setText("✗ There is no result")
+            self.problems.setText(text)
+
+    def _show(self) -> None:
+        outcome = self._bench.outcome
+        assert outcome is not None
+        if outcome.check is not None:
+            self.verdict.setText(_mark(outcome, "The daily check is passed", "The check failed"))
+            self.problems.setText(outcome.check.sentence)
+        else:
+            self.verdict.setText(_mark(outcome, "Accepted", "Refused"))
+            self._show_calibration(outcome)
+        self.completeChanged.emit()
+
+    def _show_calibration(self, outcome: Outcome) -> None:
+        found = outcome.calibration
+        assert found is not None
+        notes = [("• " if one.blocks else "Note: ") + one.sentence for one in found.problems]
+        if not outcome.accepted:
+            notes.append(REFUSED)
+        self.problems.setText("\n".join(notes))
+        for widget in (self.target, self.target_label):
+            widget.setVisible(outcome.accepted)
+        if found.fit is None:
+            self.words.setText(found.classification)
+            return
+        unit = outcome.settings.cell.signal_unit
+        heads = (f"Signal 1 (N per {unit})", f"Signal 2 (N per {unit})", f"Zero ({unit})")
+        self.matrix.setHorizontalHeaderLabels(heads)
+        rows = zip(found.fit.matrix.tolist(), found.fit.zero.tolist(), strict=True)
+        for row, (elements, zero) in enumerate(rows):
+            for place, text in enumerate((*(f"{one:.4f}" for one in elements), f"{zero:.6f}")):
+                self.matrix.setItem(row, place, QTableWidgetItem(text))
+        self.matrix.show()
+        lines = cell_lines(found, outcome.settings)
+        self.words.setText("\n\n".join(lines[4:]))
+
+
+def _mark(outcome: Outcome, good: str, bad: str) -> str:
+    return f"✓ {good}" if outcome.accepted else f"✗ {bad}"
+
+
+class CertificatePage(QWizardPage):
+    """Write the certificate of the record."""
+
+    def __init__(self, bench: Bench) -> None:
+        super().__init__()
+        self._bench = bench
+        self.setTitle("Certificate")
+        self.setSubTitle("The certificate is made from the record alone: the same bytes each time.")
+        self.saved = prose("saved", "Where the record is")
+        larger(self.saved, 1.15)
+        self.pdf = QPushButton("Write the certificate as &PDF")
+        named(self.pdf, "certificate_pdf", "Write the certificate as PDF")
+        self.html = QPushButton("Write the certificate as &HTML")
+        named(self.html, "certificate_html", "Write the certificate as HTML")
+        self.words = prose("certificate_words", "Where the certificate is")
+        row = QHBoxLayout()
+        row.addWidget(self.pdf)
+        row.addWidget(self.html)
+        row.addStretch(1)
+        column = QVBoxLayout(self)
+        column.addWidget(self.saved)
+        column.addLayout(row)
+        column.addWidget(self.words)
+        column.addStretch(1)
+        self.pdf.clicked.connect(lambda: self._write(".pdf"))
+        self.html.clicked.connect(lambda: self._write(".html"))
+        bench.said.connect(self.words.setText)
+        self.setFinalPage(True)
+
+    def initializePage(self) -> None:
+        """Name the record."""
+        outcome = self._bench.outcome
+        path = outcome.saved if outcome is not None else None
+        simulated = (
+            " It was made on a simulated rig, for practice." if self._bench.rig.simulated else ""
+        )
+        self.saved.setText(
+            f"The record is saved and read-only: {path}.{simulated}\nTo use it, copy matrix and"
+            " zero into the rig file, section [load_cell], and name the record there."
+        )
+        self.words.clear()
+        self.pdf.setFocus()
+
+    def _write(self, suffix: str) -> None:
+        outcome = self._bench.outcome
+        if outcome is None or outcome.saved is None:
+            return
+        from rigapp.commands.calibrate import write_certificate
+
+        record, target = outcome.saved, outcome.saved.with_suffix(suffix)
+        self.words.setText("Writing …")
+        self._bench.run(
+            lambda: write_certificate(record, target),
+            lambda _: self.words.setText(f"The certificate is {target}."),
+        )

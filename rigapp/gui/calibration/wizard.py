@@ -1,0 +1,67 @@
+"""The calibration wizard: plan, angle reference, readings, result, certificate."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QWidget, QWizard
+
+from rigapp.commands.live_calibration import Rig
+from rigapp.gui.calibration.angle_page import AnglePage
+from rigapp.gui.calibration.bench import Bench, Line
+from rigapp.gui.calibration.plan_page import PlanPage
+from rigapp.gui.calibration.readings_page import ReadingsPage
+from rigapp.gui.calibration.result_pages import CertificatePage, ResultPage
+from rigapp.gui.palette import Theme
+
+BUTTONS = {
+    QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
+    QWizard.WizardButton.NextButton: ("&Next", "Next"),
+    QWizard.WizardButton.BackButton: ("&Back", "Back"),
+    QWizard.WizardButton.FinishButton: ("&Finish", "Finish"),
+    QWizard.WizardButton.CancelButton: ("Close", "Close; all readings are kept"),
+}
+
+
+class CalibrationWizard(QWizard):
+    """Guide through the calibration of the load cell. Closing loses no reading."""
+
+    def __init__(
+        self,
+        line: Line,
+        rig: Rig,
+        theme: Theme,
+        folder: Path,
+        settings: Path | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("calibration_wizard")
+        self.setWindowTitle("Calibrate the load cell – rigapp")
+        self.setAccessibleName("Calibration of the load cell")
+        self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
+        self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, parent is not None)
+        self.setModal(False)
+        self.bench = Bench(line, rig)
+        self.plan = PlanPage(self.bench, folder, settings)
+        self.angle = AnglePage(self.bench, theme)
+        self.readings = ReadingsPage(self.bench, theme)
+        self.result_page = ResultPage(self.bench)
+        self.certificate = CertificatePage(self.bench)
+        for page in (
+            self.plan,
+            self.angle,
+            self.readings,
+            self.result_page,
+            self.certificate,
+        ):
+            self.addPage(page)
+        for which, (text, spoken) in BUTTONS.items():
+            self.setButtonText(which, text)
+            button = self.button(which)
+            button.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
+            button.setAccessibleName(spoken)
+        self.finished.connect(lambda _: self.bench.close())
+        self.resize(QSize(1040, 820))
