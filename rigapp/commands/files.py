@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from rigapp.storage.export import export_test
@@ -23,7 +26,23 @@ def print_info(path: Path, *, as_json: bool) -> int:
 
 
 def export_file(path: Path, target: Path, *, cycles: bool) -> int:
-    """Write a table of a test file and say how much was written."""
-    rows = export_test(path, target, cycles=cycles)
-    print(f"{target}: {rows} rows.")
+    """Write a table of a test file and say how much was written; return the exit status."""
+    with _progress() as progress:
+        rows = export_test(path, target, cycles=cycles, progress=progress)
+    what = "samples" if cycles else "revolutions"
+    print(f"{target}: {rows} rows ({what}).")
     return 0
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[int, int], None] | None]:
+    """Show a progress bar on a terminal, nothing on a pipe."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("Export", total=None)
+        yield lambda done, total: bar.update(task, completed=done, total=total)
