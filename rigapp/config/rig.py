@@ -73,8 +73,6 @@ class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[load_cell]: two bridges in the pin; force on the pin = matrix (signal - zero).
 
-    amplifier_mV_per_V_per_V: the bridges go through an external amplifier, whose output voltage
-    times this is the bridge's signal; for boxes without bridge inputs.
     uncertainty_N: expanded uncertainty U(F) = first + second F. calibration: a record that takes
     the place of matrix, zero and uncertainty; calibration_override: why it is used though expired.
     """
@@ -85,21 +83,12 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     matrix_N_per_mV_per_V: Matrix
     zero_mV_per_V: Pair = (0.0, 0.0)
     range_mV_per_V: Positive = 3.5
-    amplifier_mV_per_V_per_V: Positive | None = None
     full_scale_N: Positive = 400.0
     resolution_N: Positive = 2.0
     latency_ms: Pair = (0.0, 0.0)
     uncertainty_N: Pair | None = None
     calibration: str = ""
     calibration_override: str = ""
-
-    @property
-    def request(self) -> tuple[str, float]:
-        """Return kind and range of the two inputs: a bridge in mV/V, or an amplifier's volts."""
-        if self.amplifier_mV_per_V_per_V is None:
-            return "bridge", self.range_mV_per_V
-        return "voltage", self.range_mV_per_V / self.amplifier_mV_per_V_per_V
-
 
 class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[probes]: two capacitance probes; position = sensitivity (voltage - offset).

@@ -187,8 +187,6 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
         raise UnusableInput("rig file: probes.sensitivity_um_per_V holds 0; calibrate the probes")
     if (abs(latency) > 0.1).any():
         raise UnusableInput("rig file: latency_ms must lie between -100 and 100 ms; correct it")
-    amplifier = rig.load_cell.amplifier_mV_per_V_per_V
-    gain = np.array((amplifier or 1.0, amplifier or 1.0, 1.0, 1.0))
     lines = 4 if rig.encoder.quadrature == "before" else 1
     modulus = 0
     if counter.minimum is not None and counter.maximum is not None:
@@ -207,14 +205,14 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
         ),
         index_angle_rad=math.radians(rig.encoder.index_angle_deg),
         sample_rate_Hz=setup.sample_rate_Hz,
-        scale=gain * np.array([spec.scale for _, spec in specs]),
-        offset=gain * np.array([spec.offset for _, spec in specs]),
+        scale=np.array([spec.scale for _, spec in specs]),
+        offset=np.array([spec.offset for _, spec in specs]),
         matrix=matrix,
         zero=zero,
         sensitivity=sensitivity,
         probe_offset=probe_offset,
         latency_s=latency,
-        units=("mV/V", "mV/V", specs[2][1].unit, specs[3][1].unit),
+        units=(specs[0][1].unit, specs[1][1].unit, specs[2][1].unit, specs[3][1].unit),
         counter_scale=counter.scale,
         counter_offset=counter.offset,
         names=(rig.load_cell.calibration, rig.probes.calibration_name),

@@ -81,8 +81,8 @@ def make_devices(rig: RigFile, ports: Mapping[str, str], load: LoadDriver = load
         data_request=DataRequest(
             sample_rate_Hz=float(rate),
             inputs={
-                cell.input_1: cell.request,
-                cell.input_2: cell.request,
+                cell.input_1: ("bridge", cell.range_mV_per_V),
+                cell.input_2: ("bridge", cell.range_mV_per_V),
                 probes.input_1: ("voltage", probes.range_V),
                 probes.input_2: ("voltage", probes.range_V),
                 rig.encoder.input: ("counter", float(rig.encoder.counts_per_revolution * lines)),

@@ -47,20 +47,19 @@ class DriveDevice:
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """Tell which analog input carries which signal; amplifier: mV/V for a volt, 1 without one."""
+    """Tell which analog input carries which signal."""
 
     bridge_1: int
     bridge_2: int
     probe_1: int
     probe_2: int
-    amplifier: float = 1.0
 
     def signals(self, samples: Samples) -> RigSignals:
         """Return what the terminals of the data acquisition device see."""
         return RigSignals(
             analog={
-                self.bridge_1: samples.bridge_1 / self.amplifier,
-                self.bridge_2: samples.bridge_2 / self.amplifier,
+                self.bridge_1: samples.bridge_1,
+                self.bridge_2: samples.bridge_2,
                 self.probe_1: samples.probe_1,
                 self.probe_2: samples.probe_2,
             },
@@ -80,9 +79,7 @@ def inputs_of(rig: RigFile) -> Inputs:
     if len(set(numbers)) < len(numbers):
         taken = ", ".join(f"{key} = {name!r}" for key, name in names.items())
         raise UnusableInput(f"{taken}: two signals cannot share one input; give each its own.")
-    bridge_1, bridge_2, probe_1, probe_2 = numbers
-    gain = rig.load_cell.amplifier_mV_per_V_per_V or 1.0
-    return Inputs(bridge_1, bridge_2, probe_1, probe_2, gain)
+    return Inputs(*numbers)
 
 
 def data_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> DataDevice:
