@@ -242,7 +242,9 @@ class LiveSession:
         self._adopt(self.procedure.reject(index, reason))
 
     def close(self) -> None:
-        """Let the journal go; it can be taken up again."""
+        """Let the journal go; it can be taken up again. One in which nothing was done goes."""
+        if len(self.procedure.events) == 1:
+            self.journal.path.unlink(missing_ok=True)
         self.journal.close()
 
     # --- the end ---------------------------------------------------------------------------------

@@ -111,6 +111,11 @@ class ProbeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def read_load_cell_settings(path: Path) -> tuple[LoadCellFile, LoadCellSettings]:
     """Read settings and return the file and its meaning in SI; raise UnusableInput."""
     given = read_document(path, LoadCellFile).record
+    return given, load_cell_meaning(given, str(path))
+
+
+def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
+    """Return what settings mean in SI; raise UnusableInput naming ``where`` they come from."""
     place = given.place
     expected = None
     if place.latitude_deg is not None:
@@ -118,7 +123,7 @@ def read_load_cell_settings(path: Path) -> tuple[LoadCellFile, LoadCellSettings]
     gravity = place.gravity_m_s2 if place.gravity_m_s2 is not None else expected
     if gravity is None:
         raise UnusableInput(
-            f"{path}: place.gravity_m_s2 is missing; write the local gravity, or latitude_deg and"
+            f"{where}: place.gravity_m_s2 is missing; write the local gravity, or latitude_deg and"
             " height_m."
         )
     relative = place.gravity_relative_standard_uncertainty
@@ -126,7 +131,7 @@ def read_load_cell_settings(path: Path) -> tuple[LoadCellFile, LoadCellSettings]
         stated = place.gravity_m_s2 is not None
         relative = STATED_GRAVITY_UNCERTAINTY if stated else LATITUDE_GRAVITY_UNCERTAINTY
     weights = given.weights
-    return given, LoadCellSettings(
+    return LoadCellSettings(
         cell=CellSettings(
             given.cell.name,
             given.cell.full_scale_N,
