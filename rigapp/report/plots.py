@@ -76,7 +76,7 @@ def _canvas(height_in: float) -> Iterator[Any]:
         matplotlib.rcParams.update(STYLE)
         canvas = Canvas(figsize=(WIDTH_IN, height_in))
         canvas.subplots_adjust(
-            left=0.095,
+            left=0.105,
             right=0.84,
             top=1.0 - TITLE_IN / height_in,
             bottom=AXIS_IN / height_in,
@@ -141,7 +141,9 @@ def trends(
             with_model = False
             _draw(axes, channel.lines["max"], color=COLOURS["max"], label=SHORT["max"])
             x, rms = channel.lines["rms"]
-            negative = channel.rms > max(0.0, channel.largest.value)
+            negative = channel.smallest.value < 0.0 and channel.rms > max(
+                0.0, channel.largest.value
+            )
             _draw(
                 axes,
                 (x, -rms if negative else rms),
