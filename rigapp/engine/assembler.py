@@ -22,7 +22,7 @@ from rigapp.engine.unwrap import BEGIN, BREAK, CUT, STANDSTILL_S, E, P, S, new_s
 
 Values = NDArray[np.float32] | NDArray[np.int32]
 
-MAXIMUM_ACCELERATION_REV_PER_S2 = 1000.0
+MAXIMUM_ACCELERATION_REV_PER_S2 = 200.0
 """Counts that deviate by more than this acceleration explains are not motion."""
 
 FIRST_BUFFER = 1 << 16
@@ -169,7 +169,7 @@ class Assembler:
         parameters[P.RESTARTS] = int(encoder.restarts_at_index)
         parameters[P.MODULUS] = encoder.modulus
         parameters[P.STEP_TOLERANCE] = math.ceil(
-            min(MAXIMUM_ACCELERATION_REV_PER_S2 * turn / sample_rate_Hz**2, turn / 16)
+            max(1.0, min(MAXIMUM_ACCELERATION_REV_PER_S2 * turn / sample_rate_Hz**2, turn / 16))
         )
         parameters[P.MISSED_AFTER] = max(4, turn // 8)
         parameters[P.IDLE_AFTER] = max(16, round(STANDSTILL_S * sample_rate_Hz))

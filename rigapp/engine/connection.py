@@ -32,6 +32,10 @@ from rigapp.engine.threads import BlockQueue, Worker
 
 SMALLEST_QUEUE = 16384
 
+SILENT_SHARE = 0.6
+"""A drive that has not answered for this share of its watchdog's time ends the test: before the
+watchdog does, so that the log names the cause and not what follows from it."""
+
 
 class Connection:
     """Open devices with their threads."""
@@ -194,10 +198,8 @@ class Connection:
         if status is None:
             error = control.last_error
             silent = time.monotonic() - control.answered_s
-            if (
-                isinstance(error, DeviceLost)
-                or silent > self.devices.drive_request.watchdog_timeout_s
-            ):
+            watchdog_s = self.devices.drive_request.watchdog_timeout_s
+            if isinstance(error, DeviceLost) or silent > SILENT_SHARE * watchdog_s:
                 sentence = error.sentence if error is not None else "it does not answer"
                 cause = causes.drive_silent(spindle.name, spindle.port, sentence)
                 text = f"{spindle.name} on {spindle.port}: {sentence}"

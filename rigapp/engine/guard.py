@@ -16,6 +16,7 @@ from rigapp.engine.core import Core, Session
 from rigapp.engine.limits import Verdict
 from rigapp.engine.messages import FinishReason, Flag, RevolutionMeasured, RunState
 from rigapp.engine.recorder import cycle_message, measured_history
+from rigapp.engine.reduce import PLACE
 from rigapp.engine.run import ACTIVE, TURNING, Ending, Trigger
 from rigapp.engine.testrun import Row
 
@@ -186,7 +187,11 @@ class Guard:
 
     def predicted(self, session: Session, values: Array) -> None:
         """Judge what the twin predicts by the rules of the test."""
-        named = dict(zip(PREDICTED_NAMES, values.tolist(), strict=True))
+        named = {
+            name: value
+            for name, value in zip(PREDICTED_NAMES, values.tolist(), strict=True)
+            if name not in PLACE
+        }
         for verdict in session.run.monitor.judge(named):
             self.verdict(session, verdict)
 

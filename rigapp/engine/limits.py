@@ -14,12 +14,17 @@ from rigapp.engine.messages import Severity
 
 _NOT_LIMITED = {"revolution", "time", "host_time"}
 
+_MEASURED = tuple(column.name for column in revolution_columns())
+
 QUANTITIES = tuple(
-    column.name
-    for column in (*revolution_columns(), *prediction_columns()[1:7])
-    if column.name not in _NOT_LIMITED
+    name
+    for name in dict.fromkeys((*_MEASURED, *(column.name for column in prediction_columns())))
+    if name not in _NOT_LIMITED
 )
-"""What a rule can be about: the statistics of a revolution, and the twin's residuals and wear."""
+"""What a rule can be about: the statistics of a revolution, and the twin's residuals and wear.
+
+A name that both have (``force_max``) means what was measured.
+"""
 
 BOUNDS = ("critical_above", "critical_below", "warning_above", "warning_below")
 

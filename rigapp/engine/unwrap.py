@@ -261,7 +261,7 @@ def scan(
             if lost > 0:
                 state[_LOST_COUNT] += lost
         else:
-            slack = min(8 + 4 * tolerance + abs(expected) // 8, turn // 4)
+            slack = min(4 + 4 * tolerance + abs(expected) // 8, turn // 4)
             allowed = 2 + tolerance + abs(expected) // 50
             odd = abs(step - expected) > slack
             if odd:
@@ -273,6 +273,7 @@ def scan(
             )
             if wrapped or (odd and at_zero):
                 state[_INDEX_EVENTS] += 1
+                jumped = False
                 if state[_LOCKED] == 0:
                     state[_LOCKED] = 1
                     state[_INSIDE] = 1
@@ -312,11 +313,13 @@ def scan(
                         state[_COUNT_ERRORS] += 1
                     else:
                         now = before + expected
+                        jumped = not at_zero
                         flags |= _MISMATCH
                         state[_COUNT_ERRORS] += 1
                     if not odd:
                         state[_STEP] = step
-                state[_ODD] = 0
+                state[_ODD] = 1 if jumped else 0
+                state[_ODD_STEP] = step
             elif odd:
                 target = before + expected
                 if restarts:
@@ -349,6 +352,11 @@ def scan(
             else:
                 now = before + step
                 state[_STEP] = step
+                if state[_ODD] and state[_LOCKED]:
+                    # The jump has stayed: samples went missing unseen, and the count is right.
+                    jump = wrap(count - now, turn) if restarts else count - now
+                    if abs(jump) <= half:
+                        now += jump
                 state[_ODD] = 0
             mean_step[0] += (state[_STEP] - mean_step[0]) / 64.0
 

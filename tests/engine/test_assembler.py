@@ -216,6 +216,31 @@ def test_a_single_wrong_count_moves_no_cut(wrong: int, where: float) -> None:
     assert found[5].flags == Flag.GOOD
 
 
+@pytest.mark.parametrize("missing", [12, 40, 150])
+@pytest.mark.parametrize("where", [0.2, 0.97])
+def test_samples_lost_unseen_are_flagged_and_the_cuts_stay_right(
+    missing: int, where: float
+) -> None:
+    truth = steady(8, 400)
+    edges = np.flatnonzero(np.diff(truth.position // 360) == 1) + 1
+    at = edges[2] + int(where * 400)
+    seen = Shaft(360, 400.0, np.delete(truth.position, slice(at, at + missing)))
+    _, found = assemble(counter(seen, "modulo"), setup_for("modulo", 360), 400.0)
+    wanted = reference(seen, "modulo")
+    # A hole over the index that is longer than an eighth of a turn hides one sample more.
+    hidden = missing > 50 and where > 0.9
+    distance = np.array([r.first_sample for r in found]) - [c.first for c in wanted]
+    assert np.flatnonzero(distance).tolist() == ([3] if hidden else [])
+    assert abs(distance).max() <= 1
+    assert found[2].flags & Flag.COUNT_MISMATCH
+    assert [r.flags for r in found[4:]] == [Flag.GOOD] * len(found[4:])
+    # From the second sample behind the hole on, the angle is right again.
+    last = found[2].sample_indices() > at + 1
+    np.testing.assert_array_equal(
+        found[2].counts[last], seen.position[found[2].sample_indices()[last]] - wanted[2].base
+    )
+
+
 def test_a_spurious_index_pulse_makes_no_revolution() -> None:
     truth = steady(8, 400)
     counts = counter(truth, "modulo")

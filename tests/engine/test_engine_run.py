@@ -331,14 +331,16 @@ def test_a_viewer_gets_rows_the_newest_cycle_and_the_gap_when_it_lags(rig: Memor
 
 def test_predictions_are_stored_judged_and_shown(rig: MemoryRig) -> None:
     rule = LimitRule("residual_rms", critical_above=20.0)
+    measured = LimitRule("force_max", critical_above=60.0)
     viewer = rig.engine.subscribe()
-    rig.start(a_test(LONG, every=5, rules=(rule,)))
+    rig.start(a_test(LONG, every=5, rules=(rule, measured)))
     recorded(rig, 6)
     curve = np.zeros(360, "<f4").tobytes()
 
     def predicted(revolution: int, residual: float) -> Prediction:
         values = np.zeros(len(prediction_columns()))
         values[:2] = revolution, residual
+        values[[c.name for c in prediction_columns()].index("force_max")] = 1000.0
         return Prediction(revolution, values.tobytes(), curve, curve, curve)
 
     rig.engine.submit_prediction(predicted(6, 3.0))
