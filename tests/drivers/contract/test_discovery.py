@@ -79,7 +79,7 @@ def test_a_data_source_goes_on_as_it_was(source: Contract, bench: Make) -> None:
     before = b.simulator.streaming
     settings = getattr(b.simulator, "settings", None)
     kept = copy.deepcopy(settings)
-    ask(b.port.url, _drivers())
+    ask(b.port.url, _drivers(), 0.1)
     assert b.simulator.streaming == before
     if dataclasses.is_dataclass(settings):
         assert settings == kept
@@ -97,8 +97,8 @@ def test_no_question_turns_a_motor_that_stands(spindle: Contract, bench: Make) -
         return data
 
     b.port._produce = watched
-    ask(b.port.url, [info for info in _drivers() if info is not spindle.info])
-    ask(b.port.url, _drivers())
+    ask(b.port.url, [info for info in _drivers() if info is not spindle.info], 0.1)
+    ask(b.port.url, [spindle.info], 0.1)
     assert not moved.is_set()
 
 
