@@ -48,6 +48,15 @@ ProgressOption = Annotated[
     typer.Option("--progress", help="'json': one JSON object a line on standard output."),
 ]
 
+BindOption = Annotated[
+    str | None,
+    typer.Option(
+        "--bind",
+        metavar="tcp://ADDRESS:PORT",
+        help="Let viewers attach there; beyond this computer only with authorised keys.",
+    ),
+]
+
 
 @app.callback()
 def options(
@@ -78,11 +87,12 @@ def run(
     ] = None,
     progress: ProgressOption = None,
     speed: SpeedOption = None,
+    bind: BindOption = None,
 ) -> None:
     """Run one test without a window."""
     from rigapp.commands.run import run_test
 
-    raise typer.Exit(run_test(test, rig, out, revolutions, progress, speed))
+    raise typer.Exit(run_test(test, rig, out, revolutions, progress, speed, bind))
 
 
 @app.command()
@@ -91,11 +101,12 @@ def resume(
     rig: RigOption,
     progress: ProgressOption = None,
     speed: SpeedOption = None,
+    bind: BindOption = None,
 ) -> None:
     """Go on with an interrupted test in the same file."""
     from rigapp.commands.run import resume_test
 
-    raise typer.Exit(resume_test(file, rig, progress, speed))
+    raise typer.Exit(resume_test(file, rig, progress, speed, bind))
 
 
 @app.command()
@@ -330,11 +341,12 @@ def doctor(
 def engine(
     rig: Annotated[Path, typer.Argument()],
     speed: SpeedOption = None,
+    bind: BindOption = None,
 ) -> None:
     """Host an engine for windows to attach to."""
     from rigapp.service.host import serve
 
-    raise typer.Exit(serve(rig, speed))
+    raise typer.Exit(serve(rig, speed, bind))
 
 
 def main() -> NoReturn:

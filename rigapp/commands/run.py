@@ -25,6 +25,7 @@ from rigapp.service.host import (
     recorded_test,
     with_revolutions,
 )
+from rigapp.service.security import parse_bind
 from rigapp.service.simulated import parse_speed
 
 STATUS = {
@@ -57,15 +58,18 @@ def run_test(
     revolutions: int | None,
     progress: str | None,
     speed: str | None,
+    bind: str | None = None,
 ) -> int:
     """Run one test into a new file; return the exit status."""
     document = with_revolutions(read_test(test), revolutions)
-    return _conduct(document, rig, out, progress, speed, resume=False)
+    return _conduct(document, rig, out, progress, speed, bind, resume=False)
 
 
-def resume_test(file: Path, rig: Path, progress: str | None, speed: str | None) -> int:
+def resume_test(
+    file: Path, rig: Path, progress: str | None, speed: str | None, bind: str | None = None
+) -> int:
     """Go on with an interrupted test in its own file; return the exit status."""
-    return _conduct(recorded_test(file), rig, file, progress, speed, resume=True)
+    return _conduct(recorded_test(file), rig, file, progress, speed, bind, resume=True)
 
 
 def _conduct(
@@ -74,6 +78,7 @@ def _conduct(
     out: Path,
     progress: str | None,
     speed: str | None,
+    bind: str | None,
     *,
     resume: bool,
 ) -> int:
@@ -83,7 +88,7 @@ def _conduct(
     chosen = parse_speed(speed, rig_document)
     if not resume:
         _refuse_bad_target(out)
-    host = EngineHost(rig_document, chosen)
+    host = EngineHost(rig_document, chosen, parse_bind(bind) if bind else None)
     shown: Progress = _Json() if progress == "json" else _bar(test.record)
     try:
         with _interrupts() as interrupts:

@@ -399,6 +399,10 @@ class Engine:
             raise Refused("the note is empty")
         self._core.event("note", operator or "operator", text.strip())
 
+    def log(self, kind: str, text: str, who: str, before: str = "", after: str = "") -> None:
+        """Write an event to the log of the test, with what was before and after it."""
+        self._core.event(kind, who, text, before, after)
+
     def set_limit(self, name: str, value: float, operator: str = "", reason: str = "") -> None:
         """Change a limit of the test under way; the change is logged with before and after.
 

@@ -153,6 +153,7 @@ class Status(msgspec.Struct, frozen=True):
     operator: str = ""
     engine_pid: int = 0
     rows_dropped: int = 0
+    in_command: str = ""
 
 
 class Cycle(msgspec.Struct, frozen=True):
@@ -222,13 +223,17 @@ class Event(msgspec.Struct, frozen=True):
 
 
 class Request(msgspec.Struct, frozen=True):
-    """Ask the engine for something; ``verb`` is one of the service's commands."""
+    """Ask the engine for something; ``verb`` is one of the service's commands.
+
+    client: identity of the viewer that asks, the same for all its requests.
+    """
 
     verb: str
     arguments: dict[str, Any] = {}
     operator: str = ""
     version: int = PROTOCOL_VERSION
     identifier: int = 0
+    client: str = ""
 
 
 class Reply(msgspec.Struct, frozen=True):

@@ -1,17 +1,27 @@
-"""Talk to a running engine: requests with a time-out, snapshots as they come."""
+"""Talk to a running engine: requests with a time-out, snapshots as they come.
+
+A client that has taken command says every ``PRESENT_S`` that it is still there, from a thread of
+its own, until it releases the command, loses it or is closed.
+"""
 
 from __future__ import annotations
 
 import threading
-from typing import Any
+import uuid
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 import zmq
 
-from rigapp.engine.messages import Reply, Request, Snapshot
-from rigapp.service.registry import EngineEntry
+from rigapp.engine.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
+from rigapp.service.registry import EngineEntry, other_version, runtime_folder
+
+if TYPE_CHECKING:
+    from rigapp.service.security import KeyPair
 
 SNAPSHOT_QUEUE = 64
+PRESENT_S = 2.0
 
 
 class EngineUnreachable(Exception):
@@ -22,18 +32,29 @@ class Client:
     """One viewer of one engine; ``poll`` and ``request`` may be called from different threads."""
 
     def __init__(self, entry: EngineEntry, operator: str = "") -> None:
-        """Attach to the engine of an entry; nothing is sent yet."""
+        """Attach to the engine of an entry; nothing is sent yet.
+
+        Raises EngineUnreachable when the entry tells of another version of the protocol, and
+        UnusableInput when the engine demands a key and this viewer's cannot be used.
+        """
+        if entry.version != PROTOCOL_VERSION:
+            raise EngineUnreachable(other_version(entry.version, PROTOCOL_VERSION))
         self.entry = entry
+        self.identity = uuid.uuid4().hex
+        self._keys = _viewer_keys(entry)
         self._operator = operator
         self._context = zmq.Context()
         self._stream = self._context.socket(zmq.SUB)
         self._stream.setsockopt(zmq.RCVHWM, SNAPSHOT_QUEUE)
         self._stream.setsockopt(zmq.LINGER, 0)
         self._stream.setsockopt(zmq.SUBSCRIBE, b"")
+        self._show_keys(self._stream)
         self._stream.connect(entry.snapshots)
         self._lock = threading.Lock()
         self._identifier = 0
         self._closed = False
+        self._leave = threading.Event()
+        self._presence: threading.Thread | None = None
 
     def poll(self) -> Snapshot | None:
         """Return what came since the last call, merged into one snapshot, or None."""
@@ -62,6 +83,20 @@ class Client:
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0
     ) -> Reply:
         """Ask the engine and wait for the answer; raise EngineUnreachable after timeout_s."""
+        reply = self._request(verb, arguments, timeout_s)
+        if verb == "take_command" and reply.ok:
+            self._stay_present()
+        if verb == "release_command" and reply.ok:
+            self._leave.set()
+        return reply
+
+    def hello(self, timeout_s: float = 5.0) -> None:
+        """Make sure that the engine answers and speaks our protocol; raise EngineUnreachable."""
+        reply = self.request("hello", timeout_s=timeout_s)
+        if not reply.ok:
+            raise EngineUnreachable(reply.sentence)
+
+    def _request(self, verb: str, arguments: dict[str, Any] | None, timeout_s: float) -> Reply:
         with self._lock:
             self._identifier += 1
             request = Request(
@@ -69,12 +104,14 @@ class Client:
                 arguments=arguments or {},
                 operator=self._operator,
                 identifier=self._identifier,
+                client=self.identity,
             )
         socket = self._context.socket(zmq.REQ)
         socket.setsockopt(zmq.LINGER, 0)
         socket.setsockopt(zmq.IMMEDIATE, 1)
         socket.setsockopt(zmq.SNDTIMEO, max(1, int(1000 * timeout_s)))
         try:
+            self._show_keys(socket)
             socket.connect(self.entry.commands)
             socket.send(msgspec.msgpack.encode(request))
             if not socket.poll(int(1000 * timeout_s)):
@@ -83,6 +120,11 @@ class Client:
                     f" {timeout_s:g} s; is it still running?"
                 )
             return msgspec.msgpack.decode(socket.recv(), type=Reply)
+        except zmq.Again as error:
+            raise EngineUnreachable(
+                f"The engine (process {self.entry.pid}) could not be reached within {timeout_s:g} s"
+                f" for {verb!r}{self._key_advice()}."
+            ) from error
         except zmq.ZMQError as error:
             raise EngineUnreachable(
                 f"The engine (process {self.entry.pid}) cannot be reached for {verb!r}: {error}."
@@ -93,8 +135,54 @@ class Client:
     def close(self) -> None:
         """Detach; the engine goes on."""
         self._closed = True
+        self._leave.set()
+        if self._presence is not None and self._presence is not threading.current_thread():
+            self._presence.join(timeout=2.0 * PRESENT_S)
         self._stream.close()
         self._context.destroy(linger=0)
+
+    def _show_keys(self, socket: zmq.Socket[bytes]) -> None:
+        if self._keys is not None:
+            from rigapp.service.security import present_keys
+
+            present_keys(socket, self.entry.server_key, self._keys)
+
+    def _key_advice(self) -> str:
+        if self._keys is None:
+            return "; is it still running?"
+        return (
+            f"; if it is running, the public key in {runtime_folder() / 'keys' / 'viewer.key'} is"
+            " not among its authorised viewers, or its own key has changed"
+        )
+
+    def _stay_present(self) -> None:
+        with self._lock:
+            if (
+                self._presence is not None
+                and self._presence.is_alive()
+                and not self._leave.is_set()
+            ):
+                return
+            self._leave = threading.Event()
+            self._presence = threading.Thread(
+                target=self._be_present, args=(self._leave,), name="in-command", daemon=True
+            )
+            self._presence.start()
+
+    def _be_present(self, leave: threading.Event) -> None:
+        while not leave.wait(PRESENT_S):
+            with suppress(EngineUnreachable):
+                reply = self._request("present", None, PRESENT_S)
+                if reply.ok and not reply.result["in_command"]:
+                    return
+
+
+def _viewer_keys(entry: EngineEntry) -> KeyPair | None:
+    if not entry.server_key:
+        return None
+    from rigapp.service.security import viewer_keys
+
+    return viewer_keys(runtime_folder())
 
 
 def _with_newest_curves(snapshot: Snapshot, older: Snapshot | None) -> Snapshot:

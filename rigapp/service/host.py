@@ -22,9 +22,18 @@ from rigapp.config.loading import Document, parse_test, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.engine import Engine
-from rigapp.engine.messages import Reply, Request, RevolutionMeasured, RunState, Snapshot
+from rigapp.engine.messages import (
+    PROTOCOL_VERSION,
+    Reply,
+    Request,
+    RevolutionMeasured,
+    RunState,
+    Snapshot,
+    Status,
+)
 from rigapp.engine.publish import Finished
 from rigapp.engine.run import ACTIVE, Refused
+from rigapp.service.command import Command
 from rigapp.service.records import with_records
 from rigapp.service.registry import (
     EngineEntry,
@@ -33,6 +42,7 @@ from rigapp.service.registry import (
     runtime_folder,
     withdraw,
 )
+from rigapp.service.security import Bind, authorise_own_viewer, parse_bind, require_viewers
 from rigapp.service.server import Server
 from rigapp.service.simulated import SimulatedDevices, Speed, parse_speed
 from rigapp.simulation.handle import SimulationFailed
@@ -77,8 +87,13 @@ class Behind:
 class EngineHost:
     """One engine of one rig, reachable by viewers while it lives."""
 
-    def __init__(self, rig: Document[RigFile], speed: Speed | None) -> None:
-        """Make the engine and begin to serve; devices are opened by ``connect`` or ``start``."""
+    def __init__(
+        self, rig: Document[RigFile], speed: Speed | None, bind: Bind | None = None
+    ) -> None:
+        """Make the engine and begin to serve; devices are opened by ``connect`` or ``start``.
+
+        bind: where to listen in place of this computer's sockets. Raises UnusableInput.
+        """
         self._simulated = SimulatedDevices(rig, speed)
         self._twin: TwinLink | None = None
         self._records = with_records(rig)
@@ -90,9 +105,16 @@ class EngineHost:
         self._starting = threading.Lock()
         self.ended = threading.Event()
         self._behind = Behind()
-        self._verbs = self._table()
-        folder = runtime_folder()
-        self._server = Server(self.handle, self.snapshot, *local_endpoints(folder, os.getpid()))
+        self._command = Command(
+            lambda text, who, before, after: self.engine.log("command", text, who, before, after)
+        )
+        self._verbs: dict[str, Callable[[Request], Any]] = {
+            **{name: _plain(verb) for name, verb in self._table().items()},
+            "take_command": self._command.take,
+            "release_command": self._command.release,
+            "present": self._command.present,
+        }
+        self._server = self._listen(bind)
         self._server.start()
         announce(
             EngineEntry(
@@ -101,8 +123,19 @@ class EngineHost:
                 snapshots=self._server.stream,
                 rig=str(rig.path.resolve()),
                 started=time.time(),
+                server_key=self._server.public_key,
             )
         )
+
+    def _listen(self, bind: Bind | None) -> Server:
+        folder = runtime_folder()
+        if bind is None:
+            return Server(self.handle, self.snapshot, *local_endpoints(folder, os.getpid()))
+        if bind.curve:
+            require_viewers(folder, bind)
+            authorise_own_viewer(folder)
+        keys = folder if bind.curve else None
+        return Server(self.handle, self.snapshot, *bind.endpoints(), keys)
 
     # --- tests -----------------------------------------------------------------------------------
 
@@ -161,23 +194,30 @@ class EngineHost:
 
     def snapshot(self) -> Snapshot:
         """Return what is new for all viewers."""
+        self._command.look()
         snapshot = self.engine.snapshot(self._subscription)
+        return msgspec.structs.replace(snapshot, status=self._with_service(snapshot.status))
+
+    def _with_service(self, status: Status) -> Status:
+        """Add what the engine itself does not know."""
         speed = self._simulated.speed
-        status = msgspec.structs.replace(
-            snapshot.status,
+        return msgspec.structs.replace(
+            status,
             simulated_speed=0.0 if speed == "max" else float(speed or 1.0),
             engine_pid=os.getpid(),
+            in_command=self._command.holder,
         )
-        return msgspec.structs.replace(snapshot, status=status)
 
     def handle(self, request: Request) -> Reply:
         """Carry out a request; what was refused comes back as one sentence."""
-        verb = self._verbs.get(request.verb)
+        verbs = self._verbs
+        verb = verbs.get(request.verb)
         if verb is None:
-            known = ", ".join(sorted(self._verbs))
+            known = ", ".join(sorted(verbs))
             return Reply(ok=False, sentence=f"There is no command {request.verb!r}: {known}.")
         try:
-            result = verb(request.arguments, request.operator)
+            self._command.judge(request)
+            result = verb(request)
         except EXPECTED as error:
             return Reply(ok=False, sentence=_capital(str(error)))
         except (KeyError, TypeError, ValueError) as error:
@@ -189,7 +229,8 @@ class EngineHost:
     def _table(self) -> dict[str, Callable[[dict[str, Any], str], Any]]:
         engine = self.engine
         return {
-            "status": lambda a, who: msgspec.to_builtins(self.snapshot().status),
+            "hello": lambda a, who: {"version": PROTOCOL_VERSION, "pid": os.getpid()},
+            "status": lambda a, who: msgspec.to_builtins(self._with_service(engine.status())),
             "connect": lambda a, who: self.connect(),
             "reconnect": lambda a, who: self.connect(),
             "start": self._start_request,
@@ -233,6 +274,11 @@ class EngineHost:
         self.start(recorded_test(path), path, operator, resume=True)
 
 
+def _plain(verb: Callable[[dict[str, Any], str], Any]) -> Callable[[Request], Any]:
+    """Return a verb of arguments and operator as one of the whole request."""
+    return lambda request: verb(request.arguments, request.operator)
+
+
 def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Document[TestFile]:
     """Return a test with another number of revolutions, in its text as well; UnusableInput."""
     if revolutions is None or revolutions == test.record.run.revolutions:
@@ -274,13 +320,15 @@ def _new_position(path: Path) -> tuple[float, float] | None:
         )
 
 
-def serve(rig_path: Path, speed: str | None) -> int:
+def serve(rig_path: Path, speed: str | None, bind: str | None = None) -> int:
     """Host an engine for windows until one of them, or a signal, shuts it down.
+
+    bind: as ``security.parse_bind`` takes it.
 
     Without a test and without a viewer for ``LONELY_S`` it ends by itself.
     """
     rig = read_rig(rig_path)
-    host = EngineHost(rig, parse_speed(speed, rig))
+    host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: host.ended.set())
     threading.Thread(target=_connect_quietly, args=(host,), name="connect", daemon=True).start()

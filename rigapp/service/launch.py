@@ -1,20 +1,32 @@
-"""Find a running engine of a rig, or start one that outlives its window."""
+"""Find a running engine of a rig, or start one that outlives its window.
+
+``RIGAPP_ENGINE`` names the entry file of an engine elsewhere, copied from its runtime folder; it
+comes before every engine of this computer.
+"""
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import time
 from pathlib import Path
 
 from rigapp.service.client import Client, EngineUnreachable
-from rigapp.service.registry import EngineEntry, running_engines, runtime_folder
+from rigapp.service.registry import EngineEntry, read_entry, running_engines, runtime_folder
 
 START_S = 60.0
+HELLO_S = 10.0
 
 
 def find_engine(rig: Path) -> EngineEntry | None:
-    """Return the newest running engine that holds this rig, None when there is none."""
+    """Return the newest running engine that holds this rig, None when there is none.
+
+    With ``RIGAPP_ENGINE`` the engine that it names; raises UnusableInput when that is no entry.
+    """
+    elsewhere = os.environ.get("RIGAPP_ENGINE")
+    if elsewhere:
+        return read_entry(Path(elsewhere))
     wanted = str(rig.resolve())
     found = [entry for entry in running_engines() if entry.rig == wanted]
     return found[-1] if found else None
@@ -23,10 +35,16 @@ def find_engine(rig: Path) -> EngineEntry | None:
 def attach(rig: Path, operator: str = "") -> Client:
     """Return a client of the rig's engine, starting one when none runs.
 
-    Raises EngineUnreachable with the engine's own last words when it does not come up.
+    Raises EngineUnreachable with the engine's own last words when it does not come up, when it
+    does not answer, or when it speaks another version of the protocol.
     """
-    entry = find_engine(rig) or _start(rig)
-    return Client(entry, operator)
+    client = Client(find_engine(rig) or _start(rig), operator)
+    try:
+        client.hello(HELLO_S)
+    except EngineUnreachable:
+        client.close()
+        raise
+    return client
 
 
 def _start(rig: Path) -> EngineEntry:

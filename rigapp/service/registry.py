@@ -10,10 +10,14 @@ from pathlib import Path
 import msgspec
 
 from rigapp.config.errors import UnusableInput
+from rigapp.engine.messages import PROTOCOL_VERSION
 
 
 class EngineEntry(msgspec.Struct, frozen=True):
-    """Tell where a running engine listens and which rig it holds."""
+    """Tell where a running engine listens and which rig it holds.
+
+    server_key: public CurveZMQ key (Z85) where viewers must show theirs, else empty.
+    """
 
     pid: int
     commands: str
@@ -21,6 +25,7 @@ class EngineEntry(msgspec.Struct, frozen=True):
     rig: str
     started: float
     server_key: str = ""
+    version: int = PROTOCOL_VERSION
 
 
 def runtime_folder() -> Path:
@@ -54,6 +59,14 @@ def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
     return f"ipc://{folder}/{pid}.commands", f"ipc://{folder}/{pid}.snapshots"
 
 
+def read_entry(path: Path) -> EngineEntry:
+    """Return the entry in a file, of an engine elsewhere for example; raise UnusableInput."""
+    try:
+        return msgspec.json.decode(path.read_bytes(), type=EngineEntry)
+    except (OSError, msgspec.DecodeError) as error:
+        raise UnusableInput(f"{path}: is not the entry of an engine ({error}).") from error
+
+
 def announce(entry: EngineEntry) -> Path:
     """Write the entry of this engine and return its path."""
     path = runtime_folder() / f"engine-{entry.pid}.json"
@@ -68,6 +81,14 @@ def withdraw(pid: int) -> None:
     folder = runtime_folder()
     for name in (f"engine-{pid}.json", f"{pid}.commands", f"{pid}.snapshots"):
         (folder / name).unlink(missing_ok=True)
+
+
+def other_version(engine: int, viewer: int) -> str:
+    """Say that an engine and a viewer do not speak the same protocol."""
+    return (
+        f"This engine speaks version {engine} of the protocol, the viewer version {viewer}; use the"
+        " same rigapp on both sides."
+    )
 
 
 def running_engines() -> list[EngineEntry]:

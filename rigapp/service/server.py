@@ -4,6 +4,7 @@ Commands arrive on a ROUTER socket and are answered in the order in which they f
 (connect, start) never delays another (stop). At most ``PENDING`` are under way; further ones are
 answered "busy". Snapshots leave on an XPUB socket with a short queue: a viewer that lags loses the
 oldest, and sees the gap in ``Snapshot.first_row``; ``Server.watched`` tells whether anyone looks.
+With keys, a viewer whose key is not authorised reaches neither.
 """
 
 from __future__ import annotations
@@ -13,11 +14,15 @@ import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import msgspec
 import zmq
 
+from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
+from rigapp.service.registry import other_version
+from rigapp.service.security import Guard
 
 PENDING = 16
 SNAPSHOT_QUEUE = 4
@@ -28,21 +33,42 @@ Handler = Callable[[Request], Reply]
 Source = Callable[[], Snapshot]
 
 
+class _Head(msgspec.Struct, frozen=True):
+    """What every version of a request has: enough to answer one that is not ours."""
+
+    version: int = 0
+    identifier: int = 0
+
+
 class Server:
     """Answer requests and publish snapshots from one supervised thread."""
 
-    def __init__(self, handler: Handler, snapshots: Source, commands: str, stream: str) -> None:
-        """Bind at once, so that the addresses are known; ``start`` begins to serve."""
+    def __init__(
+        self,
+        handler: Handler,
+        snapshots: Source,
+        commands: str,
+        stream: str,
+        keys: Path | None = None,
+    ) -> None:
+        """Bind at once, so that the addresses are known; ``start`` begins to serve.
+
+        keys: the runtime folder with the keys, when viewers must show theirs. Raises UnusableInput
+        when an address cannot be had.
+        """
         self._handler = handler
         self._snapshots = snapshots
         self._context = zmq.Context()
+        self._guard = Guard(self._context, keys) if keys is not None else None
         self._router = self._context.socket(zmq.ROUTER)
         self._publisher = self._context.socket(zmq.XPUB)
         for socket in (self._router, self._publisher):
             socket.setsockopt(zmq.LINGER, 200)
             socket.setsockopt(zmq.SNDHWM, SNAPSHOT_QUEUE if socket is self._publisher else 100)
-        self._router.bind(commands)
-        self._publisher.bind(stream)
+            if self._guard is not None:
+                self._guard.protect(socket)
+        self._bind(self._router, commands)
+        self._bind(self._publisher, stream)
         self.commands = self._router.getsockopt_string(zmq.LAST_ENDPOINT)
         self.stream = self._publisher.getsockopt_string(zmq.LAST_ENDPOINT)
         self._replies: queue.Queue[tuple[bytes, bytes]] = queue.Queue()
@@ -52,6 +78,11 @@ class Server:
         self._thread = threading.Thread(target=self._serve, name="service", daemon=True)
         self.watched = False
         self.failure: BaseException | None = None
+
+    @property
+    def public_key(self) -> str:
+        """Return the key that viewers must know, empty where none is needed."""
+        return self._guard.public_key if self._guard is not None else ""
 
     def start(self) -> None:
         """Begin to serve."""
@@ -63,6 +94,20 @@ class Server:
         if self._thread.is_alive():
             self._thread.join(timeout=5.0)
         self._workers.shutdown(wait=False, cancel_futures=True)
+        self._release()
+
+    def _bind(self, socket: zmq.Socket[bytes], address: str) -> None:
+        try:
+            socket.bind(address)
+        except zmq.ZMQError as error:
+            self._release()
+            raise UnusableInput(
+                f"The engine cannot listen at {address}: {error}; choose another address or port."
+            ) from error
+
+    def _release(self) -> None:
+        if self._guard is not None:
+            self._guard.close()
         self._context.destroy(linger=200)
 
     @property
@@ -95,16 +140,13 @@ class Server:
         frames = self._router.recv_multipart()
         sender, body = frames[0], frames[-1]
         try:
+            head = msgspec.msgpack.decode(body, type=_Head)
+            if head.version != PROTOCOL_VERSION:
+                self._answer_other_version(sender, head)
+                return
             request = msgspec.msgpack.decode(body, type=Request)
         except (msgspec.DecodeError, msgspec.ValidationError) as error:
             self._answer(sender, Reply(ok=False, sentence=f"The request is not readable: {error}."))
-            return
-        if request.version != PROTOCOL_VERSION:
-            sentence = (
-                f"This engine speaks version {PROTOCOL_VERSION} of the protocol, the request is of"
-                f" version {request.version}; use the same rigapp on both sides."
-            )
-            self._answer(sender, Reply(ok=False, sentence=sentence, identifier=request.identifier))
             return
         if self._under_way >= PENDING:
             sentence = f"The engine is busy with {PENDING} requests; ask again."
@@ -112,6 +154,10 @@ class Server:
             return
         self._under_way += 1
         self._workers.submit(self._work, sender, request)
+
+    def _answer_other_version(self, sender: bytes, head: _Head) -> None:
+        sentence = other_version(PROTOCOL_VERSION, head.version)
+        self._answer(sender, Reply(ok=False, sentence=sentence, identifier=head.identifier))
 
     def _work(self, sender: bytes, request: Request) -> None:
         try:

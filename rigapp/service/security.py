@@ -1,0 +1,199 @@
+"""Where an engine listens, and who may attach: Unix sockets and loopback freely, others by key.
+
+Beyond this computer every viewer needs a CurveZMQ key pair whose public half lies in the engine's
+folder of authorised viewers. Keys lie in ``keys`` in the runtime folder (``RIGAPP_RUNTIME_DIR``):
+``server.key_secret``, ``viewer.key_secret`` (both readable by their owner alone) and
+``authorised/*.key``. A key that is put into or taken out of that folder counts at once for
+viewers that attach from then on.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+import os
+import re
+import stat
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import zmq
+import zmq.auth
+from zmq.auth.thread import ThreadAuthenticator
+
+from rigapp.config.errors import UnusableInput
+
+DOMAIN = "rigapp"
+OWN = "this-computer.key"
+
+Context = zmq.Context[Any]
+Socket = zmq.Socket[Any]
+
+
+class Bind(msgspec.Struct, frozen=True):
+    """Say where an engine listens; port 0 lets the system choose. ``curve`` demands keys."""
+
+    address: str
+    port: int
+    curve: bool
+
+    def endpoints(self) -> tuple[str, str]:
+        """Return the addresses for commands and snapshots: a port and the next one."""
+        host = f"[{self.address}]" if ":" in self.address else self.address
+        if self.port == 0:
+            return f"tcp://{host}:*", f"tcp://{host}:*"
+        return f"tcp://{host}:{self.port}", f"tcp://{host}:{self.port + 1}"
+
+
+class KeyPair(msgspec.Struct, frozen=True):
+    """A CurveZMQ key pair, Z85."""
+
+    public: bytes
+    secret: bytes
+
+
+def parse_bind(text: str) -> Bind:
+    """Return where ``--bind tcp://ADDRESS:PORT`` asks to listen; raise UnusableInput.
+
+    Every address that is not loopback demands keys. A wildcard is refused: viewers could not know
+    the address from the entry, and it would open interfaces that nobody thought of.
+    """
+    found = re.fullmatch(r"tcp://(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", text)
+    if found is None:
+        raise UnusableInput(f"--bind {text}: give tcp://ADDRESS:PORT.")
+    name, port = found[1] or found[2], int(found[3])
+    try:
+        address = ipaddress.ip_address("127.0.0.1" if name == "localhost" else name)
+    except ValueError as error:
+        raise UnusableInput(
+            f"--bind {text}: {name} is not an IP address; give the number of one interface."
+        ) from error
+    if address.is_unspecified:
+        raise UnusableInput(f"--bind {text}: name the address of one interface, not all of them.")
+    if port > 65534:
+        raise UnusableInput(
+            f"--bind {text}: the port and the next one are used; give at most 65534."
+        )
+    return Bind(str(address), port, curve=not address.is_loopback)
+
+
+def server_keys(folder: Path) -> KeyPair:
+    """Return the engine's key pair, made when missing; raise UnusableInput when it is not private.
+
+    folder: the runtime folder.
+    """
+    return _keys(folder, "server")
+
+
+def viewer_keys(folder: Path) -> KeyPair:
+    """Return this user's key pair as a viewer, made when missing; raise UnusableInput."""
+    return _keys(folder, "viewer")
+
+
+def authorised_folder(folder: Path) -> Path:
+    """Return the folder of the public keys that may attach, made when missing."""
+    return _private(folder / "keys" / "authorised")
+
+
+def authorise_own_viewer(folder: Path) -> None:
+    """Let viewers of this user on this computer attach; they could read the server's key anyway."""
+    path = authorised_folder(folder) / OWN
+    viewer_keys(folder)
+    path.write_bytes((folder / "keys" / "viewer.key").read_bytes())
+
+
+def require_viewers(folder: Path, bind: Bind) -> None:
+    """Raise UnusableInput unless a viewer of another computer is authorised."""
+    authorised = authorised_folder(folder)
+    server_keys(folder)
+    if any(path.name != OWN for path in authorised.glob("*.key")):
+        return
+    raise UnusableInput(
+        f"--bind {bind.address}: beyond this computer only authorised viewers may attach, and there"
+        f" is none; put the public key of each (its keys/viewer.key) into {authorised}."
+    )
+
+
+class Guard:
+    """Let only authorised viewers attach to the sockets of one context (ZAP, CurveZMQ)."""
+
+    def __init__(self, context: Context, folder: Path) -> None:
+        """Begin to answer; must come before the sockets are bound."""
+        self._authorised = authorised_folder(folder)
+        self._keys = server_keys(folder)
+        self._authenticator = ThreadAuthenticator(context)
+        self._authenticator.start()
+        self._authenticator.configure_curve_callback(DOMAIN, self)
+
+    @property
+    def public_key(self) -> str:
+        """Return what viewers must know: the server's public key."""
+        return self._keys.public.decode()
+
+    def protect(self, socket: Socket) -> None:
+        """Make a socket that is not bound yet demand an authorised key."""
+        socket.curve_publickey = self._keys.public
+        socket.curve_secretkey = self._keys.secret
+        socket.curve_server = True
+        socket.zap_domain = DOMAIN.encode()
+        # Without this, a socket whose authenticator has died would let everybody in.
+        socket.setsockopt(zmq.ZAP_ENFORCE_DOMAIN, 1)
+
+    def callback(self, domain: str, key: bytes) -> bool:
+        """Tell whether a viewer's public key is authorised (called by the authenticator)."""
+        return key in _public_keys(self._authorised)
+
+    def close(self) -> None:
+        """Let nobody in any more."""
+        self._authenticator.stop()
+
+
+def present_keys(socket: Socket, server_key: str, keys: KeyPair) -> None:
+    """Make a viewer's socket that is not connected yet show its key and demand the server's."""
+    socket.curve_publickey = keys.public
+    socket.curve_secretkey = keys.secret
+    socket.curve_serverkey = server_key.encode()
+
+
+def _public_keys(folder: Path) -> set[bytes]:
+    """Return the public keys of a folder; what is no key file authorises nobody."""
+    found = set()
+    for path in folder.glob("*.key"):
+        try:
+            found.add(zmq.auth.load_certificate(path)[0])
+        except (OSError, ValueError):
+            continue
+    return found
+
+
+def _keys(folder: Path, name: str) -> KeyPair:
+    keys = _private(folder / "keys")
+    path = keys / f"{name}.key_secret"
+    if not path.exists():
+        _make(keys, name)
+    if hasattr(os, "getuid") and stat.S_IMODE(path.stat().st_mode) & 0o077:
+        raise UnusableInput(f"{path}: others can read this secret key; delete it, or chmod 600 it.")
+    try:
+        public, secret = zmq.auth.load_certificate(path)
+    except (OSError, ValueError) as error:
+        raise UnusableInput(f"{path}: is no key pair ({error}); delete it.") from error
+    if secret is None:
+        raise UnusableInput(f"{path}: holds no secret key; delete it.")
+    return KeyPair(public, secret)
+
+
+def _make(folder: Path, name: str) -> None:
+    """Make a key pair; the secret is private from its first byte on."""
+    before = os.umask(0o077)
+    try:
+        zmq.auth.create_certificates(folder, name)
+    finally:
+        os.umask(before)
+
+
+def _private(folder: Path) -> Path:
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    except OSError as error:
+        raise UnusableInput(f"{folder}: cannot be made ({error}).") from error
+    return folder
