@@ -1,0 +1,215 @@
+"""The wizard's pages on a scripted rig, driven by keyboard."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QComboBox,
+    QLineEdit,
+    QTableWidget,
+    QWidget,
+    QWizard,
+)
+
+from calibration.plans import StepKind
+from rigapp.commands.practice import Mistake
+from rigapp.gui.calibration.plan_page import NEW
+
+NEXT, COMMIT, BACK = (
+    QWizard.WizardButton.NextButton,
+    QWizard.WizardButton.CommitButton,
+    QWizard.WizardButton.BackButton,
+)
+
+
+def to_readings(wizard: Any) -> None:
+    wizard.next()
+    wizard.bench.tick()
+    wizard.next()
+    assert wizard.currentPage() is wizard.readings
+
+
+def go_ahead(wizard: Any, until: Any) -> None:
+    wizard.bench.goes_ahead = True
+    for _ in range(400):
+        wizard.bench.tick()
+        if until():
+            wizard.bench.goes_ahead = False
+            return
+    pytest.fail(f"not reached: {wizard.bench.readiness}")
+
+
+def done(wizard: Any) -> bool:
+    return bool(wizard.bench.session.procedure.done)
+
+
+def loaded(wizard: Any) -> bool:
+    step = wizard.bench.session.procedure.step
+    return step.kind is StepKind.READING and step.mass > 20.0
+
+
+def judged(wizard: Any, qtbot: Any) -> None:
+    def ready() -> bool:
+        wizard.bench.tick()
+        return wizard.bench.outcome is not None
+
+    qtbot.waitUntil(ready, timeout=20000)
+
+
+def test_whole_wizard_to_the_certificate(wizard: Any, qtbot: Any, tmp_path: Path) -> None:
+    assert "45.5 kg in all" in wizard.plan.summary.text()
+    to_readings(wizard)
+    assert not wizard.button(NEXT).isEnabled()
+    assert not wizard.button(BACK).isEnabled()
+    go_ahead(wizard, lambda: done(wizard))
+    assert wizard.readings.table.rowCount() == 44
+    assert wizard.button(NEXT).isEnabled()
+    wizard.next()
+    judged(wizard, qtbot)
+    page = wizard.result_page
+    assert page.verdict.text() == "✓ Accepted"
+    assert float(page.matrix.item(0, 0).text()) == pytest.approx(201.0, abs=0.2)
+    assert "Expanded uncertainty at 400 N" in page.words.text()
+    assert "Not classifiable" in page.words.text()
+    wizard.next()
+    assert wizard.currentPage() is wizard.certificate
+    record = wizard.bench.outcome.saved
+    assert record is not None
+    assert record.exists()
+    qtbot.keyClick(wizard.certificate.html, Qt.Key.Key_Space)
+
+    def written() -> bool:
+        wizard.bench.tick()
+        return "The certificate is" in wizard.certificate.words.text()
+
+    qtbot.waitUntil(written, timeout=20000)
+    assert record.with_suffix(".html").stat().st_size > 1000
+
+
+def test_record_is_disabled_until_steady_and_counts_by_keyboard(
+    wizard: Any, qtbot: Any, scripted: Any
+) -> None:
+    to_readings(wizard)
+    page, bench = wizard.readings, wizard.bench
+    bench.tick()
+    qtbot.keyClick(page.record, Qt.Key.Key_Space)
+    go_ahead(wizard, lambda: loaded(wizard))
+    scripted.faults.add("swinging_weight")
+    bench.lend_a_hand()
+    bench.tick()
+    assert not page.record.isEnabled()
+    assert page.stability.word.text() == "NOT STEADY"
+    assert "swinging" in page.stability.why.text()
+    before = page.table.rowCount()
+    qtbot.keyClick(page.record, Qt.Key.Key_Space)
+    assert page.table.rowCount() == before
+    scripted.faults.clear()
+    bench.tick()
+    assert page.stability.word.text() == "STEADY"
+    qtbot.keyClick(page.record, Qt.Key.Key_Space)
+    assert page.table.rowCount() == before + 1
+
+
+def test_wrong_weight_is_refused_rejected_and_repeated(wizard: Any, qtbot: Any) -> None:
+    to_readings(wizard)
+    bench = wizard.bench
+    go_ahead(wizard, lambda: loaded(wizard))
+    wizard.readings.hands.mistake.setCurrentIndex(1)
+    assert bench.mistake is Mistake.WRONG_WEIGHT
+    count = len(bench.session.procedure.taken)
+    bench._done_for = (-1, -1)
+    go_ahead(wizard, lambda: len(bench.session.procedure.taken) > count)
+    wizard.readings.hands.mistake.setCurrentIndex(0)
+    go_ahead(wizard, lambda: done(wizard))
+    wizard.next()
+    judged(wizard, qtbot)
+    page = wizard.result_page
+    assert page.verdict.text() == "✗ Refused"
+    assert "check the weights that hung there" in page.problems.text()
+    assert page.target.isHidden()
+    assert page.nextId() == -1
+    wizard.back()
+    wizard.readings.table.selectRow(count)
+    assert not wizard.readings.reject_button.isEnabled()
+    qtbot.keyClicks(wizard.readings.reason, "wrong piece")
+    qtbot.keyClick(wizard.readings.reject_button, Qt.Key.Key_Space)
+    assert not wizard.button(NEXT).isEnabled()
+    assert wizard.readings.table.item(count, 6).text() == "rejected: wrong piece"
+    go_ahead(wizard, lambda: done(wizard))
+    wizard.next()
+    judged(wizard, qtbot)
+    assert page.verdict.text() == "✓ Accepted"
+
+
+def test_escape_keeps_the_readings_and_they_are_taken_up(
+    wizard: Any, qtbot: Any, tmp_path: Path
+) -> None:
+    to_readings(wizard)
+    bench = wizard.bench
+    go_ahead(wizard, lambda: len(bench.session.procedure.taken) >= 3)
+    taken = bench.session.procedure.taken
+    qtbot.keyClick(wizard, Qt.Key.Key_Escape)
+    assert not wizard.isVisible()
+    assert bench.session is None
+    wizard.restart()
+    wizard.show()
+    assert wizard.plan.begin.itemText(0) == NEW
+    wizard.plan.begin.setCurrentIndex(1)
+    wizard.next()
+    wizard.next()
+    assert wizard.currentPage() is wizard.readings
+    assert bench.session.procedure.taken == taken
+    assert wizard.readings.table.rowCount() == len(taken)
+
+
+def test_typed_value_counts_without_leaving_the_field(wizard: Any, qtbot: Any) -> None:
+    box = wizard.plan.hanger
+    box.lineEdit().selectAll()
+    qtbot.keyClicks(box, "0.25")
+    wizard.next()
+    assert wizard.bench.session.settings.weights.hanger_mass == pytest.approx(0.25)
+
+
+def test_wrong_weights_are_said_on_the_page(wizard: Any) -> None:
+    wizard.plan.weights.setText("five")
+    wizard.next()
+    assert wizard.currentPage() is wizard.plan
+    assert "five" in wizard.plan.problem.text()
+
+
+def test_angle_page_waits_for_the_encoder(wizard: Any, scripted: Any) -> None:
+    scripted.angle_deg = None
+    wizard.next()
+    wizard.bench.tick()
+    assert not wizard.button(COMMIT).isEnabled()
+    assert "index" in wizard.angle.stability.why.text()
+    scripted.angle_deg = 359.6
+    wizard.bench.tick()
+    assert wizard.button(COMMIT).isEnabled()
+    assert wizard.angle.shown.value() == pytest.approx(-0.4)
+
+
+def test_engine_that_refuses_is_said_on_the_page(wizard: Any, scripted: Any) -> None:
+    wizard.next()
+    scripted.refuses = "A test is under way."
+    wizard.bench.tick()
+    assert wizard.angle.problem.text() == "A test is under way."
+    assert not wizard.button(COMMIT).isEnabled()
+
+
+def test_every_control_has_a_name(wizard: Any, qtbot: Any) -> None:
+    kinds = (QAbstractButton, QAbstractSpinBox, QComboBox, QLineEdit, QTableWidget)
+    for page in (wizard.plan, wizard.angle, wizard.readings, wizard.result_page):
+        for widget in page.findChildren(QWidget):
+            inside = isinstance(widget.parent(), (QAbstractSpinBox, QComboBox, QTableWidget))
+            if isinstance(widget, kinds) and not inside:
+                interface = QAccessible.queryAccessibleInterface(widget)
+                assert interface is not None
+                assert interface.text(QAccessible.Text.Name), widget.objectName()
