@@ -70,6 +70,19 @@ class Axis:
         self.duty = 0
         self.target = self.setpoint = 0.0
 
+    @property
+    def driven(self) -> bool:
+        """Tell whether a command wants the motor to turn."""
+        moving = self.target != 0.0 or self.setpoint != 0.0
+        return self.mode is DriveMode.DUTY or (self.mode is DriveMode.VELOCITY and moving)
+
+    def halt(self) -> None:
+        """Stop at once and hold: a motor that was only switched off would swing in its spring."""
+        if self.mode is not DriveMode.OFF:
+            self.mode = DriveMode.VELOCITY
+            self.duty = 0
+            self.target = self.setpoint = 0.0
+
     def advance(self, elapsed_s: float) -> None:
         """Move the set-point along its ramp, and the motor with it when there is no plant."""
         if self.mode is DriveMode.VELOCITY:

@@ -108,6 +108,13 @@ class Registers:
             axis.power_off()
         return was_on
 
+    def halt(self) -> bool:
+        """Stop both motors and hold them, as on a serial time-out; tell whether one was driven."""
+        driven = any(axis.driven for axis in self.axes)
+        for axis in self.axes:
+            axis.halt()
+        return driven
+
     def knows(self, command: int) -> bool:
         """Tell whether a command is a read that this drive answers."""
         return command in self._readers

@@ -143,7 +143,7 @@ class RoboClawSimulator:
             self._silent_until_s = time_s + silence_s
             self.watchdog_tripped = False
         timeout_s = self.serial_timeout_s
-        if timeout_s and time_s - self._last_byte_s > timeout_s and self._registers.power_off():
+        if timeout_s and time_s - self._last_byte_s > timeout_s and self._registers.halt():
             self.watchdog_tripped = True
         self._registers.judge(time_s)
         return time_s

@@ -9,13 +9,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.api import DriveMode, MotorState
+from drivers.api import DriveCommand, DriveMode, MotorState
 from drivers.roboclaw import protocol
 from drivers.roboclaw.protocol import OLDER, Command, EmergencyStopLock, Generation
 from drivers.roboclaw.simulated_faults import FaultKind
 from drivers.roboclaw.simulator import RoboClawSimulator
 
 FF = b"\xff"
+
+
+HELD = DriveCommand(DriveMode.VELOCITY, speed_count_per_s=0.0)
+"""A motor that stands and is held."""
 
 
 def ask(simulator: RoboClawSimulator, command: int, now_s: float = 0.0) -> tuple[int, ...]:
@@ -154,10 +158,10 @@ def test_silence_longer_than_the_time_out_stops_the_motor_until_a_new_command() 
     tell(simulator, Command.SET_SPEED_M1, 1000)
     assert simulator.command(0.1, 0.49).mode is DriveMode.VELOCITY
     assert not simulator.watchdog_tripped
-    assert simulator.command(0.1, 0.51).mode is DriveMode.OFF
+    assert simulator.command(0.1, 0.51) == HELD
     assert simulator.watchdog_tripped
     ask(simulator, Command.STATUS, now_s=0.6)
-    assert simulator.command(0.1, 0.6).mode is DriveMode.OFF
+    assert simulator.command(0.1, 0.6) == HELD
     tell(simulator, Command.SET_SPEED_M1, 500, now_s=0.7)
     assert simulator.command(0.1, 0.7).speed_count_per_s == 500
 
@@ -177,7 +181,7 @@ def test_a_silence_is_noticed_although_nobody_looked_during_it() -> None:
     tell(simulator, Command.SET_SPEED_M1, 1000)
     ask(simulator, Command.STATUS, now_s=3.0)
     assert simulator.watchdog_tripped
-    assert simulator.command(0.1, 3.0).mode is DriveMode.OFF
+    assert simulator.command(0.1, 3.0) == HELD
 
 
 @pytest.mark.parametrize("lock", list(EmergencyStopLock))
