@@ -54,36 +54,65 @@ def rigid_wear(
     """
     require_positive("force", force, "N/m")
     start = inner - pin_radius
-    require_positive("clearance", start, "m")
     wanted = np.asarray(cycles, dtype=np.float64)
-    rate = wear_coefficient * slip * force / pin_radius
-    # A variable with the square root's start taken out: d = start + depth_scale u^2.
-    end = start + max(rate * float(wanted.max()), 1e-12 * start) * 4.0
-    end += np.cbrt((rate * float(wanted.max())) ** 2 * start / pin_radius)
-    u = np.linspace(0.0, 1.0, 20001)
-    d = start + (end - start) * u * u
-    cosine = (inner**2 - d**2 - pin_radius**2) / (2.0 * d * pin_radius)
-    f = np.arccos(np.clip(cosine, -1.0, 1.0))
-    slope = (f + 0.5 * np.sin(2.0 * f)) / rate * 2.0 * (end - start) * u if rate > 0.0 else 0.0 * u
-    run = cumulative_simpson(slope, x=u, initial=0.0)
-    if rate > 0.0 and run[-1] < wanted.max():
+    rate = wear_coefficient * slip * force
+    effort = rate * float(wanted.max())
+    # The depth cannot be more than this: the pressure is at least force over the pin's diameter.
+    deepest = 1.01 * effort / (np.pi * pin_radius / 2.0) + 4.0 * np.cbrt(
+        (effort / pin_radius) ** 2 * abs(start) / pin_radius
+    )
+    course = rigid_course(inner, pin_radius, max(deepest, 1e-12 * inner))
+    if course.effort[-1] < effort:
         raise ModelError("cycles", float(wanted.max()), "the wear would leave its range")
-    depth = np.interp(wanted, run, d - start) if rate > 0.0 else np.zeros_like(wanted)
-    return RigidWear(wanted, depth, _lens(inner, pin_radius, start + depth))
+    depth = np.interp(rate * wanted, course.effort, course.depth)
+    return RigidWear(wanted, depth, worn_lens(inner, pin_radius, depth))
+
+
+@dataclass(frozen=True, slots=True)
+class RigidCourse:
+    """Hold how a rigid pin wears in: depth (m), worn area (m^2), and effort K s F N (m^2).
+
+    Whatever the parts of the effort are (wear coefficient, slip, force per width, cycles), their
+    product decides.
+    """
+
+    depth: Array
+    area: Array
+    effort: Array
+
+
+def rigid_course(inner: float, pin_radius: float, deepest: float) -> RigidCourse:
+    """Compute the course of rigid wear up to a depth (m); raise ModelError without clearance."""
+    start = inner - pin_radius
+    require_positive("clearance", start, "m")
+    require_positive("deepest", deepest, "m")
+    # The half-angle starts like a root of the depth: in u with depth = deepest u^2 all is smooth.
+    u = np.linspace(0.0, 1.0, 20001)
+    depth = deepest * u * u
+    f = _half_angle(inner, pin_radius, depth)
+    slope = pin_radius * (f + 0.5 * np.sin(2.0 * f)) * 2.0 * deepest * u
+    effort = cumulative_simpson(slope, x=u, initial=0.0)
+    return RigidCourse(depth, worn_lens(inner, pin_radius, depth), effort)
+
+
+def _half_angle(inner: float, pin_radius: float, depth: Array) -> Array:
+    """Return the half-angle of the worn part at some depths, rad."""
+    d = inner - pin_radius + depth
+    cosine = (inner**2 - d**2 - pin_radius**2) / (2.0 * d * pin_radius)
+    return np.arccos(np.clip(cosine, -1.0, 1.0))
 
 
 def rigid_half_angle(inner: float, pin_radius: float, depth: float) -> float:
     """Return the half-angle (rad) of the worn part when a rigid pin has worn in to a depth (m)."""
-    d = inner - pin_radius + depth
-    if d <= 0.0:
+    if inner - pin_radius + depth <= 0.0:
         return float(np.pi / 2.0)
-    cosine = (inner**2 - d**2 - pin_radius**2) / (2.0 * d * pin_radius)
-    return float(np.arccos(np.clip(cosine, -1.0, 1.0)))
+    return float(_half_angle(inner, pin_radius, np.array(depth)))
 
 
-def _lens(inner: float, pin_radius: float, d: Array) -> Array:
-    """Return the area of the pin's circle at d that lies outside the bushing's circle, m^2."""
-    f = np.arccos(np.clip((inner**2 - d**2 - pin_radius**2) / (2.0 * d * pin_radius), -1.0, 1.0))
+def worn_lens(inner: float, pin_radius: float, depth: Array) -> Array:
+    """Return the area of the pin's circle that lies outside the bushing's circle, m^2."""
+    d = inner - pin_radius + depth
+    f = _half_angle(inner, pin_radius, depth)
     g = np.arctan2(pin_radius * np.sin(f), d + pin_radius * np.cos(f))
     pin_part = pin_radius**2 * f + d * pin_radius * np.sin(f)
     return np.asarray(pin_part - inner**2 * g)

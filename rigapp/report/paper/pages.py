@@ -1,0 +1,116 @@
+"""The comparisons as files: tables, pictures, and a page of plain sentences."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from rigapp.commands.tables import write_table
+from rigapp.config.errors import UnusableInput
+from rigapp.report.document import Block, Document, Figure, Section, Table, Text
+from rigapp.report.html import as_html
+from rigapp.report.paper.chapter import Chapter
+from rigapp.report.plots import STYLE
+
+TITLE = "The paper's comparisons, computed again"
+INTRODUCTION = (
+    "Dynamic modeling of a slider-crank mechanism under joint wear: its Figs 6 to 10, 13 and 15 and"
+    " its Table 2 from the parameter files listed at the end, with where every value comes from."
+    " Each picture has its numbers in the CSV table of the same name."
+)
+_ENTRY = re.compile(r"^(\w+)\s*=\s*(.+?)\s+#\s*(.+)$")
+
+
+def write_chapter(folder: Path, chapter: Chapter) -> tuple[list[Path], Section]:
+    """Write a chapter's table and picture; return their paths and its part of the page."""
+    table = folder / f"{chapter.name}.csv"
+    write_table("--to", table, chapter.columns)
+    image = picture(chapter)
+    drawn = folder / f"{chapter.name}.png"
+    save(drawn, image)
+    blocks: list[Block] = [Text(sentence) for sentence in chapter.sentences]
+    if chapter.warning:
+        blocks.append(Text(chapter.warning, strong=True))
+    if chapter.table:
+        header, *rows = chapter.table
+        blocks.append(Table("", tuple(rows), header))
+    caption = f"Numbers: {table.name}."
+    blocks.append(Figure(chapter.title, image, chapter.words, caption=caption))
+    return [table, drawn], Section(chapter.title, tuple(blocks))
+
+
+def picture(chapter: Chapter) -> bytes:
+    """Draw a chapter as PNG."""
+    import matplotlib
+    from matplotlib.figure import Figure as Canvas
+
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(STYLE)
+        height = 1.0 + 1.9 * chapter.panels
+        canvas = Canvas(figsize=(7.2, height), layout="constrained")
+        axes = canvas.subplots(chapter.panels, 1, squeeze=False)[:, 0]
+        chapter.draw(list(axes))
+        stream = io.BytesIO()
+        canvas.savefig(stream, format="png", dpi=160, metadata={"Software": None})
+    return stream.getvalue()
+
+
+def provenance(path: Path) -> Section:
+    """Return a parameter file as a table: every value with where it comes from."""
+    table, rows = "", []
+    first, *lines = path.read_text(encoding="utf-8").splitlines()
+    for line in lines:
+        if line.startswith("["):
+            table = line.strip("[]")
+        elif entry := _ENTRY.match(line):
+            rows.append((f"{table}.{entry[1]}", entry[2], entry[3]))
+    header = ("key", "value", "where from")
+    blocks = (Text(first.lstrip("# ")), Table("", tuple(rows), header))
+    return Section(f"Parameters: {path.name}", blocks)
+
+
+def write_pages(folder: Path, sections: Sequence[Section]) -> list[Path]:
+    """Write the page as HTML and as Markdown, with the same words."""
+    document = Document(
+        title=TITLE,
+        footer=TITLE,
+        sections=(Section("", (Text(INTRODUCTION),)), *sections),
+        signatures=(),
+    )
+    html, markdown = folder / "index.html", folder / "index.md"
+    save(html, as_html(document))
+    save(markdown, _as_markdown(document).encode())
+    return [html, markdown]
+
+
+def _as_markdown(document: Document) -> str:
+    """Return the document as Markdown; its pictures are the files beside it."""
+    parts = [f"# {document.title}"]
+    for section in document.sections:
+        if section.title:
+            parts.append(f"## {section.title}")
+        parts += [_block(block) for block in section.blocks]
+    return "\n\n".join(parts) + "\n"
+
+
+def _block(block: Block) -> str:
+    if isinstance(block, Text):
+        return f"**{block.text}**" if block.strong else block.text
+    if isinstance(block, Table):
+        lines = [block.header, tuple("---" for _ in block.header), *block.rows]
+        return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+    if isinstance(block, Figure):
+        name = block.caption.removeprefix("Numbers: ").removesuffix(".csv.")
+        return f"![{block.words}]({name}.png)\n\n{block.caption}"
+    return block.text
+
+
+def save(path: Path, content: bytes) -> None:
+    """Write a file; raise UnusableInput when that cannot be done."""
+    try:
+        path.write_bytes(content)
+    except OSError as error:
+        raise UnusableInput(f"--to {path}: cannot be written ({error.strerror}).") from error
