@@ -165,7 +165,9 @@ class CanNode:
                 self._deliver(message)
 
     def _deliver(self, message: Any) -> None:
-        if message.is_error_frame:
+        # python-can takes an slcan line that lost some of its digits for a shorter frame.
+        cut = not message.is_remote_frame and len(message.data) != message.dlc
+        if message.is_error_frame or cut:
             self.bad_frames += 1
             return
         taker = self._takers.get(message.arbitration_id)

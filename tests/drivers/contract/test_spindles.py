@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import pytest
 from contract_bench import COUNTS, WATCHDOG_S, SpindleBench, wait_until
-from contract_table import Contract, ExpectedFault
+from contract_table import Contract, ExpectedFault, read_contracts
 
 from drivers.api import (
     ConnectionFailed,
@@ -128,6 +128,20 @@ def test_fault_is_told_in_time_and_the_spindle_is_safe(
     else:
         b.driver.close()
         _reconnects(b)
+
+
+def test_a_cut_can_frame_is_counted_and_not_taken(bench: Make) -> None:
+    b = bench(next(c for c in read_contracts() if c.info.name == "cia402"))
+    b.connect(PATIENT_S)
+    b.turn()
+    before = b.driver.status().crc_errors
+    for line in (b"t38160000\r", b"t081831220000\r"):  # a velocity and an emergency, both cut
+        with b.port._lock:
+            b.port.wire.send(line, time.monotonic(), droppable=False)
+    wait_until(lambda: b.driver.status().crc_errors >= before + 2, "the cut frames to be counted")
+    status = b.driver.status()
+    assert not status.faults
+    _is_true(b, status)
 
 
 def _poll_until_told(b: SpindleBench, fault: ExpectedFault) -> tuple[str, str]:
