@@ -173,12 +173,30 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
             value=float(live.values[i]),
             unit="N" if i < 2 else "um",
             calibration=records[i] or "rig file",
+            uncertainty=force_uncertainty(core, float(live.values[i])) if i < 2 else None,
         )
         for i, name in enumerate(names)
     ]
     force = float(np.hypot(live.values[0], live.values[1]))
-    views.insert(2, ChannelView("force", force, "N", force, "N", "from force_1 and force_2"))
+    views.insert(
+        2,
+        ChannelView(
+            "force",
+            force,
+            "N",
+            force,
+            "N",
+            "from force_1 and force_2",
+            force_uncertainty(core, force),
+        ),
+    )
     angle = connection.processor.motion.angle_deg(live.host_s)
     shown = angle if angle is not None else math.nan
     views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
     return tuple(views)
+
+
+def force_uncertainty(core: Core, force: float) -> float | None:
+    """Return the expanded uncertainty U(F) of a force, N, where the calibration states it."""
+    line = core.rig.record.load_cell.uncertainty_N
+    return None if line is None else line[0] + line[1] * abs(force)
