@@ -50,18 +50,21 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool) -> int:
 
 
 def _tests(rig: Path, test: Path | None) -> list[Path]:
-    """Return the test files to offer: the one named first, then those beside the rig file."""
+    """Return the test files to offer: the one named first, then those beside the rig file,
+    the shortest first."""
     found: list[Path] = []
     if test is not None:
         read_test(test)
         found.append(test.resolve())
-    for path in sorted(rig.parent.glob("*.toml")):
+    beside: list[tuple[int, Path]] = []
+    for path in rig.parent.glob("*.toml"):
         try:
-            read_test(path)
+            revolutions = read_test(path).record.run.revolutions
         except UnusableInput:
             continue
         if path.resolve() not in found:
-            found.append(path.resolve())
+            beside.append((revolutions, path.resolve()))
+    found += [path for _, path in sorted(beside)]
     return found
 
 
