@@ -1,7 +1,7 @@
 """Checks that catch mistakes in dead-weight readings and name them in plain words.
 
-Two rounds: ``check_readings`` looks at the readings alone, before any fit; ``check_fit`` looks at
-them through a robust fit, which single mistakes hardly move.
+The second round, after ``reading_checks``: it looks at the readings through a robust fit, which
+single mistakes hardly move.
 """
 
 from __future__ import annotations
@@ -12,18 +12,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from calibration.characteristics import Loads, angle_groups, hysteresis
+from calibration.characteristics import Loads, hysteresis
 from calibration.problems import Problem
+from calibration.reading_checks import place_of
 from calibration.readings import LoadCellReadings
 from calibration.settings import LoadCellSettings
 from calibration.two_axis import TwoAxisFit
-from calibration.weights import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]
 
-FEWEST_LOADED = 12
-FEWEST_ANGLES = 4
-WIDEST_GAP = np.radians(130.0)
 SURE = 5.0
 
 
@@ -37,24 +34,6 @@ class Evidence:
     noise: float
     loads: Loads
     newton_per_kg: float
-
-
-def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
-    """Yield what makes readings or settings unusable whatever the fit says."""
-    yield from _not_numbers(readings)
-    yield from _impossible_masses(readings, settings)
-    yield from _angles(readings)
-    yield from _gravity(settings)
-    yield from _dead_or_stuck(readings)
-    loaded = int(np.count_nonzero(readings.mass > 0.0))
-    if loaded < FEWEST_LOADED:
-        yield Problem(
-            "too_few_readings",
-            f"Only {loaded} readings with weights; take at least {FEWEST_LOADED}, better 40"
-            " (4 pin angles, 5 loads up and down).",
-        )
-    if not np.any(readings.mass == 0.0):
-        yield Problem("no_zero", "There is no reading without weights; take a zero in each series.")
 
 
 def check_fit(evidence: Evidence) -> Iterator[Problem]:
@@ -73,116 +52,6 @@ def check_fit(evidence: Evidence) -> Iterator[Problem]:
     yield from _drift(evidence)
     yield from _scatter(evidence, explained)
     yield from _range(evidence)
-
-
-def _where(readings: LoadCellReadings, index: int) -> str:
-    return f"series {readings.series[index]}, step {readings.step[index]}"
-
-
-def _not_numbers(readings: LoadCellReadings) -> Iterator[Problem]:
-    columns = np.column_stack((readings.mass, readings.angle, readings.signal))
-    bad = np.flatnonzero(~np.isfinite(columns).all(axis=1))
-    if len(bad):
-        yield Problem(
-            "not_a_number",
-            f"The reading at {_where(readings, int(bad[0]))} is not a number"
-            + (f" (and {len(bad) - 1} more)" if len(bad) > 1 else "")
-            + "; take it again.",
-        )
-
-
-def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
-    heaviest = float(np.nanmax(readings.mass, initial=0.0))
-    if np.nanmin(readings.mass, initial=0.0) < 0.0:
-        yield Problem("negative_mass", "A mass is negative; masses are written in kg, from 0 up.")
-    limit = 1.2 * settings.cell.full_scale / settings.place.gravity
-    if heaviest > 50.0 * limit:
-        yield Problem(
-            "mass_unit",
-            f"A mass of {heaviest:g} kg is written; was it meant in grams? Write kilograms.",
-        )
-    elif heaviest > limit:
-        yield Problem(
-            "overload",
-            f"{heaviest:g} kg is more than the cell may bear ({limit:.1f} kg); check the mass.",
-        )
-
-
-def _angles(readings: LoadCellReadings) -> Iterator[Problem]:
-    loaded = readings.mass > 0.0
-    angle = readings.angle[loaded & np.isfinite(readings.angle)]
-    if not len(angle):
-        return
-    degrees = np.degrees(angle)
-    if np.ptp(degrees) > 0.5 and np.abs(degrees).max() < 6.3 and len(np.unique(degrees)) >= 4:
-        yield Problem(
-            "angle_unit",
-            "All pin angles lie between 0 and 6.3; they look like radians, write degrees.",
-        )
-        return
-    groups = angle_groups(angle)
-    count = len(np.unique(groups))
-    if count < FEWEST_ANGLES:
-        yield Problem(
-            "too_few_angles",
-            f"Only {count} pin angle{'s' if count > 1 else ''}: the two axes cannot be told apart;"
-            f" take at least {FEWEST_ANGLES}, evenly round the turn.",
-        )
-        return
-    turned = np.sort(np.mod([angle[groups == g].mean() for g in np.unique(groups)], 2 * np.pi))
-    gap = float(np.max(np.diff(np.append(turned, turned[0] + 2.0 * np.pi))))
-    if gap > WIDEST_GAP:
-        yield Problem(
-            "angles_uneven",
-            f"No pin angle within {np.degrees(gap):.0f} degrees of the turn; spread the angles"
-            " evenly.",
-        )
-
-
-def _gravity(settings: LoadCellSettings) -> Iterator[Problem]:
-    gravity, expected = settings.place.gravity, settings.gravity_expected
-    if not 9.76 <= gravity <= 9.84:
-        yield Problem(
-            "wrong_gravity",
-            f"gravity_m_s2 = {gravity:g} is found nowhere on the ground (9.76 .. 9.84 m/s2);"
-            " write the local value, or latitude and height.",
-        )
-    elif expected is not None and abs(gravity / expected - 1.0) > 5e-4:
-        yield Problem(
-            "wrong_gravity",
-            f"gravity_m_s2 = {gravity:g} does not belong to the latitude and height given, which"
-            f" mean {expected:.4f} m/s2; correct one of them.",
-        )
-    elif settings.gravity_stated and expected is None and abs(gravity - STANDARD_GRAVITY) < 5e-6:
-        yield Problem(
-            "standard_gravity",
-            "gravity_m_s2 = 9.80665 is the standard value, not a local one (up to 0.27 % off);"
-            " write the local value, or latitude and height.",
-            blocks=False,
-        )
-
-
-def _dead_or_stuck(readings: LoadCellReadings) -> Iterator[Problem]:
-    signal = readings.signal
-    if len(signal) < 4 or not np.isfinite(signal).all():
-        return
-    for axis in range(2):
-        if np.ptp(signal[:, axis]) == 0.0:
-            yield Problem(
-                "bridge_dead",
-                f"signal_{axis + 1} never changes ({signal[0, axis]:g}); is the bridge connected"
-                " and switched on?",
-            )
-    names = list(dict.fromkeys(readings.series))
-    tables = {n: signal[[one == n for one in readings.series]] for n in names}
-    for place, name in enumerate(names):
-        for other in names[:place]:
-            if len(tables[name]) > 4 and np.array_equal(tables[name], tables[other]):
-                yield Problem(
-                    "copied_series",
-                    f"Series {name} repeats series {other} digit for digit; was it copied instead"
-                    " of taken?",
-                )
 
 
 def _axes(evidence: Evidence) -> Iterator[Problem]:
@@ -247,7 +116,7 @@ def _saturated(evidence: Evidence) -> Iterator[Problem]:
                 yield Problem(
                     "saturated",
                     f"signal_{axis + 1} stands still at {extreme:g} from"
-                    f" {_where(readings, index)} while the load grows: the input is saturated;"
+                    f" {place_of(readings, index)} while the load grows: the input is saturated;"
                     " choose a larger range.",
                 )
 
@@ -282,7 +151,7 @@ def _steps(evidence: Evidence) -> tuple[list[Problem], NDArray[np.bool_]]:
         problems.append(
             Problem(
                 "wrong_weight",
-                f"At {_where(readings, int(index))} the cell felt {believed:.2f} kg, but"
+                f"At {place_of(readings, int(index))} the cell felt {believed:.2f} kg, but"
                 f" {readings.mass[index]:g} kg is written; check the weights that hung there.",
             )
         )
@@ -347,7 +216,7 @@ def _shifted(
             problems.append(
                 Problem(
                     code,
-                    f"From {_where(evidence.readings, run[0])} on, {words}.",
+                    f"From {place_of(evidence.readings, run[0])} on, {words}.",
                 )
             )
 
@@ -369,7 +238,7 @@ def _loose_cable(evidence: Evidence, explained: NDArray[np.bool_]) -> Iterator[P
     explained[bad] = True
     yield Problem(
         "cable_loose",
-        f"signal_{axis + 1} jumps by {off[index, axis]:.0f} N at {_where(readings, index)}"
+        f"signal_{axis + 1} jumps by {off[index, axis]:.0f} N at {place_of(readings, index)}"
         + (f" (and at {count - 1} more)" if count > 1 else "")
         + ", whatever hangs there: is a cable or the slip ring loose?",
     )

@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from calibration.budget import Budget, budget, classification, expanded_line, matrix_covariance
 from calibration.characteristics import Characteristics, characteristics, loads
-from calibration.checks import Evidence, check_fit, check_readings
+from calibration.checks import Evidence, check_fit
 from calibration.problems import Problem
+from calibration.reading_checks import check_readings
 from calibration.readings import LoadCellReadings
 from calibration.settings import LoadCellSettings
 from calibration.two_axis import TwoAxisFit, choose_terms, robust_fit
