@@ -110,7 +110,9 @@ def lost_samples(device: str, samples: int) -> Cause:
     return _warning(
         "lost_samples",
         "Samples lost",
-        f"{samples} samples of {device} were lost in all.",
+        f"{samples} samples of {device} were lost in all."
+        if samples
+        else f"Samples of {device} were lost; how many is not known.",
         "The revolutions concerned are flagged; nothing is interpolated.",
         "Close other programs, check the USB cable, or lower the sample rate.",
     )

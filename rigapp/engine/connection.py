@@ -20,6 +20,7 @@ from drivers.api import Block, DataOverrun, DeviceError, DeviceLost, StreamSetup
 from rigapp.engine import causes
 from rigapp.engine.calibrate import Calibration
 from rigapp.engine.core import Core
+from rigapp.engine.devicelog import DeviceLog
 from rigapp.engine.devices import Devices
 from rigapp.engine.driving import SpindleControl
 from rigapp.engine.guard import Guard
@@ -61,7 +62,13 @@ class Connection:
         self.queue = BlockQueue(
             max(SMALLEST_QUEUE, round(held * setup.sample_rate_Hz)), wait=simulated
         )
-        self.control = SpindleControl(devices.spindle, timing, self._look, self.slow)
+        self.control = SpindleControl(
+            devices.spindle,
+            timing,
+            self._look,
+            self.slow,
+            devices.drive_request.watchdog_timeout_s,
+        )
         core.control = self.control
         self.received_s = time.monotonic()
         self.source_errors = 0
@@ -76,6 +83,7 @@ class Connection:
         self.commit = Worker("commit", self._commit, self._died, timing.silence_commit)
         self.drive = Worker("drive", self._drive, self._died, silence)
         self.supervisor = Supervisor(core, self)
+        self._log = DeviceLog(lambda name, text: core.event("device", name, text))
         self.supervise = Worker("supervise", self.supervisor.step, self._died, silence)
         self.workers = (self.reader, self.process, self.commit, self.drive, self.supervise)
 
@@ -85,6 +93,7 @@ class Connection:
         """Start the stream and the threads; raise DeviceError."""
         if self.control.poll() is None and self.control.last_error is not None:
             raise self.control.last_error
+        self._log.attach()
         self.devices.source.start()
         self.received_s = time.monotonic()
         for worker in self.workers:
@@ -106,6 +115,7 @@ class Connection:
         except DeviceError as error:
             self.last_source_error = error.sentence
         self.devices.close()
+        self._log.detach()
         return tuple(hanging)
 
     # --- read ------------------------------------------------------------------------------------
@@ -176,7 +186,9 @@ class Connection:
         core, control, timing = self.core, self.control, self.core.timing
         now = time.monotonic()
         busy = control.busy
-        due = now - self._drive_polled_s >= (min(0.02, timing.poll) if busy else timing.poll)
+        due = not control.quiet and now - self._drive_polled_s >= (
+            min(0.02, timing.poll) if busy else timing.poll
+        )
         stands = core.state not in TURNING
         if due and (stands or core.state is RunState.STOPPING or self.all_well()):
             self._drive_polled_s = now
@@ -258,7 +270,7 @@ class Connection:
                 core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
             return
         if do is Do.STANDING:
-            core.stood(stop.witnesses, stop.escalated)
+            core.stood(stop.witnesses, stop.how)
         elif do is Do.GIVE_UP:
             core.will_not_stop(
                 f"The stop was commanded, the power was cut, and still the spindle is not seen to "

@@ -235,12 +235,11 @@ class Core:
             return
         self.trip(Ending(FinishReason.STORAGE, sentence), causes.storage_failed(sentence))
 
-    def stood(self, witnesses: str, escalated: bool) -> None:
-        """Take note that the spindle stands without power; the file can be finished."""
+    def stood(self, witnesses: str, how: str) -> None:
+        """Take note that the spindle stands; the file can be finished."""
         session = self.session
         if session is None or session.stood:
             return
-        how = "after the power was cut" if escalated else "without power"
         self.event("stopped", "drive", f"the spindle stands {how}; seen by {witnesses}")
         session.stood = True
 

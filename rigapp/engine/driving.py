@@ -38,11 +38,13 @@ class SpindleControl:
         timing: Timing,
         look: Callable[[float | None], Seen],
         slow: Callable[[], float],
+        watchdog_s: float,
     ) -> None:
         self._spindle = spindle
         self._timing = timing
         self._look = look
         self._slow = slow
+        self._watchdog_s = watchdog_s
         self._command = threading.Lock()
         self._stop: StopSequence | None = None
         self._pause: PauseSequence | None = None
@@ -101,7 +103,7 @@ class SpindleControl:
                 ramp_s = (
                     1.5 * slow * self._ramp.rpm / self._ramp.rpm_per_s + self._timing.stop_margin
                 )
-                self._stop = StopSequence(off, now, ramp_s, self._timing.coast)
+                self._stop = StopSequence(off, now, ramp_s, self._timing.coast, self._watchdog_s)
             elif off:
                 self._stop.cut_power(now)
             self._carry_out(Do.POWER_OFF if off else Do.RAMP_DOWN)
@@ -118,6 +120,12 @@ class SpindleControl:
         """Tell whether a pause or a stop is under way."""
         stop = self._stop
         return (stop is not None and not stop.done) or self._pause is not None
+
+    @property
+    def quiet(self) -> bool:
+        """Tell whether the drive must not hear anything, so that its watchdog acts."""
+        stop = self._stop
+        return stop is not None and stop.quiet and not stop.done
 
     @property
     def power_cut(self) -> bool:

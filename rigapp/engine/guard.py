@@ -180,6 +180,8 @@ class Guard:
             self._core.alarms.clear("index_missed")
         if flags & Flag.COUNT_MISMATCH:
             self._core.warn(causes.count_mismatch(row.number))
+        if flags & Flag.LOST_SAMPLES:
+            self.lost(self._connection.processor.assembler.lost_samples)
         for key, bad in CALMING.items():
             self._calm_down(key, not flags & bad)
         for verdict in row.verdicts:

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 STANDING_RPM = 1.0
 RETRY_S = 0.1
+DEAF_S = 0.4
+"""A drive that has not accepted a command for so long does not hear, or cannot answer."""
 CREEP_RPM = 10.0
 
 
@@ -72,11 +74,21 @@ class Seen:
 class StopSequence:
     """Stop: ramp down, see that it stands, take the power off; escalate when it does not stand.
 
+    A drive that accepts no command is left alone for a while (``quiet``): what it hears may feed
+    its watchdog, and the watchdog is then the only one who can stop it.
+
     off: skip the ramp. ramp_s, coast_s: longest time for the ramp and for coasting without power.
+    watchdog_s: the drive's watchdog time.
     """
 
-    def __init__(self, off: bool, now_s: float, ramp_s: float, coast_s: float) -> None:
+    def __init__(
+        self, off: bool, now_s: float, ramp_s: float, coast_s: float, watchdog_s: float = 0.5
+    ) -> None:
         self._off = off
+        self._trying_since = now_s
+        self._quiet_s = 1.5 * watchdog_s + 0.2
+        self._quiet_until = -math.inf
+        self.quiet = False
         self._off_done = False
         self._ramp_done = False
         self._last_try = -1e9
@@ -88,6 +100,13 @@ class StopSequence:
         self.witnesses = ""
 
     @property
+    def how(self) -> str:
+        """Return how the spindle came to a stand, in words."""
+        if not self._off_done:
+            return "though the drive accepted no command"
+        return "after the power had to be cut" if self.escalated else "without power"
+
+    @property
     def power_cut(self) -> bool:
         """Tell whether the drive has accepted to be without power."""
         return self._off_done
@@ -95,6 +114,7 @@ class StopSequence:
     def commanded(self, do: Do, now_s: float) -> None:
         """Take note that the drive has accepted a command."""
         self._commanded_s = now_s
+        self._trying_since = now_s
         if do is Do.RAMP_DOWN:
             self._ramp_done = True
         elif do is Do.POWER_OFF:
@@ -105,6 +125,7 @@ class StopSequence:
         if not self._off:
             self._off = True
             self._deadline = now_s + self._coast_s
+            self._trying_since = now_s
 
     def step(self, seen: Seen) -> Do:
         """Return what to do now; STANDING and GIVE_UP come once, at the end."""
@@ -114,7 +135,7 @@ class StopSequence:
         if not self._off:
             if stands and (self._ramp_done or seen.drive_rpm is None):
                 self.cut_power(seen.now_s)
-            elif seen.now_s > self._deadline:
+            elif seen.now_s > self._deadline or self._deaf(self._ramp_done, seen.now_s):
                 self.escalated = True
                 self.cut_power(seen.now_s)
             elif not self._ramp_done:
@@ -130,7 +151,16 @@ class StopSequence:
             self.witnesses = seen.witnesses
             self.done = True
             return Do.GIVE_UP
-        return Do.WAIT if self._off_done else self._try(Do.POWER_OFF, seen.now_s)
+        if self._off_done:
+            return Do.WAIT
+        if self._deaf(False, seen.now_s):
+            self._quiet_until = seen.now_s + self._quiet_s
+            self._trying_since = self._quiet_until
+        self.quiet = seen.now_s < self._quiet_until
+        return Do.WAIT if self.quiet else self._try(Do.POWER_OFF, seen.now_s)
+
+    def _deaf(self, accepted: bool, now_s: float) -> bool:
+        return not accepted and now_s - self._trying_since > DEAF_S
 
     def _try(self, do: Do, now_s: float) -> Do:
         if now_s - self._last_try < RETRY_S:

@@ -21,6 +21,12 @@ SPEED_LOST = 0.3
 SPEED_LOST_S = 1.0
 CLOCK_JUMP_S = 1.0
 
+SUSPENDED_S = 1.0
+"""When a short pause takes so much longer, the whole process did not run."""
+
+WAKING_S = 0.2
+"""Granted to the other threads after that, before they are judged."""
+
 
 class Supervisor:
     """The supervising thread's work; ``step`` is one look."""
@@ -40,7 +46,21 @@ class Supervisor:
         self._look_at_start()
         self._look_at_stop()
         self._look_at_clock()
-        self._connection.supervise.pause(self._core.timing.supervise)
+        self._rest()
+
+    def _rest(self) -> None:
+        """Pause; tell when the pause was far too long, and do not blame the threads for it."""
+        connection, period = self._connection, self._core.timing.supervise
+        before = time.monotonic()
+        connection.supervise.pause(period)
+        lost = time.monotonic() - before - period
+        if lost < SUSPENDED_S:
+            return
+        for worker in connection.workers:
+            worker.beat()
+        text = f"the engine did not run for {lost:.1f} s; this computer was suspended or overloaded"
+        self._core.event("suspended", "engine", text)
+        connection.supervise.pause(WAKING_S)
 
     def _look_at_threads(self) -> None:
         for worker in self._connection.workers:
@@ -122,7 +142,8 @@ class Supervisor:
         connection = self._connection
         connection.control.stop_now(off=True)
         while self._core.state in ACTIVE and not connection.supervise.halting:
-            connection.control.poll()
+            if not connection.control.quiet:
+                connection.control.poll()
             connection.follow(connection.control.step())
             session = self._core.session
             if session is None or session.stood:

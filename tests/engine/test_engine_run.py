@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -378,3 +379,14 @@ def test_status_shows_the_run(rig: MemoryRig) -> None:
     assert status.drive is not None
     assert status.drive.enabled
     assert status.simulated
+
+
+def test_what_a_driver_warns_of_is_in_the_log(rig: MemoryRig) -> None:
+    rig.start(a_test(LONG))
+    log = logging.getLogger("drivers.memory")
+    for _ in range(3):
+        log.warning("daq: %s is hot", "the amplifier")
+    told = [event for event in rig.store.events if event.kind == "device"]
+    assert [(event.source, event.text) for event in told] == [
+        ("drivers.memory", "daq: the amplifier is hot")
+    ]
