@@ -123,6 +123,7 @@ class Gsv8:
         self._link.expect(layout)
         settings = self._settings
         self._blocks = BlockMaker(self.name, plan.sample_rate_Hz, plan.rows, settings["block_s"])
+        known = Registers(self._link, self._firmware).latest_fault()
         self._link.command(Command.RESET_STATUS)
         self._link.command(Command.START_TRANSMISSION)
         self._watch = StreamWatch(
@@ -131,6 +132,7 @@ class Gsv8:
             settings["on_overrun"] == "stop",
             plan.sample_rate_Hz < _ONLY_STREAMS_FROM_HZ,
             self._blocks.flag_loss,
+            known,
         )
         self._streaming = True
 

@@ -124,6 +124,11 @@ class Registers:
                 faults.append(fault)
         return tuple(faults)
 
+    def latest_fault(self) -> ValueFault | None:
+        """Return the latest value error since the device's power came, None when there is none."""
+        response = self._link.exchange(Command.GET_LAST_VALUE_ERROR, u8(1), reply=6)
+        return decode_value_fault(response.data) if response.status == 0 else None
+
     def set_zero(self, channel: int) -> None:
         """Zero a channel on its raw values; the device stores it."""
         self._link.command(Command.SET_ZERO, u8(channel), tries=1, patience=SLOW)

@@ -22,6 +22,7 @@ Question = tuple[Command, bytes, int]
 _LOST_DATA: Question = (Command.GET_LAST_PROTOCOL_ERROR, u8(1), 4)  # 1: asynchronous errors
 _FAULT: Question = (Command.GET_LAST_VALUE_ERROR, u8(1), 6)  # 1: the latest fault
 _RESET: Question = (Command.RESET_STATUS, b"", 0)
+_FAULT_EVERY = 4
 _MISSES_ALLOWED = 3
 _PATIENCE_S = 5.0
 
@@ -31,7 +32,9 @@ class StreamWatch:
 
     on_loss: called when the device reports lost data, unless ``stop_on_loss``, which raises
     DataOverrun. must_answer: raise ReplyTimeout when several questions stay unanswered, since lost
-    data would not be noticed. ``last_fault`` is the latest fault of the inputs that it named.
+    data would not be noticed. known: the device's latest fault of before, not to be told again.
+    ``last_fault`` is the latest fault of the inputs that it named: a saturated input is asked for
+    at once, a broken wire is found by every fourth question.
     """
 
     def __init__(
@@ -41,6 +44,7 @@ class StreamWatch:
         stop_on_loss: bool,
         must_answer: bool,
         on_loss: Callable[[], None],
+        known: ValueFault | None = None,
     ) -> None:
         self.losses = 0
         self.last_fault: ValueFault | None = None
@@ -52,6 +56,8 @@ class StreamWatch:
         self._pending: Pending | None = None
         self._next_s = time.monotonic() + interval_s
         self._queue: list[Question] = []
+        self._known = known
+        self._polls = 0
         self._misses = 0
 
     def saturated(self) -> None:
@@ -65,12 +71,16 @@ class StreamWatch:
         if self._pending is not None:
             self._look(self._pending, now)
         if self._pending is None and now >= self._next_s:
-            question = self._queue[0] if self._queue else _LOST_DATA
+            question = self._queue[0] if self._queue else self._regular()
             command, parameters, reply = question
             self._pending = self._link.post(command, parameters, reply=reply)
-            if self._pending is not None and self._queue:
-                self._queue.pop(0)
+            if self._pending is not None:
+                self._polls += 1
+                del self._queue[:1]
             self._next_s = now + self._interval_s
+
+    def _regular(self) -> Question:
+        return _FAULT if self._polls % _FAULT_EVERY == _FAULT_EVERY - 1 else _LOST_DATA
 
     def _look(self, pending: Pending, now_s: float) -> None:
         if pending.answered.is_set():
@@ -104,7 +114,7 @@ class StreamWatch:
             self._take_error(int.from_bytes(response.data, "big"))
 
     def _take_fault(self, fault: ValueFault | None) -> None:
-        if fault is not None and fault != self.last_fault:
+        if fault is not None and fault not in (self.last_fault, self._known):
             self.last_fault = fault
             _log.warning("%s: %s", self._link.port.device, fault.words)
 

@@ -26,8 +26,9 @@ class ExpectedFault:
 
     layer: ``wire`` (of any device) or ``device`` (the simulator's own list). drivers: names, or
     ``data source`` / ``spindle`` for all of a kind. tells: names of error classes, ``flag NAME`` of
-    a sample's quality, ``fault`` or ``warning`` in the drive's status, ``silence`` (no samples at
-    all) or ``nothing`` (the fault is borne). words: a regular expression for the text.
+    a sample's quality, ``fault`` or ``warning`` in the drive's status, ``log`` (a warning of the
+    driver), ``silence`` (no samples at all) or ``nothing`` (the fault is borne). words: a regular
+    expression for the text.
     """
 
     kind: str

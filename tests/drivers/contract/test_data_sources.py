@@ -121,32 +121,36 @@ def test_a_frame_lost_without_a_number_shows_in_the_count(bench: Make) -> None:
 
 
 def test_fault_is_told_in_time_and_no_wrong_sample_is_good(
-    source_fault: tuple[Contract, ExpectedFault], bench: Make
+    source_fault: tuple[Contract, ExpectedFault], bench: Make, caplog: pytest.LogCaptureFixture
 ) -> None:
     source, fault = source_fault
     b = bench(source, **fault.settings)
     b.connect()
     b.judge(b.blocks(100))
     b.port.start_fault(fault)
-    blocks, told, words = _read_until_told(b, fault)
+    blocks, told, words = _read_until_told(b, fault, caplog)
     b.judge(blocks)
     assert told in fault.tells, f"{fault.name}: told {told}: {words}"
     assert re.search(fault.words, words), words
     b.port.stop_fault(fault)
-    if told.startswith("flag") or told == "nothing":
+    if told.startswith("flag") or told in ("nothing", "log"):
         _goes_on(b)
     else:
         b.driver.close()
         _reconnects(b)
 
 
-def _read_until_told(b: SourceBench, fault: ExpectedFault) -> tuple[list[Block], str, str]:
+def _read_until_told(
+    b: SourceBench, fault: ExpectedFault, log: pytest.LogCaptureFixture
+) -> tuple[list[Block], str, str]:
     """Return the samples until something was told, what, and in which words."""
     blocks: list[Block] = []
     deadline = time.monotonic() + fault.within_s
     last = time.monotonic()
     flags = {tells.removeprefix("flag ") for tells in fault.tells if tells.startswith("flag")}
     while time.monotonic() < deadline:
+        if "log" in fault.tells and re.search(fault.words, log.text):
+            return blocks, "log", log.text
         try:
             block = b.driver.read(0.05)
         except DeviceError as error:
