@@ -1,0 +1,148 @@
+"""Run the real command line in the background and look at what it leaves."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.engine.messages import Event
+from rigapp.storage.reader import open_test
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+RIG = EXAMPLES / "simulated.toml"
+COMMAND = [sys.executable, "-m", "rigapp"]
+
+
+def recipe(folder: Path, revolutions: int, *, twin: bool, every: int = 10) -> Path:
+    """Write a test that starts quickly."""
+    text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    for old, new in (
+        ("revolutions = 500", f"revolutions = {revolutions}"),
+        ("acceleration_rpm_per_s = 60.0", "acceleration_rpm_per_s = 240.0"),
+        ("every_revolutions = 10", f"every_revolutions = {every}"),
+        ("[prediction]", f"[prediction]\nenabled = {str(twin).lower()}"),
+    ):
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    path = folder / "test.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def until(condition: Callable[[], Any], what: str, seconds: float = 60.0) -> None:
+    """Wait for a condition with a deadline."""
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline, f"not within {seconds:g} s: {what}"
+        time.sleep(0.02)
+
+
+class Running:
+    """A test in progress; its milestones are collected by a thread of their own."""
+
+    def __init__(self, *arguments: str | Path) -> None:
+        self.process = subprocess.Popen(
+            [*COMMAND, *map(str, arguments), "--progress", "json"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        self.events: list[dict[str, Any]] = []
+        self.committed = 0
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self) -> None:
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            if not line.endswith("\n"):
+                break
+            event = json.loads(line)
+            self.events.append(event)
+            if event["event"] == "committed":
+                self.committed = event["revolutions"]
+
+    def states(self) -> list[str]:
+        """Return the states so far."""
+        return [event["state"] for event in list(self.events) if event["event"] == "state"]
+
+    def wait_for(self, condition: Callable[[], Any], what: str, seconds: float = 60.0) -> None:
+        """Wait for a condition while the test lives."""
+
+        def come() -> bool:
+            done = bool(condition())
+            assert done or self.process.poll() is None, f"it ended before: {what}; {self.events}"
+            return done
+
+        until(come, what, seconds)
+
+    def end(self, seconds: float = 90.0) -> dict[str, Any]:
+        """Wait for the end and return the last milestone of the test."""
+        self.process.wait(seconds)
+        self._reader.join(10.0)
+        ends = [event for event in self.events if event["event"] == "finished"]
+        assert ends, self.complaint()
+        return ends[-1]
+
+    def complaint(self) -> str:
+        """Return what was said on standard error."""
+        assert self.process.stderr is not None
+        return self.process.stderr.read()
+
+    def kill(self) -> None:
+        """Kill at once; milestones that were sent are read."""
+        self.process.kill()
+        self.process.wait(10.0)
+        self._reader.join(10.0)
+
+    def close(self) -> None:
+        """Leave nothing behind."""
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait(10.0)
+        self._reader.join(10.0)
+        for stream in (self.process.stdout, self.process.stderr):
+            if stream is not None:
+                stream.close()
+
+
+def children(pid: int, word: str) -> list[int]:
+    """Return the children of a process whose command line contains a word."""
+    found = []
+    for task in Path(f"/proc/{pid}/task").glob("*/children"):
+        for child in task.read_text().split():
+            try:
+                line = Path(f"/proc/{child}/cmdline").read_bytes().decode(errors="replace")
+            except OSError:
+                continue
+            if word in line:
+                found.append(int(child))
+    return found
+
+
+def numbers(path: Path) -> NDArray[np.int64]:
+    """Return the revolution numbers of a file."""
+    with open_test(path) as reader:
+        return np.asarray(reader.column("revolution")).astype(np.int64)
+
+
+def log(path: Path) -> list[Event]:
+    """Return the events of a file."""
+    with open_test(path) as reader:
+        assert reader.first_altered_event() is None
+        return list(reader.events())
+
+
+def summary(path: Path) -> dict[str, Any]:
+    """Return the summary of a file."""
+    with open_test(path) as reader:
+        return dict(reader.summary())

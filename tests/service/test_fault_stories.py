@@ -1,0 +1,201 @@
+"""What happens beside a test under way does not touch it: viewers, twin, sleeping engine, kills."""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+from stories import RIG, Running, children, log, numbers, recipe, summary, until
+
+from rigapp.storage.reader import open_test
+
+pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs Linux's /proc")
+
+KILLS = 10
+SOAK_KILLS = int(os.environ.get("RIGAPP_SOAK_KILLS", "200"))
+
+VIEWER = """
+import sys, time
+from pathlib import Path
+from rigapp.service.launch import find_engine
+from rigapp.service.client import Client
+entry = find_engine(Path(sys.argv[1]))
+client = Client(entry, "Ada")
+assert client.request("take_command").ok
+shown = 0
+while True:
+    snapshot = client.poll()
+    if snapshot is not None and snapshot.status.revolution > shown:
+        shown = snapshot.status.revolution
+        print(shown, flush=True)
+    time.sleep(0.02)
+"""
+
+
+@pytest.fixture(autouse=True)
+def _own_runtime_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+
+
+@pytest.fixture
+def running() -> Iterator[Callable[..., Running]]:
+    started: list[Running] = []
+
+    def start(*arguments: str | Path) -> Running:
+        started.append(Running(*arguments))
+        return started[-1]
+
+    yield start
+    for one in started:
+        one.close()
+
+
+def test_frozen_and_killed_viewer_costs_no_revolution(
+    tmp_path: Path, running: Callable[..., Running]
+) -> None:
+    out = tmp_path / "t.h5"
+    plan = recipe(tmp_path, 110, twin=False)
+    test = running("run", plan, "--rig", RIG, "--out", out, "--speed", "8")
+    test.wait_for(lambda: "running" in test.states(), "the test runs")
+    viewer = subprocess.Popen(
+        [sys.executable, "-c", VIEWER, str(RIG)], stdout=subprocess.PIPE, text=True
+    )
+    try:
+        assert viewer.stdout is not None
+        assert int(viewer.stdout.readline()) > 0
+        viewer.send_signal(signal.SIGSTOP)
+        before, frozen_at = test.committed, time.monotonic()
+        test.wait_for(
+            lambda: time.monotonic() - frozen_at > 5.0 and test.committed > before + 20,
+            "the test goes on beside a frozen viewer",
+        )
+        viewer.send_signal(signal.SIGCONT)
+        shown = 0
+        while shown <= before + 20:  # it catches up
+            shown = int(viewer.stdout.readline())
+        viewer.kill()
+    finally:
+        viewer.kill()
+        viewer.communicate()
+    end = test.end()
+    assert end["reason"] == "complete", end
+    assert np.array_equal(numbers(out), np.arange(1, 111))
+    assert summary(out)["gaps"] == 0
+    assert [event.after for event in log(out) if event.kind == "command"][:1] == ["Ada"]
+
+
+def test_killed_and_stalled_twin_costs_no_revolution(
+    tmp_path: Path, running: Callable[..., Running]
+) -> None:
+    out = tmp_path / "t.h5"
+    plan = recipe(tmp_path, 160, twin=True)
+    test = running("run", plan, "--rig", RIG, "--out", out, "--speed", "8")
+    test.wait_for(lambda: test.committed > 10, "the test runs")
+    (first,) = children(test.process.pid, "rigapp.twin.worker")
+    os.kill(first, signal.SIGKILL)
+    killed_at = test.committed
+
+    def another() -> list[int]:
+        return [p for p in children(test.process.pid, "rigapp.twin.worker") if p != first]
+
+    test.wait_for(another, "the twin is started again")
+
+    def predicted() -> int:
+        with open_test(out) as reader:
+            made = reader.predictions()["revolution"]
+            return int(made[-1]) if len(made) else 0
+
+    test.wait_for(lambda: predicted() > killed_at + 10, "the new twin predicts")
+    (second,) = another()
+    os.kill(second, signal.SIGSTOP)
+    stalled_at = test.committed
+    test.wait_for(lambda: test.committed > stalled_at + 15, "the test goes on beside it")
+    end = test.end()
+    assert end["reason"] == "complete", end
+    assert np.array_equal(numbers(out), np.arange(1, 161))
+    assert summary(out)["gaps"] == 0
+    until(lambda: not Path(f"/proc/{second}").exists(), "the stalled twin has ended")
+
+
+def test_suspended_engine_is_recorded_and_never_silent(
+    tmp_path: Path, running: Callable[..., Running]
+) -> None:
+    """In real time: the drive's watchdog stops the spindle, the engine says why when it wakes."""
+    out = tmp_path / "t.h5"
+    plan = recipe(tmp_path, 200, twin=False)
+    test = running("run", plan, "--rig", RIG, "--out", out, "--speed", "1")
+    test.wait_for(lambda: test.committed >= 2, "the test runs")
+    before = test.committed
+    test.process.send_signal(signal.SIGSTOP)
+    time.sleep(3.0)  # the fault itself
+    test.process.send_signal(signal.SIGCONT)
+    end = test.end()
+    assert end["reason"] == "device"
+    assert "watchdog" in end["sentence"]
+    found = numbers(out)
+    assert len(found) >= before
+    assert np.all(np.diff(found) > 0)
+    events = log(out)
+    (slept,) = [event for event in events if event.kind == "suspended"]
+    assert "did not run for" in slept.text
+    assert events[-1].kind == "stopped"
+    assert not any("sign of life" in event.text for event in events)
+
+
+def kill_again_and_again(folder: Path, kills: int, chance: random.Random) -> None:
+    """Kill a test and go on with it, so many times, then let it come to its end."""
+    folder.mkdir()
+    out = folder / "t.h5"
+    planned = 60 + 40 * kills
+    plan = recipe(folder, planned, twin=False)
+    announced = 0
+    for number in range(kills + 1):
+        verb = ("resume", out) if out.exists() else ("run", plan, "--out", out)
+        test = Running(*verb, "--rig", RIG, "--speed", "max")
+        try:
+            if number == kills:
+                end = test.end()
+                assert end["reason"] == "complete", end
+                break
+            test.wait_for(lambda t=test: "starting" in t.states(), "it turns")  # type: ignore[misc]
+            time.sleep(chance.uniform(0.0, 0.4))
+            test.kill()
+            announced = max(announced, test.committed)
+        finally:
+            test.close()
+        found = numbers(out)
+        assert len(found) >= announced
+        assert np.all(np.diff(found) > 0)
+        assert summary(out)["status"] == "interrupted"
+    found = numbers(out)
+    assert found[0] == 1
+    assert found[-1] == planned
+    assert np.all(np.diff(found) > 0)
+    assert summary(out)["revolutions"] == len(found) == planned
+
+
+@pytest.mark.timeout(400)
+def test_killed_tests_are_resumed_to_the_exact_end(tmp_path: Path) -> None:
+    def kill(seed: int) -> None:
+        kill_again_and_again(tmp_path / str(seed), KILLS // 2, random.Random(seed))
+
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(kill, range(2)))
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(7200)
+def test_many_killed_tests_are_resumed_to_the_exact_end(tmp_path: Path) -> None:
+    """The number of kills is set by RIGAPP_SOAK_KILLS (200)."""
+    chance = random.Random(time.time_ns())
+    for done in range(0, SOAK_KILLS, 20):
+        kill_again_and_again(tmp_path / str(done), min(20, SOAK_KILLS - done), chance)
