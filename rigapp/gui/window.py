@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Sequence
+from getpass import getuser
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, QTimer
@@ -17,8 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from rigapp.commands.live_calibration import Rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.messages import Snapshot
+from rigapp.gui.calibration.wizard import CalibrationWizard
 from rigapp.gui.closebar import CloseBar
 from rigapp.gui.controls import STARTABLE, ControlRow
 from rigapp.gui.header import Header
@@ -67,6 +70,8 @@ class MainWindow(QMainWindow):
         self._help: HelpWindow | None = None
         self._start_wanted: Path | None = None
         self._closing = ""
+        self._results_folder = results_folder
+        self._calibration: CalibrationWizard | None = None
         self.theme = theme
         self.watchdog = Watchdog(self)
         self.setObjectName("main_window")
@@ -156,6 +161,22 @@ class MainWindow(QMainWindow):
         self._help.raise_()
         self._help.activateWindow()
 
+    def calibrate(self) -> None:
+        """Open the calibration wizard, or bring it to the front; refused in words during a test."""
+        status = self._link.status
+        if self._link.is_replay or status is None or status.state in ACTIVE_STATES:
+            why = "Calibrating needs a running engine and no test under way."
+            self.controls.show_answer(why, good=False)
+            return
+        if self._calibration is None or not self._calibration.isVisible():
+            rig = Rig(status.rig, status.simulated, status.operator or getuser())
+            self._calibration = CalibrationWizard(
+                self._link.request, rig, self.theme, self._results_folder, parent=self
+            )
+        self._calibration.show()
+        self._calibration.raise_()
+        self._calibration.activateWindow()
+
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask while a test is under way; else remember the layout and detach."""
         status = self._link.status
@@ -173,6 +194,8 @@ class MainWindow(QMainWindow):
         self._reader.close()
         if self._help is not None:
             self._help.close()
+        if self._calibration is not None and self._calibration.isVisible():
+            self._calibration.reject()
         super().closeEvent(event)
 
     def _take(self, snapshot: Snapshot) -> None:
@@ -212,9 +235,13 @@ class MainWindow(QMainWindow):
         self.theme_button = QPushButton("Light / dark  F9")
         self.theme_button.setObjectName("theme_button")
         self.theme_button.setAccessibleName("Light or dark")
+        self.calibrate_button = QPushButton("Calibrate…  F8")
+        self.calibrate_button.setObjectName("calibrate_button")
+        self.calibrate_button.setAccessibleName("Calibrate the load cell")
         corner = QWidget()
         row = QHBoxLayout(corner)
         row.setContentsMargins(0, 0, 0, 2)
+        row.addWidget(self.calibrate_button)
         row.addWidget(self.theme_button)
         row.addWidget(self.help_button)
         self.tabs.setCornerWidget(corner)
@@ -251,8 +278,10 @@ class MainWindow(QMainWindow):
         self.tabs.start_wanted.connect(self._start_prepared)
         self.help_button.clicked.connect(self.show_help)
         self.theme_button.clicked.connect(self.switch_theme)
+        self.calibrate_button.clicked.connect(self.calibrate)
         QShortcut(QKeySequence("F1"), self, self.show_help)
         QShortcut(QKeySequence("F9"), self, self.switch_theme)
+        QShortcut(QKeySequence("F8"), self, self.calibrate)
 
     def _restore_layout(self) -> None:
         if self._settings is None:

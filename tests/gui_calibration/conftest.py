@@ -56,9 +56,7 @@ class ScriptedRig:
             raise UnusableInput(reply.sentence)
         return reply.result
 
-    def line(
-        self, verb: str, arguments: dict[str, Any], handler: Callable[[Reply], None]
-    ) -> None:
+    def line(self, verb: str, arguments: dict[str, Any], handler: Callable[[Reply], None]) -> None:
         """Answer as the window's link does."""
         handler(self.answer(verb, arguments))
 
@@ -70,7 +68,7 @@ class ScriptedRig:
         if verb == "hand":
             return Reply(ok=True, result=self._hand(arguments["what"], arguments["details"]))
         if verb == "inject_fault":
-            self.faults.add(arguments["kind"])
+            self.faults.add(arguments["fault"]["kind"])
             return Reply(ok=True)
         if verb == "clear_fault":
             self.faults.discard(arguments["kind"])

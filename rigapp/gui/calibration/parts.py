@@ -45,6 +45,7 @@ def number(low: float, high: float, decimals: int, step: float, unit: str) -> QD
     box.setSingleStep(step)
     box.setSuffix(f" {unit}")
     box.setKeyboardTracking(True)
+    box.setMinimumHeight(24)
     return box
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QWidget, QWizard
 
 from rigapp.commands.live_calibration import Rig
@@ -42,7 +42,6 @@ class CalibrationWizard(QWizard):
         self.setAccessibleName("Calibration of the load cell")
         self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, parent is not None)
         self.setModal(False)
         self.bench = Bench(line, rig)
         self.plan = PlanPage(self.bench, folder, settings)
