@@ -6,6 +6,7 @@ device failed. One plain sentence on stderr; a traceback only with ``--debug``.
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 from typing import Annotated, NoReturn
@@ -351,6 +352,8 @@ def engine(
 
 def main() -> NoReturn:
     """Run the command line and exit with its status."""
+    # Threads of the linear algebra would fight the acquisition for the cores.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     debug = "--debug" in sys.argv
     arguments = [word for word in sys.argv[1:] if word != "--debug"]
     try:
