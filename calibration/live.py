@@ -98,6 +98,8 @@ def _words(
         )
     if not window.stands:
         return Verdict.MOVING, "the crank turns"
+    if len(time) < 2:
+        return Verdict.WAITING, "listening"
     if step.kind is StepKind.ANGLE_REFERENCE:
         return Verdict.STEADY, "the crank stands"
     off = float(np.angle(np.exp(1j * (window.angle - step.angle))))
@@ -109,7 +111,7 @@ def _words(
         )
     if step.kind is StepKind.TURN:
         return Verdict.STEADY, f"the pin stands at {math.degrees(window.angle):.1f} degrees"
-    if len(time) < 2 or time[-1] - time[0] < 0.9 * WINDOW_S - 0.1:
+    if time[-1] - time[0] < 0.9 * WINDOW_S - 0.1:
         return Verdict.WAITING, "listening"
     if not found.steady:
         return Verdict.MOVING, found.reason

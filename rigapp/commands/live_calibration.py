@@ -39,6 +39,7 @@ from rigapp.config.errors import UnusableInput
 PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
 Array = NDArray[np.float64]
 SHARE_OF_FULL_SCALE = 0.99
+LARGEST_OFFSET = math.radians(20.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,8 +215,17 @@ class LiveSession:
     # --- what the operator does ------------------------------------------------------------------
 
     def reference(self, shown: float, uncertainty: float) -> None:
-        """Take the angle reference: the encoder's angle (rad) while the crank is level."""
+        """Take the angle reference: the encoder's angle (rad) while the crank is level.
+
+        Raises ProcedureError when it is so far from 0 that the crank was not level.
+        """
         offset = -float(np.angle(np.exp(1j * shown)))
+        if abs(offset) > LARGEST_OFFSET:
+            raise ProcedureError(
+                f"the encoder shows {math.degrees(-offset):.1f} degrees with the crank level; it"
+                " should show about 0. Is it the right flat? Else correct"
+                " encoder.index_angle_deg in the rig file"
+            )
         self._adopt(self.procedure.reference(offset, uncertainty))
 
     def take(self, window: Window) -> None:

@@ -235,7 +235,7 @@ class MainWindow(QMainWindow):
         self.theme_button = QPushButton("Light / dark  F9")
         self.theme_button.setObjectName("theme_button")
         self.theme_button.setAccessibleName("Light or dark")
-        self.calibrate_button = QPushButton("Calibrate…  F8")
+        self.calibrate_button = QPushButton("Calibrate…  F3")
         self.calibrate_button.setObjectName("calibrate_button")
         self.calibrate_button.setAccessibleName("Calibrate the load cell")
         corner = QWidget()
@@ -281,7 +281,7 @@ class MainWindow(QMainWindow):
         self.calibrate_button.clicked.connect(self.calibrate)
         QShortcut(QKeySequence("F1"), self, self.show_help)
         QShortcut(QKeySequence("F9"), self, self.switch_theme)
-        QShortcut(QKeySequence("F8"), self, self.calibrate)
+        QShortcut(QKeySequence("F3"), self, self.calibrate)
 
     def _restore_layout(self) -> None:
         if self._settings is None:

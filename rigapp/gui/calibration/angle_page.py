@@ -80,7 +80,7 @@ class AnglePage(QWizardPage):
             return False
         if not self._due():
             return True
-        return bench.readiness is not None and bench.readiness.ready
+        return bench.readiness is not None and bench.readiness.ready and not bench.hands_busy
 
     def validatePage(self) -> bool:
         """Take the reference, unless the journal holds it already."""
