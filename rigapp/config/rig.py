@@ -90,6 +90,7 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     calibration: str = ""
     calibration_override: str = ""
 
+
 class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[probes]: two capacitance probes; position = sensitivity (voltage - offset).
 
