@@ -5,7 +5,7 @@ Blocks of 20 ms as a driver hands them over, and go through the same objects as 
 check, assembler, latency correction, calibration, statistics, rules, real HDF5 file with a commit a
 second, every tenth whole cycle kept. Nothing is written to the screen and no twin runs.
 
-The budget: 50 times the fastest supported data acquisition. The GSV-8 sends at most 12,000 (float32)
+The budget: 50 times the fastest data acquisition. The GSV-8 sends at most 12,000 (float32)
 or 16,000 (integer) frames a second with a counter, 48,000 without.
 """
 
