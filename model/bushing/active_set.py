@@ -42,9 +42,39 @@ def place_pin(surface, axis, pin_radius, pin, frame, gap):  # type: ignore[no-un
 @njit("float64(float64[:,:,::1], float64[:,::1], int64, int64)", cache=True, inline="always")
 def normal_compliance(polar, frame, i, j):  # type: ignore[no-untyped-def]
     """Return the normal displacement at node i by a unit normal force at node j."""
-    return frame[i, 2] * (polar[0, i, j] * frame[j, 2] + polar[1, i, j] * frame[j, 3]) + frame[
-        i, 3
-    ] * (polar[1, j, i] * frame[j, 2] + polar[2, i, j] * frame[j, 3])
+    return frame[i, 2] * (polar[0, i, j] * frame[j, 2] + polar[1, i, j] * frame[j, 3]) + (
+        frame[i, 3] * (polar[2, i, j] * frame[j, 2] + polar[3, i, j] * frame[j, 3])
+    )
+
+
+@njit(
+    "void(float64[:,:,::1], float64[:,::1], float64[::1], int64[::1], int64, float64,"
+    " float64[::1])",
+    cache=True,
+)
+def displace(polar, frame, pressed, nodes, count, reach, gap):  # type: ignore[no-untyped-def]
+    """Add to the gap of nodes its normal displacement by the pressed nodes.
+
+    From the first to the last node whose gap is within reach; the others cannot come to touch.
+    Reciprocity turns columns into rows, so that the inner loop runs along the memory.
+    """
+    low, high = 0, gap.size
+    while low < high and gap[low] > reach:
+        low += 1
+    while high > low and gap[high - 1] > reach:
+        high -= 1
+    n = gap.size
+    radial = np.zeros(n)
+    tangential = np.zeros(n)
+    for p in range(count):
+        j = nodes[p]
+        r = pressed[j] * frame[j, 2]
+        t = pressed[j] * frame[j, 3]
+        for i in range(low, high):
+            radial[i] += polar[0, j, i] * r + polar[2, j, i] * t
+            tangential[i] += polar[1, j, i] * r + polar[3, j, i] * t
+    for i in range(low, high):
+        gap[i] += frame[i, 2] * radial[i] + frame[i, 3] * tangential[i]
 
 
 @njit("int64(boolean[::1], float64[::1], int64[::1])", cache=True)
@@ -67,33 +97,25 @@ def list_touching(touching, gap, nodes):  # type: ignore[no-untyped-def]
 
 
 @njit(
-    "int64(float64[:,:,::1], float64[:,::1], float64[::1], boolean[::1], float64[::1],"
-    " int64[::1], int64, float64, float64, boolean)",
+    "int64(float64[::1], boolean[::1], float64[::1], float64, float64, boolean)",
     cache=True,
 )
-def revise(polar, frame, gap, touching, pressed, nodes, count, reach, slack, single):  # type: ignore[no-untyped-def]
+def revise(left, touching, pressed, reach, slack, single):  # type: ignore[no-untyped-def]
     """Drop what pulls, add what overlaps; return how many conditions were broken.
 
-    gap: with wear of an implicit step included for nodes that do not touch; reach: rigid gap up
-    to which a node may overlap; slack: what is not yet counted, as a part of the largest force or
-    of the reach; single: change only the node that breaks its condition worst.
+    left: the gap after displacement; reach: the largest displacement; slack: what is not yet
+    counted, as a part of the largest force or of the reach; single: change only the node that
+    breaks its condition worst.
     """
-    largest = 0.0
-    for p in range(count):
-        largest = max(largest, pressed[nodes[p]])
+    largest = pressed.max()
     broken = 0
     worst = -1
     worst_size = 0.0
     for i in range(touching.size):
         if touching[i]:
             share = -pressed[i] / largest if largest > 0.0 else 1.0
-        elif gap[i] <= reach:
-            left = gap[i]
-            for p in range(count):
-                left += pressed[nodes[p]] * normal_compliance(polar, frame, i, nodes[p])
-            share = -left / reach - 1e-9
         else:
-            continue
+            share = -left[i] / reach - 1e-9
         if share > 0.0:
             if share > slack:
                 broken += 1
@@ -225,13 +247,12 @@ def solve(  # type: ignore[no-untyped-def]
         reach = 0.0
         for p in range(count):
             reach = max(reach, abs(gap[nodes[p]]))
-        broken = revise(
-            polar, frame, gap, touching, pressed, nodes, count, reach, 0.0, iteration > _PATIENCE
-        )
-        if broken == 0 and length <= 1e-8 * reach + 1e-12 * pin_radius:
+        settled = length <= 1e-6 * reach + 1e-12 * pin_radius
+        displace(polar, frame, pressed, nodes, count, np.inf if settled else reach, gap)
+        broken = revise(gap, touching, pressed, reach, 0.0, iteration > _PATIENCE)
+        if broken == 0 and settled:
             for i in range(n):
                 gap[i] += extra[i] * pressed[i]
-                for p in range(count):
-                    gap[i] += pressed[nodes[p]] * normal_compliance(polar, frame, i, nodes[p])
             return verdict(force, touching, pressed, gap, frame, reach), iteration
+        place_pin(surface, axis, pin_radius, pin, frame, gap)
     return NOT_SETTLED, _LIMIT

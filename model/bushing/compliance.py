@@ -18,9 +18,10 @@ class SurfaceCompliance:
     """Hold the compliance between some surface nodes, in polar components, per metre of width.
 
     ``nodes``: their numbers round the ring, (N,); ``axis``: unit vectors (N, 2), the radial
-    direction of each node; ``polar``: (3, N, N), m^2/N, radial by radial, radial by tangential
-    and tangential by tangential: entry [1, i, j] is the radial displacement at i by a tangential
-    unit force at j. ``ends``: positions in ``nodes`` whose neighbour on the ring is not among them.
+    direction of each node; ``polar``: (4, N, N), m^2/N, radial by radial, radial by tangential,
+    tangential by radial, tangential by tangential: entry [1, i, j] is the radial displacement at
+    i by a tangential unit force at j. ``ends``: positions in ``nodes`` whose neighbour on the ring
+    is not among them.
     """
 
     nodes: NDArray[np.int64]
@@ -65,9 +66,11 @@ def circular_compliance(
     # Node 0 of the numbering stands at -pi, a sector's line for every number of sectors.
     sector, side = nodes // 2, nodes % 2
     apart = (sector[:, None] - sector[None, :]) % sectors
-    polar = np.empty((3, len(nodes), len(nodes)))
+    polar = np.empty((4, len(nodes), len(nodes)))
     i, j = side[:, None], side[None, :]
-    for part, (a, b) in enumerate(((0, 0), (0, 1), (1, 1))):
-        polar[part] = kernel[i, a, j, b, apart]
+    polar[0] = kernel[i, 0, j, 0, apart]
+    polar[1] = kernel[i, 0, j, 1, apart]
+    polar[2] = polar[1].T
+    polar[3] = kernel[i, 1, j, 1, apart]
     axis = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     return SurfaceCompliance(nodes, axis, polar, arc_ends(nodes, 2 * sectors))

@@ -118,7 +118,7 @@ def first_guess(
         return np.zeros(2), touching
     room = along[facing] - np.sqrt(pin_radius**2 - across2[facing])
     order = np.sort(room)
-    stiffness = 0.2 / compliance.polar[0, facing, facing].mean()
+    stiffness = 0.3 / compliance.polar[0, facing, facing].mean()
     carried = np.arange(1, order.size + 1) * order - np.cumsum(order)
     count = max(int(np.searchsorted(carried, size / stiffness)), 1)
     touching[facing[room <= order[count - 1]]] = True

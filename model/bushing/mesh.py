@@ -99,6 +99,8 @@ def general_compliance(
     x, y = moved[2 * nodes], moved[2 * nodes + 1]
     radial = cosine[:, None] * x + sine[:, None] * y
     tangential = cosine[:, None] * y - sine[:, None] * x
-    polar = np.stack([radial[:, :count], radial[:, count:], tangential[:, count:]])
+    polar = np.stack(
+        [radial[:, :count], radial[:, count:], tangential[:, :count], tangential[:, count:]]
+    )
     axis = np.stack([cosine, sine], axis=1)
     return SurfaceCompliance(nodes, axis, polar, arc_ends(nodes, 2 * mesh.sectors))

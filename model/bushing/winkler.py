@@ -41,9 +41,9 @@ def winkler_compliance(
     if nodes is None:
         nodes = np.arange(around)
     angle = surface_angles(mesh.sectors)[nodes]
-    polar = np.zeros((3, len(nodes), len(nodes)))
+    polar = np.zeros((4, len(nodes), len(nodes)))
     each = np.arange(len(nodes))
     polar[0, each, each] = 1.0 / (foundation_modulus(ring) * np.asarray(weights)[nodes])
-    polar[2] = polar[0]
+    polar[3] = polar[0]
     axis = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     return SurfaceCompliance(nodes, axis, polar, arc_ends(nodes, around))

@@ -16,13 +16,14 @@ from model.bushing.active_set import (
     CARRIED,
     NOT_SETTLED,
     ONE_SIDED,
+    displace,
     list_touching,
     normal_compliance,
     pin_move,
     place_pin,
     revise,
 )
-from model.bushing.linear import factorise, substitute
+from model.bushing.linear import factorise, invert, substitute
 
 _LIMIT = 40
 # After so many sweeps each position changes its set one node at a time.
@@ -34,13 +35,13 @@ _QUIET = 4
 
 @njit(
     "boolean(float64[:,:,::1], float64[:,::1], float64[::1], int64[::1], int64, float64[:,::1],"
-    " float64[:,::1], float64[:,::1])",
+    " float64[:,::1], float64[:,::1], float64[:,::1])",
     cache=True,
 )
-def _invert(polar, frame, gap, nodes, count, rows, work, inverse):  # type: ignore[no-untyped-def]
+def _invert(polar, frame, gap, nodes, count, rows, work, lower, inverse):  # type: ignore[no-untyped-def]
     """Fill the upper triangle of A^-1, and rows = A^-1 of the normals' x, y and of the gap.
 
-    False when A is not positive definite. ``work`` and ``inverse`` are count x count at least.
+    False when A is not positive definite. ``work``, ``lower``, ``inverse``: count x count at least.
     """
     for p in range(count):
         i = nodes[p]
@@ -52,24 +53,7 @@ def _invert(polar, frame, gap, nodes, count, rows, work, inverse):  # type: igno
     if not factorise(work, count) > 0.0:
         return False
     substitute(work, count, rows, 3)
-    # The lower triangle becomes W = U^-T; then A^-1 = W^T W.
-    for i in range(count):
-        scale = 1.0 / work[i, i]
-        for j in range(i):
-            work[i, j] = 0.0
-        for k in range(i):
-            ratio = work[k, i] * scale
-            for j in range(k + 1):
-                work[i, j] -= ratio * work[k, j]
-        work[i, i] = scale
-    for i in range(count):
-        for j in range(i, count):
-            inverse[i, j] = 0.0
-    for k in range(count):
-        for i in range(k + 1):
-            ratio = work[k, i]
-            for j in range(i, k + 1):
-                inverse[i, j] += ratio * work[k, j]
+    invert(work, count, lower, inverse)
     return True
 
 
@@ -200,11 +184,12 @@ def wear_step(  # type: ignore[no-untyped-def]
         rows = np.empty((positions, 3, largest))
         inverses = np.empty((positions, largest, largest))
         work = np.empty((largest, largest))
+        lower = np.empty((largest, largest))
         turns = np.empty((positions, 2, 2))
         for k in range(positions):
             count = counts[k]
             frame, nodes = frames[k], lists[k]
-            if not _invert(polar, frame, gaps[k], nodes, count, rows[k], work, inverses[k]):
+            if not _invert(polar, frame, gaps[k], nodes, count, rows[k], work, lower, inverses[k]):
                 return NOT_SETTLED, sweep
             _softness(frame, nodes, count, rows[k], turns[k])
             if not np.isfinite(turns[k, 0, 0]):
@@ -255,18 +240,9 @@ def wear_step(  # type: ignore[no-untyped-def]
             for p in range(count):
                 reach = max(reach, abs(gaps[k, nodes[p]] + wear[nodes[p]]))
             deepest = max(deepest, reach)
-            broken += revise(
-                polar,
-                frame,
-                gaps[k] + wear,
-                touching[k],
-                pressed[k],
-                nodes,
-                count,
-                reach,
-                tolerance,
-                sweep > _PATIENCE,
-            )
+            left = gaps[k] + wear
+            displace(polar, frame, pressed[k], nodes, count, reach, left)
+            broken += revise(left, touching[k], pressed[k], reach, tolerance, sweep > _PATIENCE)
         settled = broken == 0 and travel <= tolerance * deepest
         if settled or quiet >= _QUIET:
             offset[:] = 0.0

@@ -1,7 +1,7 @@
 """The same contact by a general finite element library, with nothing condensed.
 
-Half a ring of 8-node quadrilaterals in scikit-fem, symmetry on the x axis, the whole sparse
-system with the pin's displacement and the active contact conditions in every iteration.
+A whole ring of 8-node quadrilaterals in scikit-fem, the whole sparse system with the pin's
+displacement and the active contact conditions in every iteration. The force is along x.
 """
 
 from __future__ import annotations
@@ -13,40 +13,49 @@ from skfem import Basis, ElementQuadS2, ElementVector, MeshQuad, MeshQuad2, asm
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 
-def assemble(inner, outer, youngs_modulus, poissons_ratio, half_sectors, levels):
-    """Return stiffness and the surface's x, y dofs by angle, and the free dofs."""
-    angle = np.linspace(0.0, np.pi, half_sectors + 1)
-    flat = MeshQuad2.from_mesh(MeshQuad.init_tensor(levels, angle))
-    radius, turn = flat.doflocs
-    ring = MeshQuad2(np.stack([radius * np.cos(turn), radius * np.sin(turn)]), flat.t)
-    basis = Basis(ring, ElementVector(ElementQuadS2()), intorder=5)
+def ring_mesh(sectors, levels):
+    """Return a ring with curved elements: mid-side nodes on the circles."""
+    angle = -np.pi + 2.0 * np.pi * np.arange(sectors) / sectors
+    lines, around = len(levels), np.arange(sectors)
+    points = np.array([[r * f(a) for a in angle for r in levels] for f in (np.cos, np.sin)])
+    corner = (around[:, None] * lines + np.arange(lines - 1)).ravel()
+    after = ((around[:, None] + 1) % sectors * lines + np.arange(lines - 1)).ravel()
+    flat = MeshQuad(points, np.array([corner, corner + 1, after + 1, after]))
+    curved = MeshQuad2.from_mesh(flat)
+    radius = np.hypot(*flat.p)
+    places = curved.doflocs.copy()
+    for numbers, ends in (
+        (flat.nvertices + np.arange(flat.nfacets), flat.facets),
+        (flat.nvertices + flat.nfacets + np.arange(flat.nelements), flat.t),
+    ):
+        places[:, numbers] *= radius[ends].mean(axis=0) / np.hypot(*places[:, numbers])
+    return MeshQuad2(places, curved.t)
+
+
+def assemble(inner, outer, youngs_modulus, poissons_ratio, sectors, levels):
+    """Return stiffness, the surface's x and y dofs by angle, free dofs, and dof positions."""
+    basis = Basis(ring_mesh(sectors, levels), ElementVector(ElementQuadS2()), intorder=5)
     stiffness = asm(linear_elasticity(*lame_parameters(youngs_modulus, poissons_ratio)), basis)
     x, y = basis.doflocs
+    second = np.concatenate([basis.nodal_dofs[1::2].ravel(), basis.facet_dofs[1::2].ravel()])
+    component = np.zeros(len(x), dtype=int)
+    component[second] = 1
     distance = np.hypot(x, y)
     rim = np.flatnonzero(np.isclose(distance, outer, rtol=1e-6))
-    component = np.zeros(len(x), dtype=int)
-    component[_second_components(basis)] = 1
-    on_axis = np.flatnonzero(np.isclose(y, 0.0, atol=1e-9) & (component == 1))
-    fixed = np.union1d(rim, on_axis)
     surface = np.flatnonzero(np.isclose(distance, inner, rtol=1e-6))
     pairs = []
     for c in (0, 1):
         mine = surface[component[surface] == c]
-        pairs.append(mine[np.argsort(np.arctan2(y[mine], x[mine]))])
-    return stiffness.tocsr(), pairs, np.setdiff1d(np.arange(len(x)), fixed), (x, y)
+        turn = np.arctan2(y[mine], x[mine])
+        turn[turn > np.pi - 1e-9] -= 2.0 * np.pi
+        pairs.append(mine[np.argsort(turn)])
+    return stiffness.tocsr(), pairs, np.setdiff1d(np.arange(len(x)), rim), (x, y)
 
 
-def _second_components(basis):
-    """Return all dofs of the y component."""
-    return np.unique(
-        np.concatenate([basis.nodal_dofs[1::2].ravel(), basis.facet_dofs[1::2].ravel()])
-    )
-
-
-def solve_full(inner, outer, pin_radius, youngs_modulus, poissons_ratio, force, half, levels):
-    """Return angles, nodal normal forces of the whole ring's half, and the pin's place on x."""
+def solve_full(inner, outer, pin_radius, youngs_modulus, poissons_ratio, force, sectors, levels):
+    """Return angles and nodal normal forces of the surface, and the pin's place on x."""
     stiffness, (along, across), free, (x, y) = assemble(
-        inner, outer, youngs_modulus, poissons_ratio, half, levels
+        inner, outer, youngs_modulus, poissons_ratio, sectors, levels
     )
     number = np.full(stiffness.shape[0], -1)
     number[free] = np.arange(len(free))
@@ -54,28 +63,30 @@ def solve_full(inner, outer, pin_radius, youngs_modulus, poissons_ratio, force, 
     px, py = x[along], y[along]
     angle = np.arctan2(py, px)
     pin = inner - pin_radius
-    active = angle < 0.2
+    active = np.abs(angle) < 0.2
     for _ in range(60):
         nx, ny = px - pin, py.copy()
         size = np.hypot(nx, ny)
         nx, ny = nx / size, ny / size
         gap = size - pin_radius
         chosen = np.flatnonzero(active)
-        rows, columns, values = [], [], []
-        for k, node in enumerate(chosen):
-            for dof, part in ((along[node], nx[node]), (across[node], ny[node])):
-                if number[dof] >= 0:
-                    rows.append(k)
-                    columns.append(number[dof])
-                    values.append(part)
-        normals = csr_matrix((values, (rows, columns)), shape=(len(chosen), len(free)))
+        each = np.arange(len(chosen))
+        normals = csr_matrix(
+            (
+                np.concatenate([nx[chosen], ny[chosen]]),
+                (
+                    np.concatenate([each, each]),
+                    number[np.concatenate([along[chosen], across[chosen]])],
+                ),
+            ),
+            shape=(len(chosen), len(free)),
+        )
         pull = csr_matrix(nx[chosen][:, None])
         system = bmat(
             [[stiffness, -normals.T, None], [normals, None, -pull], [None, pull.T, None]],
             format="csc",
         )
-        right = np.concatenate([np.zeros(len(free)), -gap[chosen], [0.5 * force]])
-        answer = spsolve(system, right)
+        answer = spsolve(system, np.concatenate([np.zeros(len(free)), -gap[chosen], [force]]))
         moved, pressed, move = answer[: len(free)], answer[len(free) : -1], answer[-1]
         pin += move
         full = np.zeros(len(number))
@@ -91,5 +102,4 @@ def solve_full(inner, outer, pin_radius, youngs_modulus, poissons_ratio, force, 
         raise AssertionError("the reference contact did not settle")
     nodal = np.zeros(len(angle))
     nodal[chosen] = pressed
-    nodal[0] *= 2.0
     return angle, nodal, pin

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from model.bushing import persson
 from model.bushing.compliance import circular_compliance, surface_angles
 from model.bushing.contact import ContactError, simpson_weights, solve_contact
+from model.bushing.linear import factorise, invert, substitute
 from model.bushing.ring import Ring, arc_nodes, pressure_distribution, sectors_at_least
 from model.bushing.sector import SectorMesh
 from model.bushing.winkler import winkler_compliance
@@ -168,3 +169,24 @@ def test_sectors_to_choose_from_are_increasing() -> None:
     assert all(n % 2 == 0 for n in chosen)
     assert chosen[1] == 60
     assert chosen[2] > 60
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4, 5, 8, 11, 40])
+def test_small_linear_algebra_is_that_of_a_library(size: int) -> None:
+    rng = np.random.default_rng(size)
+    root = rng.normal(size=(size, size))
+    matrix = root @ root.T + np.eye(size)
+    room = np.full((size + 3, size + 3), np.nan)
+    room[:size, :size] = matrix
+    assert factorise(room, size) > 0.0
+    assert np.triu(room[:size, :size]) == pytest.approx(np.linalg.cholesky(matrix).T)
+    rhs = rng.normal(size=(2, size + 3))
+    expected = np.linalg.solve(matrix, rhs[:, :size].T).T
+    substitute(room, size, rhs, 2)
+    assert rhs[:, :size] == pytest.approx(expected)
+    lower, inverse = np.full((2, size + 1, size + 1), np.nan)
+    invert(room, size, lower, inverse)
+    exact = np.linalg.inv(matrix)
+    assert np.triu(inverse[:size, :size]) == pytest.approx(np.triu(exact))
+    matrix[-1, -1] = -1.0
+    assert not factorise(matrix, size) > 0.0

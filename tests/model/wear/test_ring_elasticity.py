@@ -62,8 +62,8 @@ def test_worn_surface_is_softer_where_the_wall_is_thinner_by_little() -> None:
 
 def test_compliance_is_symmetric_and_definite() -> None:
     compliance = circular_compliance(A, B, E, NU, mesh=SectorMesh(24, 4, 10.0))
-    rr, rt, tt = compliance.polar
-    whole = np.block([[rr, rt], [rt.T, tt]])
+    rr, rt, tr, tt = compliance.polar
+    whole = np.block([[rr, rt], [tr, tt]])
     assert np.allclose(whole, whole.T, rtol=0.0, atol=1e-13 * whole.max())
     assert np.linalg.eigvalsh(whole).min() > 0.0
 

@@ -1,0 +1,175 @@
+"""Time contact and wear of the bushing against their plain ways, in one run.
+
+Run with ``python benchmarks/bench_wear.py [--rounds 5]``. First the contact: condensed against the
+whole sparse system in scikit-fem, on the same 180 x 8 mesh of 8-node quadrilaterals. Then the
+life: implicit with its error bound against the paper's explicit extrapolation at its stability
+limit. All ratios are of medians of this run.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import statistics
+import time
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+from model.bushing.compliance import circular_compliance
+from model.bushing.contact import simpson_weights, solve_contact
+from model.bushing.ring import Ring, ring_of
+from model.bushing.sector import SectorMesh, surface_spectrum
+from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
+from model.wear.explicit import explicit_life, stable_step
+from model.wear.forces import force_source
+from model.wear.front import Front, implicit_step, touched, wear_problem
+from model.wear.life import life
+from model.wear.loads import constant_load
+from model.wear.state import unworn_state
+
+RING = Ring(0.010, 0.020, 0.0095, 500e6, 0.38)
+WIDTH, FORCE_N, K = 0.0131, 110.0, 5.05e-13
+MECHANISM = Mechanism(
+    0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871, spring=Spring(525.0, 0.3174952)
+)
+PARAMETERS = Parameters(
+    MECHANISM,
+    Joint(0.0095, 0.010, 0.020, WIDTH),
+    Bushing(Material(500e6, 0.38), 2200.0, K),
+    Material(206e9, 0.29),
+)
+CYCLES, SPEED = 23_000, np.pi
+GOAL_CONTACT = 10_000.0
+BUDGET_S = {"unworn": 1e-4, "worn": 5e-4, "1e-3": 1.0, "1e-2": 0.1, "live": 0.05}
+
+
+def full_ring() -> ModuleType:
+    """Return the tests' general finite element solution."""
+    path = Path(__file__).parents[1] / "tests" / "model" / "wear" / "full_ring.py"
+    spec = importlib.util.spec_from_file_location("full_ring", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def median(action: Callable[[], object], rounds: int, repeat: int = 1) -> float:
+    """Return the median time of an action, s, after one call that does not count."""
+    action()
+    times = []
+    for _ in range(rounds):
+        start = time.perf_counter()
+        for _ in range(repeat):
+            action()
+        times.append((time.perf_counter() - start) / repeat)
+    return statistics.median(times)
+
+
+def contacts(rounds: int) -> None:
+    """Print the first table."""
+    mesh = SectorMesh()
+    force = (FORCE_N / WIDTH, 0.0)
+    compliance = circular_compliance(RING.inner, RING.outer, 500e6, 0.38, mesh=mesh)
+    circle = RING.circle(180)
+    other = solve_contact(compliance, circle, RING.pin_radius, (0.95 * force[0], 100.0))
+    loads = constant_load(FORCE_N, RING.pin_radius)
+    problem = wear_problem(RING, 180, WIDTH, K, loads, np.pi)
+    worn = implicit_step(problem, problem.unworn(), loads, CYCLES)
+    surface = np.ascontiguousarray(worn.surface)
+    near = solve_contact(compliance, surface, RING.pin_radius, (0.95 * force[0], 100.0))
+    last = solve_contact(compliance, surface, RING.pin_radius, (0.9999 * force[0], 0.0))
+
+    def condense() -> None:
+        surface_spectrum.cache_clear()
+        surface_spectrum(RING.inner, RING.outer, 500e6, 0.38, "strain", mesh)
+
+    def solve(places: np.ndarray, start: object) -> Callable[[], object]:
+        return lambda: solve_contact(
+            compliance,
+            places,
+            RING.pin_radius,
+            force,
+            start=start,  # type: ignore[arg-type]
+        )
+
+    library = full_ring()
+    levels = mesh.radii(RING.inner, RING.outer)
+
+    def whole() -> object:
+        return library.solve_full(0.010, 0.020, 0.0095, 500e6, 0.38, force[0], 180, levels)
+
+    taken = {
+        "scikit-fem, the whole system": median(whole, max(rounds // 2, 2)),
+        "condense the ring once": median(condense, rounds, 5),
+        "contact, unworn, no start": median(solve(circle, None), rounds, 100),
+        "contact, unworn, from another force": median(solve(circle, other), rounds, 100),
+        "contact, worn 0.4 mm, no start": median(solve(surface, None), rounds, 20),
+        "contact, worn 0.4 mm, from another force": median(solve(surface, near), rounds, 20),
+        "contact, worn 0.4 mm, from the last cycle": median(solve(surface, last), rounds, 20),
+    }
+    base = taken["scikit-fem, the whole system"]
+    print(f"one contact, 180 x 8 elements, median of {rounds}")
+    for name, seconds in taken.items():
+        print(f"  {name:<42}{1e3 * seconds:10.3f} ms   1/{base / seconds:,.0f}")
+    _, nodal, pin = whole()  # type: ignore[misc]
+    mine = solve_contact(compliance, circle, RING.pin_radius, force)
+    weights = simpson_weights(circle)
+    apart = np.abs((mine.force - nodal) / weights).max() / (nodal / weights).max()
+    print(f"  pressures apart {apart:.1e} of the peak, pin {abs(mine.pin[0] - pin):.1e} m")
+    ratio = base / taken["contact, unworn, from another force"]
+    print(f"  ratio {ratio:,.0f}, goal {GOAL_CONTACT:,.0f}: {ratio / GOAL_CONTACT:.2f}")
+    for kind, name in (("unworn", "contact, unworn, no start"), ("worn", list(taken)[-1])):
+        print(f"  {name} / budget: {taken[name] / BUDGET_S[kind]:.2f}")
+
+
+def lives(rounds: int) -> None:
+    """Print the second table."""
+    exact = life(PARAMETERS, SPEED, CYCLES, "perfect", 3e-4).max_depth[-1]
+    loads = force_source(PARAMETERS, SPEED, "perfect").unworn(6)
+    ring = ring_of(PARAMETERS.joint, PARAMETERS.bushing.material)
+    problem = wear_problem(ring, 180, WIDTH, K, loads, 1.2)
+    limit = stable_step(problem, loads)
+    start = time.perf_counter()
+    *_, (_, front) = explicit_life(problem, loads, CYCLES)
+    explicit = time.perf_counter() - start
+    off = abs(float(front.depth(ring.inner).max()) / exact - 1.0)
+    print(f"life of {CYCLES} cycles, six crank positions, elastic forces of the mechanism")
+    print(
+        f"  {'explicit at its limit of ' + f'{limit:.1f} cycles':<42}{1e3 * explicit:10.1f} ms"
+        f"   depth off {off:.1e}"
+    )
+    for tolerance in ("1e-3", "1e-2"):
+        for technique in ("perfect", "continuous"):
+            run = lambda t=technique, e=float(tolerance): life(PARAMETERS, SPEED, CYCLES, t, e)  # noqa: E731
+            seconds = median(run, rounds)
+            found = run()
+            bound = found.estimated_error[-1] / found.max_depth[-1]
+            name = f"implicit, {technique}, tolerance {tolerance}"
+            print(
+                f"  {name:<42}{1e3 * seconds:10.1f} ms   1/{explicit / seconds:,.0f}"
+                f"   error bound {bound:.1e}, of the budget {seconds / BUDGET_S[tolerance]:.2f}"
+            )
+    state = unworn_state(PARAMETERS, 100.0).advance_by(loads, 5000.0)
+    seconds = median(lambda: state.advance_by(loads, 500.0), rounds)
+    name = "live state, 500 cycles"
+    print(f"  {name:<42}{1e3 * seconds:10.1f} ms   of the budget {seconds / BUDGET_S['live']:.2f}")
+    one = Front(problem.unworn().surface)
+    seconds = median(lambda: touched(problem, one, loads), rounds)
+    print(f"  {'six contacts, unworn, as explicit takes':<42}{1e3 * seconds:10.1f} ms")
+
+
+def main() -> None:
+    """Print both tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rounds", type=int, default=5)
+    rounds = parser.parse_args().rounds
+    contacts(rounds)
+    lives(rounds)
+
+
+if __name__ == "__main__":
+    main()
