@@ -115,9 +115,9 @@ def _devices(rig: Document[RigFile], test: TestFile, found: list[Calibration]) -
         try:
             setup = devices.open()
             found.append(calibration_of(rig.record, setup))
-            for name, readback in devices.readback.items():
-                identity = ", ".join(f"{key} {value}" for key, value in list(readback.items())[:4])
-                yield Item(f"Device {name}", identity or "answers")
+            for name, box in devices.identities.items():
+                text = f"{box.maker} {box.model}, firmware {box.firmware}"
+                yield Item(f"Device {name}", f"{text}, serial {box.serial_number or 'not told'}")
         finally:
             devices.close()
     except DeviceError as error:
