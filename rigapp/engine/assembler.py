@@ -17,13 +17,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.api import Block
+from rigapp.engine.counterstate import BEGIN, BREAK, CUT, E, P, S, new_state
 from rigapp.engine.messages import Flag
-from rigapp.engine.unwrap import BEGIN, BREAK, CUT, STANDSTILL_S, E, P, S, new_state, scan
+from rigapp.engine.unwrap import scan
 
 Values = NDArray[np.float32] | NDArray[np.int32]
 
 MAXIMUM_ACCELERATION_REV_PER_S2 = 200.0
 """Counts that deviate by more than this acceleration explains are not motion."""
+
+STANDSTILL_S = 2.0
+"""Samples of a standing crank beyond this time are counted, but not kept."""
 
 FIRST_BUFFER = 1 << 16
 
@@ -168,7 +172,7 @@ class Assembler:
         parameters[P.DIRECTION] = encoder.direction
         parameters[P.RESTARTS] = int(encoder.restarts_at_index)
         parameters[P.MODULUS] = encoder.modulus
-        parameters[P.STEP_TOLERANCE] = math.ceil(
+        parameters[P.TOLERANCE] = math.ceil(
             max(1.0, min(MAXIMUM_ACCELERATION_REV_PER_S2 * turn / sample_rate_Hz**2, turn / 16))
         )
         parameters[P.MISSED_AFTER] = max(4, turn // 8)

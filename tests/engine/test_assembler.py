@@ -11,9 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from drivers.api import Block
-from rigapp.engine.assembler import Assembler, EncoderSetup, Margins, Revolution
+from rigapp.engine.assembler import STANDSTILL_S, Assembler, EncoderSetup, Margins, Revolution
 from rigapp.engine.messages import Flag
-from rigapp.engine.unwrap import STANDSTILL_S
 
 KINDS = ("modulo", "signed", "runs on")
 

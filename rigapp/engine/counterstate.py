@@ -1,0 +1,97 @@
+"""The memory of the compiled functions that follow the counter: named places in plain vectors.
+
+Compiled code has these numbers in it, and its cache watches ``unwrap.py`` only: whoever renumbers
+something here saves that file too.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+Counts = NDArray[np.int64]
+Floats = NDArray[np.float64]
+
+
+class S(IntEnum):
+    """Places in the state vector."""
+
+    STARTED = 0
+    PREVIOUS = 1
+    POSITION = 2
+    BASE = 3
+    STEP = 4
+    LOCKED = 5
+    INSIDE = 6
+    PENDING = 7
+    PENDING_KEPT = 8
+    PENDING_SAMPLE = 9
+    PENDING_POSITION = 10
+    RUN = 11
+    KEPT = 12
+    START_KEPT = 13
+    SKIPPING = 14
+    FLAGS = 15
+    LOST = 16
+    IDLE = 17
+    ORDINAL = 18
+    HIGH = 19
+    JUMPED = 20
+    JUMP_STEP = 21
+    OTHER = 22
+    OTHER_VALID = 23
+    UNLOCKED_TURN = 24
+    TRAVEL = 25
+    TRAVEL_FIRST = 26
+    LAST_MOVED = 27
+    INDEX_EVENTS = 28
+    COUNT_ERRORS = 29
+    BEFORE = 30
+    SEEN = 31
+    ODD = 32
+    GAP = 33
+    SIZE = 34
+
+
+class P(IntEnum):
+    """Places in the parameter vector."""
+
+    COUNTS = 0
+    DIRECTION = 1
+    RESTARTS = 2
+    MODULUS = 3
+    TOLERANCE = 4
+    MISSED_AFTER = 5
+    IDLE_AFTER = 6
+    CAPACITY = 7
+    SIZE = 8
+
+
+class E(IntEnum):
+    """Columns of an event."""
+
+    KIND = 0
+    KEPT = 1
+    SAMPLE = 2
+    BASE = 3
+    ORDINAL = 4
+    FLAGS = 5
+    LOST = 6
+    IDLE = 7
+    END_POSITION = 8
+    SIZE = 9
+
+
+CUT = 1
+"""Event: a revolution ended before this sample and another begins with it."""
+BEGIN = 2
+"""Event: the first revolution begins with this sample; what came before does not count."""
+BREAK = 3
+"""Event: time is not continuous before this sample."""
+
+
+def new_state() -> tuple[Counts, Floats]:
+    """Return the memory of a counter not seen yet: state, and its smoothed step (1,)."""
+    return np.zeros(int(S.SIZE), np.int64), np.zeros(1, np.float64)
