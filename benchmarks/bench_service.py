@@ -1,0 +1,184 @@
+"""Measure the service: how soon a trip reaches the drive, and a revolution the viewer.
+
+Run with ``python benchmarks/bench_service.py``.
+
+Trip: from the Block with the first sample above the overload limit, as the driver hands it over, to
+the drive-off command, as it enters the drive's driver. In memory the devices cost nothing; on the
+simulated rig the command goes over real wire bytes. Budget: 100 ms and one revolution.
+
+Snapshot: from the end of a revolution (its host time in the file) to the viewer's hands, through
+wire bytes, assembler, file, ZeroMQ and MessagePack, with a viewer that polls every 5 ms on a rig in
+real time at 120 rpm. Budget: 100 ms at the 99th percentile.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import sys
+import tempfile
+import threading
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT / "tests" / "engine"))
+
+from engine_doubles import MemoryRig, a_test, eventually  # noqa: E402
+
+from rigapp.config.loading import Document, parse_test, read_rig  # noqa: E402
+from rigapp.config.recipe import TestFile  # noqa: E402
+from rigapp.engine.engine import Engine  # noqa: E402
+from rigapp.engine.messages import RunState, as_array  # noqa: E402
+from rigapp.engine.reduce import PLACE  # noqa: E402
+from rigapp.engine.run import ENDED, Refused  # noqa: E402
+from rigapp.service.client import Client  # noqa: E402
+from rigapp.service.host import EngineHost  # noqa: E402
+from rigapp.service.registry import running_engines  # noqa: E402
+
+MEMORY_TRIPS = 20
+WIRE_TRIPS = 5
+SECONDS = 30.0
+RPM = 120.0
+LONG = 100_000
+OVERLOAD_MV_PER_V = 3.0
+BUDGET_MS = 100.0
+
+
+def wire_test() -> Document[TestFile]:
+    """Return a test at ``RPM`` without a twin."""
+    text = (ROOT / "examples" / "quick.toml").read_text(encoding="utf-8")
+    for old, new in (
+        ("revolutions = 500", f"revolutions = {LONG}"),
+        ("speed_rpm = 60.0", f"speed_rpm = {RPM}"),
+        ("acceleration_rpm_per_s = 60.0", "acceleration_rpm_per_s = 120.0"),
+        ("overspeed_rpm = 90.0", "overspeed_rpm = 180.0"),
+        ("[prediction]", "[prediction]\nenabled = false"),
+        ("every_revolutions = 10", "every_revolutions = 1000"),
+    ):
+        text = text.replace(old, new, 1)
+    return Document(Path("bench.toml"), text, parse_test(text, "bench.toml"))
+
+
+def trip_ms(engine: Engine, source: Any, spindle: Any) -> float:
+    """Put an overload into the next Block; return the time from it to drive-off, ms."""
+    handed_over: list[float] = []
+    switched_off: list[float] = []
+    armed = threading.Event()
+    read, off = source.read, spindle.drive_off
+
+    def timed_read(timeout_s: float) -> Any:
+        after = armed.is_set()
+        block = read(timeout_s)
+        if not after or block is None:
+            return block
+        values = block.values.copy()
+        values[0] = OVERLOAD_MV_PER_V
+        block = replace(block, values=values)
+        handed_over.append(time.perf_counter())
+        return block
+
+    def timed_off() -> None:
+        switched_off.append(time.perf_counter())
+        off()
+
+    source.read, spindle.drive_off = timed_read, timed_off
+    try:
+        armed.set()
+        engine.wait(ENDED, 60.0)
+    finally:
+        source.read, spindle.drive_off = read, off
+    return 1000.0 * (switched_off[0] - handed_over[0])
+
+
+def memory_trips() -> list[float]:
+    """Return the trips of rigs in memory, ms."""
+    found = []
+    for _ in range(MEMORY_TRIPS):
+        rig = MemoryRig()
+        rig.engine.connect()
+        rig.start(a_test(LONG))
+        eventually(lambda rig=rig: len(rig.store.rows) >= 5)  # type: ignore[misc]
+        found.append(trip_ms(rig.engine, rig.source, rig.spindle))
+        rig.engine.shutdown()
+    return found
+
+
+def is_reset(engine: Engine) -> bool:
+    """Try to go on after a trip; False while the overload is still seen."""
+    try:
+        engine.acknowledge()
+        engine.reset()
+    except Refused:
+        return False
+    return True
+
+
+def start(host: EngineHost, out: Path) -> None:
+    """Start the test and wait for its speed."""
+    host.start(wire_test(), out, "benchmark", resume=False)
+    host.engine.wait((RunState.RUNNING, *ENDED), 60.0)
+
+
+def snapshot_delays_ms() -> list[float]:
+    """Follow a test as a viewer; return the age of each revolution on arrival, ms."""
+    client = Client(running_engines()[-1], "benchmark")
+    ages: list[float] = []
+    deadline = time.monotonic() + SECONDS
+    try:
+        while time.monotonic() < deadline:
+            snapshot = client.poll()
+            now = time.time()
+            if snapshot is not None and snapshot.rows:
+                rows = as_array(snapshot.rows, "<f8").reshape(-1, len(PLACE))
+                ages.extend(1000.0 * (now - rows[:, PLACE["host_time"]]))
+            time.sleep(0.005)
+    finally:
+        client.close()
+    return ages[2:]
+
+
+def show(what: str, values: list[float]) -> None:
+    """Print one line with the ratio to the budget."""
+    p99 = float(np.percentile(values, 99))
+    print(
+        f"{what:44s} median {statistics.median(values):7.2f} ms   p99 {p99:7.2f} ms"
+        f"   largest {max(values):7.2f} ms   budget/p99 {BUDGET_MS / max(p99, 1e-3):6.1f}"
+        f"   n = {len(values)}"
+    )
+
+
+def main() -> int:
+    """Print the table; status 1 when a budget is missed."""
+    trips = memory_trips()
+    show("trip to drive-off, in memory", trips)
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ["RIGAPP_RUNTIME_DIR"] = f"{folder}/run"
+        host = EngineHost(read_rig(ROOT / "examples" / "simulated.toml"), 1.0)
+        try:
+            wire: list[float] = []
+            start(host, Path(folder) / "t.h5")
+            ages = snapshot_delays_ms()
+            for number in range(WIRE_TRIPS):
+                if number:
+                    eventually(lambda: is_reset(host.engine), 20.0)
+                    start(host, Path(folder) / f"{number}.h5")
+                connection = host.engine._connection
+                assert connection is not None
+                devices = connection.devices
+                wire.append(trip_ms(host.engine, devices.source, devices.spindle))
+        finally:
+            host.close()
+    show("trip to drive-off, over wire bytes", wire)
+    show("end of revolution to snapshot at the viewer", ages)
+    within = all(float(np.percentile(v, 99)) <= BUDGET_MS for v in (trips, wire, ages))
+    print("within the budgets" if within else "BUDGET MISSED")
+    return 0 if within else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
