@@ -171,18 +171,23 @@ def _life(
     depth = np.array([f.depth(ring.inner).max() for f in fronts])
     inside = np.array([0.5 * m.nodes_in_contact for m in moments])
     done = np.array([m.cycles for m in moments])
-    relative = plan.position_error(done) + mesh_error(inside) + _SOLUTION_ERROR
-    error = np.array([m.time_error for m in moments]) + relative * depth
-    error += np.array([source.coupling_error(m.cycles) for m in moments])
-    error *= _SAFETY
+    parts = {
+        "time steps": np.array([m.time_error for m in moments]),
+        "crank positions": plan.position_error(done) * depth,
+        "mesh": (mesh_error(inside) + _SOLUTION_ERROR) * depth,
+        "forces kept while the surface wears": np.array(
+            [source.coupling_error(m.cycles) for m in moments]
+        ),
+    }
+    error = _SAFETY * sum(parts.values(), np.zeros(len(moments)))
     area = np.array([m.area for m in moments])
     met = bool(error[-1] <= tolerance * depth[-1] or depth[-1] == 0.0)
     notes = list(source.notes(moments[-1].front))
     if not met:
+        worst = max(parts, key=lambda name: float(parts[name][-1]))
         notes.append(
-            f"The estimated error of the depth, {error[-1] / depth[-1]:.2%}, exceeds the "
-            f"tolerance of {tolerance:.2%}: the mesh or the number of crank positions is at its "
-            "limit."
+            f"The estimated error of the depth, {error[-1] / depth[-1]:.2g} of it, exceeds the"
+            f" tolerance of {tolerance:g}; most of it is by the {worst}."
         )
     ends = profile(moments[-1].surface, ring)
     return Life(
