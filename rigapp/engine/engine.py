@@ -19,15 +19,15 @@ from drivers.api import DeviceError
 from drivers.registry import load_driver
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
-from rigapp.config.recipe import LimitsSection, TestFile
+from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine import causes
 from rigapp.engine.calibrate import calibration_of
 from rigapp.engine.connection import Connection
-from rigapp.engine.core import Core, Session
+from rigapp.engine.core import Core
 from rigapp.engine.devices import LoadDriver, make_devices
 from rigapp.engine.driving import Ramp
-from rigapp.engine.limits import RuleMonitor
+from rigapp.engine.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
 from rigapp.engine.messages import (
     FinishReason,
@@ -38,18 +38,11 @@ from rigapp.engine.messages import (
     Status,
 )
 from rigapp.engine.publish import Finished, NoticeStream, Subscription
-from rigapp.engine.recorder import Recorder
 from rigapp.engine.run import ACTIVE, ENDED, Ending, Refused, Trigger, transition
-from rigapp.engine.schedule import Schedule
-from rigapp.engine.store import OpenRequest, OpenStore, open_file
-from rigapp.engine.testrun import TestRun
+from rigapp.engine.starting import check_start, open_session, start_deadline_s
+from rigapp.engine.store import OpenStore, open_file
 from rigapp.engine.timing import Timing
 from rigapp.engine.views import build_status
-
-FEWEST_SAMPLES = 16
-"""Samples that a revolution must have at least."""
-
-CHANNEL_PAIRS = {"load_cell": (0, 1), "probes": (2, 3)}
 
 
 class Engine:
@@ -177,8 +170,18 @@ class Engine:
             if connection is None:
                 raise Refused("no devices are connected; connect first")
             self._operator = operator
-            monitor = self._check_start(test.record, connection)
-            session = self._open_session(test, path, operator, resume, monitor, connection)
+            monitor = check_start(core, connection, test.record)
+            session = open_session(
+                core,
+                connection,
+                test,
+                path,
+                monitor,
+                self._open_store,
+                records=self._records,
+                operator=operator,
+                resume=resume,
+            )
             core.publisher.restart(session.recorder.rows)
             core.session = session
             run = test.record.run
@@ -196,105 +199,6 @@ class Engine:
                 core.trip(Ending(FinishReason.DEVICE, str(error)))
                 raise
 
-    def _check_start(self, test: TestFile, connection: Connection) -> RuleMonitor:
-        core, run = self._core, test.run
-        blocking = core.alarms.blocking()
-        if blocking is not None:
-            raise Refused(
-                f'"{blocking.title}" is on the alarm list: acknowledge and reset it first'
-            )
-        age = connection.data_age_s()
-        core.require(
-            age < test.limits.stale_data_s, f"no samples came for {age:.1f} s; check the device"
-        )
-        status = connection.control.status
-        core.require(
-            status is not None and connection.control.answering, "the drive does not answer"
-        )
-        fastest = core.rig.record.spindle.maximum_speed_rpm
-        if run.speed_rpm > fastest:
-            raise UnusableInput(
-                f"run.speed_rpm = {run.speed_rpm:g} is above the rig's spindle.maximum_speed_rpm "
-                f"= {fastest:g}"
-            )
-        if test.limits.overspeed_rpm <= run.speed_rpm:
-            raise UnusableInput(
-                f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
-                f"run.speed_rpm = {run.speed_rpm:g}"
-            )
-        reach = load_cell_reach_N(core.rig.record)
-        if test.limits.overload_N > reach:
-            raise UnusableInput(
-                f"limits.overload_N = {test.limits.overload_N:g} can never be seen: the input of "
-                f"the load cell is full at {reach:.0f} N; lower the limit or raise "
-                "load_cell.range_mV_per_V"
-            )
-        samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
-        if samples < FEWEST_SAMPLES:
-            raise UnusableInput(
-                f"run.speed_rpm = {run.speed_rpm:g}: {connection.setup.sample_rate_Hz:g} samples/s "
-                f"give {samples:.0f} samples a revolution, {FEWEST_SAMPLES} are needed; "
-                "raise the sample rate"
-            )
-        return RuleMonitor(test.limits.rule)
-
-    def _open_session(
-        self,
-        test: Document[TestFile],
-        path: Path,
-        operator: str,
-        resume: bool,
-        monitor: RuleMonitor,
-        connection: Connection,
-    ) -> Session:
-        core, run = self._core, test.record.run
-        calibration = connection.processor.calibration
-        opened = self._open_store(
-            OpenRequest(
-                path=path,
-                rig=core.rig,
-                test=test,
-                calibration=calibration,
-                devices=connection.devices.readback,
-                records=self._records,
-                operator=operator,
-                resume=resume,
-            )
-        )
-        if opened.last_revolution >= run.revolutions:
-            opened.store.close()
-            raise UnusableInput(
-                f"{path}: holds revolution {opened.last_revolution} of {run.revolutions} planned; "
-                "nothing is left to do"
-            )
-        gap_s = max(0.0, time.time() - opened.last_host_time) if opened.rows else 0.0
-        offset_s = opened.last_time_s + gap_s
-        slow = connection.slow()
-        ramp_s = run.speed_rpm / run.acceleration_rpm_per_s
-        return Session(
-            test=test,
-            path=path,
-            run=TestRun(
-                calibration=calibration,
-                monitor=monitor,
-                first=opened.last_revolution + 1,
-                planned=run.revolutions,
-                time_offset_s=offset_s,
-                utc=core.utc,
-                resumed=resume,
-            ),
-            recorder=Recorder(
-                opened.store,
-                Schedule(test.record.cycles, run.revolutions),
-                calibration,
-                offset_s,
-            ),
-            limits=test.record.limits,
-            operator=operator,
-            started_at=time.time(),
-            deadline_s=time.monotonic() + core.timing.start_margin + 2.0 * slow * ramp_s,
-        )
-
     def pause(self, operator: str = "", reason: str = "") -> None:
         """Slow down and come to rest at the safe angle; the drive holds the crank there."""
         with self._command:
@@ -311,11 +215,7 @@ class Engine:
             session = core.session
             assert connection is not None
             assert session is not None
-            run = session.test.record.run
-            ramp_s = run.speed_rpm / run.acceleration_rpm_per_s
-            session.deadline_s = (
-                time.monotonic() + core.timing.start_margin + 2.0 * connection.slow() * ramp_s
-            )
+            session.deadline_s = start_deadline_s(core, connection, session.test.record)
             self._note_command("resume", operator, "")
             core.fire(Trigger.RESUME)
             try:
@@ -546,41 +446,3 @@ class Engine:
         core.publisher.prediction(values, prediction)
         if self._connection is not None:
             self._connection.guard.predicted(session, values)
-
-
-def load_cell_reach_N(rig: RigFile) -> float:
-    """Return the force up to which the load cell's inputs are not full, in any direction."""
-    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
-    zero = np.array(rig.load_cell.zero_mV_per_V, np.float64)
-    # A force has the signals inverse(matrix) force: the longest row fills its input first.
-    rows = np.linalg.norm(np.linalg.inv(matrix), axis=1)
-    return float(np.min((rig.load_cell.range_mV_per_V - np.abs(zero)) / rows))
-
-
-def changed_limits(
-    limits: LimitsSection, name: str, value: float
-) -> tuple[float | None, LimitsSection]:
-    """Return the former value and the limits with one changed; raise UnusableInput."""
-    if not np.isfinite(value):
-        raise UnusableInput(f"limit {name} = {value} is not a finite number")
-    plain = ("overload_N", "overspeed_rpm", "stale_data_s")
-    if name in plain:
-        if value <= 0:
-            raise UnusableInput(f"limit {name} = {value:g} must be positive")
-        return getattr(limits, name), msgspec.structs.replace(limits, **{name: value})
-    quantity, _, level = name.partition(".")
-    for place, rule in enumerate(limits.rule):
-        if rule.quantity == quantity and getattr(rule, level, None) is not None:
-            before = getattr(rule, level)
-            if not isinstance(before, float | int) or isinstance(before, bool):
-                break
-            changed = msgspec.structs.replace(rule, **{level: value})
-            rules = (*limits.rule[:place], changed, *limits.rule[place + 1 :])
-            return float(before), msgspec.structs.replace(limits, rule=rules)
-    known = [
-        f"{rule.quantity}.{level}"
-        for rule in limits.rule
-        for level in ("warning_above", "critical_above", "warning_below", "critical_below")
-        if getattr(rule, level) is not None
-    ]
-    raise UnusableInput(f"there is no limit {name!r}; there are: {', '.join((*plain, *known))}")

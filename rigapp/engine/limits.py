@@ -7,8 +7,10 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+import msgspec
+
 from rigapp.config.errors import UnusableInput
-from rigapp.config.recipe import Action, LimitRule
+from rigapp.config.recipe import Action, LimitRule, LimitsSection
 from rigapp.engine.columns import prediction_columns, revolution_columns
 from rigapp.engine.messages import Severity
 
@@ -195,3 +197,32 @@ class RuleMonitor:
                 side = "above" if watch.above else "below"
                 worst, name = margin, f"{watch.quantity} {watch.severity.value} {side}"
         return worst, name
+
+
+def changed_limits(
+    limits: LimitsSection, name: str, value: float
+) -> tuple[float | None, LimitsSection]:
+    """Return the former value and the limits with one changed; raise UnusableInput."""
+    if not math.isfinite(value):
+        raise UnusableInput(f"limit {name} = {value} is not a finite number")
+    plain = ("overload_N", "overspeed_rpm", "stale_data_s")
+    if name in plain:
+        if value <= 0:
+            raise UnusableInput(f"limit {name} = {value:g} must be positive")
+        return getattr(limits, name), msgspec.structs.replace(limits, **{name: value})
+    quantity, _, level = name.partition(".")
+    for place, rule in enumerate(limits.rule):
+        if rule.quantity == quantity and getattr(rule, level, None) is not None:
+            before = getattr(rule, level)
+            if not isinstance(before, float | int) or isinstance(before, bool):
+                break
+            changed = msgspec.structs.replace(rule, **{level: value})
+            rules = (*limits.rule[:place], changed, *limits.rule[place + 1 :])
+            return float(before), msgspec.structs.replace(limits, rule=rules)
+    known = [
+        f"{rule.quantity}.{level}"
+        for rule in limits.rule
+        for level in ("warning_above", "critical_above", "warning_below", "critical_below")
+        if getattr(rule, level) is not None
+    ]
+    raise UnusableInput(f"there is no limit {name!r}; there are: {', '.join((*plain, *known))}")

@@ -13,8 +13,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import CyclesSection, LimitRule, LimitsSection
 from rigapp.engine import causes
 from rigapp.engine.alarms import AlarmBook
-from rigapp.engine.engine import changed_limits
-from rigapp.engine.limits import RuleMonitor, check_rules
+from rigapp.engine.limits import RuleMonitor, changed_limits, check_rules
 from rigapp.engine.messages import Alarm, FinishReason, RunState, Severity
 from rigapp.engine.run import ACTIVE, ENDED, TABLE, Ending, Refused, Trigger, allowed, transition
 from rigapp.engine.schedule import Schedule, logarithmic

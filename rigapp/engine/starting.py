@@ -1,0 +1,140 @@
+"""What must hold before the motor turns, and the making of a test's file."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document
+from rigapp.config.recipe import TestFile
+from rigapp.config.rig import RigFile
+from rigapp.engine.connection import Connection
+from rigapp.engine.core import Core, Session
+from rigapp.engine.limits import RuleMonitor
+from rigapp.engine.recorder import Recorder
+from rigapp.engine.run import Refused
+from rigapp.engine.schedule import Schedule
+from rigapp.engine.store import OpenRequest, OpenStore
+from rigapp.engine.testrun import TestRun
+
+FEWEST_SAMPLES = 16
+"""Samples that a revolution must have at least."""
+
+
+def check_start(core: Core, connection: Connection, test: TestFile) -> RuleMonitor:
+    """Return the monitor of a test that may start; raise Refused or UnusableInput."""
+    run = test.run
+    blocking = core.alarms.blocking()
+    if blocking is not None:
+        raise Refused(f'"{blocking.title}" is on the alarm list: acknowledge and reset it first')
+    age = connection.data_age_s()
+    core.require(
+        age < test.limits.stale_data_s, f"no samples came for {age:.1f} s; check the device"
+    )
+    status = connection.control.status
+    core.require(status is not None and connection.control.answering, "the drive does not answer")
+    fastest = core.rig.record.spindle.maximum_speed_rpm
+    if run.speed_rpm > fastest:
+        raise UnusableInput(
+            f"run.speed_rpm = {run.speed_rpm:g} is above the rig's spindle.maximum_speed_rpm "
+            f"= {fastest:g}"
+        )
+    if test.limits.overspeed_rpm <= run.speed_rpm:
+        raise UnusableInput(
+            f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
+            f"run.speed_rpm = {run.speed_rpm:g}"
+        )
+    reach = load_cell_reach_N(core.rig.record)
+    if test.limits.overload_N > reach:
+        raise UnusableInput(
+            f"limits.overload_N = {test.limits.overload_N:g} can never be seen: the input of "
+            f"the load cell is full at {reach:.0f} N; lower the limit or raise "
+            "load_cell.range_mV_per_V"
+        )
+    samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
+    if samples < FEWEST_SAMPLES:
+        raise UnusableInput(
+            f"run.speed_rpm = {run.speed_rpm:g}: {connection.setup.sample_rate_Hz:g} samples/s "
+            f"give {samples:.0f} samples a revolution, {FEWEST_SAMPLES} are needed; "
+            "raise the sample rate"
+        )
+    return RuleMonitor(test.limits.rule)
+
+
+def open_session(
+    core: Core,
+    connection: Connection,
+    test: Document[TestFile],
+    path: Path,
+    monitor: RuleMonitor,
+    open_store: OpenStore,
+    *,
+    records: Mapping[str, str],
+    operator: str,
+    resume: bool,
+) -> Session:
+    """Make the file of a test, or reopen it, and return the session; raise UnusableInput."""
+    run = test.record.run
+    calibration = connection.processor.calibration
+    opened = open_store(
+        OpenRequest(
+            path=path,
+            rig=core.rig,
+            test=test,
+            calibration=calibration,
+            devices=connection.devices.readback,
+            records=records,
+            operator=operator,
+            resume=resume,
+        )
+    )
+    if opened.last_revolution >= run.revolutions:
+        opened.store.close()
+        raise UnusableInput(
+            f"{path}: holds revolution {opened.last_revolution} of {run.revolutions} planned; "
+            "nothing is left to do"
+        )
+    gap_s = max(0.0, time.time() - opened.last_host_time) if opened.rows else 0.0
+    offset_s = opened.last_time_s + gap_s
+    return Session(
+        test=test,
+        path=path,
+        run=TestRun(
+            calibration=calibration,
+            monitor=monitor,
+            first=opened.last_revolution + 1,
+            planned=run.revolutions,
+            time_offset_s=offset_s,
+            utc=core.utc,
+            resumed=resume,
+        ),
+        recorder=Recorder(
+            opened.store,
+            Schedule(test.record.cycles, run.revolutions),
+            calibration,
+            offset_s,
+        ),
+        limits=test.record.limits,
+        operator=operator,
+        started_at=time.time(),
+        deadline_s=start_deadline_s(core, connection, test.record),
+    )
+
+
+def start_deadline_s(core: Core, connection: Connection, test: TestFile) -> float:
+    """Return the host time at which the set speed must be reached after a start now."""
+    ramp_s = test.run.speed_rpm / test.run.acceleration_rpm_per_s
+    return time.monotonic() + core.timing.start_margin + 2.0 * connection.slow() * ramp_s
+
+
+def load_cell_reach_N(rig: RigFile) -> float:
+    """Return the force up to which the load cell's inputs are not full, in any direction."""
+    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
+    zero = np.array(rig.load_cell.zero_mV_per_V, np.float64)
+    # A force has the signals inverse(matrix) force: the longest row fills its input first.
+    rows = np.linalg.norm(np.linalg.inv(matrix), axis=1)
+    return float(np.min((rig.load_cell.range_mV_per_V - np.abs(zero)) / rows))
