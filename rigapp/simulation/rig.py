@@ -40,6 +40,8 @@ from rigapp.simulation.pacing import Pace
 from rigapp.simulation.plant import Plant, Samples
 from rigapp.simulation.truth import TruthRecorder
 
+STANDING = 1e-6
+"""A crank slower than this stands, rad/s."""
 CHUNK_S = 0.02
 LONGEST_CHUNK_S = 0.1
 CHUNK_REVOLUTIONS = 1.0 / 20.0
@@ -159,7 +161,7 @@ class RigSimulation:
 
     def still(self) -> bool:
         """Tell whether the spindle stands still and nothing drives it."""
-        return self.plant.speed_rad_per_s == 0.0 and self._speed_wanted == 0.0
+        return abs(self.plant.speed_rad_per_s) < STANDING and self._speed_wanted == 0.0
 
     def report(self) -> dict[str, Any]:
         """Return the truth as a JSON-ready table: angle, speed, wear, drive, links."""

@@ -136,8 +136,7 @@ def test_handle_raises_the_sentence_of_a_rig_that_cannot_start(tmp_path: Path) -
 def test_drive_turns_the_spindle_until_the_host_falls_silent(
     start: Callable[..., SimulatedRig], parameters: ParameterFile
 ) -> None:
-    # Without the spring the crank does not swing for long.
-    rig = start(parameters=msgspec.structs.replace(parameters, spring=None))
+    rig = start(parameters=parameters)
     drive = spindle(rig)
     drive.set_speed(0.8, 4.0)
 
@@ -150,10 +149,9 @@ def test_drive_turns_the_spindle_until_the_host_falls_silent(
     assert state["speed_rpm"] == pytest.approx(48.0, rel=0.1)
     assert state["drive_mode"] == "velocity"
     assert not state["watchdog_tripped"]
-    wait_for(lambda: rig.state()["drive_mode"] == "off", "the watchdog", 5.0)
+    wait_for(lambda: rig.state()["watchdog_tripped"], "the watchdog", 5.0)
     assert time.monotonic() - silent > 0.3
-    assert rig.state()["watchdog_tripped"]
-    wait_for(lambda: rig.state()["speed_rpm"] == 0.0, "standstill", 60.0)
+    wait_for(lambda: abs(rig.state()["speed_rpm"]) < 0.01, "standstill", 5.0)
 
 
 def read_stream(host: serial.SerialBase, count: int) -> NDArray[np.float32]:
