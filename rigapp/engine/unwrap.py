@@ -333,6 +333,7 @@ def _cut(
     carried = 0
     if state[_GAP]:
         carried = _F_GAP | _F_LOST
+        state[_LOST] -= max(lost, 0)  # they count for the revolution that begins
         if abs(base - state[_BEFORE]) > turn // 100 or abs(crossed) > 1:
             state[_FLAGS] |= _F_PARTIAL
         if abs(state[_POSITION] - base) > turn // 100:

@@ -304,6 +304,7 @@ def test_revolutions_lost_in_a_gap_are_counted(lost: int) -> None:
     assert before.flags & Flag.PARTIAL
     assert after.flags & Flag.PARTIAL
     assert after.lost_samples == lost
+    assert before.lost_samples == 0
     assert (
         after.ordinal - before.ordinal
         == truth.position[3050 + lost] // 360 - truth.position[3049] // 360

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
-from drivers.api import DeviceError, ProtocolError
+from drivers.api import Block, DeviceError, ProtocolError
 from rigapp.engine.messages import FinishReason, Flag, RunState
 from rigapp.engine.publish import Finished
 from rigapp.engine.run import ENDED, Refused
@@ -288,3 +288,33 @@ def test_no_thread_is_left_behind() -> None:
     memory.engine.wait(ENDED, 20.0)
     memory.engine.shutdown()
     eventually(lambda: set(threading.enumerate()) <= before)
+
+
+def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
+    rig = MemoryRig(simulated=False)
+    rig.engine.connect()
+    rig.start(a_test(LONG))
+    eventually(lambda: len(rig.store.rows) >= 5)
+    connection = rig.engine._connection
+    assert connection is not None
+    handle = connection.processor.handle
+    go_on = threading.Event()
+
+    def slow(block: Block) -> None:
+        go_on.wait(0.9)
+        handle(block)
+
+    connection.processor.handle = slow  # type: ignore[method-assign]
+    eventually(lambda: connection.queue.refused_blocks > 3)
+    go_on.set()
+    connection.processor.handle = handle  # type: ignore[method-assign]
+    eventually(lambda: any(a.key == "overrun" for a in rig.engine.status().alarms))
+    eventually(lambda: connection.processor.assembler.lost_samples > 0)
+    rows = len(rig.store.rows)
+    eventually(lambda: len(rig.store.rows) >= rows + 3)
+    rig.engine.stop("Ada")
+    rig.engine.wait(ENDED, 20.0)
+    assert rig.store.column("lost_samples").sum() == connection.processor.assembler.lost_samples
+    assert len(rig.store.gaps) == 1
+    rig.engine.shutdown()
+    assert rig.stands
