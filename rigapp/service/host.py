@@ -249,7 +249,7 @@ class EngineHost:
             "zero": lambda a, who: engine.zero(
                 tuple(a.get("what", ("load_cell",))), who, a.get("reason", "")
             ),
-            "inject_fault": lambda a, who: self._simulated.process.inject(**a),
+            "inject_fault": lambda a, who: self._simulated.process.inject(a),
             "clear_fault": lambda a, who: self._simulated.process.clear(a["kind"]),
             "signals": lambda a, who: msgspec.to_builtins(engine.hear(float(a["window_s"]))),
             "hand": self._hand_request,
