@@ -31,6 +31,8 @@ _PATIENCE = 25
 # A weak force at the edge of what strong ones wore may roll on for long; when the wear has stayed
 # the same for so many sweeps, its place does not matter.
 _QUIET = 4
+# When so many times the nodes of the start touch, the sets have run away.
+_GROWTH = 4
 
 
 @njit(
@@ -125,6 +127,38 @@ def _press(nodes, count, frame, wear, rows, inverse, q, force, load):  # type: i
     return move
 
 
+@njit("float64(float64[:,::1])", cache=True)
+def _least_angle(axis):  # type: ignore[no-untyped-def]
+    """Return the least angle between neighbouring nodes, rad."""
+    least = np.pi
+    for i in range(axis.shape[0] - 1):
+        sine = axis[i, 0] * axis[i + 1, 1] - axis[i, 1] * axis[i + 1, 0]
+        least = min(least, abs(sine))
+    return least
+
+
+@njit("float64[::1](float64[::1], float64[::1], float64[::1], float64, float64)", cache=True)
+def _bounded(move, force, pin, pin_radius, spacing):  # type: ignore[no-untyped-def]
+    """Return the pin's move, sideways to the force by no more than a few nodes.
+
+    Few touching nodes hardly resist sideways, and a pin that shoots off there gathers nodes that
+    it never leaves. Where the contact goes on by one node, the pin does by its distance from the
+    bushing's centre times the angle between nodes.
+    """
+    size = np.sqrt(force[0] ** 2 + force[1] ** 2)
+    fx, fy = force[0] / size, force[1] / size
+    along = move[0] * fx + move[1] * fy
+    across = move[1] * fx - move[0] * fy
+    reach = 0.1 * pin_radius
+    sideways = min(3.0 * spacing * np.sqrt(pin[0] ** 2 + pin[1] ** 2) + abs(along), reach)
+    along = min(max(along, -reach), reach)
+    across = min(max(across, -sideways), sideways)
+    bounded = np.empty(2)
+    bounded[0] = along * fx - across * fy
+    bounded[1] = along * fy + across * fx
+    return bounded
+
+
 @njit(
     "Tuple((int64, int64))(float64[:,::1], float64[:,::1], float64[:,:,::1], float64[::1],"
     " float64, float64[:,::1], float64[::1], float64, float64[:,::1], boolean[:,::1],"
@@ -161,6 +195,8 @@ def wear_step(  # type: ignore[no-untyped-def]
     place = np.empty(n, dtype=np.int64)
     wear = np.zeros(n)
     quiet = 0
+    first_union = n
+    spacing = _least_angle(axis)
     for k in range(positions):
         place_pin(surface, axis, pin_radius, pins[k], frames[k], gaps[k])
     for sweep in range(1, _LIMIT + 1):
@@ -181,6 +217,9 @@ def wear_step(  # type: ignore[no-untyped-def]
         for i in range(n):
             if place[i] >= 0:
                 system[place[i], place[i]] = resistance[i]
+        first_union = min(first_union, union)
+        if union > _GROWTH * first_union + 100:
+            return NOT_SETTLED, sweep
         rows = np.empty((positions, 3, largest))
         inverses = np.empty((positions, largest, largest))
         work = np.empty((largest, largest))
@@ -227,11 +266,8 @@ def wear_step(  # type: ignore[no-untyped-def]
             move = _press(
                 nodes, count, frame, wear, rows[k], inverses[k], turns[k], forces[k], load
             )
-            length = np.sqrt(move[0] ** 2 + move[1] ** 2)
-            if length > 0.1 * pin_radius:
-                move *= 0.1 * pin_radius / length
-            pins[k] += move
-            travel = max(travel, length)
+            travel = max(travel, np.sqrt(move[0] ** 2 + move[1] ** 2))
+            pins[k] += _bounded(move, forces[k], pins[k], pin_radius, spacing)
             pressed[k, :] = 0.0
             for p in range(count):
                 pressed[k, nodes[p]] = load[p]

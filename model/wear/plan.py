@@ -23,8 +23,8 @@ _POSITION_SHARE = 0.15
 # Early in a life, when the contact is narrow, the error may be so many times the tolerance.
 _EARLY = 5.0
 _EARLY_PART = 0.01
-_MESH_SHARE = 0.4
-TIME_SHARE = 0.35
+_MESH_SHARE = 0.38
+TIME_SHARE = 0.22
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +95,12 @@ def mesh_error(nodes_in_half: Array) -> Array:
     return np.minimum(_MESH_ERROR * inverse * (1.0 + 12.0 * inverse), 1.0)
 
 
+def nodes_for(error: float) -> float:
+    """Return how many nodes half the contact needs for a bound of the relative error."""
+    inverse = (np.sqrt(1.0 + 48.0 * error / _MESH_ERROR) - 1.0) / 24.0
+    return float(1.0 / np.sqrt(inverse))
+
+
 def expected_half_angle(
     ring: Ring, width: float, wear_coefficient: float, loads: CycleLoads, cycles: float
 ) -> float:
@@ -162,11 +168,11 @@ def _planned(
                 break
     reached = end(positions)[-1]
     assert reached.touching is not None
-    last = 0.5 * float(reached.touching.sum(axis=1).max()) * np.pi / coarse
+    last = 0.5 * (float(reached.touching.sum(axis=1).max()) - 1.0) * np.pi / coarse
     wanted = max(
-        np.sqrt(_MESH_ERROR / (_MESH_SHARE * tolerance)) / max(last, first),
-        np.sqrt(_MESH_ERROR / (3.0 * tolerance)) / first,
-        4.0 / first,
+        nodes_for(_MESH_SHARE * tolerance) / max(last, first),
+        nodes_for(8.0 * tolerance) / first,
+        3.0 / first,
     )
     sectors = min(sectors_at_least(wanted * np.pi), most)
     return Plan(positions, early, late, sectors, window, cycles)

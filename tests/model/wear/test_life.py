@@ -128,6 +128,10 @@ def test_losing_contact_is_said(parameters) -> None:
     assert np.count_nonzero(found.depth[np.abs(found.angle) > 2.5] > 0.0) > 5
     apart = life(loose, RPM30, 50, "contact", 1e-1)
     assert any("touch only" in note for note in apart.notes)
+    strict = life(loose, RPM30, 50, "continuous", 5e-4)
+    missed = [note for note in strict.notes if "exceeds the tolerance of 0.0005" in note]
+    assert len(missed) == (0 if strict.tolerance_met else 1)
+    assert strict.tolerance_met == (strict.estimated_error[-1] <= 5e-4 * strict.max_depth[-1])
 
 
 def test_wear_follows_the_force_to_the_other_wall(parameters) -> None:
