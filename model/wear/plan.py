@@ -23,7 +23,7 @@ _POSITION_SHARE = 0.15
 # Early in a life, when the contact is narrow, the error may be so many times the tolerance.
 _EARLY = 5.0
 _EARLY_PART = 0.01
-_MESH_SHARE = 0.38
+_MESH_SHARE = 0.33
 TIME_SHARE = 0.22
 
 
