@@ -178,7 +178,7 @@ class Wires:
             wire.close()
 
 
-def wait_until(condition: Callable[[], bool], what: str, timeout_s: float = 10.0) -> None:
+def wait_until(condition: Callable[[], bool], what: str, timeout_s: float = 60.0) -> None:
     """Wait for a condition; fail the test with what was waited for."""
     deadline = time.monotonic() + timeout_s
     while not condition():

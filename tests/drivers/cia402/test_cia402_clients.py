@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterator
 from functools import partial
 from importlib.resources import files
@@ -54,7 +55,9 @@ def network(bus: Any) -> Iterator[Any]:
 @pytest.fixture
 def node(network: Any) -> Any:
     """Return canopen's remote node with our object dictionary."""
-    return network.add_node(NODE, EDS)
+    made = network.add_node(NODE, EDS)
+    made.sdo.RESPONSE_TIMEOUT = 60.0
+    return made
 
 
 def test_python_can_exchanges_raw_frames(bus: Any) -> None:
@@ -63,7 +66,7 @@ def test_python_can_exchanges_raw_frames(bus: Any) -> None:
             arbitration_id=0x605, data=bytes.fromhex("4000100000000000"), is_extended_id=False
         )
     )
-    reply = bus.recv(5.0)
+    reply = bus.recv(60.0)
     assert reply is not None
     assert reply.arbitration_id == 0x585
     assert reply.data.hex() == "4300100092010200"
@@ -148,18 +151,18 @@ def test_canopen_transfers_by_sdo(node: Any) -> None:
     assert missing.value.code == 0x0602_0000
 
 
-def test_canopen_sees_nmt_states_heartbeats_and_the_boot_up(node: Any, rig: Any) -> None:
+def test_canopen_sees_nmt_states_heartbeats_and_the_boot_up(
+    node: Any, rig: Any, wait_until: Any
+) -> None:
+    heard: list[int] = []
+    node.nmt.add_heartbeat_callback(heard.append)
     node.sdo[0x1017].raw = 20
-    node.nmt.wait_for_heartbeat(5.0)
-    assert node.nmt.state == "PRE-OPERATIONAL"
-    node.nmt.state = "OPERATIONAL"
-    node.nmt.wait_for_heartbeat(5.0)
-    assert node.nmt.state == "OPERATIONAL"
-    node.nmt.state = "STOPPED"
-    node.nmt.wait_for_heartbeat(5.0)
-    assert node.nmt.state == "STOPPED"
+    for state, code in (("PRE-OPERATIONAL", 0x7F), ("OPERATIONAL", 0x05), ("STOPPED", 0x04)):
+        node.nmt.state = state
+        wait_until(lambda code=code: heard[-1:] == [code], f"a heartbeat of {state}")
+        assert node.nmt.state == state
     node.nmt.send_command(0x81)
-    node.nmt.wait_for_bootup(5.0)
+    wait_until(lambda: 0 in heard, "the boot-up message")
     assert node.sdo[0x1017].raw == 0
 
 
@@ -170,7 +173,7 @@ def test_canopen_sees_emergencies(node: Any, rig: Any, wait_until: Any) -> None:
     assert node.emcy.active[-1].register == 0x04
 
 
-def test_canopen_maps_and_receives_pdos(node: Any, rig: Any) -> None:
+def test_canopen_maps_and_receives_pdos(node: Any, rig: Any, wait_until: Any) -> None:
     node.tpdo.read()
     velocity = node.tpdo[4]
     assert [f"{v.index:04X}" for v in velocity] == ["6041", "606C"]
@@ -181,9 +184,11 @@ def test_canopen_maps_and_receives_pdos(node: Any, rig: Any) -> None:
     velocity.enabled = True
     velocity.save()
     node.sdo[0x6060].raw = 3
+    arrived = threading.Event()
+    velocity.add_callback(lambda _: arrived.set())
     node.nmt.state = "OPERATIONAL"
     node.network.sync.transmit()
-    assert velocity.wait_for_reception(5.0) is not None
+    wait_until(arrived.is_set, "the TPDO after the SYNC")
     assert velocity[0x606C].raw == 0
     assert velocity[0x6061].raw == 3
 
@@ -218,12 +223,13 @@ def node402(periodic: Any) -> Iterator[Any]:
     network.NOTIFIER_CYCLE = 0.02
     network.connect()
     made = p402.BaseNode402(NODE, EDS)
-    made.TIMEOUT_CHECK_TPDO = 2.0
-    made.TIMEOUT_SWITCH_STATE_SINGLE = 5.0
-    made.TIMEOUT_SWITCH_STATE_FINAL = 10.0
+    made.TIMEOUT_CHECK_TPDO = 30.0
+    made.TIMEOUT_SWITCH_STATE_SINGLE = 60.0
+    made.TIMEOUT_SWITCH_STATE_FINAL = 60.0
     network.add_node(made)
+    made.sdo.RESPONSE_TIMEOUT = 60.0
     made.sdo[0x1017].raw = 50
-    made.nmt.wait_for_heartbeat(5.0)
+    made.nmt.wait_for_heartbeat(60.0)
     made.setup_402_state_machine()
     made.nmt.state = "OPERATIONAL"
     yield made
