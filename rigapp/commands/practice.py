@@ -51,7 +51,7 @@ def mistake_actions(mistake: Mistake) -> tuple[Action, ...]:
     """
     ends = tuple(Action("clear_fault", {"kind": kind}) for kind in _FAULTS.values())
     kind = _FAULTS.get(mistake)
-    return (*ends, Action("inject_fault", {"fault": {"kind": kind}})) if kind else ends
+    return (*ends, Action("inject_fault", {"kind": kind})) if kind else ends
 
 
 _FAULTS = {Mistake.SWAPPED_CABLE: "swapped_bridges", Mistake.SWINGING: "swinging_weight"}

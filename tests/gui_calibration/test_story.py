@@ -20,6 +20,7 @@ from rigapp.gui.tasks import Worker
 from rigapp.service.host import EngineHost
 from rigapp.simulation.constants import plant_section
 
+WITHIN_S = 240.0
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 
 
@@ -43,7 +44,7 @@ def _raise(error: Exception) -> None:
 @pytest.fixture
 def line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[HostLine]:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
-    host = EngineHost(read_rig(EXAMPLE), 20.0)
+    host = EngineHost(read_rig(EXAMPLE), WITHIN_S)
     line = HostLine(host)
     try:
         host.connect()
@@ -56,7 +57,9 @@ def line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[HostLine]:
 def pump(wizard: CalibrationWizard, line: HostLine, until: Any, what: str, within: float) -> None:
     deadline = time.monotonic() + within
     while not until():
-        assert time.monotonic() < deadline, f"{what} did not come: {wizard.bench.readiness}"
+        assert time.monotonic() < deadline, (
+            f"{what} did not come: {wizard.readings.problem.text()} {wizard.bench.readiness}"
+        )
         wizard.bench.tick()
         line.worker.deliver()
         time.sleep(0.005)
@@ -76,25 +79,25 @@ def test_wizard_finds_the_plants_matrix_and_refuses_exchanged_plugs(
     bench = wizard.bench
     wizard.next()
     bench.lend_a_hand()
-    pump(wizard, line, wizard.angle.isComplete, "the angle", 20.0)
+    pump(wizard, line, wizard.angle.isComplete, "the angle", WITHIN_S)
     wizard.next()
     assert wizard.currentPage() is wizard.readings
     bench.goes_ahead = True
-    pump(wizard, line, lambda: bench.session.procedure.position > 43, "series 3", 60.0)
+    pump(wizard, line, lambda: bench.session.procedure.position > 43, "series 3", WITHIN_S)
     # The plugs of the two bridges are exchanged at the last pin angle.
     wizard.readings.hands.mistake.setCurrentIndex(2)
-    pump(wizard, line, wizard.readings.isComplete, "the end", 60.0)
+    pump(wizard, line, wizard.readings.isComplete, "the end", WITHIN_S)
     wizard.next()
-    pump(wizard, line, lambda: bench.outcome is not None, "the verdict", 30.0)
+    pump(wizard, line, lambda: bench.outcome is not None, "the verdict", WITHIN_S)
     assert wizard.result_page.verdict.text() == "✗ Refused"
     assert not list(tmp_path.glob("*.json"))
     # The plugs are put right and the last series is taken again.
     wizard.back()
     wizard.readings.hands.mistake.setCurrentIndex(0)
     assert bench.reject(len(bench.session.procedure.taken) - 1, "plugs exchanged")
-    pump(wizard, line, wizard.readings.isComplete, "series 4 again", 60.0)
+    pump(wizard, line, wizard.readings.isComplete, "series 4 again", WITHIN_S)
     wizard.next()
-    pump(wizard, line, lambda: bench.outcome is not None, "the verdict", 30.0)
+    pump(wizard, line, lambda: bench.outcome is not None, "the verdict", WITHIN_S)
     assert wizard.result_page.verdict.text() == "✓ Accepted", wizard.result_page.problems.text()
     wizard.next()
     record = unseal(bench.outcome.saved.read_bytes())
@@ -112,4 +115,4 @@ def test_wizard_finds_the_plants_matrix_and_refuses_exchanged_plugs(
     line_N = result["uncertainty_line_N"]
     assert np.hypot(*(told - force)).max() < line_N["constant_N"] + 300.0 * line_N["per_N"]
     wizard.accept()
-    pump(wizard, line, lambda: not wizard.isVisible(), "the end", 5.0)
+    pump(wizard, line, lambda: not wizard.isVisible(), "the end", WITHIN_S)
