@@ -44,7 +44,7 @@ def _raise(error: Exception) -> None:
 @pytest.fixture
 def line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[HostLine]:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
-    host = EngineHost(read_rig(EXAMPLE), WITHIN_S)
+    host = EngineHost(read_rig(EXAMPLE), 20.0)
     line = HostLine(host)
     try:
         host.connect()
