@@ -25,6 +25,8 @@ frame, and it measures the force ON THE PIN, which is -F. The probes are clamped
 The pin leans against the bushing in the direction of the normal force on the follower: with the
 follower in tension (F_e2 < 0) its centre stands at -c along e2, c = running clearance + wear.
 Noise depends on seed, kind and sample number only, so it does not know how samples are grouped.
+Samples count anew from every departure from rest, and the drift begins with the first one: how long
+the rig stood before, which is up to whoever starts it, does not change a test of the same seed.
 
 Time stepping
 -------------
@@ -128,14 +130,28 @@ OFF, VELOCITY, DUTY = 0.0, 1.0, 2.0
 CONSTANTS = types.NamedUniTuple(float64, len(Constants._fields), Constants)
 DRIVE = types.NamedUniTuple(float64, len(Drive._fields), Drive)
 
-(ANGLE, SPEED, INTEGRAL, DEPTH, AREA, FORCE, TIME, TORQUE, CURRENT, WORK, LOSS, ACCELERATION) = (
-    range(12)
-)
-STATES = 12
-"""State vector: rad, rad/s, N m, m, m^2, N, s, N m, A, J, J, rad/s^2."""
+(
+    ANGLE,
+    SPEED,
+    INTEGRAL,
+    DEPTH,
+    AREA,
+    FORCE,
+    TIME,
+    TORQUE,
+    CURRENT,
+    WORK,
+    LOSS,
+    ACCELERATION,
+    WARM,
+) = range(13)
+STATES = 13
+"""State vector: rad, rad/s, N m, m, m^2, N, s, N m, A, J, J, rad/s^2, s (when drift began)."""
 
-SAMPLE, PHASE, HEAD = range(3)
-COUNTERS = 3
+SAMPLE, PHASE, HEAD, DEPARTURES, DEPARTED_AT, HELD = range(6)
+COUNTERS = 6
+EPOCH = 40
+"""Bits of the noise's index that count samples; those above count departures."""
 
 (
     OUT_SHAFT,
@@ -431,9 +447,7 @@ def quantised(value: float, step: float) -> float:
 
 
 @njit(
-    types.void(
-        CONSTANTS, float64[::1], float64[:, ::1], int64, int64, U, F, float64[:, ::1], int64
-    ),
+    types.void(CONSTANTS, float64[::1], float64[:, ::1], int64, U, U, F, float64[:, ::1], int64),
     cache=True,
 )
 def emit(
@@ -441,21 +455,21 @@ def emit(
     state: Array,
     ring: Array,
     head: int,
-    sample: int,
+    index: np.uint64,
     seed: np.uint64,
     delay_steps: float,
     out: Array,
     column: int,
 ) -> None:
     """Write one sample: the terminals (analog late by the delay, encoder not) and the truth."""
-    index = np.uint64(sample)
     time = state[TIME]
+    warm = time - state[WARM]
     noise_1, noise_2 = normal_pair(seed, np.uint64(1), index)
     noise_3, noise_4 = normal_pair(seed, np.uint64(2), index)
     on_pin_1 = -delayed(ring, 0, head, delay_steps)
     on_pin_2 = -delayed(ring, 1, head, delay_steps)
-    bridge_1 = k.cell_11 * on_pin_1 + k.cell_12 * on_pin_2 + k.noise_1 * noise_1 + k.drift_1 * time
-    bridge_2 = k.cell_21 * on_pin_1 + k.cell_22 * on_pin_2 + k.noise_2 * noise_2 + k.drift_2 * time
+    bridge_1 = k.cell_11 * on_pin_1 + k.cell_12 * on_pin_2 + k.noise_1 * noise_1 + k.drift_1 * warm
+    bridge_2 = k.cell_21 * on_pin_1 + k.cell_22 * on_pin_2 + k.noise_2 * noise_2 + k.drift_2 * warm
     probe_1 = delayed(ring, 2, head, delay_steps) + k.probe_noise * noise_3
     probe_2 = delayed(ring, 3, head, delay_steps) + k.probe_noise * noise_4
     angle = state[ANGLE]
@@ -606,8 +620,16 @@ def advance(
         state[CURRENT] = current
         state[FORCE] = force
         state[ACCELERATION] = acceleration
+        if counters[HELD] == 1 and held == 0.0:
+            if counters[DEPARTURES] == 0:
+                state[WARM] = state[TIME]
+            counters[DEPARTURES] += 1
+            counters[DEPARTED_AT] = counters[SAMPLE]
+        counters[HELD] = int64(held)
         if counters[PHASE] == 0:
-            emit(k, state, ring, head, counters[SAMPLE], seed, delay_steps, out, samples)
+            index = np.uint64(counters[SAMPLE] - counters[DEPARTED_AT])
+            index += np.uint64(counters[DEPARTURES] << EPOCH)
+            emit(k, state, ring, head, index, seed, delay_steps, out, samples)
             counters[SAMPLE] += 1
             samples += 1
         counters[PHASE] = (counters[PHASE] + 1) % steps_per_sample
