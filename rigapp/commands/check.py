@@ -14,13 +14,14 @@ from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.calibrate import Calibration, calibration_of
+from rigapp.engine.criteria import described
 from rigapp.engine.devices import make_devices
+from rigapp.engine.fileplan import file_plan
 from rigapp.engine.limits import check_rules
-from rigapp.engine.schedule import Schedule
 from rigapp.service.records import with_records
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.simulation.handle import SimulationFailed
-from rigapp.storage.layout import FilePlan, reserved_bytes, streams_of
+from rigapp.storage.layout import reserved_bytes, streams_of
 
 FEWEST_SAMPLES = 60
 ROOM_FACTOR = 1.1
@@ -86,6 +87,8 @@ def _limits(rig: RigFile, test: TestFile) -> Iterator[Item]:
         f"{limits.overload_N:g} N of {full:g} N full scale",
         limits.overload_N <= full,
     )
+    ends = [f"{run.revolutions} revolutions", *described(test.stop)]
+    yield Item("Ends", "at the first of: " + ", ".join(ends) if len(ends) > 1 else ends[0])
     try:
         check_rules(limits.rule)
     except UnusableInput as error:
@@ -145,12 +148,7 @@ def _samples(test: TestFile, rate: float) -> Iterator[Item]:
 
 
 def _disk(test: TestFile, rate: float, folder: Path) -> Iterator[Item]:
-    plan = FilePlan(
-        revolutions=test.run.revolutions,
-        cycles=Schedule(test.cycles, test.run.revolutions).planned(),
-        samples_per_cycle=math.ceil(60.0 / test.run.speed_rpm * rate * 1.05),
-        prediction=test.prediction.enabled,
-    )
+    plan = file_plan(test, rate)
     needed = reserved_bytes(streams_of(plan).values()) * ROOM_FACTOR / 1e6
     disk = os.statvfs(folder)
     free = disk.f_bavail * disk.f_frsize / 1e6

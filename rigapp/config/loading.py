@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import math
 import re
 import typing
 from collections.abc import Iterator, Mapping
@@ -151,6 +152,7 @@ def _sentence(error: str, record: type[msgspec.Struct]) -> str:
     if missing:
         key = f"{where}.{missing[1]}" if where else missing[1]
         return f"{key} is missing"
+    message = message.replace(" | null`", "`")
     words = {
         "float": "a number",
         "int": "a whole number",
@@ -214,3 +216,19 @@ def _check_test(path: Path, test: TestFile) -> None:
             f"{path}: limits.overspeed_rpm = {test.limits.overspeed_rpm:g} is not above"
             f" run.speed_rpm = {test.run.speed_rpm:g}; the test would trip at once."
         )
+    stop, limits = test.stop, test.limits
+    if stop.force_N is not None and stop.force_N >= limits.overload_N:
+        raise UnusableInput(
+            f"{path}: stop.force_N = {stop.force_N:g} can never be met, because limits.overload_N ="
+            f" {limits.overload_N:g} switches the drive off before; lower stop.force_N."
+        )
+    for name in ("deviation_N", "deviation_percent"):
+        if getattr(stop, name) is not None and not test.prediction.enabled:
+            raise UnusableInput(
+                f"{path}: stop.{name} compares with the model, but prediction.enabled is false;"
+                " enable the prediction or leave the criterion out."
+            )
+    for name in stop.__struct_fields__:
+        value = getattr(stop, name)
+        if value is not None and not math.isfinite(value):
+            raise UnusableInput(f"{path}: stop.{name} = {value} is not a finite number.")

@@ -10,6 +10,8 @@ from rigapp.config.parameters import ParameterFile
 
 Positive = Annotated[float, msgspec.Meta(gt=0)]
 PositiveCount = Annotated[int, msgspec.Meta(ge=1)]
+Count = Annotated[int, msgspec.Meta(ge=0)]
+WindowCount = Annotated[int, msgspec.Meta(ge=20)]
 
 Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
@@ -33,11 +35,17 @@ class MetadataSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class CyclesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[cycles]: which whole cycles are kept."""
+    """[cycles]: which whole cycles are kept.
+
+    before_alarm, after_alarm: revolutions before and after one in which an alarm rises, a limit is
+    passed or a note is made, whatever the schedule; 0 and 0 keep none of these.
+    """
 
     schedule: Literal["every", "logarithmic", "none"] = "every"
     every_revolutions: PositiveCount = 100
     per_decade: PositiveCount = 20
+    before_alarm: Annotated[int, msgspec.Meta(ge=0, le=1000)] = 5
+    after_alarm: Annotated[int, msgspec.Meta(ge=0, le=1000)] = 5
 
 
 class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -63,6 +71,28 @@ class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     rule: tuple[LimitRule, ...] = ()
 
 
+class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[stop]: what ends the test before its last revolution; the first that is met, any of them.
+
+    Planned ends (the test is complete): elapsed_time_h, running_time_h, wear_depth_um. Limits (the
+    test is stopped): force_N, wear_rate_um_per_1000_revolutions, deviation_N, deviation_percent.
+    A level must be passed in so many judged revolutions in a row as the key beside it says.
+    """
+
+    elapsed_time_h: Positive | None = None
+    running_time_h: Positive | None = None
+    wear_depth_um: Positive | None = None
+    wear_depth_revolutions: PositiveCount = 20
+    force_N: Positive | None = None
+    force_revolutions: PositiveCount = 10
+    wear_rate_um_per_1000_revolutions: Positive | None = None
+    wear_rate_window_revolutions: WindowCount = 1000
+    deviation_N: Positive | None = None
+    deviation_percent: Positive | None = None
+    deviation_revolutions: PositiveCount = 20
+    hold_off_revolutions: Count = 0
+
+
 class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[prediction]: the model that runs beside the data."""
 
@@ -82,4 +112,5 @@ class TestFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     metadata: MetadataSection = MetadataSection()
     cycles: CyclesSection = CyclesSection()
     limits: LimitsSection = LimitsSection()
+    stop: StopSection = StopSection()
     prediction: PredictionSection = PredictionSection()

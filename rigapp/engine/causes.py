@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rigapp.engine.criteria import Met
 from rigapp.engine.messages import Severity
 
 
@@ -314,4 +315,31 @@ def rule(
         consequence=consequences[action],
         action="Look at the trend of this quantity; acknowledge, or change the limit with reason.",
         latched=severity is Severity.CRITICAL,
+    )
+
+
+def criterion(met: Met) -> Cause:
+    """A stop criterion of the test that guards the joint is met."""
+    return _critical(
+        f"stop:{met.name}",
+        f"Stop criterion {met.name}",
+        met.sentence,
+        "The test was stopped, as its test file says.",
+        "Look at the trend and the joint; go on with the test in its file, or end it here.",
+    )
+
+
+def blind_key(name: str) -> str:
+    """Return the key of the alarm that a criterion cannot be judged."""
+    return f"blind:{name}"
+
+
+def criterion_blind(name: str) -> Cause:
+    """Nothing is known of a stop criterion."""
+    return _warning(
+        blind_key(name),
+        f"Stop criterion {name} cannot be judged",
+        f"Nothing has been measured or predicted for stop.{name} in many revolutions.",
+        "The test goes on without this criterion.",
+        "Check the probes, or the prediction's process, or stop the test.",
     )

@@ -324,7 +324,10 @@ class Core:
     def _settle(self) -> None:
         """Clear alarms whose condition is over because the test is."""
         for alarm in self.alarms.alarms():
-            if alarm.key.startswith("rule:") or alarm.key in OVER_WITH_THE_TEST:
+            if (
+                alarm.key.startswith(("rule:", "stop:", "blind:"))
+                or alarm.key in OVER_WITH_THE_TEST
+            ):
                 self.alarms.clear(alarm.key)
 
     # --- time ------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from rigapp.engine import causes
 from rigapp.engine.assembler import Revolution
 from rigapp.engine.columns import prediction_columns
 from rigapp.engine.core import Core, Session
+from rigapp.engine.criteria import Met
 from rigapp.engine.limits import Verdict
 from rigapp.engine.messages import FinishReason, Flag, RevolutionMeasured, RunState
 from rigapp.engine.recorder import cycle_message, measured_history
@@ -66,6 +67,7 @@ class Guard:
         self._on_measured = on_measured
         self._missed = 0
         self._sound: dict[str, int] = {}
+        self._blind: set[str] = set()
 
     # --- every block -----------------------------------------------------------------------------
 
@@ -73,6 +75,7 @@ class Guard:
         """Start the test's time."""
         session = self._core.session
         self._missed = 0
+        self._blind = set()
         if session is not None:
             session.run.begin(sample)
             session.recorder.begin(sample)
@@ -186,6 +189,27 @@ class Guard:
             self._calm_down(key, not flags & bad)
         for verdict in row.verdicts:
             self.verdict(session, verdict)
+        if row.met is not None:
+            self._end(session, row.met)
+        self._look_for_blind(session)
+
+    def _look_for_blind(self, session: Session) -> None:
+        """Tell of stop criteria that nothing is known of, and when they are seen again."""
+        blind = set(session.run.stops.blind())
+        for name in blind - self._blind:
+            self._core.warn(causes.criterion_blind(name))
+        for name in self._blind - blind:
+            self._core.alarms.clear(causes.blind_key(name))
+        self._blind = blind
+
+    def _end(self, session: Session, met: Met) -> None:
+        """End the test by one of its stop criteria."""
+        if met.planned:
+            run = session.run
+            sentence = f"{met.sentence} That was revolution {run.number} of at most {run.planned}."
+            self._core.trip(Ending(FinishReason.COMPLETE, sentence))
+        else:
+            self._core.trip(Ending(FinishReason.LIMIT, met.sentence), causes.criterion(met))
 
     def predicted(self, session: Session, values: Array) -> None:
         """Judge what the twin predicts by the rules of the test."""
@@ -196,6 +220,13 @@ class Guard:
         }
         for verdict in session.run.monitor.judge(named):
             self.verdict(session, verdict)
+        met = session.run.stops.prediction(
+            int(values[PREDICTED_NAMES.index("revolution")]),
+            named["residual_rms"],
+            float(values[PREDICTED_NAMES.index("force_rms")]),
+        )
+        if met is not None:
+            self._end(session, met)
 
     def verdict(self, session: Session, verdict: Verdict) -> None:
         """Carry out what a rule of the test wants."""

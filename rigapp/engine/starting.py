@@ -14,11 +14,12 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
+from rigapp.engine.criteria import StopMonitor
+from rigapp.engine.history import History
 from rigapp.engine.limits import RuleMonitor
 from rigapp.engine.recorder import Recorder
 from rigapp.engine.run import Refused
-from rigapp.engine.schedule import Schedule
-from rigapp.engine.store import OpenRequest, OpenStore
+from rigapp.engine.store import Opened, OpenRequest, OpenStore
 from rigapp.engine.testrun import TestRun
 
 FEWEST_SAMPLES = 16
@@ -100,6 +101,7 @@ def open_session(
         )
     gap_s = max(0.0, time.time() - opened.last_host_time) if opened.rows else 0.0
     offset_s = opened.last_time_s + gap_s
+    stops = _stop_monitor(test.record, opened, offset_s, path)
     return Session(
         test=test,
         path=path,
@@ -111,18 +113,34 @@ def open_session(
             time_offset_s=offset_s,
             utc=core.utc,
             resumed=resume,
+            stops=stops,
         ),
         recorder=Recorder(
             opened.store,
-            Schedule(test.record.cycles, run.revolutions),
+            History(test.record.cycles, run.revolutions, opened.triggered),
             calibration,
             offset_s,
+            connection.processor.unfinished,
         ),
         limits=test.record.limits,
         operator=operator,
         started_at=time.time(),
         deadline_s=start_deadline_s(core, connection, test.record),
     )
+
+
+def _stop_monitor(test: TestFile, opened: Opened, offset_s: float, path: Path) -> StopMonitor:
+    """Return the criteria with what they know of an earlier segment; raise UnusableInput."""
+    stops = StopMonitor(test.stop)
+    try:
+        stops.remember(opened.history() if stops.any else (), opened.last_revolution)
+        over = stops.over(offset_s)
+        if over is not None:
+            raise UnusableInput(f"{path}: nothing is left to do. {over.sentence}")
+    except BaseException:
+        opened.store.close()
+        raise
+    return stops
 
 
 def start_deadline_s(core: Core, connection: Connection, test: TestFile) -> float:

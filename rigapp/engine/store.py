@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
@@ -16,8 +16,9 @@ from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.calibrate import Calibration
+from rigapp.engine.criteria import HISTORY_COLUMNS
+from rigapp.engine.history import TRIGGERED
 from rigapp.engine.messages import Event
-from rigapp.engine.schedule import Schedule
 
 
 class Store(Protocol):
@@ -37,14 +38,24 @@ class Store(Protocol):
         """Append a row in the order of ``revolution_columns``."""
         ...
 
-    def append_cycle(self, revolution: int, columns: Mapping[str, ArrayLike]) -> bool:
-        """Append a whole cycle; False when there is no room for it."""
+    def append_cycle(
+        self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
+    ) -> bool:
+        """Append a whole cycle and why it is kept; False when there is no room for it."""
         ...
 
-    def append_prediction(
-        self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike] | None = None
+    def append_unfinished(
+        self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
     ) -> bool:
+        """Append a revolution that was cut off; False when there is no room for it."""
+        ...
+
+    def append_prediction(self, values: NDArray[np.float64]) -> bool:
         """Append a prediction; False when there is no room for it."""
+        ...
+
+    def append_curves(self, revolution: int, curves: Mapping[str, ArrayLike]) -> bool:
+        """Append the predicted curves of a revolution; False when there is no room for them."""
         ...
 
     def append_event(self, event: Event) -> bool:
@@ -68,15 +79,28 @@ class Store(Protocol):
         ...
 
 
+HISTORY_ROWS = 100_000
+"""Rows of an earlier segment that are read at once."""
+
+
+def _no_history() -> Iterator[NDArray[np.float64]]:
+    return iter(())
+
+
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """A test file that is ready for rows. rows: already in it; last_*: of the last of these."""
+    """A test file that is ready for rows. rows: already in it; last_*: of the last of these.
+
+    triggered: whole cycles in it that a trigger kept. history: yields these rows, some at a time, as (len(HISTORY_COLUMNS), n).
+    """
 
     store: Store
     rows: int = 0
     last_revolution: int = 0
     last_time_s: float = 0.0
     last_host_time: float = 0.0
+    triggered: int = 0
+    history: Callable[[], Iterator[NDArray[np.float64]]] = _no_history
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -103,20 +127,12 @@ def open_file(request: OpenRequest) -> Opened:
 
 
 def _create(request: OpenRequest) -> Opened:
-    from rigapp.storage.layout import FilePlan
+    from rigapp.engine.fileplan import file_plan
     from rigapp.storage.metadata import TestMetadata
     from rigapp.storage.writer import create_test
 
     test, rig = request.test.record, request.rig.record
-    schedule = Schedule(test.cycles, test.run.revolutions)
-    plan = FilePlan(
-        revolutions=test.run.revolutions,
-        cycles=schedule.planned(),
-        samples_per_cycle=math.ceil(
-            60.0 / test.run.speed_rpm * request.calibration.sample_rate_Hz * 1.05
-        ),
-        prediction=test.prediction.enabled,
-    )
+    plan = file_plan(test, request.calibration.sample_rate_Hz)
     metadata = TestMetadata(
         title=test.title,
         rig_text=request.rig.text,
@@ -153,10 +169,22 @@ def _resume(request: OpenRequest) -> Opened:
                 last_revolution=int(reader.column("revolution")[rows - 1]),
                 last_time_s=float(reader.column("time")[rows - 1]),
                 last_host_time=float(reader.column("host_time")[rows - 1]),
+                triggered=sum(why in TRIGGERED for why in reader.cycle_reasons()),
+                history=lambda: _history(request.path, rows),
             )
     except BaseException:
         store.close()
         raise
+
+
+def _history(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
+    from rigapp.storage.reader import open_test
+
+    with open_test(path) as reader:
+        for first in range(0, rows, HISTORY_ROWS):
+            stop = min(rows, first + HISTORY_ROWS)
+            columns = [reader.column(name, first, stop) for name in HISTORY_COLUMNS]
+            yield np.array(columns, np.float64)
 
 
 def calibration_record(calibration: Calibration) -> dict[str, Any]:

@@ -15,8 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.config.recipe import StopSection
 from rigapp.engine.assembler import Revolution
 from rigapp.engine.calibrate import Calibration
+from rigapp.engine.criteria import Met, StopMonitor
 from rigapp.engine.limits import RuleMonitor, Verdict
 from rigapp.engine.messages import Flag
 from rigapp.engine.reduce import NAMES, PLACE, Reducer
@@ -36,6 +38,7 @@ class Row:
     revolution: Revolution
     verdicts: tuple[Verdict, ...]
     last: bool
+    met: Met | None = None
 
 
 class TestRun:
@@ -43,6 +46,7 @@ class TestRun:
 
     first: number of the first revolution to record. planned: number of the last. time_offset_s:
     the test's time at its start (not 0 when it was resumed). utc: UTC seconds of a host time.
+    stops: the criteria that end the test before.
     """
 
     __test__ = False
@@ -56,9 +60,11 @@ class TestRun:
         time_offset_s: float,
         utc: Callable[[int, float], float],
         resumed: bool,
+        stops: StopMonitor | None = None,
     ) -> None:
         self.calibration = calibration
         self.monitor = monitor
+        self.stops = stops if stops is not None else StopMonitor(StopSection())
         self.first = first
         self.planned = planned
         self.time_offset_s = time_offset_s
@@ -107,5 +113,6 @@ class TestRun:
             verdicts = tuple(self.monitor.judge(dict(zip(NAMES, row.tolist(), strict=True))))
         self.number = number
         self.complete = number >= self.planned
-        self.newest = Row(number, row, revolution, verdicts, self.complete)
+        met = self.stops.row(row)
+        self.newest = Row(number, row, revolution, verdicts, self.complete, met)
         return self.newest

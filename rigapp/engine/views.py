@@ -17,7 +17,7 @@ from rigapp.engine.messages import (
     Status,
     as_array,
 )
-from rigapp.engine.reduce import NAMES
+from rigapp.engine.reduce import NAMES, PLACE
 from rigapp.engine.run import ACTIVE
 
 NO_MARGIN = 1e9
@@ -104,11 +104,22 @@ def _simulated_speed(core: Core, connection: Connection | None) -> float:
 def _expected_end(core: Core, connection: Connection | None, session: Session | None) -> float:
     if session is None or connection is None or core.state not in ACTIVE:
         return 0.0
-    left = session.run.planned - session.run.number
     pace = 1.0
     if core.rig.record.simulation is not None:
         pace = max(connection.processor.motion.pace(), 1e-3)
-    return time.time() + left * 60.0 / session.target_rpm / pace
+    return time.time() + _seconds_left(session) / pace
+
+
+def _seconds_left(session: Session) -> float:
+    """Return the test's own time to its last revolution or to its planned hours."""
+    run, stop = session.run, session.test.record.stop
+    now_s = run.newest.values[PLACE["time"]] if run.newest is not None else run.time_offset_s
+    left = [(run.planned - run.number) * 60.0 / session.target_rpm]
+    if stop.elapsed_time_h is not None:
+        left.append(3600.0 * stop.elapsed_time_h - now_s)
+    if stop.running_time_h is not None:
+        left.append(3600.0 * (stop.running_time_h - run.stops.running_h))
+    return float(max(0.0, min(left)))
 
 
 def _drive(connection: Connection | None) -> DriveView | None:

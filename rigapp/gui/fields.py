@@ -13,6 +13,7 @@ import msgspec
 from rigapp.config.recipe import TestFile
 
 UNITS = (
+    ("_um_per_1000_revolutions", "µm per 1000 rev"),
     ("_mm3_per_Nm", "mm³/(N m)"),
     ("_g_per_cm3", "g/cm³"),
     ("_rpm_per_s", "rpm/s"),
@@ -24,6 +25,9 @@ UNITS = (
     ("_deg", "deg"),
     ("_kg", "kg"),
     ("_mm", "mm"),
+    ("_um", "µm"),
+    ("_percent", "%"),
+    ("_h", "h"),
     ("_N", "N"),
     ("_s", "s"),
 )
@@ -179,7 +183,9 @@ def parse_value(field: FieldSpec, text: str) -> Any:
 
 
 def show_value(value: Any) -> str:
-    """Return a value as the form shows it."""
+    """Return a value as the form shows it; nothing where there is none."""
+    if value is None:
+        return ""
     if isinstance(value, (list, tuple)):
         return ", ".join(f"{part:g}" for part in value)
     if isinstance(value, float):

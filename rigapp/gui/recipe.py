@@ -44,7 +44,7 @@ from rigapp.gui.rules import RuleTable
 
 COLUMNS = (
     ("", "run", "metadata", "cycles", "prediction"),
-    ("limits", "model.spring", "model.joint"),
+    ("limits", "stop", "model.spring", "model.joint"),
     ("model.mechanism", "model.bushing", "model.pin"),
 )
 TITLES = {
@@ -53,6 +53,7 @@ TITLES = {
     "metadata": "Who and what",
     "cycles": "Whole cycles to keep",
     "limits": "Always watched (drive off)",
+    "stop": "Also ends the test (empty: does not)",
     "prediction": "Model beside the data",
     "model.mechanism": "Mechanism",
     "model.spring": "Spring",

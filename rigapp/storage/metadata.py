@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import platform
+import re
 import sys
 import uuid
 from collections.abc import Mapping
@@ -12,6 +13,7 @@ from datetime import UTC, datetime
 from typing import Any
 
 _UNITS = (
+    ("_um_per_1000_revolutions", "um/1000"),
     ("_mm3_per_Nm", "mm3/(N m)"),
     ("_N_per_mV_per_V", "N/(mV/V)"),
     ("_g_per_cm3", "g/cm3"),
@@ -31,10 +33,15 @@ _UNITS = (
     ("_ms", "ms"),
     ("_Nm", "N m"),
     ("_Hz", "Hz"),
+    ("_percent", "%"),
+    ("_h", "h"),
     ("_N", "N"),
     ("_V", "V"),
     ("_s", "s"),
 )
+
+_RATE = re.compile(r"(?:^|_)([A-Za-z]+)_per$")
+"""What is left of a key when its last unit divides another: ``speed_limit_count_per`` (``_s``)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +84,11 @@ def versions() -> dict[str, str]:
 
 def unit_of_key(key: str) -> str:
     """Return the unit that a key of the configuration names at its end, "1" when none."""
-    return next((unit for ending, unit in _UNITS if key.endswith(ending)), "1")
+    for ending, unit in _UNITS:
+        if key.endswith(ending):
+            rate = _RATE.search(key.removesuffix(ending))
+            return f"{rate[1]}/{unit}" if rate is not None else unit
+    return "1"
 
 
 def unit_suffix(unit: str) -> str:

@@ -1,0 +1,325 @@
+"""What ends a test before its last revolution: the criteria of ``[stop]``, judged per revolution.
+
+Only judged revolutions count: whole ones at the set speed. A revolution without a value (NaN, no
+answer of the twin) is left out: it fulfils nothing and interrupts nothing. A criterion that has had
+no value for ``BLIND_REVOLUTIONS`` judged revolutions is *blind*, which the caller tells loudly.
+
+Elapsed time is the column ``time``, with pauses and interruptions; running time is the time in
+which the crank turned. The measured wear depth is how much further from the middle the pin's mean
+position over a revolution lies than in the new bushing (the mean of ``NEW_REVOLUTIONS`` revolutions
+from number ``FIRST_STEADY`` on), as in the column ``measured_wear_depth``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.recipe import StopSection
+from rigapp.engine.messages import Flag
+from rigapp.engine.reduce import PLACE
+
+Array = NDArray[np.float64]
+
+FIRST_STEADY = 3
+NEW_REVOLUTIONS = 5
+BLIND_REVOLUTIONS = 200
+RATE_BINS = 50
+"""The wear rate is the slope through the means of so many equal parts of the window."""
+
+UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
+NOT_JUDGED = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
+
+_REVOLUTION, _TIME, _SPEED = PLACE["revolution"], PLACE["time"], PLACE["speed"]
+_FORCE, _QUALITY = PLACE["force_max"], PLACE["quality"]
+_PROBES = (PLACE["probe_1_mean"], PLACE["probe_2_mean"])
+
+HISTORY_COLUMNS = ("revolution", "time", "speed", "quality", "probe_1_mean", "probe_2_mean")
+"""What a criterion needs to know of the rows of an earlier segment."""
+
+
+@dataclass(frozen=True, slots=True)
+class Met:
+    """Say that a criterion is met. planned: an end as planned (complete), else a limit."""
+
+    name: str
+    sentence: str
+    planned: bool
+
+
+@dataclass(slots=True)
+class _Streak:
+    """A level to be reached in so many judged revolutions in a row."""
+
+    key: str
+    level: float
+    needed: int
+    planned: bool
+    words: Callable[[float, float, int], str]
+    beyond: int = 0
+    since_value: int = 0
+
+    def look(self, value: float) -> Met | None:
+        self.since_value = 0
+        if value < self.level:
+            self.beyond = 0
+            return None
+        self.beyond += 1
+        if self.beyond < self.needed:
+            return None
+        return Met(self.key, self.words(value, self.level, self.needed), self.planned)
+
+
+class _Rate:
+    """The slope of the wear depth over a window of revolutions, by least squares over bins."""
+
+    def __init__(self, window: int) -> None:
+        self._width = max(1, window // RATE_BINS)
+        self._needed = max(3, window // self._width)
+        self._bins: deque[tuple[float, float]] = deque(maxlen=self._needed)
+        self._window = window
+        self._bin = -1
+        self._sum = np.zeros(3)
+
+    def add(self, number: int, depth_um: float) -> float | None:
+        """Add a revolution; return the rate (um per 1000 revolutions) when a new one is known."""
+        found = None
+        place = number // self._width
+        if place != self._bin:
+            if self._sum[0] > 0:
+                self._bins.append((self._sum[1] / self._sum[0], self._sum[2] / self._sum[0]))
+                found = self._slope(number)
+            self._bin, self._sum = place, np.zeros(3)
+        self._sum += (1.0, number, depth_um)
+        return found
+
+    def _slope(self, number: int) -> float | None:
+        """Return the slope when the window is filled for at least half, from end to end."""
+        points = [point for point in self._bins if point[0] > number - self._window - self._width]
+        if len(points) < max(3, self._needed // 2):
+            return None
+        x, y = np.array(points).T
+        if x[-1] - x[0] < 0.8 * (self._window - 2 * self._width):
+            return None
+        x = x - x.mean()
+        return float(1000.0 * (x @ (y - y.mean())) / (x @ x))
+
+
+@dataclass(slots=True)
+class _Depth:
+    """The measured wear depth from the mean pin position, um; None until the new one is known."""
+
+    first: list[tuple[float, float]] = field(default_factory=list)
+
+    @property
+    def known(self) -> bool:
+        return len(self.first) == NEW_REVOLUTIONS
+
+    def of(self, number: int, quality: int, position: tuple[float, float]) -> float | None:
+        if not math.isfinite(position[0] + position[1]):
+            return None
+        if not self.known:
+            if number >= FIRST_STEADY and not quality & UNTRUE:
+                self.first.append(position)
+            return None
+        new = np.mean(self.first, axis=0)
+        return math.hypot(*position) - math.hypot(*new)
+
+
+class StopMonitor:
+    """Judge revolutions by ``[stop]``; rows and predictions each come from one thread."""
+
+    def __init__(self, stop: StopSection) -> None:
+        self._stop = stop
+        self._depth = _Depth()
+        self._wants_depth = (
+            stop.wear_depth_um is not None or stop.wear_rate_um_per_1000_revolutions is not None
+        )
+        self._rate = _Rate(stop.wear_rate_window_revolutions)
+        self._last = 0
+        self.running_h = 0.0
+        self._unjudged: deque[int] = deque(maxlen=1024)
+        self._streaks = {one.key: one for one in _streaks(stop)}
+
+    @property
+    def any(self) -> bool:
+        """Tell whether anything beside the number of revolutions ends the test."""
+        return any(value is not None for value in _levels(self._stop).values())
+
+    def remember(self, rows: Iterable[Array], last: int) -> None:
+        """Take up the rows of an earlier segment, (len(HISTORY_COLUMNS), n) each, in order.
+
+        last: number of the last of them. What must come in a row begins afresh.
+        """
+        recent = last - 2 * self._stop.wear_rate_window_revolutions
+        for columns in rows:
+            number, _, speed = columns[:3]
+            steps = np.diff(number, prepend=self._last)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                hours = steps / (60.0 * speed)
+            self.running_h += float(hours[np.isfinite(hours) & (hours > 0)].sum())
+            if len(number):
+                self._last = int(number[-1])
+            if self._wants_depth:
+                for one, _, _, flags, *position in columns.T.tolist():
+                    if one > recent or not self._depth.known:
+                        self._wear(int(one), int(flags), (position[0], position[1]))
+
+    def row(self, row: Array) -> Met | None:
+        """Judge a row in the order of ``revolution_columns``; return the criterion that it met."""
+        number, quality = int(row[_REVOLUTION]), int(row[_QUALITY])
+        self._run(number, float(row[_SPEED]))
+        depth, rate = self._wear(number, quality, (row[_PROBES[0]], row[_PROBES[1]]))
+        met = self._times(float(row[_TIME]))
+        if met is not None:
+            return met
+        if quality & NOT_JUDGED or number <= self._stop.hold_off_revolutions:
+            self._unjudged.append(number)
+            return None
+        values = {"force_N": float(row[_FORCE]), "wear_depth_um": depth}
+        values["wear_rate_um_per_1000_revolutions"] = rate
+        for streak in self._streaks.values():
+            streak.since_value += 1
+        return self._first(values)
+
+    def prediction(self, number: int, residual_N: float, force_N: float) -> Met | None:
+        """Judge the twin's answer: RMS of measured less predicted |F|, RMS of the predicted."""
+        if number in self._unjudged or number <= self._stop.hold_off_revolutions:
+            return None
+        share = 100.0 * residual_N / force_N if force_N > 0 else math.nan
+        return self._first({"deviation_N": residual_N, "deviation_percent": share})
+
+    def over(self, time_s: float) -> Met | None:
+        """Return the planned end that a test has reached at this time of its own, if any."""
+        return self._times(time_s)
+
+    def blind(self) -> list[str]:
+        """Return the criteria that have had no value for too long."""
+        return [
+            one.key
+            for one in self._streaks.values()
+            if one.since_value >= max(BLIND_REVOLUTIONS, self._patience(one.key))
+        ]
+
+    def _patience(self, key: str) -> int:
+        if key != "wear_rate_um_per_1000_revolutions":
+            return 0
+        return self._stop.wear_rate_window_revolutions + BLIND_REVOLUTIONS
+
+    def _first(self, values: dict[str, float | None]) -> Met | None:
+        found: Met | None = None
+        for key, value in values.items():
+            streak = self._streaks.get(key)
+            if streak is None or value is None or math.isnan(value):
+                continue
+            found = found or streak.look(value)
+        return found
+
+    def _run(self, number: int, speed_rpm: float) -> None:
+        if math.isfinite(speed_rpm) and speed_rpm > 0:
+            self.running_h += max(0, number - self._last) / (60.0 * speed_rpm)
+        self._last = number
+
+    def _wear(
+        self, number: int, quality: int, position: tuple[float, float]
+    ) -> tuple[float | None, float | None]:
+        """Return depth (um) and a new rate, None where there is none."""
+        if not self._wants_depth:
+            return None, None
+        depth = self._depth.of(number, quality, position)
+        if depth is None or quality & NOT_JUDGED:
+            return None, None
+        return depth, self._rate.add(number, depth)
+
+    def _times(self, time_s: float) -> Met | None:
+        stop = self._stop
+        hours = time_s / 3600.0
+        if stop.elapsed_time_h is not None and hours >= stop.elapsed_time_h:
+            text = (
+                f"The test has lasted {hours:.4g} h; it was planned for {stop.elapsed_time_h:g} h."
+            )
+            return Met("elapsed_time_h", text, planned=True)
+        if stop.running_time_h is not None and self.running_h >= stop.running_time_h:
+            text = (
+                f"The crank has turned for {self.running_h:.4g} h; {stop.running_time_h:g} h were"
+                " planned."
+            )
+            return Met("running_time_h", text, planned=True)
+        return None
+
+
+def described(stop: StopSection) -> list[str]:
+    """Return the criteria that are set, in words, for a check or a report."""
+    units = {"h": "h", "um": "um", "N": "N", "percent": "%"}
+    found = []
+    for name, level in _levels(stop).items():
+        if level is None:
+            continue
+        if name == "wear_rate_um_per_1000_revolutions":
+            found.append(f"wear rate {level:g} um per 1000 revolutions")
+            continue
+        words, _, unit = name.rpartition("_")
+        found.append(f"{words.replace('_', ' ')} {level:g} {units[unit]}")
+    return found
+
+
+def _levels(stop: StopSection) -> dict[str, float | None]:
+    return {
+        "elapsed_time_h": stop.elapsed_time_h,
+        "running_time_h": stop.running_time_h,
+        "wear_depth_um": stop.wear_depth_um,
+        "force_N": stop.force_N,
+        "wear_rate_um_per_1000_revolutions": stop.wear_rate_um_per_1000_revolutions,
+        "deviation_N": stop.deviation_N,
+        "deviation_percent": stop.deviation_percent,
+    }
+
+
+def _row_words(what: str, unit: str) -> Callable[[float, float, int], str]:
+    def words(value: float, level: float, needed: int) -> str:
+        times = f"in {needed} revolutions in a row" if needed > 1 else "in one revolution"
+        return (
+            f"{what} was at or above {level:g} {unit} {times}, {value:.4g} {unit} in the last one."
+        )
+
+    return words
+
+
+def _streaks(stop: StopSection) -> Iterator[_Streak]:
+    if stop.wear_depth_um is not None:
+        yield _Streak(
+            "wear_depth_um",
+            stop.wear_depth_um,
+            stop.wear_depth_revolutions,
+            True,
+            _row_words("The measured wear depth", "um"),
+        )
+    if stop.force_N is not None:
+        words = _row_words("The maximum of |F|", "N")
+        yield _Streak("force_N", stop.force_N, stop.force_revolutions, False, words)
+    if stop.wear_rate_um_per_1000_revolutions is not None:
+        window = stop.wear_rate_window_revolutions
+
+        def rate(value: float, level: float, needed: int) -> str:
+            return (
+                f"The wear rate over {window} revolutions was {value:.4g} um per 1000 revolutions;"
+                f" the limit is {level:g}."
+            )
+
+        yield _Streak(
+            "wear_rate_um_per_1000_revolutions",
+            stop.wear_rate_um_per_1000_revolutions,
+            1,
+            False,
+            rate,
+        )
+    for key, unit in (("deviation_N", "N"), ("deviation_percent", "% of the predicted RMS")):
+        level = getattr(stop, key)
+        if level is not None:
+            words = _row_words("The RMS of measured less predicted |F|", unit)
+            yield _Streak(key, level, stop.deviation_revolutions, False, words)
