@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.engine.messages import Alarm, RunState, Severity
+from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.palette import Theme
 
 Index = QModelIndex | QPersistentModelIndex
@@ -108,11 +109,11 @@ class AlarmPanel(QWidget):
         self.minutes.setRange(1, 480)
         self.minutes.setValue(15)
         self.minutes.setSuffix(" min")
-        self.shelve = QPushButton("S&helve")
+        self.shelve = GuardedButton("S&helve")
         self.shelve.setObjectName(f"{prefix}_shelve")
         self.shelve.setAccessibleName("Shelve the chosen alarm")
         self.shelve.clicked.connect(self._shelve)
-        self.reset = QPushButton("Reset after trip")
+        self.reset = GuardedButton("Reset after trip")
         self.reset.setObjectName(f"{prefix}_reset")
         self.reset.setAccessibleName("Reset after a trip")
         self.reset.setToolTip(

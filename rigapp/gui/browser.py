@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSplitter, QVBoxLayout, 
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.compare import ComparePanel
 from rigapp.gui.devices import PlainTable
+from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.header import ElidedLabel
 from rigapp.gui.headline import grouped
 from rigapp.gui.palette import Theme
@@ -132,7 +133,7 @@ class BrowserPanel(QSplitter):
             ("report", "Report", "Write the report of the chosen test", self._report),
             ("resume", "&Go on with it", "Go on with an interrupted or stopped test", self._resume),
         ):
-            button = QPushButton(text)
+            button = GuardedButton(text) if name == "resume" else QPushButton(text)
             button.setObjectName(f"browser_{name}")
             button.setAccessibleName(spoken)
             button.setToolTip(spoken)

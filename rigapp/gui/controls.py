@@ -20,6 +20,8 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.engine.messages import Reply, RunState, Status
+from rigapp.gui.command import CommandLine
+from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.header import ElidedLabel
 from rigapp.gui.headline import ACTIVE_STATES
 from rigapp.gui.link import LinkState
@@ -106,7 +108,7 @@ class ControlRow(QWidget):
         self.text.returnPressed.connect(self.add_note)
         caption = QLabel("Reason or &note (F8)")
         caption.setBuddy(self.text)
-        self.note = QPushButton("&Add note")
+        self.note = GuardedButton("&Add note")
         self.note.setObjectName("add_note")
         self.note.setAccessibleName("Add note")
         self.note.setToolTip("Write the text into the log of the test (Enter)")
@@ -115,11 +117,15 @@ class ControlRow(QWidget):
         for widget in (caption, self.text, self.note):
             row.addWidget(widget, 1 if widget is self.text else 0)
         self.answer = ElidedLabel("answer", "Answer to the last command")
+        self.command_line = CommandLine()
+        below = QHBoxLayout()
+        below.addWidget(self.answer, 1)
+        below.addWidget(self.command_line)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
         column.addLayout(row)
-        column.addWidget(self.answer)
+        column.addLayout(below)
         self._ask_nothing()
 
     def dress(self, theme: Theme) -> None:
@@ -138,8 +144,8 @@ class ControlRow(QWidget):
             elif link is LinkState.LOST or (replay and command.verb in ("connect", "start")):
                 applies = False
             button = self.buttons[command.verb]
-            if button.isEnabled() != applies:
-                button.setEnabled(applies)
+            button.setEnabled(applies)
+            button.setToolTip(self._tip(command, applies))
 
     def act(self, verb: str) -> None:
         """Do what the button of a verb does."""
@@ -212,8 +218,17 @@ class ControlRow(QWidget):
         else:
             self.show_answer(f"{stamp}  {label} refused: {reply.sentence}", good=False)
 
+    def _tip(self, command: Command, applies: bool) -> str:
+        if applies:
+            return f"{command.tip} ({command.key})"
+        now = self._state.value if self._state is not None else "not known"
+        states = sorted(state.value for state in command.states)
+        return f"{command.tip}. Not now: the state is {now}; it must be {' or '.join(states)}"
+
     def _button(self, command: Command) -> QPushButton:
-        button = QPushButton(f"{command.text}  {command.key}")
+        # Stopping is for everybody, whoever is in command.
+        kind = QPushButton if command.verb == "stop" else GuardedButton
+        button = kind(f"{command.text}  {command.key}")
         button.setObjectName(command.verb)
         button.setAccessibleName(command.text.replace("&", ""))
         button.setToolTip(f"{command.tip} ({command.key})")

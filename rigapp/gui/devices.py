@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QLineEdit,
-    QPushButton,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.engine.messages import RunState, Status
+from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.palette import Theme
 from rigapp.gui.watchdog import Watchdog
 
@@ -106,7 +106,7 @@ class DevicePanel(QWidget):
         self._enable()
 
     def _build(self) -> None:
-        self.reconnect = QPushButton("Reconnect")
+        self.reconnect = GuardedButton("Reconnect")
         self.reconnect.setObjectName("reconnect")
         self.reconnect.setAccessibleName("Reconnect the devices")
         self.reconnect.clicked.connect(self._reconnect)
@@ -115,7 +115,7 @@ class DevicePanel(QWidget):
         self.reason.setAccessibleName("Reason for zeroing")
         self.reason.setPlaceholderText("reason, e.g. pin unloaded, new specimen")
         self.reason.textChanged.connect(self._enable)
-        self.zero = QPushButton("&Zero load cell")
+        self.zero = GuardedButton("&Zero load cell")
         self.zero.setObjectName("zero")
         self.zero.setAccessibleName("Zero the load cell")
         self.zero.setToolTip(

@@ -12,12 +12,12 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QLabel,
     QLineEdit,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
 from rigapp.engine.messages import Status
+from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.tasks import Worker
 
 CHANNELS = ("force_1", "force_2", "probe_1", "probe_2")
@@ -80,11 +80,11 @@ class FaultPanel(QWidget):
         self.value.setObjectName("fault_value")
         self.value.setAccessibleName("Value of the fault, empty: its default")
         self.value.setPlaceholderText("default")
-        self.cause = QPushButton("Cause fa&ult")
+        self.cause = GuardedButton("Cause fa&ult")
         self.cause.setObjectName("fault_cause")
         self.cause.setAccessibleName("Cause the fault")
         self.cause.clicked.connect(self._cause)
-        self.end = QPushButton("&End fault")
+        self.end = GuardedButton("&End fault")
         self.end.setObjectName("fault_end")
         self.end.setAccessibleName("End the fault")
         self.end.clicked.connect(self._end)

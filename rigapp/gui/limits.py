@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout
+from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout
 
 from rigapp.config.recipe import TestFile
 from rigapp.engine.messages import RunState
 from rigapp.gui.devices import PlainTable
+from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.headline import ACTIVE_STATES
 from rigapp.gui.rules import LEVELS
 
@@ -61,7 +62,7 @@ class LimitPanel(QGroupBox):
         self.reason.setObjectName("limit_reason")
         self.reason.setAccessibleName("Reason for the new limit")
         self.reason.setPlaceholderText("reason, goes into the log")
-        self.change = QPushButton("Chan&ge limit")
+        self.change = GuardedButton("Chan&ge limit")
         self.change.setObjectName("limit_change")
         self.change.setAccessibleName("Change the chosen limit")
         self.change.clicked.connect(self._change)

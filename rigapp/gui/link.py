@@ -6,9 +6,11 @@ import enum
 import logging
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, Protocol
 
 from rigapp.engine.messages import Reply, Snapshot, Status
+from rigapp.gui.command import CommandWatch, Holder
 from rigapp.gui.tasks import Worker
 
 log = logging.getLogger(__name__)
@@ -25,6 +27,8 @@ TIMEOUTS_S = {
     "zero": 60.0,
 }
 TIMEOUT_S = 10.0
+RELEASE_S = 1.0
+PRESENT_S = 2.0
 URGENT_VERBS = frozenset({"stop", "drive_off", "pause"})
 
 
@@ -80,6 +84,7 @@ class Link:
         self._attempts = 0
         self._retry_at: float | None = 0.0
         self._closed = False
+        self.command = CommandWatch(clock)
         self.status: Status | None = None
 
     @property
@@ -127,6 +132,7 @@ class Link:
             self._last_snapshot_at = now
             self._state, self._reason, self._attempts = LinkState.ATTACHED, "", 0
             self.status = snapshot.status
+            self._look_who_commands(snapshot.status)
             return snapshot
         self._judge_silence(now)
         return None
@@ -150,10 +156,23 @@ class Link:
         """Detach; the engine goes on. A client still in use is left to the end of the process."""
         self._closed = True
         client, self._client = self._client, None
+        if client is not None and self.command.holder is Holder.THIS:
+            with suppress(Exception):
+                client.request("release_command", {}, RELEASE_S)
         if client is not None and self._requests.idle and self._urgent.idle:
             client.close()
         for worker in (self._attaching, self._requests, self._urgent):
             worker.close(timeout_s=1.0)
+
+    def _look_who_commands(self, status: Status) -> None:
+        client = self._client
+        if client is None or not self.command.take_name(status.in_command):
+            return
+        self._attaching.submit(
+            lambda: client.request("present", {}, PRESENT_S),
+            self.command.answered,
+            lambda error: log.info("Who is in command is not known: %s", error),
+        )
 
     def _attach_when_due(self, now: float) -> None:
         if self._retry_at is None or now < self._retry_at or self._closed:
@@ -191,6 +210,7 @@ class Link:
     def _lose(self, reason: str, now: float) -> None:
         log.error("Engine lost: %s", reason)
         client, self._client = self._client, None
+        self.command.forget()
         seen_before = self._last_snapshot_at is not None
         self._state = LinkState.LOST if seen_before else LinkState.ATTACHING
         self._reason = reason

@@ -20,6 +20,8 @@ from PySide6.QtWidgets import (
     QSpinBox,
 )
 
+from rigapp.gui.guarded import GuardedButton
+
 
 class StartBar(QFrame):
     """Ask for test, length and file below the buttons; the state bar stays in sight."""
@@ -53,7 +55,7 @@ class StartBar(QFrame):
         browse.setObjectName("start_browse")
         browse.setAccessibleName("Choose another test file")
         browse.clicked.connect(self._browse)
-        self.go = QPushButton("Start no&w")
+        self.go = GuardedButton("Start no&w")
         self.go.setObjectName("start_now")
         self.go.setAccessibleName("Start now")
         self.go.clicked.connect(self._go)

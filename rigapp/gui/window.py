@@ -23,7 +23,10 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.messages import Snapshot
 from rigapp.gui.calibration.wizard import CalibrationWizard
 from rigapp.gui.closebar import CloseBar
+from rigapp.gui.command import KEY as COMMAND_KEY
+from rigapp.gui.command import ViewerBar, why_forbidden
 from rigapp.gui.controls import STARTABLE, ControlRow
+from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.header import Header
 from rigapp.gui.headline import ACTIVE_STATES, headline
 from rigapp.gui.help import HelpWindow
@@ -82,6 +85,8 @@ class MainWindow(QMainWindow):
         self.start_bar = StartBar(tests, results_folder)
         self.close_bar = CloseBar()
         self.notice = NoticeBar(theme)
+        self.viewer_bar = ViewerBar(theme)
+        self._forbidden = ""
         self.replay_bar = ReplayBar()
         self.replay_bar.hide()
         self.tabs = Tabs(link, session, theme, results_folder, self._reader, self.watchdog)
@@ -114,6 +119,7 @@ class MainWindow(QMainWindow):
         )
         self.controls.show_status(status, self._link.state, replay=self._link.is_replay)
         self.replay_bar.setVisible(self._link.is_replay)
+        self._show_who_commands()
         if self._session.problem:
             self.controls.show_answer(self._session.problem, good=False)
             self._session.problem = ""
@@ -149,6 +155,7 @@ class MainWindow(QMainWindow):
             apply_theme(application, theme)
         self.header.dress(theme)
         self.notice.dress(theme)
+        self.viewer_bar.dress(theme)
         self.controls.dress(theme)
         self.tabs.dress(theme)
         self.draw_now()
@@ -208,8 +215,22 @@ class MainWindow(QMainWindow):
             self.controls.show_status(status, self._link.state)
             self.start_bar.start(test)
         title = f"{status.test or status.rig} – rigapp"
+        if self._forbidden:
+            title = f"Viewing only: {title}"
         if self.windowTitle() != title:
             self.setWindowTitle(title)
+
+    def _show_who_commands(self) -> None:
+        watch = self._link.command
+        line = self.controls.command_line
+        line.setVisible(not self._link.is_replay)
+        line.show_holder(watch.holder, watch.name)
+        self.viewer_bar.show_holder(watch.holder, watch.name)
+        why = why_forbidden(watch.holder, watch.name)
+        if why != self._forbidden:
+            self._forbidden = why
+            for button in self.findChildren(GuardedButton):
+                button.forbid(why)
 
     def _leave(self) -> None:
         self._closing = "now"
@@ -235,7 +256,7 @@ class MainWindow(QMainWindow):
         self.theme_button = QPushButton("Light / dark  F9")
         self.theme_button.setObjectName("theme_button")
         self.theme_button.setAccessibleName("Light or dark")
-        self.calibrate_button = QPushButton("Calibrate…  F3")
+        self.calibrate_button = GuardedButton("Calibrate…  F3")
         self.calibrate_button.setObjectName("calibrate_button")
         self.calibrate_button.setAccessibleName("Calibrate the load cell")
         corner = QWidget()
@@ -251,6 +272,7 @@ class MainWindow(QMainWindow):
         column.setSpacing(6)
         for bar in (
             self.header,
+            self.viewer_bar,
             self.notice,
             self.controls,
             self.replay_bar,
@@ -273,6 +295,9 @@ class MainWindow(QMainWindow):
         self.close_bar.leave.connect(self._leave)
         self.close_bar.stop_first.connect(self._stop_and_close)
         self.replay_bar.wanted.connect(self.controls.send)
+        self.controls.command_line.wanted.connect(self.controls.send)
+        self.controls.command_line.take_over_wanted.connect(self.viewer_bar.ask)
+        self.viewer_bar.wanted.connect(self.controls.send)
         self.tabs.wanted.connect(self.controls.send)
         self.tabs.said.connect(lambda text, good: self.controls.show_answer(text, good=good))
         self.tabs.start_wanted.connect(self._start_prepared)
@@ -280,6 +305,7 @@ class MainWindow(QMainWindow):
         self.theme_button.clicked.connect(self.switch_theme)
         self.calibrate_button.clicked.connect(self.calibrate)
         QShortcut(QKeySequence("F1"), self, self.show_help)
+        QShortcut(QKeySequence(COMMAND_KEY), self, self.controls.command_line.act)
         QShortcut(QKeySequence("F9"), self, self.switch_theme)
         QShortcut(QKeySequence("F3"), self, self.calibrate)
 

@@ -276,6 +276,12 @@ def make_status_fixture() -> Callable[..., Status]:
     return make_status
 
 
+@pytest.fixture(name="make_snapshot")
+def make_snapshot_fixture() -> Callable[..., Snapshot]:
+    """Return the maker of snapshots."""
+    return make_snapshot
+
+
 @pytest.fixture
 def alarm() -> Alarm:
     """Return a warning that nobody has acknowledged."""
