@@ -72,13 +72,17 @@ class DeviceFault(DeviceError):
 
 
 class Quality(enum.IntFlag):
-    """Flags of one sample or one block; 0 is good."""
+    """Flags of one sample or one block; 0 is good.
+
+    SENSOR_FAULT: the device has said that a sensor or its cable is broken; see ``InputFault``.
+    """
 
     GOOD = 0
     SATURATED = 1
     LOST_BEFORE = 2
     RESYNCHRONISED = 4
     COUNT_SUSPECT = 8
+    SENSOR_FAULT = 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,6 +191,59 @@ class DataSource(Protocol):
 
     def close(self) -> None:
         """Release the device; never raises; safe to call twice."""
+        ...
+
+
+class InputFaultKind(enum.StrEnum):
+    """Tell what is wrong at an input."""
+
+    SATURATED = "saturated"
+    OUT_OF_RANGE = "out of range"
+    SENSOR_BROKEN = "sensor broken"
+    STUCK = "stuck"
+    OTHER = "other"
+
+
+@dataclass(frozen=True, slots=True)
+class InputFault:
+    """Carry one fault of its inputs that a data source tells of.
+
+    inputs: device input names as in the request, empty when the device does not say which. words:
+    what is wrong, without a full stop. host_time_ns: when it became known, by
+    ``time.monotonic_ns()``; 0 when the device knew it before the stream was started.
+    """
+
+    kind: InputFaultKind
+    inputs: tuple[str, ...]
+    words: str
+    host_time_ns: int
+
+
+@runtime_checkable
+class InputSupervision(Protocol):
+    """Offered by a data source, if it likes, beside ``DataSource``."""
+
+    def input_faults(self) -> tuple[InputFault, ...]:
+        """Return what the device said of its inputs since the start, each once, oldest first.
+
+        It asks nobody, never waits and never raises; any thread may call it at any time. A fault
+        stays in the list until the next start: a device seldom tells that one is over. While one of
+        kind SENSOR_BROKEN came since the start, every sample carries ``Quality.SENSOR_FAULT``.
+        """
+        ...
+
+
+@runtime_checkable
+class LineCounters(Protocol):
+    """Offered by any driver, if it likes, beside ``DataSource`` or ``Spindle``."""
+
+    def counters(self) -> Mapping[str, int]:
+        """Return what the driver counted on its line, by name, in the order to show it.
+
+        Usual names: ``bytes_received``, ``bytes_sent``, ``lost_samples``, ``crc_errors``,
+        ``retries``. They count since the port was opened, or the stream started. It asks nobody,
+        never waits and never raises; any thread may call it at any time.
+        """
         ...
 
 
@@ -328,7 +385,8 @@ class DriverInfo:
 class RigSignals:
     """Feed a simulated data acquisition device: what its input terminals see.
 
-    analog: input number (1-based) -> (samples,) in mV/V (bridges) or V (voltages).
+    analog: input number (1-based) -> (samples,) in mV/V (bridges) or V (voltages); infinite where a
+    wire is broken and the open input floats to that side.
     shaft_revolutions: (samples,) unwrapped shaft angle in revolutions, float64; the simulator makes
     counts and index of it.
     """

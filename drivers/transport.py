@@ -65,6 +65,7 @@ class SerialPort:
 
     One thread reads, any thread writes or closes. ``low_latency`` tells whether the adapter took
     the low-latency mode (FTDI on Linux); a pty, a socket and CDC devices have none.
+    ``bytes_received`` and ``bytes_sent`` count from the last ``open`` on.
     """
 
     def __init__(
@@ -75,6 +76,8 @@ class SerialPort:
         self.baud_rate = baud_rate
         self.write_timeout_s = write_timeout_s
         self.low_latency = False
+        self.bytes_received = 0
+        self.bytes_sent = 0
         self._serial: Any = None
         self._selectable = False
         self._closing = False
@@ -104,6 +107,7 @@ class SerialPort:
         self.low_latency = _set_low_latency(opened)
         self._selectable = _can_select(opened)
         self._closing = False
+        self.bytes_received = self.bytes_sent = 0
         self._serial = opened
 
     def read_some(self, maximum: int, timeout_s: float) -> bytes:
@@ -123,6 +127,7 @@ class SerialPort:
                         data = _read_counting(opened, maximum, wait)
                 except _PORT_ERRORS as error:
                     raise self._lost(error, "reading") from error
+                self.bytes_received += len(data)
                 if data or time.monotonic() >= deadline:
                     return data
 
@@ -134,6 +139,7 @@ class SerialPort:
                 sent = opened.write(data)
             except _PORT_ERRORS as error:
                 raise self._lost(error, "writing") from error
+            self.bytes_sent += len(data) if sent is None else sent
         if sent is not None and sent != len(data):
             raise DeviceLost(
                 self.device, self.port, f"only {sent} of {len(data)} bytes could be sent."
@@ -181,6 +187,12 @@ class SerialPort:
 
     def _lost(self, error: Exception, doing: str) -> DeviceLost:
         return DeviceLost(self.device, self.port, _why_lost(error, doing))
+
+
+def byte_counters(line: BytePort) -> dict[str, int]:
+    """Return the counted bytes of a port that counts them, as ``LineCounters`` names them."""
+    names = ("bytes_received", "bytes_sent")
+    return {name: getattr(line, name) for name in names if hasattr(line, name)}
 
 
 def _read_selectable(opened: Any, maximum: int, wait_s: float) -> bytes:

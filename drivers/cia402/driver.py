@@ -274,6 +274,19 @@ class Cia402Drive:
         """Return the last 64 emergency messages of the drive, oldest first."""
         return self._monitor.history
 
+    def counters(self) -> Mapping[str, int]:
+        """Return what was counted on the bus since it was opened; no lock, no question."""
+        node = self._node
+        if node is None:
+            return {}
+        return {
+            "frames_received": node.frames_received,
+            "frames_sent": node.frames_sent,
+            "bad_frames": node.bad_frames,
+            "retries": node.retries,
+            "emergencies": self._monitor.emergencies,
+        }
+
     def _drive_status(
         self,
         setup: Setup,

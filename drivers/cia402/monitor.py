@@ -39,6 +39,7 @@ class NodeMonitor:
         self._state: int | None = None
         self._heartbeat_ns: int | None = None
         self._boot_ups = 0
+        self._emergencies = 0
         self._history: deque[Emergency] = deque(maxlen=HISTORY)
         self._active: dict[int, Emergency] = {}
         self._unseen: list[Emergency] = []
@@ -68,6 +69,7 @@ class NodeMonitor:
             return
         with self._changed:
             self._history.append(emergency)
+            self._emergencies += emergency.code != 0
             if emergency.code == 0:
                 self._active.clear()
             else:
@@ -116,6 +118,12 @@ class NodeMonitor:
         """Return how many boot-up messages came."""
         with self._changed:
             return self._boot_ups
+
+    @property
+    def emergencies(self) -> int:
+        """Return how many emergency messages came that told of an error."""
+        with self._changed:
+            return self._emergencies
 
     @property
     def history(self) -> tuple[Emergency, ...]:

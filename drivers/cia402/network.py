@@ -65,6 +65,9 @@ class CanNode:
         self.node_id = node_id
         self.hurry = threading.Event()
         self.bad_frames = 0
+        self.frames_received = 0
+        self.frames_sent = 0
+        self.retries = 0
         self.last_beat_ns = 0
         self._bus_options = dict(bus_options)
         self._timeout_s = timeout_s
@@ -134,6 +137,7 @@ class CanNode:
         try:
             with self._sending:
                 self._bus.send(message, timeout=_SEND_S)
+                self.frames_sent += 1
         except Exception as error:
             raise self._lost(error) from error
 
@@ -170,6 +174,7 @@ class CanNode:
         if message.is_error_frame or cut:
             self.bad_frames += 1
             return
+        self.frames_received += 1
         taker = self._takers.get(message.arbitration_id)
         if taker is not None and not message.is_remote_frame and not message.is_extended_id:
             taker(bytes(message.data), time.monotonic_ns())
@@ -253,6 +258,7 @@ class CanNode:
             for attempt in range(1, tries + 1):
                 self._check()
                 self.beat()
+                self.retries += attempt > 1
                 try:
                     return transfer()
                 except canopen.SdoAbortedError as error:

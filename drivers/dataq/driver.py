@@ -31,6 +31,7 @@ from drivers.api import (
     DriverInfo,
     DriverKind,
     Identity,
+    InputFault,
     SettingRefused,
     StreamSetup,
     WrongDevice,
@@ -42,7 +43,7 @@ from drivers.dataq.probe import PROBE
 from drivers.dataq.protocol import Clock, Info
 from drivers.dataq.settings import SETTINGS, defaults
 from drivers.dataq.stream import Pace, Stream, Tally
-from drivers.transport import BytePort, SerialPort
+from drivers.transport import BytePort, SerialPort, byte_counters
 
 _USB_VENDOR: Final = 0x0683
 _BAUD_RATE: Final = 115200  # without meaning on USB
@@ -147,6 +148,21 @@ class Dataq:
     def tally(self) -> Tally:
         """Return what went wrong since the stream was started."""
         return Tally() if self._stream is None else self._stream.tally
+
+    def input_faults(self) -> tuple[InputFault, ...]:
+        """Return inputs that showed one value only while the shaft turned, since the start."""
+        return self.tally.faults
+
+    def counters(self) -> Mapping[str, int]:
+        """Return what was counted on the line since it was opened or the stream started."""
+        tally = self.tally
+        return {
+            **byte_counters(self._line),
+            "lost_samples": tally.lost_scans,
+            "gaps": tally.gaps,
+            "restarts": tally.restarts,
+            "retries": self._link.retries,
+        }
 
     # --- set-up ---------------------------------------------------------------------------------
 

@@ -27,6 +27,7 @@ class Link:
         self.reply_timeout_s = reply_timeout_s
         self.pause_s = pause_s
         self.heard = 0
+        self.retries = 0
 
     def set(self, command: bytes) -> None:
         """Send a command and wait for its echo; raise ReplyTimeout or ProtocolError."""
@@ -77,6 +78,7 @@ class Link:
         stray = ""
         for attempt in range(TRIES):
             if attempt:
+                self.retries += 1
                 self.port.drain()
             self.port.write(command)
             rest = b""

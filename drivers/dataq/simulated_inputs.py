@@ -19,6 +19,7 @@ from drivers.dataq.protocol import (
 
 Floats = NDArray[np.float64]
 _CLOCK_LINE = 6
+_RAILS_V = 1000.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +109,7 @@ class Terminals:
         voltages = np.zeros((ANALOG_CHANNELS, 1 + signals.shaft_revolutions.size))
         voltages[:, 0] = self._voltages
         for number, values in signals.analog.items():
-            voltages[number - 1, 1:] = values
+            voltages[number - 1, 1:] = np.clip(values, -_RAILS_V, _RAILS_V)
         return voltages
 
     def _faulty(self, voltages: Floats) -> Floats:

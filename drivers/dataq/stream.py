@@ -12,7 +12,15 @@ from typing import Final
 
 import numpy as np
 
-from drivers.api import Block, DeviceError, DeviceLost, ProtocolError, ReplyTimeout
+from drivers.api import (
+    Block,
+    DeviceError,
+    DeviceLost,
+    InputFault,
+    InputFaultKind,
+    ProtocolError,
+    ReplyTimeout,
+)
 from drivers.dataq.link import READ_BYTES, Link
 from drivers.dataq.plan import Plan
 from drivers.dataq.protocol import Clock, echoes_of, line, start_line
@@ -47,6 +55,7 @@ class Tally:
     lost_scans: int = 0
     restarts: int = 0
     stuck_inputs: tuple[str, ...] = ()
+    faults: tuple[InputFault, ...] = ()
     sentences: deque[str] = field(default_factory=lambda: deque(maxlen=_MOST_SENTENCES))
 
 
@@ -270,11 +279,14 @@ class Stream:
             name = self._plan.channels[row].name
             turns = self._still[row] / self._plan.pulses_per_revolution
             if turns >= _STUCK_REVOLUTIONS and name not in self.tally.stuck_inputs:
-                self.tally.stuck_inputs += (name,)
-                self._say(
+                words = (
                     f"{name} has shown the very same value for {turns:.1f} turns; check its "
-                    "sensor, amplifier and cable."
+                    "sensor, amplifier and cable"
                 )
+                fault = InputFault(InputFaultKind.STUCK, (name,), words, time.monotonic_ns())
+                self.tally.stuck_inputs += (name,)
+                self.tally.faults += (fault,)
+                self._say(f"{words}.")
 
     def _say(self, sentence: str) -> None:
         self.tally.sentences.append(sentence)

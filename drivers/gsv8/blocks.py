@@ -31,6 +31,7 @@ class BlockMaker:
         self._sequence = 0
         self._next_sample = 0
         self._flag_loss = False
+        self._sensor_broken = False
 
     def add(self, runs: Sequence[TimedRun]) -> None:
         """Take samples in their order."""
@@ -40,6 +41,10 @@ class BlockMaker:
     def flag_loss(self) -> None:
         """Mark the next Block: the device lost samples of an unknown number before it."""
         self._flag_loss = True
+
+    def flag_sensor(self) -> None:
+        """Mark all Blocks from now on: a sensor is broken, says the device."""
+        self._sensor_broken = True
 
     def ready(self, now_ns: int) -> bool:
         """Tell whether enough samples are there, or the oldest have waited long enough."""
@@ -67,6 +72,8 @@ class BlockMaker:
         if self._flag_loss or lost:
             quality[0] |= Quality.LOST_BEFORE
             self._flag_loss = False
+        if self._sensor_broken:
+            quality |= np.uint8(Quality.SENSOR_FAULT)
         block = Block(
             device=self._device,
             sequence=self._sequence,

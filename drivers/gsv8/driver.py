@@ -19,6 +19,7 @@ from drivers.api import (
     DriverInfo,
     DriverKind,
     Identity,
+    InputFault,
     Quality,
     ReplyTimeout,
     SettingRefused,
@@ -38,7 +39,7 @@ from drivers.gsv8.registers import Registers
 from drivers.gsv8.settings import SETTINGS, defaults
 from drivers.gsv8.watch import StreamWatch
 from drivers.gsv8.words import ValueFault
-from drivers.transport import BytePort, SerialPort
+from drivers.transport import BytePort, SerialPort, byte_counters
 
 _log = logging.getLogger(__name__)
 
@@ -132,6 +133,7 @@ class Gsv8:
             settings["on_overrun"] == "stop",
             plan.sample_rate_Hz < _ONLY_STREAMS_FROM_HZ,
             self._blocks.flag_loss,
+            self._blocks.flag_sensor,
             known,
         )
         self._streaming = True
@@ -238,6 +240,25 @@ class Gsv8:
     def last_fault(self) -> ValueFault | None:
         """Return the latest fault of the inputs that the device named since the start."""
         return None if self._watch is None else self._watch.last_fault
+
+    def input_faults(self) -> tuple[InputFault, ...]:
+        """Return what the device said of its inputs since the start, oldest first."""
+        return () if self._watch is None else self._watch.faults
+
+    def counters(self) -> Mapping[str, int]:
+        """Return what was counted on the line since it was opened or the stream started."""
+        tally = self._link.tally
+        return {
+            **byte_counters(self._line),
+            "lost_samples": tally.lost_samples,
+            "crc_errors": tally.checksum_failures,
+            "resynchronisations": tally.resynchronisations,
+            "dropped_bytes": tally.dropped_bytes,
+            "foreign_frames": tally.foreign_frames,
+            "device_overruns": 0 if self._watch is None else self._watch.losses,
+            "retries": self._link.retries,
+            "late_replies": self._link.late_replies,
+        }
 
     def _identify(self) -> Identity:
         self._link.expect(None)

@@ -69,6 +69,7 @@ class Link:
         self.reply_timeout_s = reply_timeout_s
         self.checksum = False
         self.late_replies = 0
+        self.retries = 0
         self._parser = StreamParser()
         self._reading = threading.Lock()
         self._commanding = threading.Lock()
@@ -132,6 +133,7 @@ class Link:
         try:
             self._outwait_posted()
             for attempt in range(tries):
+                self.retries += bool(attempt)
                 pending = self._send(command, parameters, reply)
                 if not self._await(pending, patience * self.reply_timeout_s):
                     stray |= pending.stray

@@ -59,6 +59,7 @@ class State:
     synchronous_error: int = 0
     asynchronous_error: int = 0
     faults: list[ValueFault] = field(default_factory=list)
+    present: dict[int, int] = field(default_factory=dict)
     raw: list[int] = field(default_factory=lambda: [0] * p.ANALOG_CHANNELS)
 
 
@@ -101,14 +102,16 @@ class Device:
         return fastest
 
     def note_fault(self, kind: int, flags: int, now_s: float) -> None:
-        """Remember a value error, once for each change of its flags."""
+        """Remember a value error, once for each change of its flags; flags 0: it is over."""
+        before = self.state.present.get(kind, 0)
+        self.state.present[kind] = flags
+        if flags in (0, before):
+            return
         fault = ValueFault(kind, int(now_s / 60.0), flags)
-        last = self.state.faults[-1] if self.state.faults else None
-        if last is None or (last.kind, last.flags) != (kind, flags):
-            self.state.faults.append(fault)
-            self.stored_faults.append(fault)
-            del self.state.faults[:-_MOST_STORED_FAULTS]
-            del self.stored_faults[:-_MOST_STORED_FAULTS]
+        self.state.faults.append(fault)
+        self.stored_faults.append(fault)
+        del self.state.faults[:-_MOST_STORED_FAULTS]
+        del self.stored_faults[:-_MOST_STORED_FAULTS]
 
 
 def only(value: int, allowed: int) -> None:

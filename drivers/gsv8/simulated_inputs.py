@@ -20,6 +20,7 @@ _NOISE_STEPS = {
     InputType.BRIDGE_5V: (2.0e5, 1.2e5, 8.0e4, 2.5e4, 1.0e4, 8.0e3),
 }
 _PEAK_TO_SIGMA = 6.6
+_FAR_OUT = 1e6
 
 Codes = NDArray[np.int64]
 
@@ -33,6 +34,20 @@ def noise_sigma(kind: InputType, rate_Hz: float) -> float:
     steps = _NOISE_STEPS.get(kind, _NOISE_STEPS[InputType.BRIDGE_5V])
     log_steps = np.interp(np.log(rate_Hz), np.log(_NOISE_RATES_HZ), np.log(steps))
     return float(np.exp(-log_steps)) / _PEAK_TO_SIGMA
+
+
+def part_of_range(signal: NDArray[np.float64] | float, kind: InputType) -> NDArray[np.float64]:
+    """Return a signal in fractions of an input's range; an open input (infinite) far beyond it."""
+    return np.clip(signal, -_FAR_OUT, _FAR_OUT) / NOMINAL_RANGE.get(kind, np.inf)
+
+
+def open_inputs(signals: Mapping[int, NDArray[np.float64]]) -> int:
+    """Return the flags of a value error of kind 3 for the wires that are broken: Ud+, Ud-."""
+    flags = 0
+    for channel, signal in signals.items():
+        flags |= bool(np.isposinf(signal).any()) << 2 * (channel - 1)
+        flags |= bool(np.isneginf(signal).any()) << 2 * (channel - 1) + 1
+    return flags
 
 
 class AnalogInputs:
@@ -62,7 +77,7 @@ class AnalogInputs:
         """Return (8, samples) in fractions of each range; an input without a signal sees zero."""
         inputs = np.zeros((8, samples))
         for channel, signal in signals.items():
-            inputs[channel - 1] = signal / NOMINAL_RANGE.get(kinds[channel - 1], np.inf)
+            inputs[channel - 1] = part_of_range(signal, kinds[channel - 1])
         if self._delays_s:
             inputs = self._delayed(inputs, rate_Hz)
         if self._noise:

@@ -14,7 +14,13 @@ from drivers.gsv8.frames import FrameLayout, encode_frames
 from drivers.gsv8.numbers import OVERRANGE, DataType
 from drivers.gsv8.simulated_device import Device
 from drivers.gsv8.simulated_faults import FaultKind, Gsv8Faults
-from drivers.gsv8.simulated_inputs import CODE_PER_RANGE, AnalogInputs, codes_of
+from drivers.gsv8.simulated_inputs import (
+    CODE_PER_RANGE,
+    AnalogInputs,
+    codes_of,
+    open_inputs,
+    part_of_range,
+)
 
 OVERRUN = 0x91
 _SATURATED, _SENSOR_BROKEN = 1, 3  # kinds of value errors
@@ -62,16 +68,16 @@ class MeasuredValues:
             None if stuck is None else int(stuck),
         )
         broken = active(FaultKind.SENSOR_BROKEN, time_s, 1.0)
-        if broken is not None:
-            device.note_fault(_SENSOR_BROKEN, 3 << 2 * (int(broken) - 1), now_s)
         codes = codes_of(inputs)
         device.state.raw = codes[:, -1].tolist()
         self._terminals = {n: float(signal[-1]) for n, signal in signals.analog.items()}
         self._converted_as = list(settings.input_types)
         self._count(signals.shaft_revolutions, time_s)
         over = self._over(inputs * CODE_PER_RANGE)
-        if over.any():
-            self._note_saturation(inputs, now_s)
+        self._note_saturation(inputs, now_s)
+        wires = open_inputs(signals.analog)
+        wires |= 0 if broken is None else 3 << 2 * (int(broken) - 1)
+        device.note_fault(_SENSOR_BROKEN, wires, now_s)
         self._codes = codes
         if device.state.injection == 1:
             self._codes = np.full_like(codes, p.HALF_SCALE_CODE)
@@ -85,7 +91,7 @@ class MeasuredValues:
             return
         inputs = np.zeros((p.ANALOG_CHANNELS, 1))
         for channel, signal in self._terminals.items():
-            inputs[channel - 1] = signal / p.NOMINAL_RANGE.get(kinds[channel - 1], np.inf)
+            inputs[channel - 1] = part_of_range(signal, kinds[channel - 1])
         self._converted_as = list(kinds)
         codes = codes_of(inputs)
         self._device.state.raw = codes[:, 0].tolist()

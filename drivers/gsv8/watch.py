@@ -5,8 +5,9 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Callable
+from dataclasses import replace
 
-from drivers.api import DataOverrun, ReplyTimeout
+from drivers.api import DataOverrun, InputFault, InputFaultKind, ReplyTimeout
 from drivers.gsv8.frames import Response
 from drivers.gsv8.link import Link, Pending
 from drivers.gsv8.protocol import Command, u8
@@ -25,6 +26,7 @@ _RESET: Question = (Command.RESET_STATUS, b"", 0)
 _FAULT_EVERY = 4
 _MISSES_ALLOWED = 3
 _PATIENCE_S = 5.0
+_MOST_FAULTS = 64
 
 
 class StreamWatch:
@@ -32,9 +34,11 @@ class StreamWatch:
 
     on_loss: called when the device reports lost data, unless ``stop_on_loss``, which raises
     DataOverrun. must_answer: raise ReplyTimeout when several questions stay unanswered, since lost
-    data would not be noticed. known: the device's latest fault of before, not to be told again.
-    ``last_fault`` is the latest fault of the inputs that it named: a saturated input is asked for
-    at once, a broken wire is found by every fourth question.
+    data would not be noticed. on_broken: called when the device reports a broken sensor or cable.
+    known: the device's latest fault of before, not to be told again; but a broken sensor is told,
+    without on_broken, since nothing says that somebody repaired it. ``last_fault`` is the latest
+    fault of the inputs that it named: a saturated input is asked for at once, a broken wire is
+    found by every fourth question. ``faults`` keeps the last 64, for any thread.
     """
 
     def __init__(
@@ -44,6 +48,7 @@ class StreamWatch:
         stop_on_loss: bool,
         must_answer: bool,
         on_loss: Callable[[], None],
+        on_broken: Callable[[], None],
         known: ValueFault | None = None,
     ) -> None:
         self.losses = 0
@@ -53,12 +58,18 @@ class StreamWatch:
         self._stop_on_loss = stop_on_loss
         self._must_answer = must_answer
         self._on_loss = on_loss
+        self._on_broken = on_broken
         self._pending: Pending | None = None
         self._next_s = time.monotonic() + interval_s
         self._queue: list[Question] = []
         self._known = known
         self._polls = 0
         self._misses = 0
+        self.faults: tuple[InputFault, ...] = ()
+        if known is not None and known.told(0).kind is InputFaultKind.SENSOR_BROKEN:
+            before = replace(known.told(0), words=f"{known.words} (reported before the start)")
+            self.faults = (before,)
+            _log.warning("%s: %s", link.port.device, before.words)
 
     def saturated(self) -> None:
         """Take note that an input was saturated: ask which one with the next poll."""
@@ -116,7 +127,11 @@ class StreamWatch:
     def _take_fault(self, fault: ValueFault | None) -> None:
         if fault is not None and fault not in (self.last_fault, self._known):
             self.last_fault = fault
+            told = fault.told(time.monotonic_ns())
+            self.faults = (*self.faults, told)[-_MOST_FAULTS:]
             _log.warning("%s: %s", self._link.port.device, fault.words)
+            if told.kind is InputFaultKind.SENSOR_BROKEN:
+                self._on_broken()
 
     def _take_error(self, code: int) -> None:
         if code == 0:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from drivers.api import InputFault, InputFaultKind
+
 STATUS_WORDS: dict[int, str] = {
     0x00: "done",
     0x01: "done, and other parameters changed with it",
@@ -61,6 +63,13 @@ def status_words(code: int) -> str:
     return f"{words} (status {code:02X})"
 
 
+_KINDS = {
+    1: InputFaultKind.SATURATED,
+    2: InputFaultKind.OUT_OF_RANGE,
+    3: InputFaultKind.SENSOR_BROKEN,
+}
+
+
 @dataclass(frozen=True, slots=True)
 class ValueFault:
     """A fault of measured values as the device remembers it (command 43)."""
@@ -73,6 +82,23 @@ class ValueFault:
     def words(self) -> str:
         """Return the fault in words."""
         return value_fault_words(self.kind, self.flags)
+
+    @property
+    def channels(self) -> tuple[int, ...]:
+        """Return the analog inputs (1 to 8) that it names, none where it is about other things."""
+        if self.kind == 1:
+            return tuple(n + 1 for n in range(8) if (self.flags | self.flags >> 8) >> n & 1)
+        if self.kind == 2:
+            return tuple(n + 1 for n in range(8) if self.flags >> n & 1)
+        if self.kind == 3:
+            return tuple(n + 1 for n in range(8) if self.flags >> 2 * n & 3)
+        return ()
+
+    def told(self, host_time_ns: int) -> InputFault:
+        """Return the fault as every driver tells it."""
+        kind = _KINDS.get(self.kind, InputFaultKind.OTHER)
+        inputs = tuple(f"analog_{channel}" for channel in self.channels)
+        return InputFault(kind, inputs, self.words, host_time_ns)
 
 
 def decode_value_fault(data: bytes) -> ValueFault | None:

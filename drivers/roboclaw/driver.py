@@ -42,7 +42,7 @@ from drivers.roboclaw.protocol import (
 from drivers.roboclaw.readings import Readings, StatusReader
 from drivers.roboclaw.settings import SETTINGS
 from drivers.roboclaw.status import describe_status
-from drivers.transport import SerialPort
+from drivers.transport import SerialPort, byte_counters
 
 _MAXIMUM_SPEED: Final = 2**31 - 1
 _MAXIMUM_ACCELERATION: Final = 2**32 - 1
@@ -255,6 +255,17 @@ class RoboClaw:
             if reader.watchdog_is_due:
                 self._check_watchdog(link, setup)
             return self._drive_status(link, setup.request, readings)
+
+    def counters(self) -> Mapping[str, int]:
+        """Return what was counted on the line since it was opened; no lock, no question."""
+        serial, link = self._serial, self._connection
+        if serial is None or link is None:
+            return {}
+        return {
+            **byte_counters(serial),
+            "crc_errors": link.crc_errors,
+            "retries": link.retries,
+        }
 
     def _drive_status(self, link: Link, request: DriveRequest, read: Readings) -> DriveStatus:
         words = describe_status(read.state, link.generation.status_bits)

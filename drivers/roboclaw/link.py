@@ -51,6 +51,7 @@ class Link:
         self.generation: Generation = NEWER
         self.hurry = threading.Event()
         self.crc_errors = 0
+        self.retries = 0
         self.last_sent_ns = time.monotonic_ns()
 
     def take_events(self) -> tuple[str, ...]:
@@ -101,6 +102,7 @@ class Link:
         failures: list[str] = []
         for attempt in range(TRIES):
             if attempt:
+                self.retries += 1
                 self._wait_for_quiet()
                 if in_effect is not None and in_effect():
                     return
@@ -120,6 +122,7 @@ class Link:
         failures: list[str] = []
         for attempt in range(tries):
             if attempt:
+                self.retries += 1
                 self._wait_for_quiet()
             result = exchange()
             if not isinstance(result, Rejected):

@@ -16,7 +16,7 @@ CHANNELS = {
     "probe_1": "probe_1",
     "probe_2": "probe_2",
 }
-FAR_OUT = {"bridge_1": 1e3, "bridge_2": 1e3, "probe_1": 1e3, "probe_2": 1e3}
+FAR_OUT = 1e3
 _OTHER = {"bridge_1": "bridge_2", "bridge_2": "bridge_1"}
 SWINGS_PER_S = 0.8
 _SPIKES = np.uint64(17)
@@ -99,7 +99,8 @@ class Disturbances:
             threshold = self._spike_rate / rate
             spikes = np.where(chance < 0.5 * threshold, value, -value)
             return signal + np.where(chance < threshold, spikes, 0.0)
-        return np.full_like(signal, np.copysign(FAR_OUT[name], value))
+        size = np.inf if fault is SignalFault.BROKEN_BRIDGE_WIRE else FAR_OUT
+        return np.full_like(signal, np.copysign(size, value))
 
 
 def _terminals(channel: str) -> tuple[str, ...]:

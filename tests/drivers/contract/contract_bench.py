@@ -41,7 +41,7 @@ STEP_S = 0.001
 Produce = Callable[[float], bytes]
 
 
-def wait_until(condition: Callable[[], bool], what: str, timeout_s: float = 10.0) -> None:
+def wait_until(condition: Callable[[], bool], what: str, timeout_s: float = 60.0) -> None:
     """Wait for a condition; fail with what was waited for."""
     deadline = time.monotonic() + timeout_s
     while not condition():
@@ -181,7 +181,7 @@ class SourceBench:
         assert self.setup.sample_rate_Hz == self.contract.sample_rate_Hz
         self.driver.start()
 
-    def blocks(self, samples: int, timeout_s: float = 5.0) -> list[Block]:
+    def blocks(self, samples: int, timeout_s: float = 60.0) -> list[Block]:
         """Read until so many samples came."""
         blocks: list[Block] = []
         deadline = time.monotonic() + timeout_s

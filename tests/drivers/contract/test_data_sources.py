@@ -13,7 +13,15 @@ import pytest
 from contract_bench import COUNTS, PERIOD, SourceBench, wait_until
 from contract_table import Contract, ExpectedFault, read_contracts
 
-from drivers.api import Block, ConnectionFailed, DeviceError, DeviceLost, Quality
+from drivers.api import (
+    Block,
+    ConnectionFailed,
+    DeviceError,
+    DeviceLost,
+    InputSupervision,
+    LineCounters,
+    Quality,
+)
 
 Make = Callable[..., SourceBench]
 SILENCE_S = 0.7
@@ -28,6 +36,7 @@ def test_open_configure_stream_stop_close_reopen_twice(source: Contract, bench: 
         assert not np.concatenate([block.quality for block in blocks]).any()
         assert [block.sequence for block in blocks] == list(range(len(blocks)))
         assert blocks[0].first_sample == 0
+        _counts(b)
         ends = [block.first_sample + block.values.shape[1] for block in blocks]
         assert [block.first_sample for block in blocks[1:]] == ends[:-1]
         times = [block.host_time_ns for block in blocks]
@@ -42,6 +51,15 @@ def test_open_configure_stream_stop_close_reopen_twice(source: Contract, bench: 
         b.driver.close()
         wait_until(lambda: not b.simulator.streaming, "the stream to stop")
         b.driver = b.make()
+
+
+def _counts(b: SourceBench) -> None:
+    """See that a driver that counts has counted bytes, and nothing that is wrong."""
+    if isinstance(b.driver, LineCounters):
+        counters = dict(b.driver.counters())
+        assert counters.pop("bytes_received") > 0
+        assert counters.pop("bytes_sent") > 0
+        assert not any(counters.values()), counters
 
 
 def test_a_port_in_use_is_refused_and_the_first_user_notices_nothing(
@@ -134,6 +152,9 @@ def test_fault_is_told_in_time_and_no_wrong_sample_is_good(
     assert re.search(fault.words, words), words
     b.port.stop_fault(fault)
     if told.startswith("flag") or told in ("nothing", "log"):
+        if told == "flag SENSOR_FAULT":
+            b.driver.stop()
+            b.driver.start()  # until then the flag stays
         _goes_on(b)
     else:
         b.driver.close()
@@ -161,7 +182,7 @@ def _read_until_told(
             seen = Quality(int(np.bitwise_or.reduce(block.quality)))
             for name in flags:
                 if seen & Quality[name]:
-                    return blocks, f"flag {name}", ""
+                    return blocks, f"flag {name}", _words(b)
         elif "silence" in fault.tells and time.monotonic() - last > SILENCE_S:
             return blocks, "silence", ""
     return blocks, "nothing", ""
@@ -170,6 +191,13 @@ def _read_until_told(
 def _named(error: DeviceError, b: SourceBench) -> tuple[str, str]:
     assert str(error).startswith(f"daq on {b.port.url}: ")
     return type(error).__name__, error.sentence
+
+
+def _words(b: SourceBench) -> str:
+    """Return what the driver says of its inputs."""
+    if not isinstance(b.driver, InputSupervision):
+        return ""
+    return ", ".join(fault.words for fault in b.driver.input_faults())
 
 
 def _goes_on(b: SourceBench) -> None:

@@ -16,6 +16,9 @@ from drivers.api import (
     DataRequest,
     DataSource,
     DeviceLost,
+    InputFaultKind,
+    InputSupervision,
+    LineCounters,
     ProtocolError,
     Quality,
     ReplyTimeout,
@@ -580,6 +583,52 @@ def test_saturation_is_flagged_and_named(bench: Any, caplog: Any) -> None:
     assert fault is not None
     assert "channel 3 above its range" in fault.words
     assert "channel 3 above its range" in caplog.text
+    (told,) = b.driver.input_faults()
+    assert (told.kind, told.inputs) == (InputFaultKind.SATURATED, ("analog_3",))
+    assert told.host_time_ns > 0
+
+
+def test_a_broken_wire_is_told_and_marks_every_sample_from_then_on(
+    bench: Any, wait_until: Any
+) -> None:
+    b = bench(settings={"poll_interval_s": 0.1})
+    b.stream()
+    assert isinstance(b.driver, InputSupervision)
+    assert b.driver.input_faults() == ()
+    b.simulator.inject("sensor_broken", value=2)
+
+    def told() -> bool:
+        return any((block.quality & Quality.SENSOR_FAULT).all() for block in b.blocks(1))
+
+    wait_until(told, "the flag of the broken wire")
+    (fault,) = b.driver.input_faults()
+    assert (fault.kind, fault.inputs) == (InputFaultKind.SENSOR_BROKEN, ("analog_2",))
+    assert fault.words == "sensor or its cable is broken: channel 2 Ud+, channel 2 Ud-"
+    b.simulator.clear("sensor_broken")
+    b.driver.stop()
+    b.driver.start()
+    (before,) = b.driver.input_faults()
+    assert before.host_time_ns == 0
+    assert before.words == f"{fault.words} (reported before the start)"
+    assert not _joined(b.blocks(20))[1].any()
+
+
+def test_the_line_is_counted(bench: Any, wait_until: Any) -> None:
+    b = bench(settings={"data_checksum": True})
+    b.stream()
+    assert isinstance(b.driver, LineCounters)
+    b.blocks(50)
+    before = b.driver.counters()
+    assert before["bytes_received"] > 50 * 24
+    assert before["bytes_sent"] > 0
+    assert not any(count for name, count in before.items() if "bytes" not in name), before
+    b.simulator.inject("flipped_bit")
+    wait_until(
+        lambda: bool(b.blocks(10)) and b.driver.counters()["crc_errors"] == 1, "the bad frame"
+    )
+    after = b.driver.counters()
+    assert after["lost_samples"] == 1
+    assert after["bytes_received"] > before["bytes_received"]
 
 
 def test_stored_faults_are_read_in_words(bench: Any) -> None:

@@ -433,6 +433,20 @@ def test_false_and_missing_index_and_stuck_counter() -> None:
 # --- faults -----------------------------------------------------------------------------------
 
 
+def test_an_open_input_floats_to_one_side_and_is_named() -> None:
+    simulator = Gsv8Simulator()
+    signals = {1: np.full(3, np.inf), 2: np.full(3, -np.inf)}
+    rows = _rows(simulator.sample(RigSignals(signals, np.zeros(3)), 0.0), FrameLayout(8))
+    assert rows[0].tolist() == pytest.approx([1.05 * 3.5] * 3)
+    assert rows[1].tolist() == pytest.approx([-1.05 * 3.5] * 3)
+    simulator.sample(RigSignals(signals, np.zeros(3)), 0.1)
+    simulator.sample(RigSignals({1: np.zeros(3)}, np.zeros(3)), 0.2)
+    counts = _ask(simulator, Command.GET_LAST_VALUE_ERROR, u8(0))[3:5]
+    assert counts == bytes((2, 2)), "one saturation, one broken wire, each noted once"
+    fault = int.from_bytes(_ask(simulator, Command.GET_LAST_VALUE_ERROR, u8(1))[3:9], "big")
+    assert (fault >> 45, fault & 0xFFFF) == (3, 0b1001)
+
+
 def test_stuck_and_broken_inputs() -> None:
     simulator = Gsv8Simulator()
     simulator.sample(_signals(3, 0.5), 0.0)
