@@ -79,6 +79,17 @@ class WearState:
         inside = 0.5 * float(self.front.touching.sum(axis=1).max())
         return self.step_error + float(mesh_error(np.array(inside))) * self.max_depth
 
+    @property
+    def approach(self) -> float:
+        """Return how far the pin of the last advance sinks in elastically, m; NaN before one.
+
+        The largest over the crank positions: what a position of the pin has of wear too much.
+        """
+        if self.front.pins is None:
+            return float("nan")
+        surface = self.front.surface
+        return max(self.problem.ring.indentation(surface, pin) for pin in self.front.pins)
+
     def profile(self) -> tuple[Array, Array]:
         """Return angles (rad, from -pi, 0 at the initial contact point) and depths (m)."""
         sectors = self.problem.sectors
@@ -137,8 +148,38 @@ def unworn_state(parameters: Parameters, typical_force: float) -> WearState:
     ring = ring_of(joint, parameters.bushing.material)
     first = ring.half_angle(typical_force / joint.bushing_width)
     sectors = int(np.clip(sectors_at_least(6.0 * np.pi / first), 120, LARGEST_SECTORS))
+    problem = _problem(parameters, sectors)
+    return WearState(parameters, problem, problem.unworn())
+
+
+def restored_state(
+    parameters: Parameters, surface: ArrayLike, cycles: float, step_error: float = 0.0
+) -> WearState:
+    """Return the state with a worn surface as ``state.front.surface`` had it, (nodes, 2), m.
+
+    cycles, step_error: those of the state. Advancing goes on as it would have. Raises ModelError
+    for a surface that is not one of this bushing.
+    """
+    nodes = np.ascontiguousarray(surface, dtype=np.float64)
+    shape = nodes.shape
+    if nodes.ndim != 2 or shape[1] != 2 or shape[0] % 2 or shape[0] < 16:
+        raise ModelError("surface", shape, "give (2 x sectors, 2) positions of surface nodes")
+    problem = _problem(parameters, shape[0] // 2)
+    ring = problem.ring
+    radius = np.hypot(nodes[:, 0], nodes[:, 1])
+    if not (np.isfinite(nodes).all() and radius.min() > 0.99 * ring.inner):
+        raise ModelError("surface", float(radius.min()), "it is inside the unworn bushing", "m")
+    if radius.max() >= ring.outer:
+        raise ModelError("surface", float(radius.max()), "it is outside the bushing", "m")
+    return WearState(parameters, problem, Front(nodes), cycles, step_error=step_error)
+
+
+def _problem(parameters: Parameters, sectors: int) -> WearProblem:
+    """Return the problem with all surface nodes: nobody knows where forces will point."""
+    joint = parameters.joint
+    ring = ring_of(joint, parameters.bushing.material)
     anywhere = CycleLoads(np.array([[1.0, 0.0]]), np.array([1.0]))
-    problem = wear_problem(
+    return wear_problem(
         ring,
         sectors,
         joint.bushing_width,
@@ -146,4 +187,3 @@ def unworn_state(parameters: Parameters, typical_force: float) -> WearState:
         anywhere,
         np.pi,
     )
-    return WearState(parameters, problem, problem.unworn())

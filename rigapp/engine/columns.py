@@ -105,3 +105,26 @@ PREDICTION_POINTS = 360
 """Points of a predicted curve, crank angles 0 .. 359 degrees."""
 
 PREDICTED_CURVES = ("force_1", "force_2", "force")
+
+PROFILE_ANGLES_DEG = tuple(range(-180, 181))
+"""Angles of a worn profile, 0 at the initial contact point: the follower frame turned by 180."""
+
+PROFILE_CURVES = ("measured", "predicted", "driven", "uncertainty")
+"""What a stored profile has at each angle, mm."""
+
+PROFILES_PER_DECADE = 24
+"""Worn profiles kept in each decade of revolutions, spaced evenly in the logarithm."""
+
+
+def profile_columns() -> tuple[Column, ...]:
+    """Return the values of a worn profile, in storage order; its curves are PROFILE_CURVES."""
+    return (
+        Column("revolution", "<i8", "1", "number of the last revolution in the worn profile"),
+        Column("revolutions", "<i8", "1", "revolutions averaged in the measured profile"),
+        Column("approach", "<f8", "um", "elastic approach at the largest force, by the model"),
+        Column("approach_change", "<f8", "um", "what of it the measured depth contains"),
+        Column("centre_1", "<f8", "um", "reading of probe_1 at the bushing's centre"),
+        Column("centre_2", "<f8", "um", "reading of probe_2 at the bushing's centre"),
+        Column("run_out", "<f8", "um", "run-out of the pin that was taken out of the readings"),
+        Column("centred", "<i8", "1", "1: the probes' zero tells the direction, 0: the forces do"),
+    )

@@ -168,11 +168,30 @@ class Cycle(msgspec.Struct, frozen=True):
     probe_2: bytes
 
 
+class WornProfile(msgspec.Struct, frozen=True):
+    """Carry a worn profile, measured and by the model; see ``columns.PROFILE_CURVES``.
+
+    values: ``profile_columns`` in order, float64. measured, predicted, driven, uncertainty:
+    float32, mm, at PROFILE_ANGLES_DEG; NaN where the pin never came. keep: the schedule wants it
+    in the file.
+    """
+
+    revolution: int
+    values: bytes
+    measured: bytes
+    predicted: bytes
+    driven: bytes
+    uncertainty: bytes
+    keep: bool = True
+
+
 class Prediction(msgspec.Struct, frozen=True):
     """Carry the twin's answer for one revolution.
 
     values: the columns of ``prediction_columns`` in order, float64.
     force_1, force_2, force: float32 on PREDICTION_POINTS crank angles.
+    profile: a new worn profile, None for most revolutions. checkpoint: what a twin needs to go on
+    from here, empty when nothing changed that it keeps.
     """
 
     revolution: int
@@ -180,6 +199,8 @@ class Prediction(msgspec.Struct, frozen=True):
     force_1: bytes
     force_2: bytes
     force: bytes
+    profile: WornProfile | None = None
+    checkpoint: bytes = b""
 
 
 class RevolutionMeasured(msgspec.Struct, frozen=True):
@@ -200,6 +221,7 @@ class Snapshot(msgspec.Struct, frozen=True):
     rows: float64 (n, columns) of ``revolution_columns`` as bytes; rows are dropped oldest first
     when a viewer lags, and ``first_row`` shows the gap.
     predictions: float64 (m, columns) of ``prediction_columns`` as bytes.
+    profile: the newest worn profile, when there is one since the last snapshot.
     """
 
     status: Status
@@ -208,6 +230,7 @@ class Snapshot(msgspec.Struct, frozen=True):
     predictions: bytes
     cycle: Cycle | None = None
     prediction: Prediction | None = None
+    profile: WornProfile | None = None
 
 
 class Event(msgspec.Struct, frozen=True):

@@ -6,9 +6,13 @@ the other by the forces that the load cell measures. The real one is seen by the
 
 from __future__ import annotations
 
+import functools
 import logging
+import math
+import operator
 from dataclasses import dataclass, field
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,8 +21,27 @@ from model.errors import ModelError
 from model.frames import into_frame
 from model.parameters import Parameters
 from model.wear.state import WearState, unworn_state
-from rigapp.engine.messages import Prediction
-from rigapp.twin.predict import GRID, Measured, Wear, compare, measured_force, predict_motion
+from rigapp.engine.columns import PROFILES_PER_DECADE
+from rigapp.engine.messages import Prediction, WornProfile
+from rigapp.twin.pinpath import (
+    PathSum,
+    Reference,
+    centres,
+    depth_under_load,
+    early_wear,
+    path_of,
+    reference_from_mean,
+    reference_of,
+)
+from rigapp.twin.predict import (
+    GRID,
+    Measured,
+    Wear,
+    compare,
+    measured_force,
+    predict_motion,
+)
+from rigapp.twin.profile import depth_uncertainty, on_angles, worn_depth
 
 Array = NDArray[np.float64]
 
@@ -27,7 +50,9 @@ STEP_SHARE = 0.02
 CATCH_UP_STEPS = 12
 NEW_REVOLUTIONS = 5
 FIRST_STEADY = 3
-"""The pin's position in the new bushing is the mean of so many revolutions from this one on."""
+"""The bushing counts as new in so many revolutions from this one on."""
+STILL_NEW = 20
+"""A bushing first seen after this revolution is not new any more."""
 
 log = logging.getLogger(__name__)
 
@@ -39,20 +64,25 @@ class Bushing:
     state: WearState | None = None
     failed: str = ""
 
-    def wear_to(self, cycles: float, force: Array, slip: Array, parameters: Parameters) -> None:
-        """Wear on to a number of cycles when enough have come together; force: follower frame."""
+    def wear_to(self, cycles: float, force: Array, slip: Array, parameters: Parameters) -> bool:
+        """Wear on to a number of cycles when enough have come together; force: follower frame.
+
+        True when the bushing changed.
+        """
         if self.failed:
-            return
+            return False
         try:
             if self.state is None:
                 largest = float(np.hypot(*force).max())
                 self.state = unworn_state(parameters, max(largest, 1e-3))
             pending = cycles - self.state.cycles
-            if pending >= max(1.0, STEP_SHARE * self.state.cycles):
-                self.state = _advanced(self.state, force, slip, cycles)
+            if pending < max(1.0, STEP_SHARE * self.state.cycles):
+                return False
+            self.state = _advanced(self.state, force, slip, cycles)
         except (ModelError, ValueError, ArithmeticError) as error:
             self.failed = str(error)
             log.warning("The twin's bushing is not worn on: %s", error)
+        return True
 
     @property
     def depth(self) -> float:
@@ -60,6 +90,18 @@ class Bushing:
         if self.failed:
             return float("nan")
         return self.state.depth_at_contact if self.state is not None else 0.0
+
+    @property
+    def approach(self) -> float:
+        """Return the elastic approach of pin and bushing, m; 0 when it is not known."""
+        found = self.state.approach if self.state is not None and not self.failed else 0.0
+        return found if math.isfinite(found) else 0.0
+
+    def profile(self) -> Array:
+        """Return the depth (m) at the angles of a worn profile; NaN when the model cannot tell."""
+        if self.failed or self.state is None:
+            return on_angles(np.array([-np.pi, 0.0]), np.full(2, np.nan if self.failed else 0.0))
+        return on_angles(*self.state.profile())
 
 
 def _advanced(state: WearState, force: Array, slip: Array, cycles: float) -> WearState:
@@ -76,14 +118,25 @@ def _advanced(state: WearState, force: Array, slip: Array, cycles: float) -> Wea
 
 @dataclass(slots=True)
 class Twin:
-    """Predict revolutions in the order in which they come; gaps in the numbers count as worn."""
+    """Predict revolutions in the order in which they come; gaps in the numbers count as worn.
+
+    new_position_um: mean reading of the probes in the new bushing, for a test whose first
+    revolutions this twin has not seen and of which no checkpoint is left. changed: whether the
+    last revolution changed what a checkpoint keeps.
+    """
 
     parameters: Parameters
     joint: str
     new_position_um: tuple[float, float] | None = None
     predicted: Bushing = field(default_factory=Bushing)
     driven: Bushing = field(default_factory=Bushing)
-    _first_positions: list[tuple[float, float]] = field(default_factory=list)
+    reference: Reference | None = None
+    newest: int = 0
+    profiled: int = 0
+    kept_profile: int = 0
+    changed: bool = False
+    _first: dict[int, PathSum] = field(default_factory=dict)
+    _path: PathSum | None = None
 
     def predict(self, measured: Measured) -> Prediction:
         """Predict a revolution, wear the bushings on, compare."""
@@ -93,26 +146,107 @@ class Twin:
         )
         slip = motion.slip_increments(self.parameters.joint.pin_radius)
         cycles = float(measured.revolution)
-        self.predicted.wear_to(cycles, motion.force_follower, slip, self.parameters)
-        self.driven.wear_to(cycles, _in_follower(measured, motion), slip, self.parameters)
-        wear = Wear(self.predicted.depth, self.driven.depth, self._measured_depth(measured))
-        return compare(measured, motion, wear)
+        force = _in_follower(measured, motion)
+        changed = self.predicted.wear_to(cycles, motion.force_follower, slip, self.parameters)
+        changed |= self.driven.wear_to(cycles, force, slip, self.parameters)
+        path = _path(measured, motion)
+        changed |= self._learn(measured.revolution, path)
+        wear = Wear(self.predicted.depth, self.driven.depth, self._measured_depth(path))
+        self.newest = measured.revolution
+        profile = self._profile(measured.revolution, path)
+        self.changed = changed or profile is not None
+        return msgspec.structs.replace(compare(measured, motion, wear), profile=profile)
 
-    def _measured_depth(self, measured: Measured) -> float:
-        """Return by how much the pin has moved out of the middle since the bushing was new, m.
-
-        The mean over a revolution leaves out the pin's run-out, which turns once a revolution.
-        """
-        position = (float(measured.probe_1.mean()), float(measured.probe_2.mean()))
+    def _learn(self, revolution: int, path: PathSum) -> bool:
+        """Gather the new bushing's revolutions into the reference; True when something is new."""
+        if self.reference is not None:
+            return False
+        clearance = self.parameters.joint.clearance
         if self.new_position_um is not None:
-            new = 1e-6 * np.array(self.new_position_um)
-        else:
-            if FIRST_STEADY <= measured.revolution < FIRST_STEADY + NEW_REVOLUTIONS:
-                self._first_positions.append(position)
-            if len(self._first_positions) < NEW_REVOLUTIONS:
-                return float("nan")
-            new = np.mean(self._first_positions, axis=0)
-        return float(np.hypot(*position) - np.hypot(*new))
+            position = -1e-6 * np.array(self.new_position_um)
+            self.reference = reference_from_mean(position, clearance, path)
+            return True
+        if not FIRST_STEADY <= revolution <= STILL_NEW:
+            return False
+        self._first[revolution] = path
+        if len(self._first) < NEW_REVOLUTIONS:
+            return False
+        paths = list(self._first.values())
+        self.reference = reference_of(
+            functools.reduce(operator.add, paths),
+            clearance,
+            early_wear(list(self._first), paths),
+            self.parameters.joint.friction_coefficient,
+            self.driven.approach,
+        )
+        self._first.clear()
+        return self.reference is not None
+
+    def _measured_depth(self, path: PathSum) -> float:
+        """Return by how much the pin is beyond the clearance under load, m."""
+        if self.reference is None:
+            return float("nan")
+        positions = centres(path, self.reference)
+        return depth_under_load(path, positions, self.parameters.joint.clearance)
+
+    def _profile(self, revolution: int, path: PathSum) -> WornProfile | None:
+        """Return a new worn profile when enough revolutions have come together."""
+        self._path = path if self._path is None else self._path + path
+        keep = profile_is_due(self.kept_profile, revolution)
+        waited = revolution - self.profiled
+        if not keep and waited < max(1.0, STEP_SHARE * self.profiled):
+            return None
+        found = self._worn(revolution, self._path, keep)
+        self._path, self.profiled = None, revolution
+        self.kept_profile = revolution if keep else self.kept_profile
+        return found
+
+    def _worn(self, revolution: int, path: PathSum, keep: bool) -> WornProfile:
+        joint, reference = self.parameters.joint, self.reference
+        predicted, driven = self.predicted.profile(), self.driven.profile()
+        measured, doubt = np.full_like(predicted, np.nan), np.full_like(predicted, np.nan)
+        approach = self.driven.approach
+        change = approach - reference.approach if reference is not None else math.nan
+        if reference is not None and path.filled.any():
+            force = path.mean_force.sum(axis=1)
+            radial = np.hypot(reference.radial, path.standard_error)
+            radial = float(np.hypot(radial, change / math.sqrt(3.0)))
+            across = float(np.hypot(reference.across, path.standard_error))
+            doubt = depth_uncertainty(radial, across, float(np.arctan2(force[1], force[0])))
+            measured = worn_depth(
+                centres(path, reference), joint.pin_radius, joint.bushing_radius, doubt
+            )
+        centre = -1e6 * reference.centre if reference is not None else np.full(2, np.nan)
+        run_out = 1e6 * np.hypot(*reference.run_out) if reference is not None else math.nan
+        centred = reference is not None and reference.centred
+        values = (
+            revolution, path.revolutions, 1e6 * approach, 1e6 * change, *centre, run_out, centred,
+        )  # fmt: skip
+        head = np.array(values, dtype="<f8").tobytes()
+        measured, predicted, driven, doubt = (
+            (1e3 * curve).astype("<f4") for curve in (measured, predicted, driven, doubt)
+        )
+        return WornProfile(
+            revolution=revolution,
+            values=head,
+            measured=measured.tobytes(),
+            predicted=predicted.tobytes(),
+            driven=driven.tobytes(),
+            uncertainty=doubt.tobytes(),
+            keep=keep,
+        )
+
+
+def profile_is_due(kept: int, revolution: int) -> bool:
+    """Tell whether a worn profile is to be kept now, after the one of revolution ``kept`` (or 0).
+
+    PROFILES_PER_DECADE numbers in each decade, at equal distances in the logarithm.
+    """
+
+    def step(number: int) -> int:
+        return math.floor(PROFILES_PER_DECADE * math.log10(number) + 1e-9)
+
+    return kept <= 0 or (revolution > kept and step(revolution) > step(kept))
 
 
 def _in_follower(measured: Measured, motion: Motion) -> Array:
@@ -121,3 +255,13 @@ def _in_follower(measured: Measured, motion: Motion) -> Array:
     return np.asarray(
         into_frame(measured_force(measured), np.cos(turn), np.sin(turn)), dtype=np.float64
     )
+
+
+def _path(measured: Measured, motion: Motion) -> PathSum:
+    """Return the measured path of the pin in the wear frame."""
+    angle = measured.angle
+    lean = np.interp(angle, GRID, motion.follower_angle, period=2.0 * np.pi)
+    turn = angle - lean
+    force = into_frame(np.stack([measured.force_1, measured.force_2]), np.cos(turn), -np.sin(turn))
+    position = np.stack([measured.probe_1, measured.probe_2])
+    return path_of(angle, -position, -force, turn)

@@ -14,7 +14,8 @@ import zmq
 
 from rigapp.config.model_parameters import to_parameters
 from rigapp.config.parameters import ParameterFile
-from rigapp.engine.messages import RevolutionMeasured
+from rigapp.engine.messages import Prediction, RevolutionMeasured
+from rigapp.twin.checkpoint import packed, restore
 from rigapp.twin.predict import unpack
 from rigapp.twin.twin import Twin
 
@@ -27,12 +28,31 @@ class TwinSetup(msgspec.Struct, frozen=True):
     """Tell the twin which model to run.
 
     new_position_um: mean pin position (probe_1, probe_2) of the new bushing, where the file of a
-    resumed test knows it; else the first revolutions tell.
+    resumed test knows it; else the first revolutions tell. checkpoint: what an earlier twin of the
+    same test left, to go on from there.
     """
 
     parameters: ParameterFile
     joint: str
     new_position_um: tuple[float, float] | None = None
+    checkpoint: bytes = b""
+
+
+def new_twin(setup: TwinSetup) -> Twin:
+    """Return the twin of a setup, as its checkpoint left it where there is one that fits."""
+    twin = Twin(to_parameters(setup.parameters), setup.joint)
+    restore(twin, setup.checkpoint)
+    if twin.reference is None:
+        twin.new_position_um = setup.new_position_um
+    return twin
+
+
+def answer(twin: Twin, measured: RevolutionMeasured) -> Prediction:
+    """Return the prediction for a revolution, with a checkpoint where it is a new one."""
+    prediction = twin.predict(unpack(measured))
+    if not twin.changed:
+        return prediction
+    return msgspec.structs.replace(prediction, checkpoint=packed(twin))
 
 
 def main(arguments: list[str]) -> int:
@@ -51,11 +71,11 @@ def main(arguments: list[str]) -> int:
             break
         if setup is None:
             setup = msgspec.msgpack.decode(body, type=TwinSetup)
-            twin = Twin(to_parameters(setup.parameters), setup.joint, setup.new_position_um)
+            twin = new_twin(setup)
             socket.send(READY)
             continue
-        measured = unpack(msgspec.msgpack.decode(body, type=RevolutionMeasured))
-        socket.send(msgspec.msgpack.encode(twin.predict(measured)))
+        measured = msgspec.msgpack.decode(body, type=RevolutionMeasured)
+        socket.send(msgspec.msgpack.encode(answer(twin, measured)))
     context.destroy(linger=0)
     return 0
 

@@ -1,0 +1,124 @@
+"""What a twin must know to go on where another one ended: kept beside the test, and in its file."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from model.errors import ModelError
+from model.parameters import Parameters
+from model.wear.state import restored_state
+from rigapp.twin.pinpath import Reference
+from rigapp.twin.twin import Bushing, Twin
+
+VERSION = 1
+
+
+class BushingRecord(msgspec.Struct, frozen=True):
+    """A bushing's worn surface: float64 (nodes, 2) as bytes, m; why it failed, if it did."""
+
+    surface: bytes
+    cycles: float
+    step_error: float
+    failed: str
+
+
+class ReferenceRecord(msgspec.Struct, frozen=True):
+    """What the new bushing told of the probes, see ``pinpath.Reference``; m."""
+
+    centre: tuple[float, float]
+    run_out: tuple[float, float]
+    centred: bool
+    radial: float
+    across: float
+    approach: float
+
+
+class Checkpoint(msgspec.Struct, frozen=True):
+    """Everything of a twin after revolution ``newest``."""
+
+    version: int
+    newest: int
+    profiled: int
+    kept_profile: int
+    predicted: BushingRecord | None
+    driven: BushingRecord | None
+    reference: ReferenceRecord | None
+
+
+def packed(twin: Twin) -> bytes:
+    """Return a twin's checkpoint."""
+    found = twin.reference
+    reference = None
+    if found is not None:
+        reference = ReferenceRecord(
+            _pair(found.centre), _pair(found.run_out), found.centred,
+            found.radial, found.across, found.approach,
+        )  # fmt: skip
+    return msgspec.msgpack.encode(
+        Checkpoint(
+            VERSION, twin.newest, twin.profiled, twin.kept_profile,
+            _record(twin.predicted), _record(twin.driven), reference,
+        )
+    )  # fmt: skip
+
+
+def revolution_of(checkpoint: bytes) -> int:
+    """Return the newest revolution in a checkpoint, 0 for none or an unreadable one."""
+    found = _decoded(checkpoint)
+    return found.newest if found is not None else 0
+
+
+def restore(twin: Twin, checkpoint: bytes) -> bool:
+    """Put a checkpoint into a new twin; False, and nothing changed, when it does not fit."""
+    found = _decoded(checkpoint)
+    if found is None:
+        return False
+    try:
+        predicted = _bushing(found.predicted, twin.parameters)
+        driven = _bushing(found.driven, twin.parameters)
+    except (ModelError, ValueError):
+        return False
+    twin.predicted, twin.driven = predicted, driven
+    twin.newest, twin.profiled = found.newest, found.profiled
+    twin.kept_profile = found.kept_profile
+    kept = found.reference
+    if kept is not None:
+        twin.reference = Reference(
+            np.array(kept.centre), np.array(kept.run_out), kept.centred,
+            kept.radial, kept.across, kept.approach,
+        )  # fmt: skip
+    return True
+
+
+def _decoded(checkpoint: bytes) -> Checkpoint | None:
+    try:
+        found = msgspec.msgpack.decode(checkpoint, type=Checkpoint)
+    except msgspec.DecodeError:
+        return None
+    return found if found.version == VERSION else None
+
+
+def _record(bushing: Bushing) -> BushingRecord | None:
+    state = bushing.state
+    if state is None:
+        return BushingRecord(b"", 0.0, 0.0, bushing.failed) if bushing.failed else None
+    surface = state.front.surface.astype("<f8").tobytes()
+    return BushingRecord(surface, state.cycles, state.step_error, bushing.failed)
+
+
+def _bushing(record: BushingRecord | None, parameters: Parameters) -> Bushing:
+    if record is None:
+        return Bushing()
+    if not record.surface:
+        return Bushing(failed=record.failed)
+    surface = np.frombuffer(record.surface, dtype="<f8").reshape(-1, 2)
+    state = restored_state(parameters, surface, record.cycles, record.step_error)
+    return Bushing(state, record.failed)
+
+
+def _pair(vector: NDArray[Any]) -> tuple[float, float]:
+    return float(vector[0]), float(vector[1])

@@ -1,0 +1,277 @@
+"""Where the pin's centre is in the bushing, by crank angle, from the probes. Pure functions.
+
+All vectors are in the wear frame: the follower frame turned by 180 degrees, x from the bushing's
+centre to the initial contact point. What the probes see of the pin's centre is the place of the
+pin, the eccentricity of its surface (run-out, which turns with the crank against the follower) and
+the place of the probes' zero. The revolutions of a new bushing tell the last two: there the pin's
+centre is the clearance away from the bushing's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+BINS = 120
+"""Parts of a revolution, of equal crank angle, in which positions and forces are averaged."""
+LOADED = 0.1
+"""Parts of a revolution with less than this share of the largest force are left out."""
+LEAST_PARTS = 8
+"""Fewer loaded parts of a revolution than this tell nothing."""
+CENTRED = 0.1
+"""The probes' zero is the bushing's centre if the new pin is the clearance from it to this part."""
+LARGEST_LEAN = 0.2
+"""More than this (rad) between force and pin is not friction: the probes' zero is elsewhere."""
+EARLY_DOUBT = 0.3
+"""Part of the wear before the reference that may be wrong (standard uncertainty)."""
+ACROSS = 0.05
+"""Weight of what is across the force: its direction's error is multiplied by the clearance."""
+FRICTION_DOUBT = 0.1
+"""Standard uncertainty of the friction's angle, rad, where only forces tell the direction."""
+
+
+@dataclass(frozen=True, slots=True)
+class PathSum:
+    """Sums over revolutions, by crank angle; ``+`` joins two.
+
+    count (BINS,); position, squares, force (2, BINS): m, m^2, N; turn (BINS,): crank angle less
+    follower angle, rad, at the middle of the part; revolutions.
+    """
+
+    count: Array
+    position: Array
+    squares: Array
+    force: Array
+    turn: Array
+    revolutions: int
+
+    def __add__(self, other: PathSum) -> PathSum:
+        return PathSum(
+            self.count + other.count,
+            self.position + other.position,
+            self.squares + other.squares,
+            self.force + other.force,
+            other.turn,
+            self.revolutions + other.revolutions,
+        )
+
+    @property
+    def filled(self) -> NDArray[np.bool_]:
+        """Return which parts have a sample."""
+        return np.asarray(self.count > 0)
+
+    @property
+    def mean_position(self) -> Array:
+        """Return the mean position of each part with a sample, (2, n), m."""
+        return np.asarray(self.position[:, self.filled] / self.count[self.filled])
+
+    @property
+    def mean_force(self) -> Array:
+        """Return the mean force of each part with a sample, (2, n), N."""
+        return np.asarray(self.force[:, self.filled] / self.count[self.filled])
+
+    @property
+    def spread(self) -> float:
+        """Return the standard deviation of a sample about the mean of its part, m, a component."""
+        kept = self.filled
+        square = (self.squares[:, kept] - self.position[:, kept] ** 2 / self.count[kept]).sum()
+        return float(np.sqrt(max(square, 0.0) / max(2.0 * self.count.sum(), 1.0)))
+
+    @property
+    def standard_error(self) -> float:
+        """Return the standard uncertainty of a part's mean by the samples' spread, m."""
+        return self.spread / float(np.sqrt(max(np.median(self.count[self.filled]), 1.0)))
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """What a new bushing told of the probes.
+
+    centre (2,): reading at the bushing's centre, m; run_out (2,): the pin's eccentricity at equal
+    crank and follower angle, m; centred: whether the probes' own zero tells the direction (else
+    forces do); radial, across: standard uncertainties of the centre along the mean direction of
+    load and across it, m; approach: elastic approach of pin and bushing then, m, by the model.
+    """
+
+    centre: Array
+    run_out: Array
+    centred: bool
+    radial: float
+    across: float
+    approach: float
+
+
+def path_of(angle: Array, position: Array, force: Array, turn: Array) -> PathSum:
+    """Sort the samples of one revolution by crank angle.
+
+    angle (n,): rad; position, force (2, n): m, N, wear frame; turn (n,): crank angle less follower
+    angle, rad. Samples that are not finite are left out.
+    """
+    good = np.isfinite(position).all(axis=0) & np.isfinite(force).all(axis=0)
+    part = (np.mod(angle[good], 2.0 * np.pi) * (BINS / (2.0 * np.pi))).astype(np.int64)
+    part = np.minimum(part, BINS - 1)
+
+    def total(values: Array) -> Array:
+        return np.bincount(part, weights=values, minlength=BINS).astype(np.float64)
+
+    count = total(np.ones(part.size))
+    middle = np.arange(BINS) * (2.0 * np.pi / BINS) + np.pi / BINS
+    whole = np.interp(middle, angle, np.unwrap(turn), period=None) if angle.size else middle
+    p, f = position[:, good], force[:, good]
+    return PathSum(
+        count=count,
+        position=np.stack([total(p[0]), total(p[1])]),
+        squares=np.stack([total(p[0] ** 2), total(p[1] ** 2)]),
+        force=np.stack([total(f[0]), total(f[1])]),
+        turn=np.asarray(whole, dtype=np.float64),
+        revolutions=1,
+    )
+
+
+def reference_of(
+    path: PathSum, clearance: float, worn: float = 0.0, friction: float = 0.0, approach: float = 0.0
+) -> Reference | None:
+    """Return what a nearly new bushing tells of the probes, None when it tells too little.
+
+    worn: depth by then, m; friction: coefficient of the joint, which turns the force
+    away from the normal. Solved by least squares: reading = centre + (clearance + worn) normal +
+    run-out turned by the crank. Where the probes' zero is near the bushing's centre its direction
+    is trusted, and only the distance from it is taken from the clearance.
+    """
+    force, position = path.mean_force, path.mean_position
+    size = np.hypot(*force)
+    loaded = size > LOADED * size.max(initial=0.0)
+    if np.count_nonzero(loaded) < LEAST_PARTS:
+        return None
+    position, turn = position[:, loaded], path.turn[path.filled][loaded]
+    normal = rotated(force[:, loaded] / size[loaded], -float(np.arctan(friction)))
+    reach = clearance + worn
+    weight = np.sqrt(size[loaded] / size.max())
+    centre, run_out = _fitted(position - reach * normal, normal, turn, weight)
+    middle = reach * normal.mean(axis=1)
+    distance = centre + middle
+    length, wanted = float(np.hypot(*distance)), float(np.hypot(*middle))
+    lean = float(np.arctan2(_cross(middle, distance), middle @ distance))
+    centred = abs(length - wanted) < CENTRED * wanted and abs(lean) < LARGEST_LEAN
+    if centred:
+        normal = rotated(normal, lean)
+        centre, run_out = _fitted(position - reach * normal, normal, turn, weight)
+        centre = centre @ distance / length**2 * distance
+    left = position - reach * normal - centre[:, None] - turned(run_out, turn)
+    along = float(np.sqrt(np.average((left * normal).sum(axis=0) ** 2, weights=weight)))
+    across = float(np.sqrt(np.average(_cross(normal, left) ** 2, weights=weight)))
+    noise = float(np.hypot(path.standard_error, EARLY_DOUBT * worn))
+    return Reference(
+        centre=centre,
+        run_out=run_out,
+        centred=centred,
+        radial=float(np.hypot(noise, along)),
+        across=along if centred else float(np.hypot(across, FRICTION_DOUBT * reach)),
+        approach=approach,
+    )
+
+
+def early_wear(revolutions: Sequence[int], paths: Sequence[PathSum]) -> float:
+    """Return the depth, m, that a new bushing has in the middle of some of its first revolutions.
+
+    The pin's mean place along the force moves by the wear of a revolution; a straight line through
+    the revolutions, followed back to 0. Never below 0.
+    """
+    force = sum((path.force.sum(axis=1) for path in paths), np.zeros(2))
+    direction = force / max(float(np.hypot(*force)), 1e-300)
+    number = np.asarray(revolutions, dtype=np.float64)
+    if number.size < 2 or number.max() <= number.min():
+        return 0.0
+    place = np.array([direction @ path.mean_position.mean(axis=1) for path in paths])
+    away = number - number.mean()
+    return max(float(away @ place / (away @ away)) * float(number.mean()), 0.0)
+
+
+def reference_from_mean(position: Array, clearance: float, path: PathSum) -> Reference:
+    """Return what the mean reading (2,), m, of the new bushing and a path in the worn one tell.
+
+    The run-out turns with the crank, wear does not: the worn bushing's path has it as well.
+    """
+    length = float(np.hypot(*position))
+    centred = clearance > 0.0 and abs(length / clearance - 1.0) < CENTRED
+    away = position / length if centred else np.array([1.0, 0.0])
+    run_out, across = np.zeros(2), 0.0 if centred else FRICTION_DOUBT * clearance
+    force, place = path.mean_force, path.mean_position
+    size = np.hypot(*force)
+    loaded = size > LOADED * size.max(initial=0.0)
+    if np.count_nonzero(loaded) >= LEAST_PARTS:
+        normal = force[:, loaded] / size[loaded]
+        offset = place[:, loaded] - clearance * normal
+        weight = np.sqrt(size[loaded] / size.max())
+        _, run_out = _fitted(offset, normal, path.turn[path.filled][loaded], weight)
+    return Reference(position - clearance * away, run_out, centred, 0.0, across, 0.0)
+
+
+def centres(path: PathSum, reference: Reference, approach: float = 0.0) -> Array:
+    """Return the pin's centre from the bushing's for each part with a sample, (2, n), m.
+
+    approach: by how much the largest force brings pin and bushing nearer than it did in the
+    reference, m; taken away in proportion to the force. 0 leaves elastic indentation in.
+    """
+    turn = path.turn[path.filled]
+    moved = path.mean_position - reference.centre[:, None] - turned(reference.run_out, turn)
+    if approach:
+        force = path.mean_force
+        moved = moved - approach * force / max(float(np.hypot(*force).max()), 1e-300)
+    return np.asarray(moved)
+
+
+def depth_under_load(path: PathSum, positions: Array, clearance: float) -> float:
+    """Return how far the pin is beyond the clearance where the force has its usual direction, m.
+
+    positions: from ``centres``. The mean over the loaded parts within 10 degrees of the mean
+    direction of the force; NaN when there is none.
+    """
+    force = path.mean_force
+    size = np.hypot(*force)
+    mean = force.sum(axis=1)
+    length = float(np.hypot(*mean))
+    if not (size.size and length > 0.0):
+        return float("nan")
+    along = (mean @ force) / (length * np.maximum(size, 1e-300))
+    usual = (size > LOADED * size.max()) & (along > np.cos(np.radians(10.0)))
+    if not usual.any():
+        return float("nan")
+    return float(np.average(np.hypot(*positions[:, usual]), weights=size[usual])) - clearance
+
+
+def rotated(vectors: Array, angle: float) -> Array:
+    """Return vectors (2, n) turned counter-clockwise by an angle, rad."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.stack([c * vectors[0] - s * vectors[1], s * vectors[0] + c * vectors[1]])
+
+
+def turned(vector: Array, angle: Array) -> Array:
+    """Return one vector (2,) turned counter-clockwise by angles (n,), rad: (2, n)."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.stack([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])
+
+
+def _cross(one: Array, other: Array) -> Array:
+    return np.asarray(one[0] * other[1] - one[1] * other[0])
+
+
+def _fitted(offset: Array, normal: Array, turn: Array, weight: Array) -> tuple[Array, Array]:
+    """Fit offset (2, n) = centre + run-out turned by ``turn``, m.
+
+    Across the normal, where an error of the force's direction is multiplied by the clearance, the
+    offset counts for ACROSS of what it counts along it.
+    """
+    c, s = np.cos(turn), np.sin(turn)
+    rows, wanted = [], []
+    for (x, y), share in ((normal, 1.0), ((-normal[1], normal[0]), ACROSS)):
+        row = np.stack([x, y, x * c + y * s, y * c - x * s], axis=1)
+        rows.append(row * (share * weight)[:, None])
+        wanted.append((x * offset[0] + y * offset[1]) * share * weight)
+    found, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(wanted), rcond=None)
+    return found[:2], found[2:]
