@@ -6,7 +6,13 @@
     {"clear": "emergency_stop"}                                    -> {"ok": true}
     {"query": "state"}                                             -> the plant's truth
     {"hand": "turn_pin", "angle_deg": 90.0}                        -> {"ok": true}, see ``hands``
+    {"state": {"wear_depth_um": 12.5, "worn_area_mm2": 0.3}}       -> {"ok": true}, see below
     anything else                                                  -> {"error": "a sentence"}
+
+``state`` sets what an earlier test has left in the machine, before a test is resumed on a rig that
+was started anew: the bushing's wear, by its depth at the contact and, if it is known, the area that
+the wear has taken (else it follows from the depth). The crank must stand and nothing drive it. Keys
+are those of the answer to ``query``.
 
 A new command is one more verb in ``VERBS``: a function of the rig and the message's table.
 """
@@ -50,11 +56,28 @@ def _hand(rig: RigSimulation, message: Table) -> Table:
     return {"ok": True}
 
 
+class WornState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What ``state`` can set."""
+
+    wear_depth_um: float
+    worn_area_mm2: float | None = None
+
+
+def _set_state(rig: RigSimulation, message: Table) -> Table:
+    try:
+        state = msgspec.convert(message["state"], WornState)
+    except msgspec.ValidationError as error:
+        raise UnusableInput(f"state: {error}.") from error
+    rig.wear_to(state.wear_depth_um, state.worn_area_mm2)
+    return {"ok": True}
+
+
 VERBS: Mapping[str, Callable[[RigSimulation, Table], Table]] = {
     "fault": _inject,
     "clear": _clear,
     "query": _query,
     "hand": _hand,
+    "state": _set_state,
 }
 
 

@@ -66,6 +66,13 @@ class SimulatedRig:
         """Do by hand what ``hands`` lists; raise UnusableInput, SimulationFailed."""
         self._obey({"hand": what, **details})
 
+    def wear_to(self, depth_um: float, area_mm2: float | None = None) -> None:
+        """Let the bushing be worn as an earlier test left it; the crank must stand.
+
+        Without an area it follows from the depth. Raises UnusableInput, SimulationFailed.
+        """
+        self._obey({"state": {"wear_depth_um": depth_um, "worn_area_mm2": area_mm2}})
+
     def state(self) -> dict[str, Any]:
         """Return the plant's truth: angle, speed, wear, drive, links; raise SimulationFailed."""
         return self._obey({"query": "state"})

@@ -12,9 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from rigapp.simulation import kernels
-from rigapp.simulation.kernels import Array, Constants, Drive
+from rigapp.simulation.kernels import Array, Constants, Drive, contact_half_angle
 
 LONGEST_STEP_S = 1.0 / 900.0
+DEEPEST_SHARE = 0.5
+"""Deepest wear that can be set, as a part of the pin's radius."""
+AREA_POINTS = 201
 START_BEFORE_REST_RAD = math.radians(3.0)
 
 
@@ -167,6 +170,32 @@ class Plant:
     def assemble(self) -> None:
         """Put the follower on again."""
         self.constants = self.constants._replace(bench=0.0)
+
+    def wear_to(self, depth_m: float, area_m2: float | None = None) -> None:
+        """Let the bushing be worn to a depth; the area is what such wear takes where none is given.
+
+        Time, crank and noise stay as they are. Raises ValueError for a depth or area below 0, and
+        for a depth at which the crank could not turn.
+        """
+        if not 0.0 <= depth_m < DEEPEST_SHARE * self.constants.pin_radius:
+            raise ValueError(
+                f"a depth of {depth_m * 1e6:g} um is not possible; give 0 to less than "
+                f"{DEEPEST_SHARE * self.constants.pin_radius * 1e6:g} um"
+            )
+        if area_m2 is not None and not 0.0 <= area_m2 < math.inf:
+            raise ValueError(f"a worn area of {area_m2 * 1e6:g} mm2 is not possible")
+        self._state[kernels.DEPTH] = depth_m
+        self._state[kernels.AREA] = self._worn_area(depth_m) if area_m2 is None else area_m2
+        angle = self._state[kernels.ANGLE]
+        self._state[kernels.FORCE] = kernels.resting(self.constants, angle, depth_m)[2]
+
+    def _worn_area(self, depth_m: float) -> float:
+        """Return the area that wear under the force at rest has taken on its way to a depth."""
+        k = self.constants
+        _, _, force = kernels.resting(k, self._state[kernels.ANGLE], 0.0)
+        depths = np.linspace(0.0, depth_m, AREA_POINTS)
+        chords = [2.0 * k.pin_radius * math.sin(contact_half_angle(k, d, force)) for d in depths]
+        return float(np.trapezoid(chords, depths))
 
     def turn_by_hand(self, angle_rad: float) -> None:
         """Turn the crank to an angle of its present revolution and leave it at rest."""

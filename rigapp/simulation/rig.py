@@ -163,6 +163,15 @@ class RigSimulation:
         """Tell whether the spindle stands still and nothing drives it."""
         return abs(self.plant.speed_rad_per_s) < STANDING and self._speed_wanted == 0.0
 
+    def wear_to(self, depth_um: float, area_mm2: float | None = None) -> None:
+        """Let the bushing be worn as an earlier test left it; raise UnusableInput."""
+        if not self.still():
+            raise UnusableInput("state: the spindle turns or is driven; stop it first.")
+        try:
+            self.plant.wear_to(depth_um * 1e-6, None if area_mm2 is None else area_mm2 * 1e-6)
+        except ValueError as error:
+            raise UnusableInput(f"state: {error}.") from error
+
     def report(self) -> dict[str, Any]:
         """Return the truth as a JSON-ready table: angle, speed, wear, drive, links."""
         state = self.plant.state()

@@ -87,6 +87,33 @@ def test_wear_is_seen_by_the_probes(parameters: ParameterFile, flawed: Flawed) -
     np.testing.assert_allclose(distance, 500.0 + depth_um, atol=0.01)
 
 
+def test_worn_plant_goes_on_like_one_that_wore_by_itself(
+    parameters: ParameterFile, flawed: Flawed
+) -> None:
+    rig = flawed(wear_coefficient_factor=500.0)
+    old = running(rig, parameters)
+    turns = round(20.0 / old.step_s)
+    old.advance(turns, velocity(2 * math.pi))
+    worn = old.state()
+    assert worn.wear_depth_m > 5e-6
+    new = Plant(plant_constants(parameters, rig))
+    new.wear_to(worn.wear_depth_m)
+    assert new.state().wear_depth_m == worn.wear_depth_m
+    assert new.state().worn_area_m2 == pytest.approx(worn.worn_area_m2, rel=0.1)
+    new.wear_to(worn.wear_depth_m, worn.worn_area_m2)
+    assert new.state().worn_area_m2 == worn.worn_area_m2
+    assert new.state().time_s == 0.0
+    new.advance(turns, velocity(2 * math.pi))
+    old.advance(turns, velocity(2 * math.pi))
+    grown = old.state().wear_depth_m - worn.wear_depth_m
+    assert new.state().wear_depth_m - worn.wear_depth_m == pytest.approx(grown, rel=0.1)
+    new.wear_to(0.0)
+    assert (new.state().wear_depth_m, new.state().worn_area_m2) == (0.0, 0.0)
+    for depth, area in ((-1e-6, None), (1.0, None), (math.nan, None), (1e-6, -1.0)):
+        with pytest.raises(ValueError, match="is not possible"):
+            new.wear_to(depth, area)
+
+
 def test_shaft_counts_from_the_index_in_the_encoders_sense(
     rig: RigFile, parameters: ParameterFile
 ) -> None:

@@ -340,6 +340,27 @@ def test_control_channel_answers_every_line(make: Callable[..., Bench]) -> None:
         assert answer(bench.rig, wrong).startswith(b'{"error":')
 
 
+def test_wear_of_an_earlier_test_is_set_while_the_crank_stands(make: Callable[..., Bench]) -> None:
+    bench = make()
+    line = b'{"state": {"wear_depth_um": 12.5, "worn_area_mm2": 0.25}}'
+    assert answer(bench.rig, line) == b'{"ok":true}\n'
+    report = bench.rig.report()
+    assert report["wear_depth_um"] == pytest.approx(12.5)
+    assert report["worn_area_mm2"] == pytest.approx(0.25)
+    for wrong, why in (
+        (b'{"state": {"wear_depth_um": -1.0}}', b"not possible"),
+        (b'{"state": {"depth": 1.0}}', b"unknown field `depth`"),
+        (b'{"state": 3}', b"object"),
+    ):
+        reply = answer(bench.rig, wrong)
+        assert reply.startswith(b'{"error":')
+        assert why in reply
+    bench.open("drive")
+    bench.run(1.0, feed=b"1.0\n")
+    assert b"the spindle turns" in answer(bench.rig, line)
+    assert bench.rig.report()["wear_depth_um"] > 12.5
+
+
 def test_truth_is_thinned_to_the_room(make: Callable[..., Bench], tmp_path: Path) -> None:
     path = tmp_path / "truth.npz"
     bench = make(truth=TruthRecorder(path, stride=1, room=500))
