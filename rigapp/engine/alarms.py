@@ -3,7 +3,8 @@
 States of an alarm: *unacknowledged* and *acknowledged* while its condition holds; *returned* when
 it went away before anyone acknowledged; *latched* when it went away but must be reset; *shelved*
 for a limited time, with a reason. A normal alarm is not on the list. Shelving hides the
-annunciation only: limits and interlocks act all the same.
+annunciation only: limits and interlocks act all the same. *First out* is the critical alarm that
+came first since the last reset; it stays so, however often it or another one comes again.
 """
 
 from __future__ import annotations
@@ -69,6 +70,7 @@ class AlarmBook:
         self._entries: dict[str, _Entry] = {}
         self._lock = threading.Lock()
         self._first_out_given = False
+        self._shelved = False
 
     def raise_alarm(self, cause: Cause, revolution: int = 0) -> bool:
         """Raise an alarm, or renew its words when it is active already; True when it is new."""
@@ -82,10 +84,11 @@ class AlarmBook:
             self._first_out_given |= first
             fresh = _Entry(cause, now, revolution, first)
             if entry is not None:
+                fresh.first_out |= entry.first_out
                 fresh.shelved_until = entry.shelved_until
             self._entries[cause.key] = fresh
             alarm = fresh.alarm(now)
-        self._on_change(alarm, "raised", "engine")
+        self._on_change(alarm, "raised, first out" if first else "raised", "engine")
         return True
 
     def clear(self, key: str) -> None:
@@ -126,9 +129,30 @@ class AlarmBook:
         with self._lock:
             entry = self._find(key)
             entry.shelved_until = now + seconds
+            self._shelved = True
             alarm = entry.alarm(now)
         self._on_change(alarm, f"shelved for {seconds:g} s: {reason.strip()}", operator)
         return alarm
+
+    def look(self) -> None:
+        """Show alarms again whose shelving is over; to be called now and then."""
+        if not self._shelved:
+            return
+        now = self._clock()
+        with self._lock:
+            over = [
+                (key, entry)
+                for key, entry in self._entries.items()
+                if 0.0 < entry.shelved_until <= now
+            ]
+            for key, entry in over:
+                entry.shelved_until = 0.0
+                if entry.acknowledged and not entry.active and not entry.cause.latched:
+                    del self._entries[key]
+            self._shelved = any(entry.shelved_until > 0.0 for entry in self._entries.values())
+            back = [entry.alarm(now) for _, entry in over]
+        for alarm in back:
+            self._on_change(alarm, "no longer shelved", "engine")
 
     def reset(self, operator: str) -> None:
         """Take latched and returned alarms off the list; raise Refused while one is active

@@ -234,7 +234,7 @@ class Connection:
         else:
             core.alarms.clear("drive_warning")
         limit = core.limits.overspeed_rpm
-        if core.state in TURNING and abs(rpm) > limit and not control.power_cut:
+        if core.state in TURNING and abs(rpm) > limit and not self.swinging:
             cause = causes.overspeed(rpm, limit, "drive")
             core.trip(Ending(FinishReason.LIMIT, cause.cause, off=True), cause)
         self._watch_encoder(rpm)
@@ -288,6 +288,19 @@ class Connection:
             self.control.pause_at(session.test.record.run.pause_angle_deg)
 
     # --- what the crank encoder shows -------------------------------------------------------------
+
+    @property
+    def swinging(self) -> bool:
+        """Tell whether the crank may turn as it likes: its power is off, or was asked to be.
+
+        The spring can swing it faster than it ran. That follows from the stop, and is no alarm.
+        """
+        session, control = self.core.session, self.control
+        if control.power_cut:
+            return True
+        if session is None or self.core.state is not RunState.STOPPING:
+            return False
+        return session.off or not control.answering
 
     @property
     def backed_up(self) -> bool:

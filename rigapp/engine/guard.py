@@ -66,6 +66,7 @@ class Guard:
         self._connection = connection
         self._on_measured = on_measured
         self._missed = 0
+        self._calm = False
         self._sound: dict[str, int] = {}
         self._blind: set[str] = set()
 
@@ -83,6 +84,7 @@ class Guard:
     def overload(self, force_N: float) -> None:
         """Take the power off: a sample is above the overload limit, or not a number."""
         core = self._core
+        self._calm = False
         if math.isnan(force_N):
             cause = causes.invalid_signal()
             ending = Ending(FinishReason.DEVICE, cause.cause, off=True)
@@ -96,6 +98,14 @@ class Guard:
 
     def calm(self) -> None:
         """Take note that the force of a whole block is within the limit."""
+        self._calm = True
+
+    def _clear_overload(self) -> None:
+        """Clear an overload once it is over for good.
+
+        A crank that runs down after the trip passes the same peak once a revolution.
+        """
+        self._calm = False
         self._core.alarms.clear("overload")
         self._core.alarms.clear("invalid_signal")
 
@@ -103,12 +113,12 @@ class Guard:
         """Look for overspeed, for a missing index, and for the set speed."""
         core = self._core
         state = core.state
+        if self._calm and state not in ACTIVE:
+            self._clear_overload()
         limit = core.limits.overspeed_rpm
-        if abs(speed_rpm) > limit and state in TURNING and not self._connection.control.power_cut:
+        if abs(speed_rpm) > limit and state in TURNING and not self._connection.swinging:
             cause = causes.overspeed(speed_rpm, limit, "crank encoder")
             core.trip(Ending(FinishReason.LIMIT, cause.cause, off=True), cause)
-        elif core.alarms.is_active("overspeed") and abs(speed_rpm) < 0.9 * limit:
-            core.alarms.clear("overspeed")
         session = core.session
         if state is RunState.PAUSED and abs(speed_rpm) > PAUSE_RPM:
             cause = causes.moved_in_pause(speed_rpm)

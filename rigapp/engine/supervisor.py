@@ -46,6 +46,7 @@ class Supervisor:
         self._look_at_start()
         self._look_at_stop()
         self._look_at_clock()
+        self._core.alarms.look()
         self._rest()
 
     def _rest(self) -> None:

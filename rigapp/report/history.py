@@ -12,7 +12,8 @@ from rigapp.config.recipe import LimitsSection
 from rigapp.engine.messages import Event
 
 _ALARM = re.compile(
-    r"(?P<title>.+?): (?P<what>raised|cleared|acknowledged|reset|shelved for [^:]*:.*?)\. "
+    r"(?P<title>.+?): (?P<what>raised|raised, first out|cleared|acknowledged|reset|"
+    r"no longer shelved|shelved for [^:]*:.*?)\. "
     r"(?P<cause>.*)",
     re.DOTALL,
 )
@@ -51,7 +52,8 @@ class Limit:
 def alarms_of(events: Sequence[Event], reason: str) -> list[AlarmRecord]:
     """Return the alarms in the order in which they were raised.
 
-    reason: the sentence with which the test ended; the alarm that gives it is the first-out one.
+    The log says which one was first out; in older files, which do not, it is the one that gives the
+    reason with which the test ended.
     """
     found: list[AlarmRecord] = []
     place: dict[str, int] = {}
@@ -60,13 +62,16 @@ def alarms_of(events: Sequence[Event], reason: str) -> list[AlarmRecord]:
         if match is None:
             continue
         title, what, cause = match["title"], match["what"], match["cause"]
-        if what == "raised":
+        if what.startswith("raised"):
             place[title] = len(found)
-            found.append(AlarmRecord(title, cause, event.time, event.revolution))
+            first_out = what != "raised"
+            found.append(
+                AlarmRecord(title, cause, event.time, event.revolution, first_out=first_out)
+            )
         elif title in place:
             found[place[title]] = _continued(found[place[title]], event, what)
     first = next((i for i, one in enumerate(found) if one.cause and one.cause in reason), None)
-    if first is not None:
+    if first is not None and not any(one.first_out for one in found):
         found[first] = replace(found[first], first_out=True)
     return found
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
@@ -131,6 +132,33 @@ def test_overspeed_takes_the_power_off(rig: MemoryRig) -> None:
         rig.crank.target, rig.crank.acceleration = 5.0, 100.0
     ended(rig, FinishReason.LIMIT, "shows", "limit is 200")
     assert rig.stands
+
+
+def test_an_overload_at_every_turn_of_a_coasting_crank_is_one_alarm() -> None:
+    rig = MemoryRig(timing=replace(MemoryRig().timing, coast=60.0))
+    rig.engine.connect()
+    rig.start(a_test(LONG))
+    eventually(lambda: len(rig.store.rows) >= 2, 60.0)
+    rig.crank.deaf = True
+    rig.source.force_N = 390.0
+    eventually(lambda: rig.engine.state is RunState.STOPPING)
+    with rig.crank.lock:  # and the spring swings it faster than it ran
+        rig.crank.target, rig.crank.acceleration = 5.0, 100.0
+    for force_N in (50.0, 390.0, 50.0, 390.0, 50.0):
+        rig.source.force_N = force_N
+        reads = rig.source.reads
+        eventually(lambda before=reads: rig.source.reads > before + 3)  # type: ignore[misc]
+    with rig.crank.lock:
+        rig.crank.target = 0.0
+    ended(rig, FinishReason.LIMIT, "390")
+    told = [e.text.partition(". ")[0] for e in rig.store.events if e.kind == "alarm"]
+    assert told.count("Overload: raised, first out") == 1
+    assert "Overload: raised" not in told
+    assert not any("Overspeed" in text for text in told)
+    eventually(lambda: rig.engine.status().alarms[0].state == "latched")
+    rig.crank.deaf = False
+    back_to_work(rig)
+    rig.engine.shutdown(20.0)
 
 
 def test_a_jammed_crank_ends_the_test(rig: MemoryRig) -> None:

@@ -6,8 +6,9 @@ import itertools
 from collections import Counter
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import CyclesSection, LimitRule, LimitsSection
@@ -196,6 +197,131 @@ def test_shelving_needs_a_reason_and_ends_by_itself() -> None:
     assert one.states() == {"count_mismatch": "shelved"}
     one.now += 61.0
     assert one.states() == {"count_mismatch": "unacknowledged"}
+
+
+def test_the_first_out_alarm_stays_it_when_it_comes_again() -> None:
+    one = Book()
+    one.book.raise_alarm(CRITICAL)
+    one.book.raise_alarm(causes.overspeed(60.0, 45.0, "encoder"))
+    one.book.clear("overload")
+    one.book.raise_alarm(CRITICAL)
+    assert [a.key for a in one.book.alarms() if a.first_out] == ["overload"]
+    told = [what for key, what, _ in one.changes if key == "overload"]
+    assert told == ["raised, first out", "cleared", "raised"]
+
+
+def test_the_end_of_shelving_is_told() -> None:
+    one = Book()
+    one.book.raise_alarm(WARNING)
+    one.book.shelve("count_mismatch", "known", 60.0, "Ada")
+    one.book.look()
+    one.now += 60.0
+    one.book.look()
+    one.book.look()
+    assert [what for _, what, _ in one.changes][1:] == [
+        "shelved for 60 s: known", "no longer shelved",
+    ]  # fmt: skip
+
+
+KEYS = {
+    "count_mismatch": WARNING,
+    "overload": CRITICAL,
+    "overspeed": causes.overspeed(60.0, 45.0, "encoder"),
+}
+
+
+class Isa(RuleBasedStateMachine):
+    """The states of ISA-18.2 told a second time, as sets of keys."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.one = Book()
+        self.active: set[str] = set()
+        self.unacknowledged: set[str] = set()
+        self.latched: set[str] = set()
+        self.listed: set[str] = set()
+        self.shelved: dict[str, float] = {}
+        self.first_out = ""
+
+    def settle(self) -> None:
+        """Leave on the list what holds, is not acknowledged, is latched or shelved."""
+        self.listed = self.active | self.unacknowledged | self.latched | set(self.shelved)
+
+    @rule(key=st.sampled_from(sorted(KEYS)))
+    def it_is_raised(self, key: str) -> None:
+        new = self.one.book.raise_alarm(KEYS[key])
+        assert new == (key not in self.active)
+        if new:
+            self.unacknowledged.add(key)
+        self.active.add(key)
+        if KEYS[key].latched:
+            self.latched.add(key)
+            self.first_out = self.first_out or key
+        self.settle()
+
+    @rule(key=st.sampled_from(sorted(KEYS)))
+    def it_clears(self, key: str) -> None:
+        self.one.book.clear(key)
+        self.active.discard(key)
+        self.settle()
+
+    @rule(key=st.sampled_from(sorted(KEYS)))
+    def it_is_acknowledged(self, key: str) -> None:
+        if key not in self.listed:
+            with pytest.raises(Refused, match="there is no alarm"):
+                self.one.book.acknowledge(key, "Ada")
+            return
+        self.one.book.acknowledge(key, "Ada")
+        self.unacknowledged.discard(key)
+        if key not in self.active | self.latched:
+            self.shelved.pop(key, None)
+        self.settle()
+
+    @rule(key=st.sampled_from(sorted(KEYS)), minutes=st.integers(1, 3))
+    def it_is_shelved(self, key: str, minutes: int) -> None:
+        if key not in self.listed:
+            return
+        self.one.book.shelve(key, "known", 60.0 * minutes, "Ada")
+        self.shelved[key] = self.one.now + 60.0 * minutes
+
+    @rule()
+    def it_is_reset(self) -> None:
+        critical = {key for key in self.listed if KEYS[key] is not WARNING}
+        if critical & (self.active | self.unacknowledged):
+            with pytest.raises(Refused):
+                self.one.book.reset("Ada")
+            return
+        self.one.book.reset("Ada")
+        self.latched -= self.listed - self.active
+        self.unacknowledged &= self.active
+        self.shelved = {k: until for k, until in self.shelved.items() if k in self.active}
+        self.first_out = ""
+        self.settle()
+
+    @rule()
+    def a_minute_passes(self) -> None:
+        self.one.now += 60.0
+        self.one.book.look()
+        self.shelved = {k: until for k, until in self.shelved.items() if until > self.one.now}
+        self.settle()
+
+    @invariant()
+    def the_list_is_as_the_standard_says(self) -> None:
+        def state(key: str) -> str:
+            if key in self.shelved:
+                return "shelved"
+            if key in self.active:
+                return "unacknowledged" if key in self.unacknowledged else "acknowledged"
+            return "latched" if key in self.latched else "returned"
+
+        assert self.one.states() == {key: state(key) for key in self.listed}
+        marked = [alarm.key for alarm in self.one.book.alarms() if alarm.first_out]
+        assert marked == ([self.first_out] if self.first_out else [])
+        assert (self.one.book.blocking() is not None) == bool(self.listed - {"count_mismatch"})
+
+
+TestIsa = Isa.TestCase
+TestIsa.settings = settings(max_examples=60, stateful_step_count=30, deadline=None)
 
 
 def test_an_unknown_alarm_is_named() -> None:

@@ -94,6 +94,18 @@ def test_first_out_is_the_alarm_that_the_reason_names() -> None:
     assert not any(one.first_out for one in alarms_of([told("Overload", "raised", cause)], ""))
 
 
+def test_the_log_says_what_was_first_out() -> None:
+    cause = "The joint force reached 391.0 N; the limit is 380 N."
+    found = alarms_of(
+        [
+            event(1, "alarm", "engine", "Drive silent: raised, first out. No answer in 0.3 s."),
+            event(1, "alarm", "engine", f"Overload: raised. {cause}"),
+        ],
+        cause,
+    )
+    assert [one.first_out for one in found] == [True, False]
+
+
 def test_limits_that_are_not_given_are_the_defaults() -> None:
     found = {one.name: one for one in limits_of("[run]\nrevolutions = 3\n", [])}
     assert found["overload_N"].start == 380.0
