@@ -2,7 +2,8 @@
 
 The mailbox holds ``MAILBOX`` revolutions and drops the oldest: the twin predicts every revolution
 that it can keep up with, and never delays the engine. A worker that dies or does not answer within
-``ANSWER_S`` is started again.
+``ANSWER_S`` is started again with the newest checkpoint, so that its bushings are worn as they
+were; the revolution that it failed on is asked once more. What is never predicted is reported.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
@@ -26,17 +28,57 @@ MAILBOX = 64
 START_S = 60.0
 ANSWER_S = 10.0
 RESTART_PAUSE_S = 1.0
+REPORT_PAUSE_S = 60.0
+"""Gaps in the predictions are reported together, no more often than this."""
+
+
+@dataclass(slots=True)
+class Missed:
+    """Revolutions that were not predicted since the last report."""
+
+    first: int = 0
+    last: int = 0
+    count: int = 0
+
+    def add(self, revolution: int) -> None:
+        """Add a revolution."""
+        self.first = revolution if not self.count else min(self.first, revolution)
+        self.last = max(self.last, revolution)
+        self.count += 1
+
+    def sentence(self) -> str:
+        """Say which ones they are."""
+        span = f"revolutions {self.first} to {self.last}" if self.count > 1 else ""
+        return (
+            f"{span or f'revolution {self.first}'}: {self.count} not predicted, the twin could not "
+            "keep up; their wear is made up for with the forces of later ones"
+        )
 
 
 class TwinLink:
     """Offer measured revolutions to the twin and hand its predictions on."""
 
     def __init__(
-        self, setup: TwinSetup, on_prediction: Callable[[Prediction], None], folder: Path
+        self,
+        setup: TwinSetup,
+        on_prediction: Callable[[Prediction], None],
+        folder: Path,
+        on_report: Callable[[str], None] | None = None,
     ) -> None:
-        """Start the thread and the worker; ``on_prediction`` is called from the twin's thread."""
+        """Start the thread and the worker.
+
+        on_prediction, on_report: called from the twin's thread; a report is a sentence on what
+        became of the twin, for the log.
+        """
         self._setup = setup
         self._on_prediction = on_prediction
+        self._on_report = on_report
+        self._checkpoint = setup.checkpoint
+        self._missed = Missed()
+        self._missed_lock = threading.Lock()
+        self._next_report = 0.0
+        self._asked_again = -1
+        self._newest = 0
         self._address = f"ipc://{folder}/twin-{id(self):x}"
         if sys.platform == "win32" or len(self._address) > 100:
             self._address = "tcp://127.0.0.1:*"
@@ -53,10 +95,25 @@ class TwinLink:
 
     def offer(self, measured: RevolutionMeasured) -> None:
         """Put a revolution into the mailbox; never blocks, drops the oldest when full."""
-        if len(self._mailbox) == MAILBOX:
-            self.dropped += 1
-        self._mailbox.append(measured)
+        with self._missed_lock:
+            if len(self._mailbox) == MAILBOX:
+                self._missed.add(self._mailbox.popleft().revolution)
+                self.dropped += 1
+            self._mailbox.append(measured)
         self._wake.set()
+
+    def _report(self, sentence: str) -> None:
+        if self._on_report is not None:
+            self._on_report(sentence)
+
+    def _report_missed(self, at_once: bool = False) -> None:
+        """Report what was missed, unless the last report is fresh."""
+        if not self._missed.count or not (at_once or time.monotonic() >= self._next_report):
+            return
+        with self._missed_lock:
+            missed, self._missed = self._missed, Missed()
+        self._next_report = time.monotonic() + REPORT_PAUSE_S
+        self._report(missed.sentence())
 
     def wait_ready(self, timeout_s: float) -> bool:
         """Wait until the worker can predict; False when it cannot within the time."""
@@ -76,12 +133,18 @@ class TwinLink:
         self._stop.set()
         self._wake.set()
         self._thread.join(timeout=ANSWER_S + 1.0)
+        self._report_missed(at_once=True)
 
     def _run(self) -> None:
         context = zmq.Context()
         try:
             while not self._stop.is_set():
                 self._serve_one_worker(context)
+                if not self._stop.is_set():
+                    self._report(
+                        f"{self.last_failure}, after revolution {self._newest}; it is started again"
+                        " and goes on from there"
+                    )
                 self._stop.wait(RESTART_PAUSE_S)
         finally:
             context.destroy(linger=0)
@@ -128,7 +191,8 @@ class TwinLink:
             if self._stop.is_set() or not self.worker_pid or time.monotonic() > deadline:
                 self.last_failure = f"the twin did not come up within {START_S:g} s"
                 return False
-        socket.send(msgspec.msgpack.encode(self._setup))
+        setup = msgspec.structs.replace(self._setup, checkpoint=self._checkpoint)
+        socket.send(msgspec.msgpack.encode(setup))
         if self._answer(socket, START_S) is None:
             return False
         self._ready.set()
@@ -136,13 +200,29 @@ class TwinLink:
 
     def _exchange(self, socket: zmq.Socket[bytes]) -> bool:
         """Ask for one prediction; False when the worker must be started again."""
-        measured = self._mailbox.popleft()
+        with self._missed_lock:
+            measured = self._mailbox.popleft()
         socket.send(msgspec.msgpack.encode(measured))
         answer = self._answer(socket, ANSWER_S)
         if answer is None:
+            self._ask_again(measured)
             return False
-        self._on_prediction(msgspec.msgpack.decode(answer, type=Prediction))
+        prediction = msgspec.msgpack.decode(answer, type=Prediction)
+        self._checkpoint = prediction.checkpoint or self._checkpoint
+        self._newest = prediction.revolution
+        self._on_prediction(prediction)
+        self._report_missed()
         return True
+
+    def _ask_again(self, measured: RevolutionMeasured) -> None:
+        """Keep a revolution for the next worker, unless two have failed on it."""
+        with self._missed_lock:
+            if self._asked_again == measured.revolution or len(self._mailbox) == MAILBOX:
+                self._missed.add(measured.revolution)
+                self.dropped += 1
+            else:
+                self._asked_again = measured.revolution
+                self._mailbox.appendleft(measured)
 
     def _answer(self, socket: zmq.Socket[bytes], patience: float) -> bytes | None:
         """Return what the worker says next; None when it died, is late, or nobody waits."""

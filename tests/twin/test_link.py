@@ -5,15 +5,17 @@ from __future__ import annotations
 import os
 import signal
 import threading
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 
 from rigapp.config.loading import read_parameter_file
-from rigapp.engine.messages import Prediction, RevolutionMeasured
+from rigapp.engine.columns import prediction_columns
+from rigapp.engine.messages import Prediction, RevolutionMeasured, as_array
+from rigapp.twin.checkpoint import revolution_of
 from rigapp.twin.link import MAILBOX, TwinLink
 from rigapp.twin.worker import TwinSetup
 
@@ -23,6 +25,8 @@ SETUP = TwinSetup(
     ).record,
     joint="continuous",
 )
+
+DEPTH = [one.name for one in prediction_columns()].index("wear_depth")
 
 
 def revolution(number: int) -> RevolutionMeasured:
@@ -37,11 +41,15 @@ class Inbox:
 
     def __init__(self) -> None:
         self.numbers: list[int] = []
+        self.depths: dict[int, float] = {}
+        self.checkpoint = b""
         self._condition = threading.Condition()
 
     def __call__(self, prediction: Prediction) -> None:
         with self._condition:
             self.numbers.append(prediction.revolution)
+            self.depths[prediction.revolution] = float(as_array(prediction.values, "<f8")[DEPTH])
+            self.checkpoint = prediction.checkpoint or self.checkpoint
             self._condition.notify_all()
 
     def wait(self, condition: Callable[[], bool], seconds: float = 30.0) -> None:
@@ -55,8 +63,13 @@ def inbox() -> Inbox:
 
 
 @pytest.fixture
-def link(tmp_path: Path, inbox: Inbox) -> Iterator[TwinLink]:
-    link = TwinLink(SETUP, inbox, tmp_path)
+def reports() -> list[str]:
+    return []
+
+
+@pytest.fixture
+def link(tmp_path: Path, inbox: Inbox, reports: list[str]) -> Iterator[TwinLink]:
+    link = TwinLink(SETUP, inbox, tmp_path, reports.append)
     yield link
     link.close()
     assert link.worker_pid == 0
@@ -71,18 +84,50 @@ def test_every_revolution_is_predicted_in_order(link: TwinLink, inbox: Inbox) ->
     assert link.dropped == 0
 
 
-def test_killed_worker_is_started_again(link: TwinLink, inbox: Inbox) -> None:
+def test_killed_worker_is_started_again_and_goes_on(
+    link: TwinLink, inbox: Inbox, reports: list[str]
+) -> None:
     assert link.wait_ready(60.0)
+    for number in range(1, 41):
+        link.offer(revolution(number))
+    inbox.wait(lambda: 40 in inbox.numbers)
+    before = inbox.depths[40]
     os.kill(link.worker_pid, signal.SIGKILL)
-    deadline = time.monotonic() + 60.0
-    while link.restarts < 1 or 99 not in inbox.numbers:
-        assert time.monotonic() < deadline
-        link.offer(revolution(99))
-        time.sleep(0.05)
+    link.offer(revolution(41))
+    inbox.wait(lambda: 41 in inbox.numbers, 90.0)
     assert link.restarts == 1
+    assert inbox.numbers == list(range(1, 42))
+    assert before < inbox.depths[41] < 1.05 * before
+    assert link.dropped == 0
+    assert "after revolution 40" in reports[0]
 
 
-def test_stalled_worker_drops_the_oldest_and_blocks_nobody(link: TwinLink, inbox: Inbox) -> None:
+def test_a_new_link_goes_on_from_a_checkpoint(
+    link: TwinLink, inbox: Inbox, reports: list[str], tmp_path: Path
+) -> None:
+    assert link.wait_ready(60.0)
+    for number in range(1, 31):
+        link.offer(revolution(number))
+    inbox.wait(lambda: 30 in inbox.numbers)
+    setup = msgspec.structs.replace(SETUP, checkpoint=inbox.checkpoint)
+    assert revolution_of(inbox.checkpoint) == 30
+    second = Inbox()
+    other = TwinLink(setup, second, tmp_path)
+    try:
+        for number in (31, 32):
+            other.offer(revolution(number))
+            link.offer(revolution(number))
+        second.wait(lambda: 32 in second.numbers, 90.0)
+        inbox.wait(lambda: 32 in inbox.numbers)
+    finally:
+        other.close()
+    assert second.depths[32] == pytest.approx(inbox.depths[32], rel=1e-3)
+    assert reports == []
+
+
+def test_stalled_worker_drops_the_oldest_and_blocks_nobody(
+    link: TwinLink, inbox: Inbox, reports: list[str]
+) -> None:
     assert link.wait_ready(60.0)
     os.kill(link.worker_pid, signal.SIGSTOP)
     for number in range(MAILBOX + 30):
@@ -90,3 +135,5 @@ def test_stalled_worker_drops_the_oldest_and_blocks_nobody(link: TwinLink, inbox
     assert link.dropped >= 29
     os.kill(link.worker_pid, signal.SIGCONT)
     inbox.wait(lambda: MAILBOX + 29 in inbox.numbers)
+    assert reports[0].startswith("revolutions ")
+    assert "not predicted" in reports[0]
