@@ -85,11 +85,9 @@ def budget(
     n readings divides repeatability and resolution by sqrt(n).
     """
     relative = relative_force_uncertainty(settings.weights, settings.place)
-    fit_covariance = _through_inverse(found.matrix, found.sensitivity_covariance())
-    directions = np.linspace(0.0, np.pi, 37)
+    directions = np.linspace(0.0, 2.0 * np.pi, 73)
     load = force * np.stack((np.cos(directions), np.sin(directions)), axis=-1)
-    signal = load @ found.sensitivity.T
-    variance = [max(np.linalg.eigvalsh(_along(fit_covariance, reading))) for reading in signal]
+    variance = [max(np.linalg.eigvalsh(found.force_covariance(one))) for one in load]
     lines = [
         Contribution("applied force (mass, gravity, buoyancy)", relative * force, math.inf),
         Contribution("angle reference", settings.angle_uncertainty * force, math.inf),
@@ -156,9 +154,3 @@ def _through_inverse(matrix: Array, covariance: Array) -> Array:
     """Carry a covariance of A to one of its inverse."""
     jacobian = -np.einsum("ia,bj->ijab", matrix, matrix).reshape(4, 4)
     return np.asarray(jacobian @ covariance @ jacobian.T, dtype=np.float64)
-
-
-def _along(covariance: Array, signal: Array) -> Array:
-    """Return the covariance (2, 2) of the force that a signal (2,) means."""
-    spread = np.kron(np.eye(2), signal)
-    return np.asarray(spread @ covariance @ spread.T, dtype=np.float64)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from calibration.readings import LoadCellReadings
 from calibration.settings import LoadCellSettings
+from calibration.two_axis import forces
 from calibration.weights import pin_force, weight_force
 
 Array = NDArray[np.float64]
@@ -33,16 +34,20 @@ class DailyCheck:
 
 
 def daily_check(
-    readings: LoadCellReadings, settings: LoadCellSettings, matrix: Array, zero: Array
+    readings: LoadCellReadings,
+    settings: LoadCellSettings,
+    matrix: Array,
+    zero: Array,
+    quadratic: Array | None = None,
 ) -> DailyCheck:
-    """Compare the forces that ``matrix`` and ``zero`` tell with the weights that hung.
+    """Compare the forces that the calibration in use tells with the weights that hung.
 
     The limit is one resolution of the cell, or half a percent of the weight if that is more.
     Raises ValueError when a series has no zero or nothing hung.
     """
     weight = weight_force(readings.mass, settings.weights, settings.place)
     applied = pin_force(weight, readings.angle, settings.angle_offset)
-    felt = (readings.signal - zero) @ matrix.T
+    felt = forces(readings.signal, matrix, zero, quadratic)
     names = np.array(readings.series)
     empty = readings.mass == 0.0
     rest = np.empty_like(felt)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from calibration.plans import Step, StepKind
 from calibration.stability import Steadiness, judge
+from calibration.two_axis import forces
 
 WINDOW_S = 3.0
 ANGLE_TOLERANCE = math.radians(5.0)
@@ -30,7 +31,8 @@ class Window:
     """The signals of the last seconds. time (n,) s of the device; signal (n, 2) signal units.
 
     angle: of the pin (rad) from the encoder, None while its index has not been passed. noise_share:
-    1 / sqrt(samples in each mean). matrix (2, 2), zero (2,): the calibration in use.
+    1 / sqrt(samples in each mean). matrix (2, 2), zero (2,), quadratic (2, 3) or
+    None: the calibration in use.
     """
 
     time: Array
@@ -40,6 +42,7 @@ class Window:
     noise_share: float
     matrix: Array
     zero: Array
+    quadratic: Array | None = None
 
     @property
     def newest(self) -> float:
@@ -48,7 +51,7 @@ class Window:
 
     def force(self, signal: Array) -> Array:
         """Return the force on the pin (2,) that the calibration in use makes of a signal (2,)."""
-        return np.asarray(self.matrix @ (signal - self.zero), np.float64)
+        return forces(signal, self.matrix, self.zero, self.quadratic)[0]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -63,7 +63,7 @@ def calibrate_load_cell(
             )
         )
         return _refused(problems, settings, applied)
-    seen = loads(readings, applied, (readings.signal - robust.zero) @ robust.matrix.T)
+    seen = loads(readings, applied, robust.force(readings.signal))
     newton_per_kg = force_per_mass(settings.weights, settings.place)
     evidence = Evidence(readings, settings, robust, noise, seen, newton_per_kg)
     problems += check_fit(evidence)

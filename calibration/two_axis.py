@@ -75,25 +75,46 @@ class TwoAxisFit:
 
     def force(self, signal: Array) -> Array:
         """Return the forces (n, 2) that signals (n, 2) mean; quadratic terms by Newton steps."""
-        reading = np.atleast_2d(signal) - self.zero
-        force = reading @ self.matrix.T
-        quadratic = self.quadratic
-        if quadratic is None:
-            return force
-        for _ in range(8):
-            x, y = force.T
-            predicted = force @ self.sensitivity.T + _squares(force) @ quadratic.T
-            d1 = quadratic[:, 0, None] * 2 * x + quadratic[:, 1, None] * y
-            d2 = quadratic[:, 1, None] * x + quadratic[:, 2, None] * 2 * y
-            slope = self.sensitivity[None] + np.stack((d1.T, d2.T), axis=-1)
-            force = force + np.linalg.solve(slope, (reading - predicted)[..., None])[..., 0]
-        return force
+        return forces(signal, self.matrix, self.zero, self.quadratic)
 
     def sensitivity_covariance(self) -> Array:
         """Return the covariance (4, 4) of A11, A12, A21, A22."""
         p = self.terms.count
         index = [0, 1, p, p + 1]
         return self.covariance[np.ix_(index, index)]
+
+    def force_covariance(self, force: Array) -> Array:
+        """Return the covariance (2, 2), N^2, that the fit gives a force (2,) told by the cell.
+
+        The zero, and its drift, are left to the zero return: they are taken anew with each test.
+        """
+        p = self.terms.count
+        row = force if self.quadratic is None else np.append(force, _squares(force[None])[0])
+        place = [0, 1] if self.quadratic is None else [0, 1, 3, 4, 5]
+        index = [axis * p + one for axis in range(2) for one in place]
+        spread = np.kron(np.eye(2), row)
+        signal = spread @ self.covariance[np.ix_(index, index)] @ spread.T
+        return np.asarray(self.matrix @ signal @ self.matrix.T, dtype=np.float64)
+
+
+def forces(signal: Array, matrix: Array, zero: Array, quadratic: Array | None = None) -> Array:
+    """Return the forces (n, 2) that signals (n, 2) mean; quadratic terms (2, 3) by Newton steps.
+
+    matrix: inverse of A. The forward model is signal = A f + quadratic (f1^2, f1 f2, f2^2) + zero.
+    """
+    reading = np.atleast_2d(signal) - zero
+    force = np.asarray(reading @ matrix.T, dtype=np.float64)
+    if quadratic is None:
+        return force
+    sensitivity = np.linalg.inv(matrix)
+    for _ in range(8):
+        x, y = force.T
+        predicted = force @ sensitivity.T + _squares(force) @ quadratic.T
+        d1 = quadratic[:, 0, None] * 2 * x + quadratic[:, 1, None] * y
+        d2 = quadratic[:, 1, None] * x + quadratic[:, 2, None] * 2 * y
+        slope = sensitivity[None] + np.stack((d1.T, d2.T), axis=-1)
+        force = force + np.linalg.solve(slope, (reading - predicted)[..., None])[..., 0]
+    return force
 
 
 def design(force: Array, terms: Terms) -> Array:
@@ -134,19 +155,31 @@ def fit(force: Array, signal: Array, terms: Terms, weights: Array | None = None)
 def robust_fit(force: Array, signal: Array, floor: float) -> tuple[TwoAxisFit, float]:
     """Fit so that single wrong readings have little pull; return the fit and the noise in N.
 
-    Huber weights on the residual's length; ``floor`` (N) is the smallest noise believed in
-    (resolution / sqrt(12)).
+    ``floor`` (N) is the smallest noise believed in (resolution / sqrt(12)). Quadratic terms are
+    used where the loads determine them and half of the readings come nearer by a third.
     """
+    found, scale = _huber(force, signal, floor, Terms())
+    noise = max(floor, scale)
+    curved = Terms(quadratic=True)
+    if len(force) <= 2 * curved.count + 4 or not _determined(force, curved):
+        return found, noise
+    bent, less = _huber(force, signal, floor, curved)
+    return (bent, max(floor, less)) if less < scale / 1.5 else (found, noise)
+
+
+def _huber(force: Array, signal: Array, floor: float, terms: Terms) -> tuple[TwoAxisFit, float]:
+    """Fit with Huber weights on the residual's length; return the fit and its scale, N."""
     weights = np.ones(len(force))
-    found = fit(force, signal, Terms())
-    noise = floor
+    found = fit(force, signal, terms)
+    scale = 0.0
     for _ in range(ITERATIONS):
         length = np.hypot(*found.residual.T)
-        noise = max(floor, float(np.median(length)) / 1.1774)
+        scale = float(np.median(length)) / 1.1774
+        noise = max(floor, scale)
         weights = np.minimum(1.0, HUBER * noise / np.maximum(length, 1e-300)) ** 2
         weights = np.maximum(weights, 1e-6)
-        found = fit(force, signal, Terms(), weights)
-    return found, noise
+        found = fit(force, signal, terms, weights)
+    return found, scale
 
 
 def choose_terms(force: Array, signal: Array) -> tuple[TwoAxisFit, str]:

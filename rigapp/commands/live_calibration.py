@@ -107,7 +107,7 @@ def heaviest_load(pieces: Sequence[float], settings: LoadCellSettings) -> float:
 def window_of(view: Mapping[str, Any]) -> Window:
     """Return the window that the engine's answer to ``signals`` tells; SI, angle in rad."""
     signals = np.array(view["signals"], dtype=np.float64).reshape(4, -1)
-    angle = view["angle_deg"]
+    angle, quadratic = view["angle_deg"], view.get("quadratic")
     return Window(
         time=np.array(view["end"], dtype=np.float64) / view["sample_rate_Hz"],
         signal=signals[:2].T,
@@ -116,6 +116,7 @@ def window_of(view: Mapping[str, Any]) -> Window:
         noise_share=1.0 / math.sqrt(view["samples_per_mean"]),
         matrix=np.array(view["matrix"], dtype=np.float64),
         zero=np.array(view["zero"], dtype=np.float64),
+        quadratic=None if quadratic is None else np.array(quadratic, dtype=np.float64),
     )
 
 
@@ -141,7 +142,7 @@ class LiveSession:
         self._patient = keep_waiting_times
         self._since = math.nan
         self._newest = -math.inf
-        self._in_use: tuple[Array, Array] | None = None
+        self._in_use: tuple[Array, Array, Array | None] | None = None
         self.journal = Journal(journal)
         try:
             self.procedure = self._open(wish)
@@ -181,7 +182,7 @@ class LiveSession:
             if math.isnan(self._since) or window.newest < self._newest:
                 self._since = window.newest
             self._newest = window.newest
-        self._in_use = (window.matrix, window.zero)
+        self._in_use = (window.matrix, window.zero, window.quadratic)
         if self.procedure.done:
             readiness = assess(window, self.procedure.steps[-1], 1.0, math.nan, 0.0)
             return replace(readiness, verdict=Verdict.WAITING, words="all readings are taken")

@@ -11,6 +11,7 @@ NotNegative = Annotated[float, msgspec.Meta(ge=0)]
 PositiveCount = Annotated[int, msgspec.Meta(ge=1)]
 
 Pair = tuple[float, float]
+Triple = tuple[float, float, float]
 Matrix = tuple[Pair, Pair]
 
 
@@ -73,8 +74,11 @@ class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[load_cell]: two bridges in the pin; force on the pin = matrix (signal - zero).
 
+    quadratic_mV_per_V_per_N2: only from a record whose readings justify it; then signal - zero =
+    inverse(matrix) f + quadratic (f1^2, f1 f2, f2^2), f the force on the pin.
     uncertainty_N: expanded uncertainty U(F) = first + second F. calibration: a record that takes
-    the place of matrix, zero and uncertainty; calibration_override: why it is used though expired.
+    the place of matrix, zero, quadratic and uncertainty; calibration_override: why it is used
+    though expired.
     """
 
     device: str
@@ -82,6 +86,7 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     input_2: str
     matrix_N_per_mV_per_V: Matrix
     zero_mV_per_V: Pair = (0.0, 0.0)
+    quadratic_mV_per_V_per_N2: tuple[Triple, Triple] | None = None
     range_mV_per_V: Positive = 3.5
     full_scale_N: Positive = 400.0
     resolution_N: Positive = 2.0

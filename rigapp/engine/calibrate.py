@@ -26,6 +26,7 @@ from drivers.api import ChannelSpec, StreamSetup
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.assembler import EncoderSetup, Margins, Revolution, Values
+from rigapp.engine.bend import invertible, straight
 
 ANALOG = ("force_1", "force_2", "probe_1", "probe_2")
 """What the four analog inputs carry, in the order of every four-row array here."""
@@ -38,9 +39,10 @@ class Calibration:
     """Hold what turns the raw samples of one test into N and um.
 
     rows: row in the Block of the four analog inputs (``ANALOG``) and of the counter. scale,
-    offset: (4,) electrical signal = scale raw + offset. matrix: (2, 2) N per signal unit. zero:
-    (2,) signal units; tare: (2,) further zero found with the pin unloaded. sensitivity: (2,) um/V.
-    probe_offset: (2,) V. latency_s: (4,). index_angle_rad: crank angle at the index.
+    offset: (4,) electrical signal = scale raw + offset. matrix: (2, 2) N per signal unit. bend:
+    (2, 3) 1/N, the quadratic terms of the cell (``bend``). zero: (2,) signal units; tare: (2,)
+    further zero found with the pin unloaded. sensitivity: (2,) um/V. probe_offset: (2,) V.
+    latency_s: (4,). index_angle_rad: crank angle at the index.
     """
 
     rows: tuple[int, int, int, int]
@@ -57,6 +59,7 @@ class Calibration:
     latency_s: NDArray[np.float64]
     units: tuple[str, str, str, str] = ("mV/V", "mV/V", "V", "V")
     tare: NDArray[np.float64] = field(default_factory=lambda: np.zeros(2))
+    bend: NDArray[np.float64] = field(default_factory=lambda: np.zeros((2, 3)))
     counter_scale: float = 1.0
     counter_offset: float = 0.0
     names: tuple[str, str] = ("", "")
@@ -76,7 +79,10 @@ class Calibration:
         return whole.astype(np.int64), samples - whole
 
     def gains(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return gain (4, 4) and bias (4,): ``ANALOG`` in N and um = gain raw + bias."""
+        """Return gain (4, 4) and bias (4,): ``ANALOG`` in N and um = gain raw + bias.
+
+        The forces are the linear ones where the cell has quadratic terms (``bend``).
+        """
         gain, bias = np.zeros((4, 4)), np.zeros(4)
         force = -self.matrix
         gain[:2, :2] = force * self.scale[:2]
@@ -84,6 +90,14 @@ class Calibration:
         gain[2, 2], gain[3, 3] = self.sensitivity * self.scale[2:]
         bias[2:] = self.sensitivity * (self.offset[2:] - self.probe_offset)
         return gain, bias
+
+    def engineering(self, raw: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return ``ANALOG`` (4, samples) in N and um of raw samples (4, samples)."""
+        gain, bias = self.gains()
+        values = np.asarray(gain @ raw + bias[:, None], np.float64)
+        if self.bend.any():
+            values[:2] = straight(values[:2], self.bend)
+        return values
 
     def signals(self, values: Values) -> NDArray[np.float64]:
         """Return the electrical signals (4, samples) of a Block's values."""
@@ -142,8 +156,7 @@ class Calibrated:
 
 def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
     """Return the revolution in engineering units."""
-    gain, bias = calibration.gains()
-    values = gain @ shifted(revolution, calibration) + bias[:, None]
+    values = calibration.engineering(shifted(revolution, calibration))
     turn = calibration.encoder.counts_per_revolution
     return Calibrated(
         angle_rad=np.asarray(
@@ -171,6 +184,7 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
     counter_row, counter = _spec(setup, rig.encoder.input, "encoder.input")
     matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
     _check_matrix(matrix)
+    bend = _bend(rig, matrix)
     sensitivity = np.array(rig.probes.sensitivity_um_per_V, np.float64)
     latency = np.array((*rig.load_cell.latency_ms, *rig.probes.latency_ms), np.float64) / 1e3
     zero = np.array(rig.load_cell.zero_mV_per_V, np.float64)
@@ -208,6 +222,7 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
         scale=np.array([spec.scale for _, spec in specs]),
         offset=np.array([spec.offset for _, spec in specs]),
         matrix=matrix,
+        bend=bend,
         zero=zero,
         sensitivity=sensitivity,
         probe_offset=probe_offset,
@@ -237,3 +252,21 @@ def _check_matrix(matrix: NDArray[np.float64]) -> None:
         raise UnusableInput(
             f"{key} is singular: its two bridges would show the same force; calibrate the load cell"
         )
+
+
+def _bend(rig: RigFile, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the quadratic terms for joint forces (2, 3), 1/N; raise UnusableInput."""
+    cell = rig.load_cell
+    if cell.quadratic_mV_per_V_per_N2 is None:
+        return np.zeros((2, 3))
+    bend = np.ascontiguousarray(matrix @ np.array(cell.quadratic_mV_per_V_per_N2, np.float64))
+    key = "rig file: load_cell.quadratic_mV_per_V_per_N2"
+    if not np.isfinite(bend).all():
+        raise UnusableInput(f"{key} holds a value that is not a number; calibrate the load cell")
+    reach = math.sqrt(2.0) * cell.range_mV_per_V * float(np.linalg.norm(matrix, 2))
+    if not invertible(bend, reach):
+        raise UnusableInput(
+            f"{key}: the quadratic terms are so large that signals within the input range mean"
+            " two forces; calibrate the load cell again over the range that is used"
+        )
+    return bend

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 
 import msgspec
+import numpy as np
 
+from rigapp.engine.calibrate import Calibration
 from rigapp.engine.connection import Connection
 from rigapp.engine.messages import RunState
 from rigapp.engine.run import Refused
@@ -18,7 +20,9 @@ class SignalView(msgspec.Struct, frozen=True):
 
     end: device sample at the end of each mean. signals: force_1, force_2, probe_1, probe_2, each a
     list as long as ``end``. angle_deg: crank angle of the newest sample, None while the index has
-    not been passed. matrix, zero: the calibration in use, N per unit of the load cell and unit.
+    not been passed. matrix, zero: the calibration in use, N per unit of the load cell and unit;
+    quadratic: its quadratic terms (2 x 3), signal unit per N^2, None without.
+    sensitivity_um_per_V, probe_offset_V: that of the probes.
     """
 
     end: list[int]
@@ -32,6 +36,9 @@ class SignalView(msgspec.Struct, frozen=True):
     simulated: bool
     matrix: list[list[float]]
     zero: list[float]
+    quadratic: list[list[float]] | None = None
+    sensitivity_um_per_V: list[float] = []
+    probe_offset_V: list[float] = []
 
 
 def hear(
@@ -63,7 +70,17 @@ def hear(
         simulated=simulated,
         matrix=calibration.matrix.tolist(),
         zero=calibration.zero.tolist(),
+        sensitivity_um_per_V=calibration.sensitivity.tolist(),
+        probe_offset_V=calibration.probe_offset.tolist(),
+        quadratic=_quadratic(calibration),
     )
+
+
+def _quadratic(calibration: Calibration) -> list[list[float]] | None:
+    if not calibration.bend.any():
+        return None
+    quadratic: list[list[float]] = np.linalg.solve(calibration.matrix, calibration.bend).tolist()
+    return quadratic
 
 
 def _angle_deg(connection: Connection) -> float | None:

@@ -133,11 +133,10 @@ class Processor:
         if block is None:
             return None
         newest = block.values[:, -1:]
-        gain, bias = calibration.gains()
-        raw = newest[list(calibration.rows), 0].astype(np.float64)
+        raw = newest[list(calibration.rows)].astype(np.float64)
         return Live(
             signals=calibration.signals(newest)[:, 0],
-            values=gain @ raw + bias,
+            values=calibration.engineering(raw)[:, 0],
             count=float(newest[calibration.counter_row, 0]),
             host_s=block.host_time_ns * 1e-9,
         )

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.assembler import Revolution
+from rigapp.engine.bend import straighten
 from rigapp.engine.calibrate import Calibration, with_margins
 from rigapp.engine.columns import CHANNELS, STATISTICS, revolution_columns
 
@@ -31,7 +32,8 @@ SPEED_WINDOWS = 36
 
 _SIGNATURE = (
     "void({0}[::1], {0}[::1], {0}[::1], {0}[::1], int64[::1], float64[::1], float64[:, ::1],"
-    " float64[::1], int64[::1], int64[:, ::1], float64[:, ::1], float64[::1], float64[::1])"
+    " float64[::1], float64[:, ::1], int64[::1], int64[:, ::1], float64[:, ::1], float64[::1],"
+    " float64[::1])"
 )
 
 
@@ -91,6 +93,7 @@ def _reduce(
     part: Array,
     gain: Array,
     bias: Array,
+    bend: Array,
     counts: NDArray[np.int64],
     segments: NDArray[np.int64],
     scratch: Array,
@@ -123,6 +126,11 @@ def _reduce(
             first[i] = x
             second[i] = y
             total[i] = math.sqrt(x * x + y * y)
+    curved = False
+    for j in range(3):
+        curved = curved or bend[0, j] != 0.0 or bend[1, j] != 0.0
+    if curved:
+        straighten(first, second, total, n, bend)
     _extremes_and_moments(first, n, counts, out[0:5])
     _extremes_and_moments(second, n, counts, out[5:10])
     _extremes_and_moments(total, n, counts, out[10:15])
@@ -224,6 +232,7 @@ class Reducer:
             self._part,
             self._gain,
             self._bias,
+            self.calibration.bend,
             revolution.counts,
             revolution.segments,
             self._scratch,

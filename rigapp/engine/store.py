@@ -194,11 +194,13 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
         "load_cell": {
             "record": calibration.names[0],
             "matrix_N_per_mV_per_V": calibration.matrix.tolist(),
+            "bend_per_N": calibration.bend.tolist(),
             "zero_mV_per_V": calibration.zero.tolist(),
             "tare_mV_per_V": calibration.tare.tolist(),
             "latency_ms": (calibration.latency_s[:2] * 1e3).tolist(),
             "frame": "crank",
-            "sign": "F on the follower by the pin = - matrix (signal - zero - tare)",
+            "sign": "F on the follower by the pin = G + bend (F1^2, F1 F2, F2^2),"
+            " G = - matrix (signal - zero - tare)",
         },
         "probes": {
             "record": calibration.names[1],

@@ -86,21 +86,18 @@ def _read(rig: Document[RigFile], section: str, name: str) -> tuple[str, Record]
 
 def _load_cell(rig: Document[RigFile], record: Record) -> Any:
     result = record.content["result"]
-    if result.get("quadratic_unit_per_N2"):
-        raise UnusableInput(
-            f"{rig.path}: the record {record.number} has quadratic terms, which are not applied"
-            " while a test runs; calibrate again over the range that is used."
-        )
     unit = record.content["settings"]["cell"]["signal_unit"]
     if unit != "mV/V":
         raise UnusableInput(
             f"{rig.path}: the record {record.number} is in N per {unit}; the rig measures mV/V."
         )
     line = result["uncertainty_line_N"]
+    quadratic = result.get("quadratic_unit_per_N2")
     return msgspec.structs.replace(
         rig.record.load_cell,
         matrix_N_per_mV_per_V=tuple(tuple(row) for row in result["matrix_N_per_unit"]),
         zero_mV_per_V=tuple(result["zero"]),
+        quadratic_mV_per_V_per_N2=None if quadratic is None else tuple(map(tuple, quadratic)),
         uncertainty_N=(line["constant_N"], line["per_N"]),
     )
 
