@@ -2,39 +2,25 @@
 
 from __future__ import annotations
 
-import math
-import os
-from collections.abc import Iterator
-from dataclasses import dataclass
+import sys
+import time
 from pathlib import Path
+
+import msgspec
 
 from drivers.api import DeviceError
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document, read_rig, read_test
+from rigapp.config.loading import read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.engine.calibrate import Calibration, calibration_of
-from rigapp.engine.criteria import described
-from rigapp.engine.devices import make_devices
-from rigapp.engine.fileplan import file_plan
-from rigapp.engine.limits import check_rules
-from rigapp.service.records import with_records
-from rigapp.service.simulated import SimulatedDevices, parse_speed
+from rigapp.engine.messages import Status
+from rigapp.service.preflight import Check, Verdict, blocked, disk_facts, preflight
+from rigapp.service.records import RigRecords, with_records
 from rigapp.simulation.handle import SimulationFailed
-from rigapp.storage.layout import reserved_bytes, streams_of
 
-FEWEST_SAMPLES = 60
-ROOM_FACTOR = 1.1
-
-
-@dataclass(frozen=True, slots=True)
-class Item:
-    """One line of the pre-flight check."""
-
-    subject: str
-    text: str
-    good: bool = True
-    blocks: bool = True
+FIRST_DATA_S = 10.0
+PIPE_WIDTH = 200
+MARKS = {Verdict.GOOD: "ok", Verdict.ATTENTION: "note", Verdict.BLOCKS: "BLOCKS"}
 
 
 def check_rig(rig_path: Path, test_path: Path) -> int:
@@ -43,116 +29,70 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
     from rich.table import Table
 
     records = with_records(read_rig(rig_path))
-    test = read_test(test_path)
-    items = [Item("Calibration", text, False) for text in records.blocking.values()]
-    items += [Item("Calibration", f"{name}: {text}") for name, text in records.remarks.items()]
-    items += preflight(records.rig, test, Path.cwd())
+    test = read_test(test_path).record
+    status, problems = look(records, test)
+    rate = _rate(status) or _configured_rate(records.rig.record)
+    disk = disk_facts(test, rate, Path.cwd()) if rate else None
+    checks = preflight(test, records, disk, status)
+    if problems:
+        checks = [check for check in checks if check.what != "Engine"] + problems
     table = Table(show_header=False, box=None, pad_edge=False)
-    for item in items:
-        mark = "ok" if item.good else ("BLOCKS" if item.blocks else "note")
-        table.add_row(mark, item.subject, item.text)
-    Console(soft_wrap=True).print(table)
-    return 1 if any(item.blocks and not item.good for item in items) else 0
+    for check in checks:
+        text = f"{check.finding}. {check.action}" if check.action else check.finding
+        table.add_row(MARKS[check.verdict], check.what, text)
+    Console(width=None if sys.stdout.isatty() else PIPE_WIDTH).print(table)
+    return 1 if blocked(checks) else 0
 
 
-def preflight(rig: Document[RigFile], test: Document[TestFile], folder: Path) -> Iterator[Item]:
-    """Yield what was checked, devices included: they are opened, configured and released."""
-    yield from _limits(rig.record, test.record)
-    yield from _calibration(rig.record)
-    calibration: list[Calibration] = []
-    yield from _devices(rig, test.record, calibration)
-    rate = calibration[0].sample_rate_Hz if calibration else _configured_rate(rig.record)
-    if rate:
-        yield from _samples(test.record, rate)
-        yield from _disk(test.record, rate, folder)
+def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check]]:
+    """Return how the rig stands, and what kept it from being looked at.
 
+    The engine that runs for the rig is asked; without one, the devices are opened and released.
+    """
+    from rigapp.service.client import Client, EngineUnreachable
+    from rigapp.service.launch import find_engine
 
-def _limits(rig: RigFile, test: TestFile) -> Iterator[Item]:
-    run, limits = test.run, test.limits
-    if run.speed_rpm > rig.spindle.maximum_speed_rpm:
-        yield Item(
-            "Speed",
-            f"{run.speed_rpm:g} rpm is above the rig's maximum of"
-            f" {rig.spindle.maximum_speed_rpm:g} rpm",
-            False,
-        )
-    else:
-        hours = run.revolutions / run.speed_rpm / 60.0
-        yield Item(
-            "Speed", f"{run.speed_rpm:g} rpm, {run.revolutions} revolutions in {hours:.2f} h"
-        )
-    full = rig.load_cell.full_scale_N
-    yield Item(
-        "Overload",
-        f"{limits.overload_N:g} N of {full:g} N full scale",
-        limits.overload_N <= full,
-    )
-    ends = [f"{run.revolutions} revolutions", *described(test.stop)]
-    yield Item("Ends", "at the first of: " + ", ".join(ends) if len(ends) > 1 else ends[0])
+    entry = find_engine(records.rig.path)
     try:
-        check_rules(limits.rule)
-    except UnusableInput as error:
-        yield Item("Limits", str(error), False)
-    else:
-        yield Item("Limits", f"{len(limits.rule)} rules of the test, and the built-in ones")
-
-
-def _calibration(rig: RigFile) -> Iterator[Item]:
-    determinant = (
-        rig.load_cell.matrix_N_per_mV_per_V[0][0] * rig.load_cell.matrix_N_per_mV_per_V[1][1]
-        - rig.load_cell.matrix_N_per_mV_per_V[0][1] * rig.load_cell.matrix_N_per_mV_per_V[1][0]
-    )
-    if not math.isfinite(determinant) or determinant == 0.0:
-        yield Item("Load cell", "its matrix cannot be used; calibrate it", False)
-    else:
-        yield Item("Load cell", rig.load_cell.calibration or "linear, from the rig file")
-    usable = all(math.isfinite(value) and value != 0.0 for value in rig.probes.sensitivity_um_per_V)
-    text = rig.probes.calibration_name or "linear, from the rig file"
-    yield Item("Probes", text if usable else "a sensitivity of 0 cannot be used", usable)
-
-
-def _devices(rig: Document[RigFile], test: TestFile, found: list[Calibration]) -> Iterator[Item]:
-    simulated = SimulatedDevices(rig, parse_speed(None, rig))
-    try:
-        devices = make_devices(rig.record, simulated.ports(test.model))
+        if entry is None:
+            return _look_alone(records, test), []
+        client = Client(entry)
         try:
-            setup = devices.open()
-            found.append(calibration_of(rig.record, setup))
-            for name, box in devices.identities.items():
-                text = f"{box.maker} {box.model}, firmware {box.firmware}"
-                yield Item(f"Device {name}", f"{text}, serial {box.serial_number or 'not told'}")
+            return msgspec.convert(client.request("status").result, Status), []
         finally:
-            devices.close()
+            client.close()
     except DeviceError as error:
-        yield Item(f"Device {error.device}", f"{error.port}: {error.sentence}", False)
-    except (UnusableInput, SimulationFailed) as error:
-        yield Item("Devices", str(error), False)
+        where = f"{error.port}: {error.sentence}"
+        action = "Check cable, power and port"
+        return None, [Check(f"Device {error.device}", Verdict.BLOCKS, where, action)]
+    except (UnusableInput, SimulationFailed, EngineUnreachable) as error:
+        return None, [Check("Devices", Verdict.BLOCKS, str(error))]
+
+
+def _look_alone(records: RigRecords, test: TestFile) -> Status:
+    from rigapp.engine.engine import Engine
+    from rigapp.service.simulated import SimulatedDevices, parse_speed
+
+    simulated = SimulatedDevices(records.rig, parse_speed(None, records.rig))
+    try:
+        engine = Engine(records.rig, ports=simulated.ports(test.model), records=records.texts)
+        try:
+            engine.connect()
+            deadline = time.monotonic() + FIRST_DATA_S
+            while not engine.status().channels and time.monotonic() < deadline:
+                time.sleep(0.05)
+            return engine.status()
+        finally:
+            engine.shutdown()
     finally:
         simulated.close()
+
+
+def _rate(status: Status | None) -> float:
+    devices = status.devices if status is not None else ()
+    return max((device.sample_rate_Hz for device in devices), default=0.0)
 
 
 def _configured_rate(rig: RigFile) -> float:
     rate = rig.devices[rig.encoder.device].settings.get("sample_rate_Hz", 0.0)
     return float(rate) if isinstance(rate, int | float) else 0.0
-
-
-def _samples(test: TestFile, rate: float) -> Iterator[Item]:
-    samples = rate * 60.0 / test.run.speed_rpm
-    yield Item(
-        "Samples",
-        f"{samples:.0f} a revolution at {rate:g} Hz"
-        + ("" if samples >= FEWEST_SAMPLES else "; extremes will be missed, raise the rate"),
-        samples >= FEWEST_SAMPLES,
-        blocks=False,
-    )
-
-
-def _disk(test: TestFile, rate: float, folder: Path) -> Iterator[Item]:
-    plan = file_plan(test, rate)
-    needed = reserved_bytes(streams_of(plan).values()) * ROOM_FACTOR / 1e6
-    disk = os.statvfs(folder)
-    free = disk.f_bavail * disk.f_frsize / 1e6
-    text = f"{needed:.0f} MB needed, {free:.0f} MB free in {folder}"
-    if free < needed:
-        text += f"; {needed - free:.0f} MB are missing"
-    yield Item("Disk", text, free >= needed)

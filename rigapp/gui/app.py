@@ -9,9 +9,6 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
-from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_rig
-from rigapp.config.rig import RigFile
 from rigapp.gui.link import ClientFactory, Link
 from rigapp.gui.palette import THEMES, apply_theme
 from rigapp.gui.selftest import run_self_test
@@ -51,7 +48,7 @@ def main(
         Link(client_factory),
         Session(),
         theme,
-        rig=_rig(rig_path),
+        rig=rig_path if rig_path.suffix == ".toml" else None,
         tests=tests,
         results_folder=results_folder,
         settings=settings,
@@ -62,11 +59,3 @@ def main(
     if start_test is not None:
         window.start_when_idle(start_test)
     return application.exec()
-
-
-def _rig(path: Path) -> RigFile | None:
-    """Return the rig file for its ranges, None when the path is not one (a replay)."""
-    try:
-        return read_rig(path).record
-    except UnusableInput:
-        return None

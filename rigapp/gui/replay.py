@@ -13,7 +13,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.columns import prediction_columns, revolution_columns
+from rigapp.engine.columns import PREDICTED_CURVES, prediction_columns, revolution_columns
 from rigapp.engine.messages import Cycle, Prediction, Reply, RunState, Snapshot, Status
 from rigapp.gui.recording import StoredRevolution, newest_revolution, recipe_of
 from rigapp.storage import TestReader, open_test
@@ -246,8 +246,9 @@ def _cycle_message(stored: StoredRevolution) -> Cycle:
 def _prediction_message(stored: StoredRevolution) -> Prediction | None:
     if stored.prediction is None:
         return None
-    curves = {name: _bytes(values) for name, values in stored.prediction.curves.items()}
-    return Prediction(stored.prediction.revolution, b"", **curves)
+    curves = stored.prediction.curves
+    force_1, force_2, force = (_bytes(curves[name]) for name in PREDICTED_CURVES)
+    return Prediction(stored.prediction.revolution, b"", force_1, force_2, force)
 
 
 def _bytes(values: NDArray[np.floating]) -> bytes:

@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.commands.live_calibration import Rig
-from rigapp.config.rig import RigFile
 from rigapp.engine.messages import Snapshot
 from rigapp.gui.calibration.wizard import CalibrationWizard
 from rigapp.gui.closebar import CloseBar
@@ -59,7 +58,7 @@ class MainWindow(QMainWindow):
         session: Session,
         theme: Theme,
         *,
-        rig: RigFile | None = None,
+        rig: Path | None = None,
         tests: Sequence[Path] = (),
         results_folder: Path = Path("results"),
         settings: QSettings | None = None,

@@ -16,10 +16,11 @@ from rigapp.config.loading import parse_test, read_rig, read_test
 from rigapp.engine.messages import DriveView, RunState
 from rigapp.gui.fields import changes, form_fields, get_path, parse_value, set_path, show_value
 from rigapp.gui.palette import DARK, LIGHT
-from rigapp.gui.preflight import DiskFacts, Verdict, disk_facts, preflight
 from rigapp.gui.prepare import PreparePanel
 from rigapp.gui.recipe import RecipePanel
 from rigapp.gui.tasks import Worker
+from rigapp.service.preflight import DiskFacts, Verdict, disk_facts, preflight
+from rigapp.service.records import with_records
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -176,13 +177,13 @@ def ready(make_status: Any, **more: Any) -> Any:
 
 def test_nothing_blocks_a_sound_rig(make_status: Any, tmp_path: Path) -> None:
     test = read_test(EXAMPLES / "quick.toml").record
-    rig = read_rig(EXAMPLES / "simulated.toml").record
+    rig = with_records(read_rig(EXAMPLES / "simulated.toml"))
     disk = disk_facts(test, 960.0, tmp_path)
     assert disk.needed_bytes > 1e5
-    found = preflight(ready(make_status), test, rig, disk)
+    found = preflight(test, rig, disk, ready(make_status))
     assert not [check for check in found if check.verdict is Verdict.BLOCKS]
     attention = {check.what for check in found if check.verdict is Verdict.ATTENTION}
-    assert attention == {"Limits", "Calibration"}
+    assert attention == {"Limits", "Calibration of load cell", "Calibration of probes"}
 
 
 @pytest.mark.parametrize(
@@ -199,13 +200,13 @@ def test_what_is_wrong_blocks_with_an_action(
 ) -> None:
     test = read_test(EXAMPLES / "quick.toml").record
     status = msgspec.structs.replace(ready(make_status), **changes_)
-    found = {check.what: check for check in preflight(status, test, None, None)}
+    found = {check.what: check for check in preflight(test, None, None, status)}
     assert found[what].verdict is Verdict.BLOCKS
     assert found[what].action
 
 
 def test_rig_and_test_are_held_against_each_other(make_status: Any) -> None:
-    rig = read_rig(EXAMPLES / "simulated.toml").record
+    rig = with_records(read_rig(EXAMPLES / "simulated.toml"))
     text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
     text = text.replace("speed_rpm = 60.0", "speed_rpm = 900.0")
     text = text.replace("overspeed_rpm = 90.0", "overspeed_rpm = 950.0")
@@ -213,7 +214,7 @@ def test_rig_and_test_are_held_against_each_other(make_status: Any) -> None:
     status = ready(make_status)
     probe = msgspec.structs.replace(status.channels[2], raw=9.9)
     status = msgspec.structs.replace(status, channels=(probe,))
-    found = {check.what: check.verdict for check in preflight(status, test, rig, None)}
+    found = {check.what: check.verdict for check in preflight(test, rig, None, status)}
     assert found["Speed"] is Verdict.BLOCKS
     assert found["Overload"] is Verdict.ATTENTION
     assert found["Channel probe_1"] is Verdict.BLOCKS
@@ -221,8 +222,8 @@ def test_rig_and_test_are_held_against_each_other(make_status: Any) -> None:
 
 def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
     test = read_test(EXAMPLES / "paper.toml").record
-    missing = preflight(None, test, None, disk_facts(test, 960.0, tmp_path / "nowhere"))
-    full = preflight(None, test, None, DiskFacts(tmp_path, 10**9, 10**6))
+    missing = preflight(test, None, disk_facts(test, 960.0, tmp_path / "nowhere"), None)
+    full = preflight(test, None, DiskFacts(tmp_path, 10**9, 10**6), None)
     for found in (missing, full):
         disk = next(check for check in found if check.what == "Disk")
         assert disk.verdict is Verdict.BLOCKS
@@ -251,4 +252,71 @@ def test_the_list_follows_form_and_engine(
     type_into(panel.recipe, "run.revolutions", "x")
     assert "blocks" in shown()["Test"]
     panel.dress(LIGHT)
+    worker.close()
+
+
+def test_window_and_command_line_show_one_list(
+    qtbot: Any,
+    qapp: Any,
+    tmp_path: Path,
+    make_status: Any,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    from rigapp.commands import check
+
+    status = ready(make_status)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(check, "look", lambda records, test: (status, []))
+    assert check.check_rig(EXAMPLES / "simulated.toml", EXAMPLES / "quick.toml") == 0
+    lines = capsys.readouterr().out.splitlines()
+    worker = Worker("test-files")
+    panel = PreparePanel(LIGHT, tmp_path, worker)
+    qtbot.addWidget(panel)
+    panel.set_rig(EXAMPLES / "simulated.toml")
+    panel.recipe.open_file(EXAMPLES / "quick.toml")
+
+    def rows() -> list[list[str]]:
+        worker.deliver()
+        panel.show_status(status)
+        table = panel.checks.table
+        return [
+            [table.item(row, column).text() for column in range(4)]  # type: ignore[union-attr]
+            for row in range(table.rowCount())
+        ]
+
+    qtbot.waitUntil(lambda: {"Disk", "Speed"} <= {row[1] for row in rows()}, timeout=20_000)
+    marks = {"good": "ok", "attention": "note", "blocks": "BLOCKS"}
+    shown = rows()
+    assert len(shown) == len(lines)
+    for (mark, what, finding, action), line in zip(shown, lines, strict=True):
+        assert line.startswith(marks[mark.split()[1]])
+        assert what in line
+        free = finding.split(",")[0] if what == "Disk" else finding
+        assert free in line
+        assert action in line
+    worker.close()
+
+
+def test_a_rig_file_that_became_unusable_blocks(
+    qtbot: Any, qapp: Any, tmp_path: Path, make_status: Any
+) -> None:
+    rig = tmp_path / "rig.toml"
+    text = (EXAMPLES / "simulated.toml").read_text(encoding="utf-8")
+    rig.write_text(text, encoding="utf-8")
+    worker, now = Worker("test-files"), [0.0]
+    panel = PreparePanel(LIGHT, tmp_path, worker, clock=lambda: now[0])
+    qtbot.addWidget(panel)
+    panel.set_rig(rig)
+    panel.recipe.open_file(EXAMPLES / "quick.toml")
+
+    def what() -> set[str]:
+        worker.deliver()
+        panel.show_status(ready(make_status))
+        return {check.what for check in panel.checks.shown}
+
+    qtbot.waitUntil(lambda: "Speed" in what(), timeout=20_000)
+    rig.write_text(text.replace("[spindle]", "[spindel]"), encoding="utf-8")
+    now[0] = 100.0
+    qtbot.waitUntil(lambda: "Rig file" in what(), timeout=20_000)
     worker.close()

@@ -1,0 +1,327 @@
+"""What must be right before a test starts: one list for `rigapp check` and for the window.
+
+``preflight`` is a pure function of what was looked at; looking is up to its callers.
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.recipe import TestFile
+from rigapp.config.rig import RigFile
+from rigapp.engine.messages import DeviceView, RunState, Severity, Status
+from rigapp.service.records import RigRecords
+
+FEW_SAMPLES = 60
+"""With fewer samples a revolution, extremes are missed."""
+
+SPARE_BYTES = 32e6
+STALE_S = 2.0
+NEAR_THE_END = 0.95
+"""Share of an input's range beyond which a signal counts as at its end."""
+
+
+class Verdict(enum.StrEnum):
+    """Tell whether a check lets a test start."""
+
+    GOOD = "good"
+    ATTENTION = "attention"
+    BLOCKS = "blocks"
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One line of the list: what, how it stands, what to do."""
+
+    what: str
+    verdict: Verdict
+    finding: str
+    action: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class DiskFacts:
+    """How much room a test needs and has; problem: one sentence when it cannot be found out."""
+
+    folder: Path
+    needed_bytes: int
+    free_bytes: int
+    problem: str = ""
+
+
+def disk_facts(test: TestFile, sample_rate_Hz: float, folder: Path) -> DiskFacts:
+    """Return the room that a test needs in a folder; reads the disk."""
+    from rigapp.engine.fileplan import file_plan
+    from rigapp.storage.layout import reserved_bytes, streams_of
+
+    needed = reserved_bytes(streams_of(file_plan(test, sample_rate_Hz)).values())
+    try:
+        if not os.access(folder, os.W_OK | os.X_OK):
+            return DiskFacts(folder, needed, 0, f"{folder} does not exist or cannot be written to")
+        disk = os.statvfs(folder)
+    except OSError as error:
+        return DiskFacts(folder, needed, 0, f"{folder}: {error}")
+    return DiskFacts(folder, needed, disk.f_bavail * disk.f_frsize)
+
+
+def preflight(
+    test: TestFile | None,
+    records: RigRecords | None,
+    disk: DiskFacts | None,
+    status: Status | None,
+) -> list[Check]:
+    """Return every check, in the order in which an operator would go through them.
+
+    test: None while it is not usable. records: the rig with its calibration records, None where the
+    rig file is not known here. disk: None while it is not looked at yet. status: the engine's, None
+    when it cannot be reached.
+    """
+    rig = records.rig.record if records is not None else None
+    found = [*_of_test(test, rig), *_of_disk(disk)]
+    if records is not None:
+        found += _of_records(records)
+    if status is None:
+        found.append(
+            Check("Engine", Verdict.BLOCKS, "not reachable", "Wait, or start rigapp again")
+        )
+        return found
+    found += [*_of_engine(status), *_of_drive(status), *_of_channels(status, rig)]
+    if test is not None:
+        found += _of_rate(test, status)
+    if records is None:
+        found += _of_calibrations(status)
+    return found
+
+
+def blocked(checks: list[Check]) -> bool:
+    """Tell whether any check forbids a start."""
+    return any(check.verdict is Verdict.BLOCKS for check in checks)
+
+
+def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
+    if test is None:
+        yield Check("Test", Verdict.BLOCKS, "not usable yet", "See the sentence above the form")
+        return
+    run = test.run
+    hours = run.revolutions / run.speed_rpm / 60.0
+    text = f"{run.revolutions:,} revolutions at {run.speed_rpm:g} rpm".replace(",", "\u2009")
+    yield Check("Test", Verdict.GOOD, f"{text}, {hours:.3g} h")
+    yield from _of_ends(test)
+    if rig is not None:
+        yield from _of_rig_limits(test, rig)
+    yield from _of_rules(test)
+    for name in ("operator", "specimen"):
+        if not getattr(test.metadata, name):
+            yield Check(
+                name.capitalize(),
+                Verdict.ATTENTION,
+                "not named",
+                f"Write metadata.{name}, so that the file tells",
+            )
+
+
+def _of_ends(test: TestFile) -> Iterator[Check]:
+    from rigapp.engine.criteria import described
+
+    criteria = described(test.stop)
+    if criteria:
+        yield Check("Ends early", Verdict.GOOD, "at the first of: " + ", ".join(criteria))
+
+
+def _of_rig_limits(test: TestFile, rig: RigFile) -> Iterator[Check]:
+    from rigapp.engine.starting import load_cell_reach_N
+
+    speed, fastest = test.run.speed_rpm, rig.spindle.maximum_speed_rpm
+    if speed > fastest:
+        text = f"{speed:g} rpm, the rig allows {fastest:g} rpm"
+        yield Check("Speed", Verdict.BLOCKS, text, "Lower run.speed_rpm")
+    else:
+        yield Check("Speed", Verdict.GOOD, f"{speed:g} rpm of {fastest:g} rpm that the rig allows")
+    overload, full = test.limits.overload_N, rig.load_cell.full_scale_N
+    text = f"drive off above {overload:g} N, full scale of the cell {full:g} N"
+    matrix = rig.load_cell.matrix_N_per_mV_per_V
+    if matrix[0][0] * matrix[1][1] == matrix[0][1] * matrix[1][0]:
+        yield Check(
+            "Load cell",
+            Verdict.BLOCKS,
+            "its matrix cannot be inverted",
+            "Calibrate the cell, or correct load_cell.matrix_N_per_mV_per_V",
+        )
+    elif overload > load_cell_reach_N(rig):
+        text = f"{overload:g} N can never be seen: the inputs are full before"
+        yield Check("Overload", Verdict.BLOCKS, text, "Lower limits.overload_N")
+    elif overload > full:
+        action = "Lower limits.overload_N to what the cell may carry"
+        yield Check("Overload", Verdict.ATTENTION, text, action)
+    else:
+        yield Check("Overload", Verdict.GOOD, text)
+    if not all(math.isfinite(value) and value for value in rig.probes.sensitivity_um_per_V):
+        text = "a sensitivity of 0 cannot be used"
+        yield Check("Probes", Verdict.BLOCKS, text, "Correct probes.sensitivity_um_per_V")
+
+
+def _of_rules(test: TestFile) -> Iterator[Check]:
+    from rigapp.engine.limits import check_rules
+
+    try:
+        check_rules(test.limits.rule)
+    except UnusableInput as error:
+        yield Check("Limits", Verdict.BLOCKS, str(error), "Correct the limit")
+        return
+    rules = len(test.limits.rule)
+    yield Check(
+        "Limits",
+        Verdict.GOOD if rules else Verdict.ATTENTION,
+        f"{rules} of this test, beside overload, overspeed and stale data",
+        "" if rules else "Add a limit that tells when the joint has changed",
+    )
+
+
+def _of_disk(disk: DiskFacts | None) -> Iterator[Check]:
+    if disk is None:
+        return
+    if disk.problem:
+        yield Check("Disk", Verdict.BLOCKS, disk.problem, "Choose a folder that can be written to")
+        return
+    text = f"{disk.needed_bytes / 1e6:.0f} MB needed, {disk.free_bytes / 1e9:.1f} GB free"
+    missing = disk.needed_bytes + SPARE_BYTES - disk.free_bytes
+    yield Check(
+        "Disk",
+        Verdict.BLOCKS if missing > 0 else Verdict.GOOD,
+        f"{text} in {disk.folder}",
+        f"Free {missing / 1e6:.0f} MB or keep fewer whole cycles" if missing > 0 else "",
+    )
+
+
+def _of_records(records: RigRecords) -> Iterator[Check]:
+    """Judge the calibration of each part: by a record, or by the rig file alone."""
+    for name, why in records.blocking.items():
+        action = "Calibrate, or give a reason in calibration_override of the rig file"
+        yield Check(f"Calibration of {_words(name)}", Verdict.BLOCKS, why, action)
+    for name, text in records.remarks.items():
+        if name not in records.blocking:
+            yield Check(f"Calibration of {_words(name)}", Verdict.ATTENTION, text)
+    known = {*records.blocking, *records.remarks}
+    for name in records.texts:
+        if name not in known:
+            yield Check(f"Calibration of {_words(name)}", Verdict.GOOD, "a record that is valid")
+    recorded = {*known, *records.texts}
+    for name, section in (("load_cell", "load_cell"), ("probes", "probe")):
+        if not any(one.startswith(section) for one in recorded):
+            yield Check(
+                f"Calibration of {_words(name)}",
+                Verdict.ATTENTION,
+                "no record: the numbers of the rig file count",
+                "Calibrate for a known uncertainty",
+            )
+
+
+def _words(section: str) -> str:
+    return section.replace("_", " ")
+
+
+def _of_engine(status: Status) -> Iterator[Check]:
+    state = status.state
+    if state in (RunState.READY, RunState.STOPPED):
+        yield Check("State", Verdict.GOOD, state.value)
+    elif state is RunState.IDLE:
+        yield Check("State", Verdict.ATTENTION, "not connected", "Connect (F4); Start does it too")
+    else:
+        yield Check("State", Verdict.BLOCKS, state.value, "Wait until no test is under way")
+    for device in status.devices:
+        yield _of_device(device)
+    critical = [a for a in status.alarms if a.severity is Severity.CRITICAL]
+    others = [a for a in status.alarms if a.severity is not Severity.CRITICAL]
+    if critical:
+        yield Check("Alarms", Verdict.BLOCKS, critical[0].title, critical[0].action)
+    elif others:
+        yield Check("Alarms", Verdict.ATTENTION, others[0].title, others[0].action)
+    else:
+        yield Check("Alarms", Verdict.GOOD, "none")
+
+
+def _of_device(device: DeviceView) -> Check:
+    what = f"Device {device.name}"
+    if device.connected:
+        return Check(what, Verdict.GOOD, device.identity or device.driver)
+    action = f"Check cable and power of {device.port}, reconnect"
+    return Check(what, Verdict.BLOCKS, device.last_error or "not connected", action)
+
+
+def _of_drive(status: Status) -> Iterator[Check]:
+    drive = status.drive
+    if drive is None:
+        return
+    if drive.emergency_stop:
+        yield Check("Emergency stop", Verdict.BLOCKS, "pressed", "Release it at the rig")
+    else:
+        yield Check("Emergency stop", Verdict.GOOD, "not pressed")
+    if drive.faults:
+        yield Check("Drive", Verdict.BLOCKS, ", ".join(drive.faults), "Reset the drive")
+    elif drive.warnings:
+        yield Check("Drive", Verdict.ATTENTION, ", ".join(drive.warnings), "See the drive's manual")
+    else:
+        text = f"{drive.supply_V:.1f} V, {drive.temperature_C:.0f} °C"
+        yield Check("Drive", Verdict.GOOD, text)
+
+
+def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
+    if not status.channels:
+        return
+    if not math.isfinite(status.data_age_s) or status.data_age_s > STALE_S:
+        yield Check("Samples", Verdict.BLOCKS, "none are coming", "Check the device, reconnect")
+    else:
+        yield Check("Samples", Verdict.GOOD, f"{status.data_age_s:.1f} s old")
+    for channel in status.channels:
+        bound = _bound(channel.name, rig)
+        if bound is not None and abs(channel.raw) > NEAR_THE_END * bound:
+            yield Check(
+                f"Channel {channel.name}",
+                Verdict.BLOCKS,
+                f"{channel.raw:.3g} {channel.raw_unit} is at the end of the range",
+                "Check sensor and wiring, or adjust the probe",
+            )
+
+
+def _bound(channel: str, rig: RigFile | None) -> float | None:
+    if rig is None:
+        return None
+    if channel in ("force_1", "force_2"):
+        return rig.load_cell.range_mV_per_V
+    return rig.probes.range_V if channel in ("probe_1", "probe_2") else None
+
+
+def _of_rate(test: TestFile, status: Status) -> Iterator[Check]:
+    from rigapp.engine.starting import FEWEST_SAMPLES
+
+    rate = max((device.sample_rate_Hz for device in status.devices), default=0.0)
+    if rate <= 0.0:
+        return
+    samples = rate * 60.0 / test.run.speed_rpm
+    text = f"{samples:.0f} samples a revolution at {rate:g} Hz"
+    if samples < FEWEST_SAMPLES:
+        yield Check("Sample rate", Verdict.BLOCKS, text, "Raise the sample rate")
+    elif samples < FEW_SAMPLES:
+        text += "; extremes will be missed"
+        yield Check("Sample rate", Verdict.ATTENTION, text, "Raise the sample rate")
+    else:
+        yield Check("Sample rate", Verdict.GOOD, text)
+
+
+def _of_calibrations(status: Status) -> Iterator[Check]:
+    plain = [c.name for c in status.channels if c.calibration == "rig file"]
+    if plain:
+        yield Check(
+            "Calibration",
+            Verdict.ATTENTION,
+            f"no record for {', '.join(plain)}: the numbers of the rig file count",
+            "Calibrate for a known uncertainty",
+        )
+    elif status.channels:
+        yield Check("Calibration", Verdict.GOOD, "a record for each channel")
