@@ -24,11 +24,11 @@ from drivers.api import Block
 from rigapp.config.recipe import CyclesSection, LimitRule
 from rigapp.engine.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.calibrate import Calibration
+from rigapp.engine.history import History
 from rigapp.engine.limits import RuleMonitor
 from rigapp.engine.processing import Processor
 from rigapp.engine.recorder import Recorder
 from rigapp.engine.reduce import Reducer
-from rigapp.engine.schedule import Schedule
 from rigapp.engine.testrun import TestRun
 from rigapp.storage.layout import FilePlan
 from rigapp.storage.metadata import TestMetadata
@@ -122,7 +122,7 @@ def whole_path(folder: Path, size: int) -> float:
         kind, RuleMonitor((rule,)), 1, REVOLUTIONS, 0.0, lambda ns, later: ns * 1e-9, False
     )
     section = CyclesSection("every", every_revolutions=KEEP)
-    recorder = Recorder(store, Schedule(section, REVOLUTIONS), kind, 0.0)
+    recorder = Recorder(store, History(section, REVOLUTIONS), kind, 0.0)
     processor = Processor(kind, Path5(run, recorder), lambda: 380.0, real_time=False)
     processor.begin_test()
     templates = stream(size)

@@ -182,6 +182,7 @@ class Assembler:
         self._state, self._mean_step = new_state()
         self._next_sample: int | None = None
         self._next_sequence: int | None = None
+        self._host_time_ns = 0
         self._values: Values = np.empty((0, 0), np.float32)
         self._positions = np.empty(0, np.int64)
         self._scratch = np.empty(0, np.int64)
@@ -217,6 +218,7 @@ class Assembler:
         lost = self._lost_before(block)
         self._next_sample = block.first_sample + n
         self._next_sequence = block.sequence + 1
+        self._host_time_ns = block.host_time_ns
         if n == 0:
             return []
         self.lost_samples += max(lost, 0)
@@ -246,6 +248,34 @@ class Assembler:
             self._take(event, block, n)
         self._look(position, block, n)
         return self._ready()
+
+    def unfinished(self) -> Revolution | None:
+        """Return what there is of the revolution under way, flagged PARTIAL; None before any.
+
+        The revolution goes on; call it from the thread that calls ``push``, or hold that one back.
+        """
+        end = self._origin + self._fill
+        if self._begin is None or self._begin[0] >= end:
+            return None
+        state, (start, begin_sample) = self._state, self._begin
+        event = np.zeros(int(E.SIZE), np.int64)
+        event[E.SAMPLE] = self._next_sample or 0
+        event[E.ORDINAL] = state[S.ORDINAL]
+        event[E.FLAGS] = int(state[S.FLAGS]) | int(Flag.PARTIAL)
+        event[E.LOST] = state[S.LOST]
+        event[E.IDLE] = state[S.IDLE]
+        event[E.END_POSITION] = state[S.POSITION]
+        return self._build(
+            _Waiting(
+                start=start,
+                end=end,
+                event=event,
+                begin_sample=begin_sample,
+                host_time_ns=self._host_time_ns,
+                later_samples=0,
+                base=int(state[S.BASE]),
+            )
+        )
 
     def _lost_before(self, block: Block) -> int:
         if self._next_sample is None or self._next_sequence is None:
@@ -367,7 +397,8 @@ class Assembler:
     def _build(self, item: _Waiting) -> Revolution:
         start, end = item.start, item.end
         segments: list[tuple[int, int]] = [(0, item.begin_sample)]
-        first, last = start - self.margins.before, end + self.margins.after
+        first = start - self.margins.before
+        last = min(end + self.margins.after, self._origin + self._fill)
         for kept, sample in self._breaks:
             if kept <= start:
                 first = max(first, kept)

@@ -19,7 +19,7 @@ from rigapp.engine.alarms import AlarmBook
 from rigapp.engine.causes import Cause
 from rigapp.engine.columns import prediction_columns, revolution_columns
 from rigapp.engine.driving import SpindleControl
-from rigapp.engine.messages import Alarm, Event, FinishReason, Prediction, RunState
+from rigapp.engine.messages import Alarm, Event, FinishReason, Prediction, RunState, Severity
 from rigapp.engine.publish import (
     AlarmChanged,
     Committed,
@@ -52,6 +52,13 @@ OVER_WITH_THE_TEST = frozenset(
 """Alarms whose condition ends with the test; critical ones stay latched."""
 
 
+TRIGGERS = frozenset({"limit", "note"})
+"""Kinds of events around which whole cycles are kept, beside every alarm that rises."""
+
+NO_TRIGGERS = frozenset({"cycles_refused", "storage"})
+"""Alarms that tell nothing of the joint, but of the file."""
+
+
 @dataclass(slots=True, eq=False)
 class Session:
     """One test under way, or the last one. steady_from: ordinal of the first whole revolution at
@@ -77,6 +84,7 @@ class Session:
     prediction_at: float = 0.0
     committed: int = -1
     cycles_refused: int = 0
+    triggers_refused: int = 0
     finishing: threading.Lock = field(default_factory=threading.Lock)
 
     @property
@@ -170,6 +178,8 @@ class Core:
         if session is not None:
             try:
                 session.recorder.event(event)
+                if kind in TRIGGERS:
+                    session.recorder.trigger(critical=False)
             except Exception as error:
                 self.storage_failed(error)
         self.publisher.event(event)
@@ -183,6 +193,8 @@ class Core:
 
     def _alarm_changed(self, alarm: Alarm, what: str, who: str) -> None:
         self.publisher.notice(AlarmChanged(alarm))
+        if what.startswith("raised") and self.session is not None and alarm.key not in NO_TRIGGERS:
+            self.session.recorder.trigger(critical=alarm.severity is Severity.CRITICAL)
         self.event("alarm", who, f"{alarm.title}: {what}. {alarm.cause}", after=alarm.state)
 
     def warn(self, cause: Cause) -> None:
@@ -272,6 +284,16 @@ class Core:
         if refused != session.cycles_refused:
             session.cycles_refused = refused
             self.warn(causes.cycles_refused(refused))
+        triggers = session.recorder.triggers_refused
+        if triggers and not session.triggers_refused:
+            self.event(
+                "cycles",
+                "engine",
+                "the room for whole cycles around alarms, limits and notes is used up: from here "
+                "on only those of the schedule are kept, and those around critical alarms while "
+                "room lasts",
+            )
+        session.triggers_refused = triggers
 
     @property
     def finish_due(self) -> bool:

@@ -120,6 +120,7 @@ class Processor:
             math.degrees(calibration.index_angle_rad),
         )
         self._newest: Block | None = None
+        self._busy = threading.Lock()
         self.next_sample = 0
 
     def _set(self, calibration: Calibration) -> None:
@@ -163,8 +164,24 @@ class Processor:
             self._recent = recent
         return recent.read()
 
+    def unfinished(self, timeout_s: float = 1.0) -> Revolution | None:
+        """Return what there is of the revolution under way; any thread may ask.
+
+        None when there is nothing, or the processing thread is held up for longer than timeout_s.
+        """
+        if not self._busy.acquire(timeout=timeout_s):
+            return None
+        try:
+            return self.assembler.unfinished()
+        finally:
+            self._busy.release()
+
     def handle(self, block: Block) -> None:
         """Process a block."""
+        with self._busy:
+            self._handle(block)
+
+    def _handle(self, block: Block) -> None:
         n = block.values.shape[1]
         if n == 0:
             return

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from rigapp.engine.assembler import Revolution
 from rigapp.engine.calibrate import Calibrated, Calibration, calibrate
 from rigapp.engine.columns import PREDICTED_CURVES
+from rigapp.engine.history import History, Kept
 from rigapp.engine.messages import Cycle, Event, Prediction, RevolutionMeasured, as_array
-from rigapp.engine.schedule import Schedule
+from rigapp.engine.reduce import PLACE
 from rigapp.engine.store import Store
 
 Array = NDArray[np.float64]
@@ -68,29 +70,70 @@ def cycle_message(number: int, revolution: Revolution, calibration: Calibration)
     )
 
 
+class CurvesBeside:
+    """Choose the predicted curves that go beside the kept cycles.
+
+    The twin answers later than the cycle comes, and skips revolutions: to each kept cycle belongs
+    the first prediction of its revolution or a later one. Waiting predictions are bounded; of more
+    the oldest lose their curves.
+    """
+
+    def __init__(self, waiting: int = 256) -> None:
+        self._waiting: deque[Prediction] = deque(maxlen=waiting)
+        self._kept: deque[int] = deque(maxlen=waiting)
+        self._decided = 0
+
+    def predicted(self, prediction: Prediction) -> Iterator[Prediction]:
+        """Take a prediction; yield those whose curves are to be written now, in order."""
+        self._waiting.append(prediction)
+        return self._chosen()
+
+    def kept(self, numbers: Iterable[int], decided: int) -> Iterator[Prediction]:
+        """Take the cycles that are kept; nothing up to revolution ``decided`` will be any more."""
+        self._kept.extend(numbers)
+        self._decided = decided
+        return self._chosen()
+
+    def _chosen(self) -> Iterator[Prediction]:
+        while self._waiting and self._waiting[0].revolution <= self._decided:
+            prediction = self._waiting.popleft()
+            wanted = False
+            while self._kept and self._kept[0] <= prediction.revolution:
+                self._kept.popleft()
+                wanted = True
+            if wanted:
+                yield prediction
+
+
 class Recorder:
     """Write one test; rows from the processing thread, the rest from any.
 
-    After ``close`` nothing is written any more, and nothing fails.
+    first: number of the first revolution to come. unfinished: tells what there is of the revolution
+    under way. After ``close`` nothing is written
+    any more, and nothing fails.
     """
 
     def __init__(
         self,
         store: Store,
-        schedule: Schedule,
+        history: History,
         calibration: Calibration,
         time_offset_s: float,
+        first: int = 1,
+        unfinished: Callable[[], Revolution | None] = lambda: None,
     ) -> None:
         self._store = store
-        self._schedule = schedule
+        self._history = history
+        self._curves = CurvesBeside()
         self._calibration = calibration
-        self._start_sample = 0
+        self._start_sample: int | None = None
         self._time_offset_s = time_offset_s
+        self._first = first
+        self._unfinished = unfinished
         self._lock = threading.Lock()
         self._closed = False
-        self._last: tuple[int, Revolution] | None = None
-        self._last_kept = 0
-        self._curves_due = False
+        self._last: tuple[int, int] | None = None
+        self._whole = False
         self.committed = 0
 
     def begin(self, sample: int) -> None:
@@ -107,26 +150,35 @@ class Recorder:
         """Return the whole cycles that had no room."""
         return self._store.cycles_refused
 
+    @property
+    def triggers_refused(self) -> int:
+        """Return the alarms, limits and notes whose whole cycles had no room."""
+        return self._history.refused
+
     def row(self, number: int, row: Array, revolution: Revolution) -> None:
-        """Write a row, and its whole cycle when the schedule keeps it."""
+        """Write a row, and the whole cycles that are kept."""
         with self._lock:
             if self._closed:
                 return
             self._store.append_row(row)
-            self._last = (number, revolution)
-            if self._schedule.keeps(number):
-                self._keep(number, revolution)
+            self._last = (number, revolution.ordinal)
+            self._whole = number >= self._history.planned
+            quality = int(row[PLACE["quality"]])
+            self._keep(self._history.add(number, revolution, quality))
+
+    def trigger(self, critical: bool) -> None:
+        """Keep the next whole cycle and those around it: something has happened."""
+        with self._lock:
+            if not self._closed:
+                self._history.trigger(critical)
 
     def prediction(self, prediction: Prediction) -> Array:
         """Write a prediction and return its values; curves beside the kept cycles only."""
         values = as_array(prediction.values, "<f8")
         with self._lock:
-            curves: Mapping[str, ArrayLike] | None = None
-            if self._curves_due and prediction.revolution >= self._last_kept:
-                curves = {name: as_array(getattr(prediction, name)) for name in PREDICTED_CURVES}
-                self._curves_due = False
             if not self._closed:
-                self._store.append_prediction(values, curves)
+                self._store.append_prediction(values)
+                self._write_curves(self._curves.predicted(prediction))
         return values
 
     def event(self, event: Event) -> None:
@@ -148,12 +200,14 @@ class Recorder:
         return self.committed
 
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
-        """Keep the last cycle, say how the test ended, and close the file."""
+        """Keep what still waits and the revolution cut off, say how the test ended, and close."""
+        cut_off = None if self._closed or self._whole else self._unfinished()
         with self._lock:
             if self._closed:
                 return
-            if self._last is not None and self._schedule.any and self._last[0] != self._last_kept:
-                self._keep(*self._last)
+            self._keep(self._history.close())
+            if cut_off is not None:
+                self._keep_unfinished(cut_off)
             self._closed = True
         try:
             self._store.finish(status, reason_code, sentence)
@@ -170,13 +224,34 @@ class Recorder:
         except Exception:
             return
 
-    def _keep(self, number: int, revolution: Revolution) -> None:
-        columns = cycle_samples(
-            revolution, self._calibration, self._start_sample, self._time_offset_s
+    def _samples(self, revolution: Revolution) -> dict[str, ArrayLike]:
+        start = self._start_sample or 0
+        return cycle_samples(revolution, self._calibration, start, self._time_offset_s)
+
+    def _keep(self, leaving: Iterable[Kept]) -> None:
+        numbers: list[int] = []
+        for one in leaving:
+            assert one.why is not None
+            columns = self._samples(one.revolution)
+            if self._store.append_cycle(one.number, columns, one.why.value, one.quality):
+                numbers.append(one.number)
+        self._write_curves(self._curves.kept(numbers, self._history.decided))
+
+    def _write_curves(self, predictions: Iterable[Prediction]) -> None:
+        for one in predictions:
+            curves = {name: as_array(getattr(one, name)) for name in PREDICTED_CURVES}
+            self._store.append_curves(one.revolution, curves)
+
+    def _keep_unfinished(self, revolution: Revolution) -> None:
+        """Keep a revolution that was cut off after the last row; one before the test is none."""
+        if self._start_sample is None or revolution.first_sample < self._start_sample:
+            return
+        number, ordinal = self._last or (self._first - 1, revolution.ordinal - 1)
+        if revolution.ordinal <= ordinal or revolution.samples == 0:
+            return
+        self._store.append_unfinished(
+            number + revolution.ordinal - ordinal, self._samples(revolution), int(revolution.flags)
         )
-        if self._store.append_cycle(number, columns):
-            self._last_kept = number
-            self._curves_due = True
 
 
 def measured_history(

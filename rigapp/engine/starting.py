@@ -120,6 +120,7 @@ def open_session(
             History(test.record.cycles, run.revolutions, opened.triggered),
             calibration,
             offset_s,
+            opened.last_revolution + 1,
             connection.processor.unfinished,
         ),
         limits=test.record.limits,

@@ -91,7 +91,8 @@ def _no_history() -> Iterator[NDArray[np.float64]]:
 class Opened:
     """A test file that is ready for rows. rows: already in it; last_*: of the last of these.
 
-    triggered: whole cycles in it that a trigger kept. history: yields these rows, some at a time, as (len(HISTORY_COLUMNS), n).
+    triggered: whole cycles in it that a trigger kept. history: yields these rows, some at a time,
+    as (len(HISTORY_COLUMNS), n).
     """
 
     store: Store
@@ -99,8 +100,8 @@ class Opened:
     last_revolution: int = 0
     last_time_s: float = 0.0
     last_host_time: float = 0.0
-    triggered: int = 0
     history: Callable[[], Iterator[NDArray[np.float64]]] = _no_history
+    triggered: int = 0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

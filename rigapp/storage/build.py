@@ -40,6 +40,7 @@ _SIGNALS = {
     "/entry/revolutions": ("force_max", "Statistics of every revolution", ("revolution",)),
     "/entry/cycles": ("force", "Whole cycles, one after the other", (".",)),
     "/entry/prediction": ("force_max", "What the model predicts", ("revolution",)),
+    "/entry/unfinished": ("force", "Revolutions that the end of a test cut off", (".",)),
 }
 _COUNTERS = {
     "committed": "rows that are safe; what lies beyond is not data",
@@ -66,7 +67,8 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> None:
         _build_configuration(file, plan, metadata)
         write_tree(_group(file, CALIBRATION, "NXcollection"), metadata.calibration)
         for group, (signal, title, axes) in _SIGNALS.items():
-            _make_plottable(file[group], signal, title, axes)
+            if group in file:
+                _make_plottable(file[group], signal, title, axes)
 
 
 def placed_dataset(
@@ -197,7 +199,7 @@ def _build_stream(file: h5py.File, stream: Stream) -> None:
     for one in stream.fields:
         if one is not first:
             _build_field(group, one, stream.capacity).dims[0].attach_scale(scale)
-    if stream.name == "cycles":
+    if stream.name in ("cycles", "unfinished"):
         group["count"].attrs["sample_dimension"] = "sample"
 
 

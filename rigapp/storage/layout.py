@@ -104,6 +104,8 @@ class FilePlan:
 
     revolutions: rows of statistics. cycles: whole cycles kept. samples_per_cycle: samples expected
     in one of them at the test's speed. events: rows of the log. prediction: whether a twin runs.
+    cycle_reason: whether each cycle says why it is kept, and its quality. unfinished_samples:
+    samples reserved for revolutions cut off by the end of a test; 0 keeps none.
     """
 
     revolutions: int
@@ -117,6 +119,8 @@ class FilePlan:
     prediction_columns: tuple[Column, ...] = field(default_factory=prediction_columns)
     prediction_points: int = PREDICTION_POINTS
     predicted_curves: tuple[str, ...] = PREDICTED_CURVES
+    cycle_reason: bool = False
+    unfinished_samples: int = 0
 
 
 EVENT_FIELDS = (
@@ -132,6 +136,18 @@ EVENT_FIELDS = (
 )
 
 
+INDEX_FIELDS = (
+    Field("revolution", "<i8", "1", "number of the revolution"),
+    Field("first", "<i8", "1", "index of the cycle's first sample"),
+    Field("count", "<i8", "1", "samples of the cycle"),
+)
+QUALITY_FIELD = Field("quality", "<i4", "1", "quality of the revolution, flags as in its row")
+WHY_FIELD = Field("why", "S16", "", "why it is kept: scheduled, last, before, trigger or after")
+
+UNFINISHED_ROWS = 64
+"""Unfinished revolutions that a file can hold: one each time a test is stopped."""
+
+
 def streams_of(plan: FilePlan) -> dict[str, Stream]:
     """Return the streams of a file by name, in the order in which they lie in the file."""
     rows = max(1, plan.revolutions)
@@ -144,11 +160,9 @@ def streams_of(plan: FilePlan) -> dict[str, Stream]:
     all_samples = _rounded(math.ceil(samples * all_rows / rows) if plan.cycles else 1)
     twin_rows, all_twin_rows = (rows, all_rows) if plan.prediction else (1, ROW_MULTIPLE)
     curves, all_curves = (cycles, all_cycles) if plan.prediction else (1, ROW_MULTIPLE)
-    index = (
-        Field("revolution", "<i8", "1", "number of the revolution"),
-        Field("first", "<i8", "1", "index of the cycle's first sample"),
-        Field("count", "<i8", "1", "samples of the cycle"),
-    )
+    index: tuple[Field, ...] = INDEX_FIELDS
+    if plan.cycle_reason:
+        index = (*index, QUALITY_FIELD, WHY_FIELD)
     curve_fields = (
         Field("curve_revolution", "<i8", "1", "number of the revolution of the predicted curve"),
         *(
@@ -156,7 +170,7 @@ def streams_of(plan: FilePlan) -> dict[str, Stream]:
             for name in plan.predicted_curves
         ),
     )
-    found = (
+    found: tuple[Stream, ...] = (
         Stream(
             "revolutions", "/entry/revolutions", "revolution", "committed",
             _fields(plan.revolution_columns), rows, all_rows,
@@ -179,7 +193,23 @@ def streams_of(plan: FilePlan) -> dict[str, Stream]:
             plan.events, _rounded(plan.events),
         ),
     )  # fmt: skip
+    if plan.unfinished_samples:
+        found = (*found, *_unfinished_streams(plan))
     return {stream.name: stream for stream in found}
+
+
+def _unfinished_streams(plan: FilePlan) -> tuple[Stream, Stream]:
+    group, samples = "/entry/unfinished", plan.unfinished_samples
+    return (
+        Stream(
+            "unfinished", group, "revolution", "committed", (*INDEX_FIELDS, QUALITY_FIELD),
+            UNFINISHED_ROWS, _rounded(UNFINISHED_ROWS),
+        ),
+        Stream(
+            "unfinished_samples", group, "sample", "", _fields(plan.cycle_columns),
+            samples, _rounded(UNFINISHED_ROWS * samples),
+        ),
+    )  # fmt: skip
 
 
 def reserved_bytes(streams: Iterable[Stream]) -> int:
@@ -199,7 +229,7 @@ def planned_rows(plan: FilePlan, revolutions: int) -> dict[str, int]:
     return {
         name: min(stream.capacity, math.ceil(stream.planned * share))
         for name, stream in streams.items()
-        if name != "events"
+        if name not in ("events", "unfinished", "unfinished_samples")
     }
 
 

@@ -40,10 +40,16 @@ Columns = dict[str, NDArray[Any]]
 
 @dataclass(frozen=True, slots=True)
 class StoredCycle:
-    """Carry one whole cycle: its revolution and one array of samples a column."""
+    """Carry one cycle: its revolution and one array of samples a column.
+
+    why: scheduled, last, before, trigger or after; empty for an unfinished revolution. quality:
+    flags as in the revolution's row, 0 where the file does not tell.
+    """
 
     revolution: int
     columns: Columns
+    why: str = "scheduled"
+    quality: int = 0
 
 
 def open_test(path: str | os.PathLike[str]) -> TestReader:
@@ -86,10 +92,14 @@ class TestReader:
         return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
 
     def committed(self, stream: str = "revolutions") -> int:
-        """Return the safe rows of a stream: revolutions, cycles, prediction, curves, events."""
+        """Return the safe rows of a stream: revolutions, cycles, prediction, curves, events,
+        unfinished; of ``samples`` and ``unfinished_samples`` those of their cycles.
+        """
         found = self._streams[stream]
         if stream == "samples":
             return self.first_free_sample(self.committed("cycles"))
+        if stream == "unfinished_samples":
+            return self.first_free_sample(self.committed("unfinished"), found.group)
         return int(self._file[found.path(found.counter)][()])
 
     def stored_status(self) -> str:
@@ -164,12 +174,19 @@ class TestReader:
         """Return the numbers of the revolutions whose whole cycle is saved."""
         return np.asarray(self._file["/entry/cycles/revolution"][: self.committed("cycles")])
 
-    def first_free_sample(self, cycles: int) -> int:
+    def cycle_reasons(self) -> list[str]:
+        """Return why each saved cycle is kept: scheduled, last, before, trigger or after."""
+        number = self.committed("cycles")
+        if not self.plan.cycle_reason:
+            return ["scheduled"] * number
+        return [one.decode() for one in self._file["/entry/cycles/why"][:number].tolist()]
+
+    def first_free_sample(self, cycles: int, group: str = "/entry/cycles") -> int:
         """Return the number of samples in the first ``cycles`` saved cycles."""
         if cycles == 0:
             return 0
-        group = self._file["/entry/cycles"]
-        return int(group["first"][cycles - 1]) + int(group["count"][cycles - 1])
+        place = self._file[group]
+        return int(place["first"][cycles - 1]) + int(place["count"][cycles - 1])
 
     def cycle(self, index: int) -> StoredCycle:
         """Return the saved cycle ``index``, negative from the end; raises IndexError."""
@@ -177,22 +194,33 @@ class TestReader:
         place = index + number if index < 0 else index
         if not 0 <= place < number:
             raise IndexError(f"{self.path}: there is no saved cycle {index}, there are {number}")
-        group = self._file["/entry/cycles"]
-        first, count = int(group["first"][place]), int(group["count"][place])
-        names = [one.name for one in self._streams["samples"].fields]
-        columns = {name: np.asarray(group[name][first : first + count]) for name in names}
-        return StoredCycle(int(group["revolution"][place]), columns)
+        return next(self._ragged("cycles", place, place + 1))
 
     def cycles(self) -> Iterator[StoredCycle]:
         """Yield the saved cycles in order."""
-        group = self._file["/entry/cycles"]
-        datasets = {one.name: group[one.name] for one in self._streams["samples"].fields}
-        number = self.committed("cycles")
-        index = (group["revolution"][:number], group["first"][:number], group["count"][:number])
-        for revolution, first, count in zip(*(one.tolist() for one in index), strict=True):
-            samples = slice(first, first + count)
+        yield from self._ragged("cycles", 0, self.committed("cycles"))
+
+    def unfinished(self) -> list[StoredCycle]:
+        """Return the revolutions that an end of the test cut off, in order; each is a part."""
+        if "unfinished" not in self._streams:
+            return []
+        return list(self._ragged("unfinished", 0, self.committed("unfinished")))
+
+    def _ragged(self, stream: str, start: int, stop: int) -> Iterator[StoredCycle]:
+        index = self._streams[stream]
+        group = self._file[index.group]
+        samples = self._streams["samples" if stream == "cycles" else "unfinished_samples"]
+        datasets = {one.name: group[one.name] for one in samples.fields}
+        known = {one.name: group[one.name][start:stop].tolist() for one in index.fields}
+        whys = known.get("why", [b"scheduled" if stream == "cycles" else b""] * (stop - start))
+        qualities = known.get("quality", [0] * (stop - start))
+        for i, (first, count) in enumerate(zip(known["first"], known["count"], strict=True)):
+            part = slice(first, first + count)
             yield StoredCycle(
-                revolution, {name: np.asarray(one[samples]) for name, one in datasets.items()}
+                known["revolution"][i],
+                {name: np.asarray(one[part]) for name, one in datasets.items()},
+                whys[i].decode(),
+                qualities[i],
             )
 
     def predictions(self, first: int = 0) -> Columns:

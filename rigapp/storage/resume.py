@@ -119,6 +119,7 @@ def _counts(reader: TestReader) -> tuple[Counts, bytes, int]:
         revolutions=revolutions,
         cycles=cycles,
         samples=reader.first_free_sample(cycles),
+        **_unfinished(reader),
         prediction=_rows_up_to(reader.predictions()["revolution"], last),
         curves=_rows_up_to(reader.curve_revolutions(), last),
         events=reader.committed("events"),
@@ -131,6 +132,11 @@ def _counts(reader: TestReader) -> tuple[Counts, bytes, int]:
     )  # fmt: skip
     digest = reader.last_digest() or seed_of(reader.metadata()["identifier"])
     return counts, digest, last
+
+
+def _unfinished(reader: TestReader) -> dict[str, int]:
+    names = ("unfinished", "unfinished_samples")
+    return {name: reader.committed(name) if reader.plan.unfinished_samples else 0 for name in names}
 
 
 def _rows_up_to(revolutions: NDArray[np.int64], last: int) -> int:

@@ -18,6 +18,8 @@ class Counts:
     revolutions: int = 0
     cycles: int = 0
     samples: int = 0
+    unfinished: int = 0
+    unfinished_samples: int = 0
     prediction: int = 0
     curves: int = 0
     events: int = 0
@@ -30,6 +32,7 @@ class Counts:
 
 COUNTERS = {
     "cycles": "/entry/cycles/committed",
+    "unfinished": "/entry/unfinished/committed",
     "curves": "/entry/prediction/committed_curves",
     "prediction": "/entry/prediction/committed",
     "events": "/entry/events/committed",
@@ -40,7 +43,7 @@ COUNTERS = {
     "planned_revolutions": f"{STATE}/planned_revolutions",
     "revolutions": "/entry/revolutions/committed",
 }
-"""Counters in the order in which a commit writes them."""
+"""Counters in the order in which a commit writes them; a file need not have all of them."""
 
 
 class Scalars:

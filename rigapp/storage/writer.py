@@ -76,7 +76,8 @@ class TestWriter:
         self._counts = counts
         self._streams = fitted_streams(plan, places)
         self._digest = digest
-        self._written = dict.fromkeys(COUNTERS, -1)
+        self._counters = [name for name, path in COUNTERS.items() if path in places]
+        self._written = dict.fromkeys(self._counters, -1)
         self._rooms = {
             name: Room(disk, stream, self._offsets(stream), reserved[name])
             for name, stream in self._streams.items()
@@ -90,7 +91,8 @@ class TestWriter:
                 self._offsets(self._streams[name]),
                 self._rooms[name],
             )
-            for name in ("cycles", "samples", "curves", "events")
+            for name in self._streams
+            if name not in ("revolutions", "prediction")
         }
         self._cycle_lock = threading.Lock()
         self._curve_lock = threading.Lock()
@@ -135,28 +137,62 @@ class TestWriter:
             )
 
     def append_cycle(
-        self, revolution: int, columns: Mapping[str, ArrayLike] | NDArray[Any]
+        self,
+        revolution: int,
+        columns: Mapping[str, ArrayLike] | NDArray[Any],
+        why: str = "scheduled",
+        quality: int = 0,
     ) -> bool:
         """Append the samples of one whole cycle; False when there is no reserved room for it.
 
-        columns: name -> (samples,) array, or an array (columns, samples) in the plan's order.
+        columns: name -> (samples,) array, or an array (columns, samples) in the plan's order. why,
+        quality: kept where the plan has ``cycle_reason``.
         """
+        kept = self._append_ragged("cycles", "samples", revolution, columns, why, quality)
+        if not kept:
+            with self._count_lock:
+                self._counts.cycles_refused += 1
+        return kept
+
+    def append_unfinished(
+        self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
+    ) -> bool:
+        """Append a revolution that was cut off; False when the file has no room for it."""
+        if "unfinished" not in self._streams:
+            return False
+        return self._append_ragged(
+            "unfinished", "unfinished_samples", revolution, columns, "", quality
+        )
+
+    def _append_ragged(
+        self,
+        index_name: str,
+        samples_name: str,
+        revolution: int,
+        columns: Mapping[str, ArrayLike] | NDArray[Any],
+        why: str,
+        quality: int,
+    ) -> bool:
         values = self._cycle_values(columns)
         with self._cycle_lock:
             counts = self._counts
-            first, row = counts.samples, counts.cycles
+            first, row = getattr(counts, samples_name), getattr(counts, index_name)
             number = len(next(iter(values.values())))
-            samples, index = self._records["samples"], self._records["cycles"]
+            samples, index = self._records[samples_name], self._records[index_name]
             if not (samples.holds(first + number) and index.holds(row + 1)):
-                with self._count_lock:
-                    counts.cycles_refused += 1
                 return False
             samples.place(first, number, values.__getitem__)
-            place = {"revolution": [revolution], "first": [first], "count": [number]}
+            place: dict[str, ArrayLike] = {
+                "revolution": [revolution],
+                "first": [first],
+                "count": [number],
+                "quality": [quality],
+                "why": [why],
+            }
             index.place(row, 1, place.__getitem__)
             with self._count_lock:
-                counts.samples = first + number
-                counts.cycles = row + 1
+                setattr(counts, samples_name, first + number)
+                setattr(counts, index_name, row + 1)
         self._backlog.assist(2)
         return True
 
@@ -170,12 +206,13 @@ class TestWriter:
         values: float64, in the order of the plan's prediction columns, the revolution first.
         curves: name -> (points,) array, or (curves, points) in the plan's order, or None.
         """
-        kept = curves is None or self._append_curves(int(values[0]), curves)
+        kept = curves is None or self.append_curves(int(values[0]), curves)
         return self._predictions.append(values) and kept
 
-    def _append_curves(
+    def append_curves(
         self, revolution: int, curves: Mapping[str, ArrayLike] | NDArray[Any]
     ) -> bool:
+        """Append the predicted curves of a revolution; False when there is no room."""
         names = self.plan.predicted_curves
         if not isinstance(curves, Mapping):
             curves = dict(zip(names, np.asarray(curves), strict=True))
@@ -296,14 +333,14 @@ class TestWriter:
         with self._count_lock:
             now = {
                 name: getattr(self._counts, name)
-                for name in COUNTERS
+                for name in self._counters
                 if name not in ("revolutions", "prediction")
             }
             samples = self._counts.samples
         now["revolutions"] = self._rows.hand_over_pending()
         now["prediction"] = self._predictions.hand_over_pending()
         self._backlog.drain()
-        changed = [name for name in COUNTERS if now[name] != self._written[name]]
+        changed = [name for name in self._counters if now[name] != self._written[name]]
         if changed:
             self._disk.sync()
             for name in changed:

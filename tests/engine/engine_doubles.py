@@ -273,6 +273,8 @@ class FakeStore:
 
     rows: list[NDArray[np.float64]] = field(default_factory=list)
     cycles: list[tuple[int, dict[str, ArrayLike]]] = field(default_factory=list)
+    whys: list[tuple[int, str, int]] = field(default_factory=list)
+    unfinished: list[tuple[int, dict[str, ArrayLike], int]] = field(default_factory=list)
     predictions: list[NDArray[np.float64]] = field(default_factory=list)
     curves: int = 0
     events: list[Event] = field(default_factory=list)
@@ -297,17 +299,29 @@ class FakeStore:
         self._check()
         self.rows.append(values.copy())
 
-    def append_cycle(self, revolution: int, columns: Mapping[str, ArrayLike]) -> bool:
-        self._check()
-        self.cycles.append((revolution, {k: np.array(v) for k, v in columns.items()}))
-        return True
-
-    def append_prediction(
-        self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike] | None = None
+    def append_cycle(
+        self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
     ) -> bool:
         self._check()
+        self.cycles.append((revolution, {k: np.array(v) for k, v in columns.items()}))
+        self.whys.append((revolution, why, quality))
+        return True
+
+    def append_unfinished(
+        self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
+    ) -> bool:
+        self._check()
+        self.unfinished.append((revolution, {k: np.array(v) for k, v in columns.items()}, quality))
+        return True
+
+    def append_prediction(self, values: NDArray[np.float64]) -> bool:
+        self._check()
         self.predictions.append(values)
-        self.curves += curves is not None
+        return True
+
+    def append_curves(self, revolution: int, curves: Mapping[str, ArrayLike]) -> bool:
+        self._check()
+        self.curves += 1
         return True
 
     def append_event(self, event: Event) -> bool:

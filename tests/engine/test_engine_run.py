@@ -348,7 +348,7 @@ def test_predictions_are_stored_judged_and_shown(rig: MemoryRig) -> None:
     status = rig.engine.status()
     assert (status.twin_revolution, status.residual_rms_N) == (6, 3.0)
     assert len(rig.store.predictions) == 1
-    assert rig.store.curves == 1
+    eventually(lambda: rig.store.curves == 1)
     update = viewer.take()
     assert update.prediction is not None
     assert update.predictions[0, 1] == 3.0
