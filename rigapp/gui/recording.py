@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import TestFile
 from rigapp.engine.messages import Event
+from rigapp.gui.profiles import profile_message, shown_profile
 from rigapp.gui.series import LiveData, MeasuredCycle, PredictedCycle
 
 if TYPE_CHECKING:
@@ -57,6 +58,9 @@ def load_history(path: Path, planned: int = 0) -> History:
         predictions = test.predictions()
         if len(predictions["revolution"]):
             data.predictions.load(predictions)
+        profiles = test.profiles()
+        if len(profiles["revolution"]):
+            data.profile = shown_profile(profile_message(profiles, -1))
         data.rows.settle()
         data.predictions.settle()
         saved = test.cycle_revolutions()

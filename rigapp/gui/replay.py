@@ -14,7 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.columns import PREDICTED_CURVES, prediction_columns, revolution_columns
-from rigapp.engine.messages import Cycle, Prediction, Reply, RunState, Snapshot, Status
+from rigapp.engine.messages import (
+    Cycle,
+    Prediction,
+    Reply,
+    RunState,
+    Snapshot,
+    Status,
+    WornProfile,
+)
+from rigapp.gui.profiles import profile_message
 from rigapp.gui.recording import StoredRevolution, newest_revolution, recipe_of
 from rigapp.storage import TestReader, open_test
 
@@ -32,6 +41,7 @@ class Tape:
     cycle_revolutions: NDArray[np.int64]
     rpm: float
     status: Status
+    profiles: dict[str, NDArray[Any]]
 
 
 class ReplayClient:
@@ -52,7 +62,7 @@ class ReplayClient:
         self._speed = speed
         self._row = float(len(self._tape.rows)) if at_end else 0.0
         self._sent = self._sent_predictions = 0
-        self._shown_cycle = -1
+        self._shown_cycle = self._shown_profile = -1
         self._state = RunState.RUNNING
         self._reason = ""
         self._stop = threading.Event()
@@ -112,7 +122,8 @@ class ReplayClient:
 
     def _begin_again(self) -> None:
         self._rewind.clear()
-        self._row, self._sent, self._sent_predictions, self._shown_cycle = 0.0, 0, 0, -1
+        self._row, self._sent, self._sent_predictions = 0.0, 0, 0
+        self._shown_cycle = self._shown_profile = -1
         self._state, self._reason = RunState.RUNNING, ""
         self._takes += 1
         with self._lock:
@@ -139,6 +150,7 @@ class ReplayClient:
             predictions=predictions.tobytes(),
             cycle=_cycle_message(stored) if stored is not None else None,
             prediction=_prediction_message(stored) if stored is not None else None,
+            profile=self._newest_profile(until),
         )
         self._sent, self._sent_predictions = int(self._row), stop
         with self._lock:
@@ -150,6 +162,14 @@ class ReplayClient:
             return None
         self._shown_cycle = index
         return newest_revolution(self._test, index)
+
+    def _newest_profile(self, until: float) -> WornProfile | None:
+        numbers = self._tape.profiles["revolution"]
+        index = int(np.searchsorted(numbers, until, side="right")) - 1
+        if index < 0 or index == self._shown_profile:
+            return None
+        self._shown_profile = index
+        return profile_message(self._tape.profiles, index)
 
     def _status(self) -> Status:
         tape, done = self._tape, int(self._row)
@@ -212,7 +232,8 @@ def read_tape(test: TestReader) -> Tape:
         operator=metadata["operator"],
     )
     predictions = _matrix(test.predictions(), tuple(_PREDICTION))
-    return Tape(rows, predictions, test.cycle_revolutions(), rpm, status)
+    profiles = test.profiles()
+    return Tape(rows, predictions, test.cycle_revolutions(), rpm, status, profiles)
 
 
 def merged(older: Snapshot, newer: Snapshot) -> Snapshot:
@@ -224,6 +245,7 @@ def merged(older: Snapshot, newer: Snapshot) -> Snapshot:
         predictions=older.predictions + newer.predictions,
         cycle=newer.cycle or older.cycle,
         prediction=newer.prediction or older.prediction,
+        profile=newer.profile or older.profile,
     )
 
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rigapp.engine.columns import PREDICTED_CURVES, prediction_columns, revolution_columns
 from rigapp.engine.messages import Cycle, Prediction, Snapshot, as_array
+from rigapp.gui.profiles import ShownProfile, shown_profile
 from rigapp.gui.pyramid import GrowingArray, Pyramid
 
 Floats = NDArray[np.float64]
@@ -135,6 +136,7 @@ class LiveData:
         self.predictions = Table(tuple(column.name for column in prediction_columns()), capacity)
         self.cycle: MeasuredCycle | None = None
         self.prediction: PredictedCycle | None = None
+        self.profile: ShownProfile | None = None
         self.missing_from: int | None = None
         self._cycles: OrderedDict[int, MeasuredCycle] = OrderedDict()
         self._next_row: int | None = None
@@ -160,6 +162,8 @@ class LiveData:
                 self._cycles.popitem(last=False)
         if snapshot.prediction is not None:
             self.prediction = predicted_cycle(snapshot.prediction)
+        if snapshot.profile is not None:
+            self.profile = shown_profile(snapshot.profile)
 
     def expect(self, committed: int) -> None:
         """Take note of how many rows the file has: what was never sent is missing too."""

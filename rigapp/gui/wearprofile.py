@@ -1,16 +1,24 @@
-"""The worn bushing as it follows from the wear depth, measured and predicted."""
+"""The worn profile of the bushing, measured by the probes and by the model.
+
+Files without recorded profiles show the circle of the pin sunk in by the depth at the contact
+point, and say so.
+"""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
+import pyqtgraph as pg
 from numpy.typing import NDArray
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from rigapp.config.parameters import JointSection
 from rigapp.gui.palette import Theme, line_pen, measured_pen, model_pen
 from rigapp.gui.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.profiles import ANGLES_DEG as RECORDED_DEG
+from rigapp.gui.profiles import ShownProfile
 from rigapp.gui.ranges import SteadyRange
 from rigapp.gui.series import LiveData
 
@@ -39,7 +47,7 @@ class WearProfilePanel(QWidget):
     def __init__(self, prefix: str, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self._drawn: tuple[float, float, JointSection | None] | None = None
+        self._drawn: tuple[object, ...] | None = None
         self.setObjectName(f"{prefix}_profile_panel")
         self.setAccessibleName("Worn profile of the bushing")
         self.plot = QuietPlot(f"{prefix}_profile_plot", "Worn profile of the bushing", theme)
@@ -50,6 +58,11 @@ class WearProfilePanel(QWidget):
         self.plot.getAxis("bottom").setTicks([ticks])
         for at in (-90.0, 0.0, 90.0):
             self.plot.guide(at, horizontal=False, theme=theme)
+        nothing = pg.mkPen(None)
+        self._lower, self._upper = self.plot.curve(nothing), self.plot.curve(nothing)
+        self._band = pg.FillBetweenItem(self._lower, self._upper)
+        self._band.setZValue(-5)
+        self.plot.addItem(self._band)
         self._measured = self.plot.curve(measured_pen(theme, "max"))
         self._model = self.plot.curve(model_pen(theme, width=2.0))
         self._range = SteadyRange(0.002)
@@ -67,18 +80,23 @@ class WearProfilePanel(QWidget):
         self.plot.dress(theme)
         self._measured.setPen(measured_pen(theme, "max"))
         self._model.setPen(model_pen(theme, width=2.0))
-        self._show_legend(math.nan, math.nan)
+        self._band.setBrush(QColor(theme.band))
+        self._show_entries("measured: not known", "model: not known", "")
         self._drawn = None
 
     def refresh(self, data: LiveData, joint: JointSection | None) -> None:
-        """Draw the profile of the newest depths."""
+        """Draw the newest recorded profile, or what follows from the newest depths."""
+        if data.profile is not None:
+            self._refresh_recorded(data.profile)
+            return
         measured = data.predictions.last("measured_wear_depth")
         predicted = data.predictions.last("wear_depth")
-        token = (measured, predicted, joint)
-        if joint is None or repr(token) == repr(self._drawn):
+        token = (repr(measured), repr(predicted), joint)
+        if joint is None or token == self._drawn:
             return
         self._drawn = token
         deepest = 0.0
+        self._draw_band(None)
         for curve, depth in ((self._measured, measured), (self._model, predicted)):
             if math.isfinite(depth):
                 sunk = max(depth, 0.0)
@@ -87,18 +105,60 @@ class WearProfilePanel(QWidget):
                 deepest = max(deepest, depth)
             else:
                 curve.setData([], [])
+        self._fit(deepest)
+        self._show_entries(
+            _depth("measured", measured),
+            _depth("model", predicted),
+            "no profile is recorded: the pin's circle sunk in by the depth",
+        )
+
+    def _refresh_recorded(self, profile: ShownProfile) -> None:
+        if self._drawn == (profile,):
+            return
+        self._drawn = (profile,)
+        seen = np.isfinite(profile.measured)
+        self._measured.setData(RECORDED_DEG, profile.measured, connect="finite")
+        self._model.setData(RECORDED_DEG, profile.predicted, connect="finite")
+        self._draw_band(profile)
+        self._fit(profile.deepest)
+        at = f"revolution {profile.revolution}"
+        if seen.any():
+            place = int(np.nanargmax(profile.measured))
+            depth = f"measured at most {profile.measured[place]:.4f} mm"
+            measured = f"{depth} ± {profile.uncertainty[place]:.4f} (k = 2), {at}"
+            extent = RECORDED_DEG[seen]
+            words = (
+                f"the pin reached {extent[0]:.0f}° to {extent[-1]:.0f}°; nothing is known beyond"
+            )
+        else:
+            measured, words = f"measured: not known yet, {at}", ""
+        deepest = np.nanmax(profile.predicted, initial=-1.0)
+        model = f"model at most {deepest:.4f} mm" if deepest >= 0.0 else "model: not known"
+        self._show_entries(measured, model, words)
+
+    def _draw_band(self, profile: ShownProfile | None) -> None:
+        if profile is None or not np.isfinite(profile.measured).any():
+            self._lower.setData([], [])
+            self._upper.setData([], [])
+            return
+        seen = np.isfinite(profile.measured)
+        angle, depth = RECORDED_DEG[seen], profile.measured[seen]
+        self._lower.setData(angle, np.maximum(depth - profile.uncertainty[seen], 0.0))
+        self._upper.setData(angle, depth + profile.uncertainty[seen])
+
+    def _fit(self, deepest: float) -> None:
         if self._range.update(0.0, deepest) and self._range.range is not None:
             self.plot.setYRange(*self._range.range, padding=0.0)
-        self._show_legend(measured, predicted)
 
-    def _show_legend(self, measured: float, predicted: float) -> None:
-        def text(name: str, depth: float) -> str:
-            return f"{name} {depth:.4f} mm" if math.isfinite(depth) else f"{name}: not known"
+    def _show_entries(self, measured: str, model: str, words: str) -> None:
+        entries = [
+            LegendEntry(measured, measured_pen(self._theme, "max")),
+            LegendEntry(model, model_pen(self._theme, width=2.0)),
+        ]
+        if words:
+            entries.append(LegendEntry(words, line_pen(self._theme.base)))
+        self.legend.show_entries(tuple(entries))
 
-        self.legend.show_entries(
-            (
-                LegendEntry(text("measured", measured), measured_pen(self._theme, "max")),
-                LegendEntry(text("model", predicted), model_pen(self._theme, width=2.0)),
-                LegendEntry("pin's circle sunk into the bushing", line_pen(self._theme.base)),
-            )
-        )
+
+def _depth(name: str, depth: float) -> str:
+    return f"{name} {depth:.4f} mm" if math.isfinite(depth) else f"{name}: not known"

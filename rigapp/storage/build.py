@@ -11,6 +11,7 @@ import h5py
 import msgspec
 import numpy as np
 
+from rigapp.engine.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES
 from rigapp.storage.layout import (
     CALIBRATION,
     CONFIGURATION,
@@ -45,6 +46,7 @@ _SIGNALS = {
 _COUNTERS = {
     "committed": "rows that are safe; what lies beyond is not data",
     "committed_curves": "curves that are safe; what lies beyond is not data",
+    "committed_profiles": "profiles that are safe; what lies beyond is not data",
 }
 
 
@@ -64,6 +66,8 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> None:
         for stream in streams.values():
             _build_stream(file, stream)
         _build_curve_angle(file, plan)
+        if plan.profiles:
+            _build_profile_angle(file)
         _build_configuration(file, plan, metadata)
         write_tree(_group(file, CALIBRATION, "NXcollection"), metadata.calibration)
         for group, (signal, title, axes) in _SIGNALS.items():
@@ -236,6 +240,15 @@ def _build_curve_angle(file: h5py.File, plan: FilePlan) -> None:
     angle.make_scale("angle")
     for name in plan.predicted_curves:
         group[f"curve_{name}"].dims[1].attach_scale(angle)
+
+
+def _build_profile_angle(file: h5py.File) -> None:
+    group = file["/entry/prediction"]
+    angle = group.create_dataset("profile_angle", data=np.asarray(PROFILE_ANGLES_DEG, dtype="<f8"))
+    describe(angle, "deg", "angle from the initial contact point, follower frame")
+    angle.make_scale("profile_angle")
+    for name in PROFILE_CURVES:
+        group[f"profile_{name}"].dims[1].attach_scale(angle)
 
 
 def _build_configuration(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> None:

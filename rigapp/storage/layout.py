@@ -16,9 +16,13 @@ import numpy as np
 from rigapp.engine.columns import (
     PREDICTED_CURVES,
     PREDICTION_POINTS,
+    PROFILE_ANGLES_DEG,
+    PROFILE_CURVES,
+    PROFILES_PER_DECADE,
     Column,
     cycle_columns,
     prediction_columns,
+    profile_columns,
     revolution_columns,
 )
 
@@ -105,7 +109,8 @@ class FilePlan:
     revolutions: rows of statistics. cycles: whole cycles kept. samples_per_cycle: samples expected
     in one of them at the test's speed. events: rows of the log. prediction: whether a twin runs.
     cycle_reason: whether each cycle says why it is kept, and its quality. unfinished_samples:
-    samples reserved for revolutions cut off by the end of a test; 0 keeps none.
+    samples reserved for revolutions cut off by the end of a test; 0 keeps none. profiles: worn
+    profiles kept, and with them the twin's checkpoints; 0 keeps neither.
     """
 
     revolutions: int
@@ -121,6 +126,7 @@ class FilePlan:
     predicted_curves: tuple[str, ...] = PREDICTED_CURVES
     cycle_reason: bool = False
     unfinished_samples: int = 0
+    profiles: int = 0
 
 
 EVENT_FIELDS = (
@@ -195,6 +201,8 @@ def streams_of(plan: FilePlan) -> dict[str, Stream]:
     )  # fmt: skip
     if plan.unfinished_samples:
         found = (*found, *_unfinished_streams(plan))
+    if plan.profiles:
+        found = (*found, *_worn_streams(plan))
     return {stream.name: stream for stream in found}
 
 
@@ -208,6 +216,48 @@ def _unfinished_streams(plan: FilePlan) -> tuple[Stream, Stream]:
         Stream(
             "unfinished_samples", group, "sample", "", _fields(plan.cycle_columns),
             samples, _rounded(UNFINISHED_ROWS * samples),
+        ),
+    )  # fmt: skip
+
+
+CHECKPOINT_SLOTS = 2
+CHECKPOINT_BYTES = 1 << 15
+
+
+def profile_rows(revolutions: int) -> int:
+    """Return the worn profiles that the twin keeps of so many revolutions."""
+    return math.ceil(PROFILES_PER_DECADE * math.log10(max(revolutions, 1))) + 3
+
+
+def _worn_streams(plan: FilePlan) -> tuple[Stream, Stream]:
+    group, size = "/entry/prediction", (len(PROFILE_ANGLES_DEG),)
+    doubt = "expanded uncertainty (k = 2) of the measured depth"
+    sentences = {"uncertainty": doubt, "measured": "measured depth, NaN where the pin never came"}
+    profiles = (
+        *_fields(
+            Column(f"profile_{one.name}", one.dtype, one.unit, one.description)
+            for one in profile_columns()
+        ),
+        *(
+            Field(f"profile_{one}", "<f4", "mm", sentences.get(one, f"{one} depth of wear"), size)
+            for one in PROFILE_CURVES
+        ),
+    )
+    checkpoints = (
+        Field("checkpoint_revolution", "<i8", "1", "newest revolution in the twin's checkpoint"),
+        Field("checkpoint_length", "<i8", "1", "bytes of the checkpoint, 0: none"),
+        Field("checkpoint_crc", "<i8", "1", "CRC-32 of these bytes"),
+        Field("checkpoint_state", "|u1", "1", "the twin's bushings", (CHECKPOINT_BYTES,)),
+    )
+    room = profile_rows(2 * plan.revolutions + SPARE_REVOLUTIONS)
+    return (
+        Stream(
+            "profiles", group, "profile_revolution", "committed_profiles", profiles,
+            plan.profiles, max(room, plan.profiles),
+        ),
+        Stream(
+            "checkpoints", group, "checkpoint", "", checkpoints,
+            CHECKPOINT_SLOTS, CHECKPOINT_SLOTS,
         ),
     )  # fmt: skip
 
@@ -229,7 +279,7 @@ def planned_rows(plan: FilePlan, revolutions: int) -> dict[str, int]:
     return {
         name: min(stream.capacity, math.ceil(stream.planned * share))
         for name, stream in streams.items()
-        if name not in ("events", "unfinished", "unfinished_samples")
+        if name not in ("events", "unfinished", "unfinished_samples", "checkpoints")
     }
 
 

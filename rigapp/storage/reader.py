@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,11 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
+from rigapp.engine.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.engine.messages import Event
 from rigapp.storage.events import events_of, first_broken_link
 from rigapp.storage.hdf import open_for_reading
 from rigapp.storage.layout import (
     CALIBRATION,
+    CHECKPOINT_BYTES,
+    CHECKPOINT_SLOTS,
     COMPRESSED,
     CONFIGURATION,
     END_TIME,
@@ -98,6 +102,8 @@ class TestReader:
         found = self._streams[stream]
         if stream == "samples":
             return self.first_free_sample(self.committed("cycles"))
+        if stream == "checkpoints":
+            return CHECKPOINT_SLOTS
         if stream == "unfinished_samples":
             return self.first_free_sample(self.committed("unfinished"), found.group)
         return int(self._file[found.path(found.counter)][()])
@@ -244,6 +250,42 @@ class TestReader:
         }
         return {"angle": np.asarray(group["angle"][()]), **curves}
 
+    def profiles(self) -> Columns:
+        """Return the committed worn profiles: ``angle`` (deg) and one array a column.
+
+        Curves (profiles, angles) in mm, NaN where nothing is known; empty for files without.
+        """
+        names = [*(one.name for one in profile_columns()), *PROFILE_CURVES]
+        angle = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
+        if "profiles" not in self._streams:
+            empty = {name: np.empty(0) for name in names}
+            return {
+                "angle": angle,
+                **empty,
+                **{n: np.empty((0, angle.size)) for n in PROFILE_CURVES},
+            }
+        table = self._table("profiles", 0)
+        return {"angle": angle, **{name: table[f"profile_{name}"] for name in names}}
+
+    def checkpoint(self) -> bytes:
+        """Return the newest checkpoint of the twin at or before the last safe row, else nothing."""
+        if "checkpoints" not in self._streams:
+            return b""
+        revolutions = self.committed()
+        last = int(self.column("revolution")[revolutions - 1]) if revolutions else 0
+        slots = self._table("checkpoints", 0)
+        best, found = -1, b""
+        for slot in range(CHECKPOINT_SLOTS):
+            number, length = (
+                int(slots[f"checkpoint_{one}"][slot]) for one in ("revolution", "length")
+            )
+            if not (0 < length <= CHECKPOINT_BYTES and best < number <= last):
+                continue
+            state = slots["checkpoint_state"][slot, :length].tobytes()
+            if zlib.crc32(state) == int(slots["checkpoint_crc"][slot]):
+                best, found = number, state
+        return found
+
     def events(self) -> list[Event]:
         """Return the committed events in order."""
         return events_of(self._table("events", 0))
@@ -268,8 +310,14 @@ class TestReader:
         return _tree(self._file[CALIBRATION])
 
     def to_xarray(self, stream: str = "revolutions") -> Any:
-        """Return committed rows of ``revolutions`` or ``prediction`` as an xarray.Dataset."""
+        """Return committed rows of a stream as an xarray.Dataset.
+
+        stream: ``revolutions``, ``prediction`` or ``profiles`` (worn profiles, over their angles).
+        """
         import xarray
+
+        if stream == "profiles":
+            return _profiles_dataset(self.profiles())
 
         found = self._streams[stream]
         table = self._table(stream, 0)
@@ -314,6 +362,29 @@ class TestReader:
     def _text(self, path: str) -> str:
         value = self._file[path][()]
         return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def _profiles_dataset(columns: Columns) -> Any:
+    """Return worn profiles as an xarray.Dataset over revolution and angle."""
+    import xarray
+
+    found = {
+        one.name: (
+            "revolution",
+            columns[one.name],
+            {"units": one.unit, "long_name": one.description},
+        )
+        for one in profile_columns()
+        if one.name != "revolution"
+    }
+    curves = {
+        name: (("revolution", "angle"), columns[name], {"units": "mm"}) for name in PROFILE_CURVES
+    }
+    coordinates = {
+        "revolution": columns["revolution"],
+        "angle": ("angle", columns["angle"], {"units": "deg"}),
+    }
+    return xarray.Dataset({**found, **curves}, coords=coordinates)
 
 
 def _tree(group: h5py.Group) -> dict[str, Any]:

@@ -122,6 +122,7 @@ def _counts(reader: TestReader) -> tuple[Counts, bytes, int]:
         **_unfinished(reader),
         prediction=_rows_up_to(reader.predictions()["revolution"], last),
         curves=_rows_up_to(reader.curve_revolutions(), last),
+        profiles=_rows_up_to(reader.profiles()["revolution"], last),
         events=reader.committed("events"),
         **{
             name: reader.state(name)

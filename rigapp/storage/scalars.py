@@ -22,6 +22,7 @@ class Counts:
     unfinished_samples: int = 0
     prediction: int = 0
     curves: int = 0
+    profiles: int = 0
     events: int = 0
     gaps: int = 0
     resumed: int = 0
@@ -34,6 +35,7 @@ COUNTERS = {
     "cycles": "/entry/cycles/committed",
     "unfinished": "/entry/unfinished/committed",
     "curves": "/entry/prediction/committed_curves",
+    "profiles": "/entry/prediction/committed_profiles",
     "prediction": "/entry/prediction/committed",
     "events": "/entry/events/committed",
     "gaps": f"{STATE}/gaps",

@@ -6,6 +6,7 @@ import os
 import socket
 import threading
 import time
+import zlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.config.errors import UnusableInput
+from rigapp.engine.columns import PROFILE_CURVES, profile_columns
 from rigapp.engine.messages import Event
 from rigapp.storage.backlog import Backlog
 from rigapp.storage.build import PAGE
@@ -26,7 +28,15 @@ from rigapp.storage.create import (
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import NoRoom
 from rigapp.storage.events import columns_of, rows_of, seed_of
-from rigapp.storage.layout import END_TIME, STATE, FilePlan, Stream, planned_rows, streams_of
+from rigapp.storage.layout import (
+    CHECKPOINT_BYTES,
+    END_TIME,
+    STATE,
+    FilePlan,
+    Stream,
+    planned_rows,
+    streams_of,
+)
 from rigapp.storage.metadata import TestMetadata, iso_time
 from rigapp.storage.scalars import COUNTERS, FINAL_STATUSES, Counts, Scalars
 from rigapp.storage.streams import RecordPlacer, Room, RowBuffer
@@ -100,6 +110,8 @@ class TestWriter:
         self._count_lock = threading.Lock()
         self._commit_lock = threading.Lock()
         self._samples_synced = counts.samples
+        self._checkpoint: tuple[int, bytes] | None = None
+        self._slot: int | None = None
         self._closed = False
         self._finished = False
         self._scalars.put_state("writer", f"process {os.getpid()} on {socket.gethostname()}")
@@ -227,6 +239,50 @@ class TestWriter:
                 self._counts.curves = row + 1
         return True
 
+    def append_profile(
+        self, values: NDArray[np.float64] | Sequence[float], curves: Mapping[str, ArrayLike]
+    ) -> bool:
+        """Append a worn profile; False when there is no room for it, or the file keeps none.
+
+        values: float64, in the order of ``profile_columns``; curves: mm, by PROFILE_CURVES.
+        """
+        if "profiles" not in self._streams:
+            return False
+        names = [one.name for one in profile_columns()]
+        place: dict[str, ArrayLike] = {
+            f"profile_{name}": [value] for name, value in zip(names, values, strict=True)
+        }
+        place |= {f"profile_{name}": curves[name] for name in PROFILE_CURVES}
+        with self._curve_lock:
+            row = self._counts.profiles
+            if not self._records["profiles"].holds(row + 1):
+                return False
+            self._records["profiles"].place(row, 1, place.__getitem__)
+            with self._count_lock:
+                self._counts.profiles = row + 1
+        return True
+
+    def keep_checkpoint(self, revolution: int, state: bytes) -> None:
+        """Keep the twin's checkpoint; the next commit writes the newest one over the older slot."""
+        if "checkpoints" in self._streams and len(state) <= CHECKPOINT_BYTES:
+            with self._curve_lock:
+                self._checkpoint = (revolution, state)
+
+    def _place_checkpoint(self, checkpoint: tuple[int, bytes]) -> None:
+        revolution, state = checkpoint
+        values: dict[str, ArrayLike] = {
+            "checkpoint_revolution": [revolution],
+            "checkpoint_length": [len(state)],
+            "checkpoint_crc": [zlib.crc32(state)],
+            "checkpoint_state": np.frombuffer(state.ljust(CHECKPOINT_BYTES, b"\0"), np.uint8),
+        }
+        if self._slot is None:
+            offset = self._places["/entry/prediction/checkpoint_revolution"][0]
+            first, second = np.frombuffer(os.pread(self._disk.fd, 16, offset), "<i8")
+            self._slot = 0 if first <= second else 1
+        self._records["checkpoints"].place(self._slot, 1, values.__getitem__)
+        self._slot = 1 - self._slot
+
     def append_event(self, event: Event) -> bool:
         """Append an event to the log; False, and counted, when the log is full."""
         return self._append_event(event, EVENTS_KEPT_BACK)
@@ -337,11 +393,15 @@ class TestWriter:
                 if name not in ("revolutions", "prediction")
             }
             samples = self._counts.samples
+        with self._curve_lock:
+            checkpoint, self._checkpoint = self._checkpoint, None
         now["revolutions"] = self._rows.hand_over_pending()
         now["prediction"] = self._predictions.hand_over_pending()
+        if checkpoint is not None:
+            self._place_checkpoint(checkpoint)
         self._backlog.drain()
         changed = [name for name in self._counters if now[name] != self._written[name]]
-        if changed:
+        if changed or checkpoint is not None:
             self._disk.sync()
             for name in changed:
                 self._scalars.put(COUNTERS[name], now[name])
