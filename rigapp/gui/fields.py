@@ -22,6 +22,7 @@ UNITS = (
     ("_m_s2", "m/s²"),
     ("_MPa", "MPa"),
     ("_rpm", "rpm"),
+    ("_revolutions", "rev"),
     ("_deg", "deg"),
     ("_kg", "kg"),
     ("_mm", "mm"),
@@ -32,6 +33,9 @@ UNITS = (
     ("_s", "s"),
 )
 
+UNITS_OF = {"cycles.before_alarm": "rev", "cycles.after_alarm": "rev"}
+"""Units of keys that do not name theirs."""
+
 RANGES: Mapping[str, tuple[float, float]] = {
     "run.revolutions": (1, 100_000_000),
     "run.speed_rpm": (0.1, 3000),
@@ -39,6 +43,16 @@ RANGES: Mapping[str, tuple[float, float]] = {
     "run.pause_angle_deg": (0, 360),
     "cycles.every_revolutions": (1, 1_000_000),
     "cycles.per_decade": (1, 1000),
+    "cycles.before_alarm": (0, 1000),
+    "cycles.after_alarm": (0, 1000),
+    "stop.elapsed_time_h": (0.001, 100_000),
+    "stop.running_time_h": (0.001, 100_000),
+    "stop.wear_depth_um": (0.1, 20_000),
+    "stop.force_N": (1, 10_000),
+    "stop.wear_rate_um_per_1000_revolutions": (0.001, 10_000),
+    "stop.deviation_N": (0.1, 10_000),
+    "stop.deviation_percent": (0.1, 1000),
+    "stop.hold_off_revolutions": (0, 100_000_000),
     "limits.overload_N": (1, 10_000),
     "limits.overspeed_rpm": (0.1, 5000),
     "limits.stale_data_s": (0.05, 60),
@@ -88,7 +102,8 @@ class FieldSpec:
     @property
     def unit(self) -> str:
         """Return the unit that the key names, empty when none."""
-        return next((unit for ending, unit in UNITS if self.key.endswith(ending)), "")
+        known = next((unit for ending, unit in UNITS if self.key.endswith(ending)), "")
+        return known or UNITS_OF.get(self.path, "")
 
     @property
     def label(self) -> str:
@@ -114,7 +129,7 @@ class FieldSpec:
         if self.range is not None:
             parts.append(f"{self.range[0]:g} to {self.range[1]:g} {self.unit}".rstrip())
         if self.default is not msgspec.NODEFAULT:
-            parts.append(f"default {self.default}")
+            parts.append(f"default {show_value(self.default) or 'off'}")
         return "; ".join(parts)
 
 

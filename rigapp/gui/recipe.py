@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -41,6 +42,8 @@ from rigapp.gui.fields import (
 from rigapp.gui.header import ElidedLabel
 from rigapp.gui.palette import Theme
 from rigapp.gui.rules import RuleTable
+from rigapp.gui.tomltext import edited
+from rigapp.gui.unsaved import UnsavedBar
 
 COLUMNS = (
     ("", "run", "metadata", "cycles", "prediction"),
@@ -53,7 +56,7 @@ TITLES = {
     "metadata": "Who and what",
     "cycles": "Whole cycles to keep",
     "limits": "Always watched (drive off)",
-    "stop": "Also ends the test (empty: does not)",
+    "stop": "Stop criteria: the first that is met ends the test (empty: off)",
     "prediction": "Model beside the data",
     "model.mechanism": "Mechanism",
     "model.spring": "Spring",
@@ -61,6 +64,13 @@ TITLES = {
     "model.bushing": "Bushing",
     "model.pin": "Pin",
 }
+
+BESIDE = {
+    "stop.wear_depth_revolutions": ("stop.wear_depth_um", "in a row"),
+    "stop.force_revolutions": ("stop.force_N", "in a row"),
+    "stop.wear_rate_window_revolutions": ("stop.wear_rate_um_per_1000_revolutions", "over"),
+}
+"""Fields that stand in the row of the field they belong to, with the word before them."""
 
 Editor = QLineEdit | QComboBox | QCheckBox
 
@@ -75,6 +85,7 @@ class RecipePanel(QWidget):
         super().__init__()
         self._theme = theme
         self._tree: dict[str, Any] = {}
+        self._text = ""
         self._path: Path | None = None
         self.test: TestFile | None = None
         self.fields = form_fields()
@@ -96,15 +107,40 @@ class RecipePanel(QWidget):
         self._theme = theme
         self._judge()
 
+    def unsaved(self) -> list[str]:
+        """Return the changes that are not saved, a line each; what cannot be read counts too."""
+        if self._path is None:
+            return []
+        try:
+            tree = self.tree()
+        except ValueError as error:
+            return [str(error)]
+        return changes(self._tree, _explicit(tree, self._tree))
+
+    def ask_before(self, what: str, then: Callable[[], None]) -> bool:
+        """Do something that loses unsaved changes, after a question when there are any.
+
+        Returns whether it was done at once.
+        """
+        lost = self.unsaved()
+        if lost:
+            self.unsaved_bar.ask(lost, what, then)
+            return False
+        then()
+        return True
+
     def open_file(self, path: Path) -> None:
-        """Load a test file into the form; the sentence below says when it cannot be used."""
+        """Load a test file into the form; the sentence below says when it cannot be used.
+
+        Changes that are not saved are lost; ``ask_before`` asks first.
+        """
         try:
             text = path.read_text(encoding="utf-8")
             tree = tomllib.loads(text)
         except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
             self._say(f"{path}: cannot be read ({error}).", good=False)
             return
-        self._path, self._tree = path, tree
+        self._path, self._tree, self._text = path, tree, text
         for field in self.fields:
             self._fill(field, get_path(tree, field.path))
         for name, box in self.sections.items():
@@ -130,22 +166,40 @@ class RecipePanel(QWidget):
         return tree
 
     def save(self, path: Path) -> bool:
-        """Write the test; False and a sentence when it is not usable or cannot be written."""
+        """Write the test, comments kept; False and a sentence when that is not possible.
+
+        A file that another program has changed since it was opened is not overwritten.
+        """
         self._judge()
         if self.test is None:
             return False
-        tree = self.tree()
         try:
-            path.write_text(tomli_w.dumps(tree), encoding="utf-8")
+            text = edited(self._text, _explicit(self.tree(), self._tree), self._optional)
+            if path == self._path and path.exists() and self._changed_elsewhere(path):
+                self._say(
+                    f"{path} was changed by another program since it was opened. Save it as"
+                    " another file, or open it again, which loses what was changed here.",
+                    good=False,
+                )
+                return False
+            path.write_text(text, encoding="utf-8")
         except OSError as error:
             self._say(f"{path}: cannot be written ({error}).", good=False)
             return False
-        self._path, self._tree = path, tree
+        self._path, self._tree, self._text = path, tomllib.loads(text), text
         self._judge()
         self.chosen.emit(path)
         return True
 
+    def _changed_elsewhere(self, path: Path) -> bool:
+        return path.read_text(encoding="utf-8", errors="replace") != self._text
+
+    @property
+    def _optional(self) -> frozenset[str]:
+        return frozenset(field.section for field in self.fields if field.optional)
+
     def _build(self) -> None:
+        self.unsaved_bar = UnsavedBar(self._save)
         self.name = ElidedLabel("recipe_file", "Test file that is edited")
         self.verdict = QLabel()
         self.verdict.setObjectName("recipe_verdict")
@@ -172,7 +226,7 @@ class RecipePanel(QWidget):
         shortcut.activated.connect(self.buttons["save"].click)
         inside = QWidget()
         row = QHBoxLayout(inside)
-        for names in COLUMNS:
+        for names in self._columns():
             column = QVBoxLayout()
             for name in names:
                 column.addWidget(self._section(name))
@@ -185,27 +239,43 @@ class RecipePanel(QWidget):
         area.setWidget(inside)
         layout = QVBoxLayout(self)
         layout.addLayout(top)
+        layout.addWidget(self.unsaved_bar)
         layout.addWidget(self.verdict)
         layout.addWidget(area, 1)
 
+    def _columns(self) -> list[list[str]]:
+        """Return the sections of every column; those that nobody placed come last."""
+        columns = [list(names) for names in COLUMNS]
+        placed = {name for names in columns for name in names}
+        columns[-1] += dict.fromkeys(f.section for f in self.fields if f.section not in placed)
+        return columns
+
     def _section(self, name: str) -> QGroupBox:
-        box = QGroupBox(TITLES[name])
+        title = title_of(name)
+        box = QGroupBox(title)
         box.setObjectName(f"section_{name or 'test'}")
-        box.setAccessibleName(TITLES[name])
+        box.setAccessibleName(title)
         self.sections[name] = box
         grid = QGridLayout(box)
-        for row, field in enumerate(f for f in self.fields if f.section == name):
+        rows: dict[str, int] = {}
+        for field in (f for f in self.fields if f.section == name):
             if field.optional and not box.isCheckable():
                 box.setCheckable(True)
                 box.toggled.connect(self._judge)
-            editor = self._editor(field)
-            label = QLabel(field.label)
-            label.setBuddy(editor)
-            label.setToolTip(field.hint)
-            grid.addWidget(label, row, 0)
-            grid.addWidget(editor, row, 1)
-            grid.addWidget(QLabel(field.unit), row, 2)
+            owner, word = BESIDE.get(field.path, ("", field.label))
+            row = rows.get(owner, grid.rowCount())
+            rows[field.path] = row
+            self._place(field, word, grid, row, 3 if owner in rows else 0)
         return box
+
+    def _place(self, field: FieldSpec, word: str, grid: QGridLayout, row: int, left: int) -> None:
+        editor = self._editor(field)
+        label = QLabel(word)
+        label.setBuddy(editor)
+        label.setToolTip(field.hint)
+        grid.addWidget(label, row, left)
+        grid.addWidget(editor, row, left + 1)
+        grid.addWidget(QLabel(field.unit), row, left + 2)
 
     def _editor(self, field: FieldSpec) -> Editor:
         editor: Editor
@@ -219,7 +289,7 @@ class RecipePanel(QWidget):
         else:
             editor = QLineEdit()
             if field.default is not msgspec.NODEFAULT and field.kind != "str":
-                editor.setPlaceholderText(show_value(field.default))
+                editor.setPlaceholderText(show_value(field.default) or "off")
             editor.textEdited.connect(self._judge)
         editor.setObjectName(f"field_{field.path}")
         editor.setAccessibleName(f"{field.label} {field.unit}".strip())
@@ -248,7 +318,7 @@ class RecipePanel(QWidget):
         if not text and field.kind != "str":
             if field.default is not msgspec.NODEFAULT:
                 return None
-            raise ValueError(f"{TITLES[field.section]}: {field.label} is missing")
+            raise ValueError(f"{title_of(field.section)}: {field.label} is missing")
         return parse_value(field, text)
 
     def _section_on(self, name: str) -> bool:
@@ -273,6 +343,8 @@ class RecipePanel(QWidget):
                 "Not saved: " + "; ".join(differences) if differences else "As in the file."
             )
             self._say(text, good=True)
+        start = "Start t&his test…" if not self.unsaved() else "Save and start t&his test…"
+        self.buttons["start"].setText(start)
         for name, button in self.buttons.items():
             usable = self.test is not None and (name == "save_as" or self._path is not None)
             button.setEnabled(name == "open" or usable)
@@ -282,21 +354,24 @@ class RecipePanel(QWidget):
         self.verdict.setText(sentence if good else f"▲ {sentence}")
         self.verdict.setStyleSheet(f"color: {colour};")
 
-    def _save(self) -> None:
-        if self._path is not None:
-            self.save(self._path)
+    def _save(self) -> bool:
+        return self._path is not None and self.save(self._path)
 
     def _start(self) -> None:
         if self._path is None:
             return
-        if changes(self._tree, _explicit(self.tree(), self._tree)) and not self.save(self._path):
+        if self.unsaved() and not self.save(self._path):
             return
         self.start_wanted.emit(self._path)
 
     def _ask_open(self) -> None:
         dialog = self._dialog("Open a test", QFileDialog.AcceptMode.AcceptOpen)
-        dialog.fileSelected.connect(lambda name: self.open_file(Path(name)))
+        dialog.fileSelected.connect(self._open_wanted)
         dialog.show()
+
+    def _open_wanted(self, name: str) -> None:
+        path = Path(name)
+        self.ask_before(f"opening {path.name}", lambda: self.open_file(path))
 
     def _ask_save(self) -> None:
         dialog = self._dialog("Save the test as", QFileDialog.AcceptMode.AcceptSave)
@@ -310,6 +385,11 @@ class RecipePanel(QWidget):
         dialog.setAcceptMode(mode)
         dialog.setModal(False)
         return dialog
+
+
+def title_of(section: str) -> str:
+    """Return the title of a section of the form."""
+    return TITLES.get(section, section.replace("_", " ").replace(".", ", ").capitalize())
 
 
 def _explicit(tree: dict[str, Any], file: dict[str, Any]) -> dict[str, Any]:

@@ -72,6 +72,7 @@ class MainWindow(QMainWindow):
         self._help: HelpWindow | None = None
         self._start_wanted: Path | None = None
         self._closing = ""
+        self._discard = False
         self._results_folder = results_folder
         self._calibration: CalibrationWizard | None = None
         self.theme = theme
@@ -192,6 +193,9 @@ class MainWindow(QMainWindow):
             event.ignore()
             self.close_bar.ask()
             return
+        if self._keep_unsaved():
+            event.ignore()
+            return
         self._timer.stop()
         self.watchdog.stop()
         self._save_layout()
@@ -203,6 +207,19 @@ class MainWindow(QMainWindow):
         if self._calibration is not None and self._calibration.isVisible():
             self._calibration.reject()
         super().closeEvent(event)
+
+    def _keep_unsaved(self) -> bool:
+        """Ask when changes of the test file would be lost; return whether the window stays."""
+        recipe = self.tabs.prepare.recipe
+        if self._discard or not self._timer.isActive() or not recipe.unsaved():
+            return False
+        self.tabs.setCurrentWidget(self.tabs.prepare)
+        recipe.ask_before("closing the window", self._close_for_good)
+        return True
+
+    def _close_for_good(self) -> None:
+        self._discard = True
+        self.close()
 
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
