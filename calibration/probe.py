@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 
 import GTC
 import numpy as np
 from GTC import reporting
 from numpy.typing import NDArray
 
-from calibration.cylinder import sensitivity_gain
+from calibration.cylinder import apparent_gap, sensitivity_gain
+from calibration.probe_checks import checks, robust_line, unusable
 from calibration.problems import Problem
 from calibration.readings import ProbeReadings
 from calibration.settings import ProbeSettings
 
 Array = NDArray[np.float64]
-
-FEWEST_POSITIONS = 5
-GOOD_POSITIONS = 11
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +25,8 @@ class ProbeCalibration:
 
     linearity: largest residual over the range, best-fit line, per cent. residual_std in m.
     hysteresis: mean difference between falling and rising steps, m. gain: cylinder correction
-    included in the sensitivity (1 without). expanded: uncertainty of one position, m.
+    included in the sensitivity (1 without). expanded: uncertainty of one position, m. budget: names
+    and standard uncertainties, m.
     """
 
     accepted: bool
@@ -45,107 +42,19 @@ class ProbeCalibration:
     expanded: float | None = None
     coverage_factor: float | None = None
     residual: Array | None = None
+    budget: tuple[tuple[str, float], ...] = ()
 
 
 def calibrate_probe(readings: ProbeReadings, settings: ProbeSettings) -> ProbeCalibration:
     """Fit, check and judge; a calibration with a blocking problem is not accepted."""
-    problems = list(_unusable(readings))
+    problems = list(unusable(readings, settings))
     if problems:
         return ProbeCalibration(False, tuple(problems))
-    slope, intercept, residual, noise = _line(readings)
-    if slope == 0.0:
+    line = robust_line(readings.position, readings.signal)
+    if line.slope == 0.0:
         flat = Problem("probe_dead", "The voltage does not change with the position.")
         return ProbeCalibration(False, (flat,))
-    problems += _steps(readings, settings, slope, residual, noise)
-    return _result(readings, settings, slope, intercept, residual, problems)
-
-
-def _unusable(readings: ProbeReadings) -> Iterator[Problem]:
-    columns = np.column_stack((readings.position, readings.signal))
-    bad = np.flatnonzero(~np.isfinite(columns).all(axis=1))
-    if len(bad):
-        where = f"series {readings.series[bad[0]]}, step {readings.step[bad[0]]}"
-        yield Problem("not_a_number", f"The reading at {where} is not a number; take it again.")
-        return
-    count = len(np.unique(readings.position))
-    if count < FEWEST_POSITIONS:
-        yield Problem(
-            "too_few_positions",
-            f"Only {count} micrometer positions; take at least {FEWEST_POSITIONS}, better"
-            f" {GOOD_POSITIONS}, up and down.",
-        )
-    if len(readings.signal) and np.ptp(readings.signal) == 0.0:
-        yield Problem(
-            "probe_dead",
-            "The voltage never changes; is the probe connected and the target grounded?",
-        )
-
-
-def _line(readings: ProbeReadings) -> tuple[float, float, Array, float]:
-    """Return slope (V/m), intercept (V), residual (V) and noise (V) of a robust straight line."""
-    position, signal = readings.position, readings.signal
-    weights = np.ones(len(position))
-    slope, intercept, noise = 0.0, 0.0, 0.0
-    for _ in range(20):
-        slope, intercept = np.polyfit(position, signal, 1, w=np.sqrt(weights))
-        residual = signal - intercept - slope * position
-        noise = max(1.4826 * float(np.median(np.abs(residual))), 1e-9)
-        weights = np.minimum(1.0, 2.0 * noise / np.maximum(np.abs(residual), 1e-30)) ** 2
-    return float(slope), float(intercept), signal - intercept - slope * position, noise
-
-
-def _steps(
-    readings: ProbeReadings, settings: ProbeSettings, slope: float, residual: Array, noise: float
-) -> Iterator[Problem]:
-    span = float(np.ptp(readings.position))
-    saturated = np.abs(readings.signal) >= 0.999 * settings.range_volts
-    if np.any(saturated):
-        at = int(np.flatnonzero(saturated)[0])
-        yield Problem(
-            "saturated",
-            f"The voltage reaches {readings.signal[at]:.2f} V at"
-            f" {1e6 * readings.position[at]:.0f} um, the end of the range; move the probe or choose"
-            " a larger range.",
-        )
-    off = np.abs(residual) > max(6.0 * noise, 0.01 * abs(slope) * span)
-    if 0 < np.count_nonzero(off & ~saturated) <= 0.3 * len(residual):
-        at = int(np.flatnonzero(off & ~saturated)[0])
-        yield Problem(
-            "wrong_position",
-            f"At series {readings.series[at]}, step {readings.step[at]} the voltage belongs to"
-            f" {1e6 * (readings.position[at] + residual[at] / slope):.1f} um, but"
-            f" {1e6 * readings.position[at]:.1f} um is written; check the micrometer.",
-        )
-    for first, second in pairwise(range(len(residual))):
-        step = readings.position[second] - readings.position[first]
-        seen = (readings.signal[second] - readings.signal[first]) / slope
-        backward = step * seen < 0.0 and abs(seen) > 6.0 * noise / abs(slope)
-        if backward and readings.series[first] == readings.series[second]:
-            yield Problem(
-                "not_monotonic",
-                f"From step {readings.step[first]} to {readings.step[second]} of series"
-                f" {readings.series[first]} the voltage went the wrong way.",
-            )
-            break
-    backlash = _hysteresis(readings, residual / slope)
-    if backlash is None:
-        yield Problem(
-            "one_direction",
-            "No position was read both going out and coming back; backlash is unknown.",
-            blocks=False,
-        )
-    elif abs(backlash) > 0.005 * span:
-        yield Problem(
-            "backlash",
-            f"Coming back reads {1e6 * backlash:+.2f} um against going out: approach every position"
-            " from one side.",
-        )
-    if len(np.unique(readings.position)) < GOOD_POSITIONS:
-        yield Problem(
-            "few_positions",
-            f"Fewer than {GOOD_POSITIONS} positions; linearity is known only roughly.",
-            blocks=False,
-        )
+    return _result(readings, settings, list(checks(readings, settings, line)))
 
 
 def _hysteresis(readings: ProbeReadings, residual: Array) -> float | None:
@@ -167,48 +76,69 @@ def _hysteresis(readings: ProbeReadings, residual: Array) -> float | None:
 
 
 def _result(
-    readings: ProbeReadings,
-    settings: ProbeSettings,
-    slope: float,
-    intercept: float,
-    residual: Array,
-    problems: list[Problem],
+    readings: ProbeReadings, settings: ProbeSettings, problems: list[Problem]
 ) -> ProbeCalibration:
-    gain = 1.0
-    if settings.target_radius and settings.sensor_radius and settings.gap_at_zero:
-        middle = settings.gap_at_zero + float(np.mean(readings.position))
-        gain = float(sensitivity_gain(middle, settings.sensor_radius, settings.target_radius))
-    count = len(residual)
-    slope_plain, intercept_plain = np.polyfit(readings.position, readings.signal, 1)
-    plain = readings.signal - intercept_plain - slope_plain * readings.position
-    std = math.sqrt(float(np.sum(plain**2)) / (count - 2)) / abs(slope_plain)
-    spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
+    count = len(readings.position)
+    slope, intercept = np.polyfit(readings.position, readings.signal, 1)
+    residual = readings.signal / slope - intercept / slope - readings.position
+    std = math.sqrt(float(np.sum(residual**2)) / (count - 2))
     span = float(np.ptp(readings.position))
-    slope_uncertainty = std / spread
-    hysteresis = _hysteresis(readings, plain / slope_plain)
-    total = (
-        GTC.ureal(0.0, std, df=count - 2, label="residual of the line")
-        + GTC.ureal(0.0, 0.5 * span * slope_uncertainty, df=count - 2, label="slope")
-        + GTC.ureal(0.0, settings.micrometer_uncertainty, label="micrometer")
-        + GTC.ureal(
-            0.0, settings.resolution_volts / abs(slope_plain) / math.sqrt(12.0), label="resolution"
-        )
-        + GTC.ureal(0.0, abs(hysteresis or 0.0) / 2.0 / math.sqrt(3.0), label="backlash")
-    )
+    gain, bending = _cylinder(readings, settings)
+    spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
+    relative = std / spread
+    hysteresis = _hysteresis(readings, residual)
+    parts = [
+        GTC.ureal(0.0, std, df=count - 2, label="residual of the line"),
+        GTC.ureal(0.0, 0.5 * span * relative, df=count - 2, label="slope"),
+        GTC.ureal(0.0, settings.micrometer_uncertainty, label="micrometer"),
+        GTC.ureal(
+            0.0, settings.resolution_volts / abs(slope) / math.sqrt(12.0), label="resolution"
+        ),
+        GTC.ureal(0.0, abs(hysteresis or 0.0) / 2.0 / math.sqrt(3.0), label="backlash"),
+        GTC.ureal(0.0, bending / math.sqrt(3.0), label="cylindrical target, change of sensitivity"),
+        GTC.ureal(0.0, _off_axis(settings) / math.sqrt(3.0), label="motion across the axis"),
+        GTC.ureal(
+            0.0,
+            settings.direction * settings.off_axis / math.sqrt(3.0),
+            label="direction of the probe",
+        ),
+    ]
+    total = sum(parts[1:], parts[0])
     combined = float(GTC.uncertainty(total))
     factor = float(reporting.k_factor(float(GTC.dof(total))))
     return ProbeCalibration(
         accepted=not any(problem.blocks for problem in problems),
         problems=tuple(problems),
-        sensitivity=float(1.0 / (slope_plain * gain)),
-        offset=float(intercept_plain),
-        sensitivity_uncertainty=float(slope_uncertainty / abs(slope_plain)),
-        linearity=float(100.0 * np.max(np.abs(plain / slope_plain)) / span),
+        sensitivity=float(1.0 / (slope * gain)),
+        offset=float(intercept),
+        sensitivity_uncertainty=relative,
+        linearity=float(100.0 * np.max(np.abs(residual)) / span),
         residual_std=std,
         hysteresis=hysteresis,
         gain=gain,
         combined=combined,
         expanded=factor * combined,
         coverage_factor=factor,
-        residual=plain / slope_plain,
+        residual=residual,
+        budget=tuple((part.label, float(part.u)) for part in parts),
     )
+
+
+def _cylinder(readings: ProbeReadings, settings: ProbeSettings) -> tuple[float, float]:
+    """Return the gain at the middle of the range and what its change over the range makes, m."""
+    if not (settings.target_radius and settings.sensor_radius and settings.gap_at_zero):
+        return 1.0, 0.0
+    sensor, target = settings.sensor_radius, settings.target_radius
+    gap = settings.gap_at_zero + np.unique(readings.position)
+    middle = settings.gap_at_zero + float(np.mean(readings.position))
+    gain = float(sensitivity_gain(middle, sensor, target))
+    straight = apparent_gap(middle, sensor, target) + gain * (gap - middle)
+    bending = np.abs(apparent_gap(gap, sensor, target) - straight).max() / gain
+    return gain, float(bending)
+
+
+def _off_axis(settings: ProbeSettings) -> float:
+    """Return what a motion across the axis reads on a cylindrical pin, y^2 / (2 R), m."""
+    if not settings.target_radius:
+        return 0.0
+    return settings.off_axis**2 / (2.0 * settings.target_radius)

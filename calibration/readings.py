@@ -13,6 +13,8 @@ Array = NDArray[np.float64]
 
 LOAD_CELL_COLUMNS = ("series", "step", "mass_kg", "pin_angle_deg", "signal_1", "signal_2")
 PROBE_COLUMNS = ("series", "step", "position_um", "signal_V")
+OTHER_COLUMN = "other_signal_V"
+"""Voltage of the probe that must not move, taken with each reading by the program itself."""
 
 
 class ReadingsError(ValueError):
@@ -36,12 +38,16 @@ class LoadCellReadings:
 
 @dataclass(frozen=True, slots=True)
 class ProbeReadings:
-    """Micrometer readings in the order taken; position in m, signal in V."""
+    """Micrometer readings in the order taken; position in m, signal in V.
+
+    other: voltage of the probe that is not calibrated, None where it was not read.
+    """
 
     series: tuple[str, ...]
     step: NDArray[np.int64]
     position: Array
     signal: Array
+    other: Array | None = None
 
 
 def parse_load_cell(text: str) -> LoadCellReadings:
@@ -57,13 +63,15 @@ def parse_load_cell(text: str) -> LoadCellReadings:
 
 
 def parse_probe(text: str) -> ProbeReadings:
-    """Read the CSV columns ``PROBE_COLUMNS``; raise ReadingsError."""
+    """Read the CSV columns ``PROBE_COLUMNS``, ``OTHER_COLUMN`` if there; raise ReadingsError."""
     rows = _table(text, PROBE_COLUMNS)
+    other = all(row.get(OTHER_COLUMN) not in (None, "") for _, row in rows)
     return ProbeReadings(
         series=tuple(row["series"].strip() for _, row in rows),
         step=np.array([_step(line, row) for line, row in rows], dtype=np.int64),
         position=1e-6 * _numbers(rows, "position_um"),
         signal=_numbers(rows, "signal_V"),
+        other=_numbers(rows, OTHER_COLUMN) if other else None,
     )
 
 

@@ -40,6 +40,9 @@ class ProbeSettings:
 
     target_radius: of the cylindrical pin, None for a flat target. sensor_radius: of the guarded
     sensing area. gap_at_zero: gap at the micrometer's zero, needed for the cylinder correction.
+    nominal: expected sensitivity, m/V with its sign, None when unknown. off_axis: how far the pin
+    moves across the probe's axis in use. direction: standard uncertainty (rad) of the direction in
+    which the micrometer moves, against the follower's axis.
     """
 
     name: str
@@ -49,3 +52,6 @@ class ProbeSettings:
     target_radius: float | None = None
     sensor_radius: float | None = None
     gap_at_zero: float | None = None
+    nominal: float | None = None
+    off_axis: float = 0.0
+    direction: float = 0.0

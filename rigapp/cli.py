@@ -306,12 +306,57 @@ def calibrate_load_cell(
 
 @calibrate_app.command("probes")
 def calibrate_probes(
-    readings: ReadingsOption, settings: SettingsOption, to: RecordOption, json: JsonOption = False
+    settings: SettingsOption,
+    to: RecordOption,
+    readings: Annotated[
+        Path | None, typer.Option("--readings", help="CSV of readings as taken; or --rig.")
+    ] = None,
+    json: JsonOption = False,
+    rig: Annotated[
+        Path | None, typer.Option("--rig", help="Rig file: take the readings live.")
+    ] = None,
+    probe: Annotated[
+        str, typer.Option("--probe", help="1, 2, or both with their alignment.")
+    ] = "1",
+    plan: Annotated[
+        str, typer.Option("--plan", help="routine (1 run up and down) or full (3 runs).")
+    ] = "full",
+    positions: Annotated[int, typer.Option("--positions", help="Positions of a run.")] = 11,
+    reach_um: Annotated[
+        float | None,
+        typer.Option("--reach-um", help="Largest position; else 80 % of the probe's range."),
+    ] = None,
+    journal: Annotated[
+        Path | None, typer.Option("--journal", help="Where events are kept; taken up if there.")
+    ] = None,
+    practise: Annotated[
+        bool, typer.Option("--practise", help="Simulated rig: simulated hands do the work.")
+    ] = False,
 ) -> None:
-    """Fit micrometer readings of a probe; a bad fit is refused, not saved."""
-    from rigapp.commands.calibrate import calibrate_probes as calibrate
+    """Calibrate probes by micrometer steps, from a CSV or live; a bad fit is refused, not saved."""
+    if (readings is None) == (rig is None):
+        raise UnusableInput("give --readings (a CSV) or --rig (live readings), one of the two.")
+    if readings is not None:
+        from rigapp.commands.probes import calibrate_probes as from_table
 
-    raise typer.Exit(calibrate(readings, settings, to, as_json=json))
+        raise typer.Exit(from_table(readings, settings, to, probe=probe, as_json=json))
+    from rigapp.commands.probes import calibrate_probes_live
+
+    assert rig is not None
+    raise typer.Exit(
+        calibrate_probes_live(
+            rig,
+            settings,
+            to,
+            probe=probe,
+            plan=plan,
+            positions=positions,
+            reach_um=reach_um,
+            journal=journal,
+            practise=practise,
+            as_json=json,
+        )
+    )
 
 
 @calibrate_app.command("certificate")

@@ -15,16 +15,14 @@ import msgspec
 import numpy as np
 
 from calibration.load_cell import LoadCellCalibration, calibrate_load_cell
-from calibration.probe import ProbeCalibration, calibrate_probe
 from calibration.problems import Problem
-from calibration.readings import ReadingsError, parse_load_cell, parse_probe
+from calibration.readings import ReadingsError, parse_load_cell
 from calibration.records import seal
 from calibration.settings import LoadCellSettings
 from rigapp.config.calibration_settings import (
     LoadCellFile,
     ProbeFile,
     read_load_cell_settings,
-    read_probe_settings,
 )
 from rigapp.config.errors import UnusableInput
 
@@ -32,7 +30,7 @@ from rigapp.config.errors import UnusableInput
 def calibrate_cell(readings: Path, settings: Path, to: Path, *, as_json: bool) -> int:
     """Fit load-cell readings; keep a record when they are good; return the exit status."""
     given, meaning = read_load_cell_settings(settings)
-    text = _text(readings)
+    text = read_text(readings)
     try:
         taken = parse_load_cell(text)
     except ReadingsError as error:
@@ -43,23 +41,6 @@ def calibrate_cell(readings: Path, settings: Path, to: Path, *, as_json: bool) -
     if found.accepted:
         keep_record(to, "load cell", text, given, result)
     say_result(result, to, as_json=as_json, lines=cell_lines(found, meaning))
-    return 0 if found.accepted else 1
-
-
-def calibrate_probes(readings: Path, settings: Path, to: Path, *, as_json: bool) -> int:
-    """Fit micrometer readings; keep a record when they are good; return the exit status."""
-    given, meaning = read_probe_settings(settings)
-    text = _text(readings)
-    try:
-        taken = parse_probe(text)
-    except ReadingsError as error:
-        raise UnusableInput(f"{readings}: {error}.") from error
-    refuse_existing(to)
-    found = calibrate_probe(taken, meaning)
-    result = probe_result(found)
-    if found.accepted:
-        keep_record(to, "probe", text, given, result)
-    say_result(result, to, as_json=as_json, lines=_probe_lines(found))
     return 0 if found.accepted else 1
 
 
@@ -115,34 +96,11 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
     }
 
 
-def probe_result(found: ProbeCalibration) -> dict[str, Any]:
-    """Return what ``--json`` prints and the record keeps, units in the keys."""
-    um = 1e6
-    return {
-        "accepted": found.accepted,
-        "problems": _problems(found.problems),
-        "sensitivity_um_per_V": _times(found.sensitivity, um),
-        "sensitivity_relative_standard_uncertainty": found.sensitivity_uncertainty,
-        "offset_V": found.offset,
-        "linearity_percent": found.linearity,
-        "residual_std_um": _times(found.residual_std, um),
-        "hysteresis_um": _times(found.hysteresis, um),
-        "cylinder_gain": found.gain,
-        "expanded_uncertainty_um": _times(found.expanded, um),
-        "coverage_factor": found.coverage_factor,
-        "residual_um": None if found.residual is None else (um * found.residual).tolist(),
-    }
-
-
-def _times(value: float | None, factor: float) -> float | None:
-    return None if value is None else factor * value
-
-
 def _problems(problems: Sequence[Problem]) -> list[dict[str, Any]]:
     return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
 
 
-def _text(path: Path) -> str:
+def read_text(path: Path) -> str:
     try:
         return path.read_text(encoding="utf-8")
     except FileNotFoundError as error:
@@ -236,16 +194,6 @@ def cell_lines(found: LoadCellCalibration, settings: LoadCellSettings) -> list[s
         f"Expanded uncertainty at {found.budget.force:g} N: {found.budget.expanded:.2f} N"
         f" (k = {found.budget.coverage_factor:.2f}); U(F) = {constant:.2f} N + {slope:.5f} F.",
         found.classification,
-    ]
-
-
-def _probe_lines(found: ProbeCalibration) -> list[str]:
-    if found.sensitivity is None or found.expanded is None or found.offset is None:
-        return []
-    return [
-        f"Position = {1e6 * found.sensitivity:.4f} um/V (voltage - {found.offset:.5f} V).",
-        f"Linearity {found.linearity:.3f} % of the range; expanded uncertainty"
-        f" {1e6 * found.expanded:.2f} um (k = {found.coverage_factor:.2f}).",
     ]
 
 

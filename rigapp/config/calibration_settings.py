@@ -89,7 +89,11 @@ class LoadCellFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[probe]: the probe, its micrometer and, for a cylindrical target, the geometry."""
+    """[probe]: the probe, its micrometer and, for a cylindrical target, the geometry.
+
+    off_axis_um: how far the pin moves across the probe's axis in use. alignment: of the direction
+    in which the micrometer moves, against the follower's axis.
+    """
 
     name: str
     range_V: Positive = 10.0
@@ -98,6 +102,9 @@ class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     target_radius_mm: Positive | None = None
     sensor_radius_mm: Positive | None = None
     gap_at_zero_um: Positive | None = None
+    nominal_sensitivity_um_per_V: float | None = None
+    off_axis_um: NotNegative = 0.0
+    alignment_standard_uncertainty_deg: NotNegative = 0.2
 
 
 class ProbeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -161,8 +168,13 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
 def read_probe_settings(path: Path) -> tuple[ProbeFile, ProbeSettings]:
     """Read settings and return the file and its meaning in SI; raise UnusableInput."""
     given = read_document(path, ProbeFile).record
+    return given, probe_meaning(given)
+
+
+def probe_meaning(given: ProbeFile) -> ProbeSettings:
+    """Return what the settings of a probe mean in SI."""
     probe = given.probe
-    return given, ProbeSettings(
+    return ProbeSettings(
         name=probe.name,
         range_volts=probe.range_V,
         micrometer_uncertainty=1e-6 * probe.micrometer_standard_uncertainty_um,
@@ -170,6 +182,9 @@ def read_probe_settings(path: Path) -> tuple[ProbeFile, ProbeSettings]:
         target_radius=_scaled(probe.target_radius_mm, 1e-3),
         sensor_radius=_scaled(probe.sensor_radius_mm, 1e-3),
         gap_at_zero=_scaled(probe.gap_at_zero_um, 1e-6),
+        nominal=_scaled(probe.nominal_sensitivity_um_per_V or None, 1e-6),
+        off_axis=1e-6 * probe.off_axis_um,
+        direction=math.radians(probe.alignment_standard_uncertainty_deg),
     )
 
 

@@ -6,36 +6,54 @@ certificate again and compare it byte for byte.
 
 from __future__ import annotations
 
-import io
 import math
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from calibration.readings import parse_load_cell, parse_probe
+from calibration.readings import parse_load_cell
 from calibration.records import Record
+from rigapp.report.certificate_plot import scatter
 from rigapp.report.document import Document, Figure, Row, Section, Table, Text
+from rigapp.report.probe_certificate import (
+    probe_conditions,
+    probe_figures,
+    probe_statements,
+    probe_tables,
+)
 
 
 def certificate_of(record: Record) -> Document:
     """Compose the certificate of a record."""
-    content, result = record.content, record.content["result"]
-    cell = record.kind == "load cell"
-    tables = [_identity(record), _conditions(content)]
-    tables += _cell_tables(content) if cell else _probe_tables(content)
-    tables.append(_readings_table(content, cell))
-    figures = _cell_figures(content) if cell else _probe_figures(content)
-    statements = tuple(Text(text) for text in _statements(content, result, cell))
+    content = record.content
+    texts, tables, figures = (_cell if record.kind == "load cell" else _probe)(content)
     return Document(
         title=f"Certificate of calibration: {_item(content)}",
         footer=f"Certificate {record.number}",
-        sections=(Section("", (*statements, *tables)), Section("Residuals", tuple(figures))),
+        sections=(
+            Section("", (*(Text(text) for text in texts), _identity(record), *tables)),
+            Section("Residuals", tuple(figures)),
+        ),
         closing=(
             f"Number {record.number} is the beginning of the SHA-256 digest of the record, readings"
             f" included. Made by {content['software']}."
         ),
     )
+
+
+Parts = tuple[list[str], list[Table], list[Figure]]
+"""Statements, tables, figures."""
+
+
+def _cell(content: Mapping[str, Any]) -> Parts:
+    tables = [_conditions(content), *_cell_tables(content), _readings_table(content)]
+    return _statements(content, content["result"]), tables, _cell_figures(content)
+
+
+def _probe(content: Mapping[str, Any]) -> Parts:
+    tables = [probe_conditions(content), *probe_tables(content)]
+    return probe_statements(content), tables, probe_figures(content)
 
 
 def _item(content: Mapping[str, Any]) -> str:
@@ -68,16 +86,7 @@ def _identity(record: Record) -> Table:
 
 def _conditions(content: Mapping[str, Any]) -> Table:
     settings = content["settings"]
-    place = settings.get("place")
-    if place is None:
-        probe = settings["probe"]
-        rows: list[Row] = [
-            ("Micrometer", f"u = {probe['micrometer_standard_uncertainty_um']:g} um"),
-            ("Range", f"{probe['range_V']:g} V"),
-        ]
-        if probe.get("target_radius_mm"):
-            rows.append(("Cylindrical target", f"radius {probe['target_radius_mm']:g} mm"))
-        return Table("Conditions", tuple(rows))
+    place = settings["place"]
     weights, angle = settings["weights"], settings["angle"]
     stated = place.get("gravity_m_s2")
     if stated is not None:
@@ -105,15 +114,8 @@ def _conditions(content: Mapping[str, Any]) -> Table:
     return Table("Conditions", tuple(rows))
 
 
-def _statements(content: Mapping[str, Any], result: Mapping[str, Any], cell: bool) -> list[str]:
+def _statements(content: Mapping[str, Any], result: Mapping[str, Any]) -> list[str]:
     factor = f"{result['coverage_factor']:.2f}"
-    if not cell:
-        return [
-            "Method: micrometer steps; voltage fitted as a straight line of position (least"
-            " squares, best-fit line).",
-            f"The expanded uncertainty of one position is {result['expanded_uncertainty_um']:.2f}"
-            f" um with a coverage factor k = {factor} (about 95 %).",
-        ]
     line = result["uncertainty_line_N"]
     return [
         "Method: dead weights at several angles of the pin. The procedure follows the ideas of ASTM"
@@ -178,37 +180,8 @@ def _cell_tables(content: Mapping[str, Any]) -> list[Table]:
     return [fit, zero, covariance, traits, budget]
 
 
-def _probe_tables(content: Mapping[str, Any]) -> list[Table]:
-    result = content["result"]
-    hysteresis = result["hysteresis_um"]
-    return [
-        Table(
-            "Position = sensitivity (voltage - offset)",
-            (
-                ("Sensitivity", f"{result['sensitivity_um_per_V']:.5f} um/V"),
-                ("relative u", f"{result['sensitivity_relative_standard_uncertainty']:.2e}"),
-                ("Offset", f"{result['offset_V']:.6f} V"),
-                ("Linearity, best-fit line", f"{result['linearity_percent']:.3f} %"),
-                ("Residual standard deviation", f"{result['residual_std_um']:.3f} um"),
-                ("Backlash", "not measured" if hysteresis is None else f"{hysteresis:.3f} um"),
-                ("Cylinder gain", f"{result['cylinder_gain']:.5f}"),
-            ),
-        )
-    ]
-
-
-def _readings_table(content: Mapping[str, Any], cell: bool) -> Table:
+def _readings_table(content: Mapping[str, Any]) -> Table:
     text, result = content["readings_csv"], content["result"]
-    if not cell:
-        probe = parse_probe(text)
-        rows = [
-            (s, str(k), f"{1e6 * p:.3f}", f"{v:.6f}", f"{r:.3f}")
-            for s, k, p, v, r in zip(
-                probe.series, probe.step, probe.position, probe.signal, result["residual_um"],
-                strict=True,
-            )
-        ]  # fmt: skip
-        return Table("Readings", tuple(rows), ("series", "step", "position um", "V", "residual um"))
     taken = parse_load_cell(text)
     cell_rows = [
         (name, str(step), f"{mass:g}", f"{math.degrees(angle):.3f}", f"{one:.6f}", f"{two:.6f}",
@@ -227,40 +200,8 @@ def _cell_figures(content: Mapping[str, Any]) -> list[Figure]:
     residual = np.array(result["residual_N"])
     load = np.hypot(*np.array(result["applied_N"]).T)
     angle = np.mod(np.degrees(taken.angle), 360.0)
+    labels = ("residual (N)", ("signal 1", "signal 2"))
     return [
-        _scatter("Residual against force", "applied force (N)", load, residual, "residual (N)"),
-        _scatter("Residual against pin angle", "pin angle (deg)", angle, residual, "residual (N)"),
+        scatter("Residual against force", "applied force (N)", load, residual, *labels),
+        scatter("Residual against pin angle", "pin angle (deg)", angle, residual, *labels),
     ]
-
-
-def _probe_figures(content: Mapping[str, Any]) -> list[Figure]:
-    taken = parse_probe(content["readings_csv"])
-    residual = np.array(content["result"]["residual_um"])[:, None]
-    position = 1e6 * taken.position
-    return [
-        _scatter("Residual against position", "position (um)", position, residual, "residual (um)")
-    ]
-
-
-def _scatter(title: str, x_label: str, x: Any, residual: Any, y_label: str) -> Figure:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure as Canvas
-
-    canvas = Canvas(figsize=(6.0, 2.6), dpi=150, layout="constrained")
-    axes = canvas.add_subplot()
-    for axis, (colour, marker) in zip(
-        range(residual.shape[1]), (("#0072B2", "o"), ("#D55E00", "s")), strict=False
-    ):
-        label = f"signal {axis + 1}" if residual.shape[1] > 1 else "probe"
-        axes.plot(x, residual[:, axis], marker, color=colour, ms=3.5, mfc="none", label=label)
-    axes.axhline(0.0, color="#000000", lw=0.6)
-    axes.set_xlabel(x_label)
-    axes.set_ylabel(y_label)
-    axes.set_title(title, fontsize=9)
-    if residual.shape[1] > 1:
-        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    FigureCanvasAgg(canvas)
-    stream = io.BytesIO()
-    canvas.savefig(stream, format="png", metadata={"Software": None})
-    words = f"{title}: largest {np.abs(residual).max():.3g}."
-    return Figure(title, stream.getvalue(), words)

@@ -1,0 +1,106 @@
+"""What a probe calibration prints and its record keeps, and the same in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from calibration.alignment import Alignment, PairCalibration
+from calibration.probe import ProbeCalibration
+from calibration.problems import Problem
+
+UM = 1e6
+
+
+def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
+    """Return problems as plain values."""
+    return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
+
+
+def probe_result(found: ProbeCalibration) -> dict[str, Any]:
+    """Return what ``--json`` prints and the record keeps, units in the keys."""
+    return {
+        "accepted": found.accepted,
+        "problems": problems_of(found.problems),
+        "sensitivity_um_per_V": _times(found.sensitivity),
+        "sensitivity_relative_standard_uncertainty": found.sensitivity_uncertainty,
+        "offset_V": found.offset,
+        "linearity_percent": found.linearity,
+        "residual_std_um": _times(found.residual_std),
+        "hysteresis_um": _times(found.hysteresis),
+        "cylinder_gain": found.gain,
+        "expanded_uncertainty_um": _times(found.expanded),
+        "coverage_factor": found.coverage_factor,
+        "budget": [
+            {"name": name, "standard_uncertainty_um": UM * value} for name, value in found.budget
+        ],
+        "residual_um": None if found.residual is None else (UM * found.residual).tolist(),
+    }
+
+
+def pair_result(found: PairCalibration) -> dict[str, Any]:
+    """Return the result of both probes with their alignment, units in the keys."""
+    stated = [one for one in found.probes if one.expanded is not None]
+    worst = max(stated, key=lambda one: one.expanded or 0.0, default=None)
+    return {
+        "accepted": found.accepted,
+        "problems": problems_of(found.problems),
+        "probes": [probe_result(one) for one in found.probes],
+        "alignment": None if found.alignment is None else _alignment(found.alignment),
+        "expanded_uncertainty_um": None if worst is None else _times(worst.expanded),
+        "coverage_factor": None if worst is None else worst.coverage_factor,
+    }
+
+
+def _alignment(found: Alignment) -> dict[str, Any]:
+    return {
+        "angle_deg": np.degrees(found.angle).tolist(),
+        "angle_standard_uncertainty_deg": np.degrees(found.angle_uncertainty).tolist(),
+        "orthogonality_deg": math.degrees(found.orthogonality),
+        "orthogonality_standard_uncertainty_deg": math.degrees(found.orthogonality_uncertainty),
+        "matrix": found.matrix.tolist(),
+        "matrix_standard_uncertainty": found.matrix_uncertainty.tolist(),
+    }
+
+
+def _times(value: float | None) -> float | None:
+    return None if value is None else UM * value
+
+
+def probe_lines(found: ProbeCalibration) -> list[str]:
+    """Return the result in words and numbers, a line each."""
+    if found.sensitivity is None or found.expanded is None or found.offset is None:
+        return []
+    backlash = found.hysteresis
+    return [
+        f"Position = {UM * found.sensitivity:.4f} um/V (voltage {-found.offset:+.5f} V).",
+        f"Linearity {found.linearity:.3f} % of the range; expanded uncertainty"
+        f" {UM * found.expanded:.2f} um (k = {found.coverage_factor:.2f}).",
+        "Backlash is not known."
+        if backlash is None
+        else f"Coming back reads {UM * backlash:+.3f} um against going out.",
+    ]
+
+
+def pair_lines(found: PairCalibration) -> list[str]:
+    """Return the result of both probes in words and numbers, a line each."""
+    lines = [
+        f"Probe {number}: {line}"
+        for number, one in enumerate(found.probes, 1)
+        for line in probe_lines(one)
+    ]
+    alignment = found.alignment
+    if alignment is None:
+        return lines
+    angles, spread = np.degrees(alignment.angle), np.degrees(alignment.angle_uncertainty)
+    return [
+        *lines,
+        f"Probe 1 stands {angles[0]:+.2f} degrees from the follower's axis, probe 2"
+        f" {angles[1]:+.2f} degrees from across it (u = {spread[0]:.2f} and {spread[1]:.2f}"
+        " degrees).",
+        f"The angle between them is {90.0 + math.degrees(alignment.orthogonality):.2f} degrees"
+        f" (u = {math.degrees(alignment.orthogonality_uncertainty):.2f}).",
+    ]

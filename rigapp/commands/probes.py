@@ -1,0 +1,265 @@
+"""`rigapp calibrate probes`: from a CSV of readings, or live on the terminal."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from calibration.alignment import calibrate_pair, split_pair
+from calibration.live import WINDOW_S
+from calibration.probe import calibrate_probe
+from calibration.probe_live import ProbeWindow
+from calibration.probe_procedure import ProbeStepKind
+from calibration.procedure import ProcedureError
+from calibration.readings import ReadingsError, parse_probe
+from rigapp.commands.calibrate import keep_record, read_text, refuse_existing, say_result
+from rigapp.commands.engine_line import Ask, engine_line
+from rigapp.commands.live_calibration import Rig
+from rigapp.commands.live_probes import (
+    PROBES,
+    LiveProbeSession,
+    ProbeOutcome,
+    plan_of,
+    usual_reach_um,
+)
+from rigapp.commands.practice import Action
+from rigapp.commands.probe_practice import (
+    ProbeMistake,
+    probe_actions,
+    probe_preparation,
+    probe_tidy_up,
+)
+from rigapp.commands.probe_results import pair_lines, pair_result, probe_lines, probe_result
+from rigapp.config.calibration_settings import read_probe_settings
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+
+LISTEN_S = WINDOW_S + 1.0
+PATIENCE_S = 60.0
+LOOK_EVERY_S = 0.03
+
+
+def calibrate_probes(readings: Path, settings: Path, to: Path, *, probe: str, as_json: bool) -> int:
+    """Fit micrometer readings; keep a record when they are good; return the exit status.
+
+    probe: "1" or "2" for one probe (the readings do not tell which), "both" for a pair, whose
+    series are named 1.x and 2.x.
+    """
+    given, meaning = read_probe_settings(settings)
+    if probe not in PROBES:
+        raise UnusableInput(f"--probe {probe}: choose {', '.join(PROBES)}.")
+    text = read_text(readings)
+    try:
+        taken = parse_probe(text)
+    except ReadingsError as error:
+        raise UnusableInput(f"{readings}: {error}.") from error
+    refuse_existing(to)
+    if probe == "both":
+        pair = calibrate_pair(split_pair(taken), (meaning, meaning))
+        kind, result, lines = "probe pair", pair_result(pair), pair_lines(pair)
+    else:
+        found = calibrate_probe(taken, meaning)
+        kind, result, lines = "probe", probe_result(found), probe_lines(found)
+    if result["accepted"]:
+        keep_record(to, kind, text, given, result)
+    say_result(result, to, as_json=as_json, lines=lines)
+    return 0 if result["accepted"] else 1
+
+
+class ProbeTerminal:
+    """Ask the operator step by step; ``read`` is ``input`` or a script."""
+
+    def __init__(
+        self,
+        session: LiveProbeSession,
+        ask: Ask,
+        read: Callable[[str], str],
+        say: Callable[[str], None],
+        hands: ProbeHands | None = None,
+    ) -> None:
+        """Take the session, the engine and, for a practice, the simulated hands."""
+        self._session, self._ask = session, ask
+        self._read, self._say, self._hands = read, say, hands
+
+    def run(self) -> bool:
+        """Take every step; return False when the operator closes it to take it up again."""
+        session = self._session
+        while not session.procedure.done:
+            procedure = session.procedure
+            self._say(f"\n[{procedure.progress}] {procedure.instruction}")
+            try:
+                if not self._step():
+                    return False
+            except ProcedureError as error:
+                self._say(f"  {error}")
+        return True
+
+    def _step(self) -> bool:
+        if self._hands is not None:
+            self._hands.do(self._session)
+            self._take(None)
+            return True
+        word = self._read(
+            "Enter records at this position (or type the micrometer's own um), r rejects,"
+            " q closes: "
+        )
+        answer = word.strip().lower()
+        if answer == "q":
+            return False
+        if answer == "r":
+            self._reject()
+            return True
+        position = None
+        if answer and self._session.procedure.step.kind is ProbeStepKind.READING:
+            try:
+                position = 1e-6 * float(answer.removesuffix("um").replace(",", "."))
+            except ValueError:
+                self._say("  Enter, a position in um, r or q.")
+                return True
+        self._take(position)
+        return True
+
+    def _reject(self) -> None:
+        procedure = self._session.procedure
+        for number, one in enumerate(procedure.taken, 1):
+            if not one.rejected:
+                series = procedure.steps[one.step].series
+                self._say(f"  {number}: series {series}, {1e6 * one.position:g} um")
+        word = self._read("  number of the reading: ").strip()
+        if not word.isdigit():
+            self._say("  That is not a number; nothing was rejected.")
+            return
+        self._session.reject(int(word) - 1, self._read("  reason: "))
+
+    def _wait_ready(self) -> ProbeWindow:
+        """Return a window that is ready; raise ProcedureError when none comes in time."""
+        session = self._session
+        deadline = time.monotonic() + PATIENCE_S
+        said = ""
+        while True:
+            window = session.window_of(self._ask("signals", {"window_s": LISTEN_S}))
+            found = session.look(window)
+            if found.ready:
+                return window
+            words = found.words.partition(";")[0]
+            if words != said and self._hands is None:
+                self._say(f"  {found.words} …")
+                said = words
+            if time.monotonic() > deadline + found.left:
+                raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {found.words}")
+            time.sleep(LOOK_EVERY_S)
+
+    def _take(self, position: float | None) -> None:
+        session = self._session
+        window = self._wait_ready()
+        found, step = session.look(window), session.procedure.step
+        session.take(window, position)
+        if step.kind is ProbeStepKind.READING:
+            own = found.steadiness.mean[step.probe - 1]
+            self._say(
+                f"  recorded: {own:+.5f} V (the calibration in use makes {1e6 * found.felt:+.1f} um"
+                " of it)"
+            )
+
+
+class ProbeHands:
+    """Let the simulated hands do what the step asks, with a mistake from a step on."""
+
+    def __init__(self, ask: Ask, mistake: ProbeMistake = ProbeMistake.NONE, since: int = 8) -> None:
+        """Take the engine."""
+        self._ask, self._mistake, self._since = ask, mistake, since
+
+    def prepare(self) -> None:
+        """Take the follower off."""
+        for action in probe_preparation():
+            self._do(action)
+
+    def tidy_up(self) -> None:
+        """Put the follower on."""
+        for action in probe_tidy_up():
+            self._do(action)
+
+    def do(self, session: LiveProbeSession) -> None:
+        """Do what the step under way asks."""
+        procedure = session.procedure
+        mistake = self._mistake if procedure.position >= self._since else ProbeMistake.NONE
+        view = self._ask("signals", {"window_s": LISTEN_S})
+        for action in probe_actions(procedure, mistake, self._since):
+            session.changed_at(self._do(action) / view["sample_rate_Hz"])
+
+    def _do(self, action: Action) -> float:
+        result = self._ask(action.verb, dict(action.arguments))
+        return float(result["after_sample"]) if isinstance(result, dict) else 0.0
+
+
+def calibrate_probes_live(
+    rig: Path,
+    settings: Path,
+    to: Path,
+    *,
+    probe: str,
+    plan: str,
+    positions: int,
+    reach_um: float | None,
+    journal: Path | None,
+    practise: bool,
+    as_json: bool,
+    read: Callable[[str], str] = input,
+) -> int:
+    """Take micrometer steps on the terminal, keep a record when they are good; the exit status."""
+    given, _ = read_probe_settings(settings)
+    document = read_rig(rig)
+    simulated = document.record.simulation is not None
+    if practise and not simulated:
+        raise UnusableInput(f"--practise: {rig} is not simulated; simulated hands move nothing.")
+    usual = usual_reach_um(
+        document.record.probes.sensitivity_um_per_V, given.probe.range_V, max(positions, 2)
+    )
+    wanted = plan_of(probe, plan, reach_um, positions, usual)
+    refuse_existing(to)
+    where = journal or to.with_name(f"{to.name}.journal")
+    operator = given.paperwork.operator or os.environ.get("USER", "")
+    session = LiveProbeSession(
+        given,
+        Rig(document.record.name, simulated, operator),
+        where,
+        wanted,
+        keep_waiting_times=not practise,
+    )
+
+    def say(text: str) -> None:
+        print(text, file=sys.stderr if as_json else sys.stdout, flush=True)
+
+    try:
+        with engine_line(rig, operator, own=practise) as ask:
+            hands = ProbeHands(ask) if practise else None
+            if hands is not None:
+                hands.prepare()
+            if not ProbeTerminal(session, ask, read, say, hands).run():
+                say(f"Closed. Take it up again with the same command; the journal is {where}.")
+                return 1
+            session.look(session.window_of(ask("signals", {"window_s": LISTEN_S})))
+            if hands is not None:
+                hands.tidy_up()
+        return _conclude(session, to, as_json=as_json)
+    finally:
+        session.close()
+
+
+def _conclude(session: LiveProbeSession, to: Path, *, as_json: bool) -> int:
+    outcome = session.judge()
+    if outcome.accepted:
+        outcome = session.save(outcome, to)
+    say_result(outcome.result, to, as_json=as_json, lines=outcome_lines(outcome))
+    return 0 if outcome.accepted else 1
+
+
+def outcome_lines(outcome: ProbeOutcome) -> list[str]:
+    """Return an outcome in words and numbers, a line each."""
+    if outcome.pair is not None:
+        return pair_lines(outcome.pair)
+    assert outcome.single is not None
+    return probe_lines(outcome.single)

@@ -1,0 +1,63 @@
+"""Plots of certificates: the same bytes each time."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from rigapp.report.document import Figure
+
+STYLES = (("#0072B2", "o", "-"), ("#D55E00", "s", "--"))
+
+
+def scatter(
+    title: str, x_label: str, x: Any, residual: Any, y_label: str, names: Sequence[str] = ()
+) -> Figure:
+    """Return points of (n, columns) residuals over x; names: of the columns, none for one."""
+    canvas, axes = _canvas(title, x_label, y_label)
+    for axis in range(residual.shape[1]):
+        colour, marker, _ = STYLES[axis % 2]
+        label = names[axis] if names else None
+        axes.plot(x, residual[:, axis], marker, color=colour, ms=3.5, mfc="none", label=label)
+    axes.axhline(0.0, color="#000000", lw=0.6)
+    if names:
+        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    return _figure(canvas, title, f"{title}: largest {np.abs(residual).max():.3g}.")
+
+
+def bands(
+    title: str, x_label: str, x: Any, curves: Any, half_widths: Any, y_label: str,
+    names: Sequence[str],
+) -> Figure:  # fmt: skip
+    """Return curves (n, columns) over x with a band about each."""
+    canvas, axes = _canvas(title, x_label, y_label)
+    for axis in range(curves.shape[1]):
+        colour, _, style = STYLES[axis % 2]
+        middle, half = curves[:, axis], half_widths[:, axis]
+        axes.fill_between(x, middle - half, middle + half, color=colour, alpha=0.25, lw=0.0)
+        axes.plot(x, middle, style, color=colour, lw=1.2, label=names[axis])
+    axes.axhline(0.0, color="#000000", lw=0.6)
+    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    return _figure(canvas, title, f"{title}: largest {np.abs(curves).max():.3g}.")
+
+
+def _canvas(title: str, x_label: str, y_label: str) -> tuple[Any, Any]:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure as Canvas
+
+    canvas = Canvas(figsize=(6.0, 2.6), dpi=150, layout="constrained")
+    axes = canvas.add_subplot()
+    axes.set_xlabel(x_label)
+    axes.set_ylabel(y_label)
+    axes.set_title(title, fontsize=9)
+    FigureCanvasAgg(canvas)
+    return canvas, axes
+
+
+def _figure(canvas: Any, title: str, words: str) -> Figure:
+    stream = io.BytesIO()
+    canvas.savefig(stream, format="png", metadata={"Software": None})
+    return Figure(title, stream.getvalue(), words)
