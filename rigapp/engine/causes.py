@@ -130,6 +130,54 @@ def overrun(device: str, blocks: int) -> Cause:
     )
 
 
+def queue_age(device: str, age_s: float, limit_s: float) -> Cause:
+    """Samples wait too long for the processing thread."""
+    return _critical(
+        "queue_age",
+        "Engine lags behind",
+        f"Samples of {device} have waited {age_s:.1f} s to be looked at; the limit is "
+        f"{limit_s:g} s.",
+        "An overload would be seen too late, so the drive was switched off.",
+        "Close other programs, lower the sample rate, or take a faster computer; then reset.",
+    )
+
+
+def sensor_broken(device: str, port: str, words: str, named: str) -> Cause:
+    """The device says that a sensor of the load cell or its cable is broken."""
+    return _critical(
+        f"input:broken:{named}",
+        "Load cell broken",
+        f"{device} on {port}: {words}" + (f" ({named})." if named else "."),
+        "The force is not known, an overload would not be seen: the test was ended and the "
+        "spindle stopped. The samples since then are flagged.",
+        "Check the bridge's wires, plug and cell; then reconnect and reset.",
+    )
+
+
+def sensor_suspect(device: str, port: str, words: str, named: str, *, before: bool) -> Cause:
+    """The device says that a sensor is broken: of a probe, while no test runs, or of before."""
+    return _warning(
+        f"input:suspect:{named}",
+        "Sensor broken before" if before else "Sensor broken",
+        f"{device} on {port}: {words}" + (f" ({named})." if named else "."),
+        "Every sample is flagged until the devices are connected again.",
+        "Check that it is repaired, then reconnect."
+        if before
+        else "Check the sensor's wires and plug, then reconnect.",
+    )
+
+
+def input_fault(device: str, port: str, kind: str, words: str, named: str) -> Cause:
+    """The device says that something is wrong at an input."""
+    return _warning(
+        f"input:{kind}:{named}",
+        f"Input {kind}",
+        f"{device} on {port}: {words}" + (f" ({named})." if named else "."),
+        "What this input shows may be wrong.",
+        "Look at the signal, its sensor, its range and its cable.",
+    )
+
+
 def time_jump(seconds: float) -> Cause:
     """The device's clock and the host's have parted."""
     return _warning(

@@ -74,6 +74,7 @@ class Connection:
         self.source_errors = 0
         self.last_source_error = ""
         self._pending: Block | None = None
+        self._in_hand_ns: int | None = None
         self._overrun = False
         self._turning_blind_since: float | None = None
         self._drive_polled_s = 0.0
@@ -162,7 +163,9 @@ class Connection:
         block = self.queue.get(0.1)
         if block is None:
             return
+        self._in_hand_ns = block.host_time_ns
         self.processor.handle(block)
+        self._in_hand_ns = None
         if self._overrun and self.queue.samples == 0:
             self._overrun = False
             self.core.alarms.clear("overrun")
@@ -306,6 +309,12 @@ class Connection:
     def backed_up(self) -> bool:
         """Tell whether the reader waits for the processing thread, which is then the culprit."""
         return self._pending is not None
+
+    def queue_age_s(self) -> float:
+        """Return the age of the oldest samples that are not processed yet, 0 when none wait."""
+        waiting = (self._in_hand_ns, self.queue.oldest_ns)
+        oldest = min((one for one in waiting if one is not None), default=None)
+        return 0.0 if oldest is None else max(0.0, (time.monotonic_ns() - oldest) * 1e-9)
 
     def data_age_s(self) -> float:
         """Return the seconds since the last samples came."""

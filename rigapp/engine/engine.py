@@ -127,7 +127,7 @@ class Engine:
 
     def _clear_connection_alarms(self) -> None:
         for alarm in self._core.alarms.alarms():
-            if alarm.key.startswith(("device_lost:", "thread:")) or alarm.key in (
+            if alarm.key.startswith(("device_lost:", "thread:", "input:")) or alarm.key in (
                 "stale_data",
                 "drive_silent",
                 "storage",

@@ -55,6 +55,7 @@ class Flag(enum.IntFlag):
     TIME_JUMP = 128
     PAUSED = 256
     RAMP = 512
+    SENSOR_FAULT = 1024
 
 
 class Severity(enum.StrEnum):

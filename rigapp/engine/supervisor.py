@@ -12,6 +12,7 @@ from rigapp.engine import causes
 from rigapp.engine.core import Core
 from rigapp.engine.messages import FinishReason, RunState
 from rigapp.engine.run import ACTIVE, Ending
+from rigapp.engine.watches import Watches
 
 if TYPE_CHECKING:
     from rigapp.engine.connection import Connection
@@ -38,11 +39,13 @@ class Supervisor:
         self._silent: set[str] = set()
         self._anchored_s = time.monotonic()
         self._slow_since: float | None = None
+        self._watches = Watches(core, connection)
 
     def step(self) -> None:
         """Look once."""
         self._look_at_threads()
         self._look_at_data()
+        self._watches.look()
         self._look_at_start()
         self._look_at_stop()
         self._look_at_clock()

@@ -132,5 +132,11 @@ class BlockQueue:
         """Return the samples waiting."""
         return self._samples
 
+    @property
+    def oldest_ns(self) -> int | None:
+        """Return the host time of the oldest block waiting, None when none waits."""
+        with self._condition:
+            return self._blocks[0].host_time_ns if self._blocks else None
+
     def _room(self, size: int) -> bool:
         return not self._blocks or self._samples + size <= self.limit

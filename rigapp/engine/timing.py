@@ -16,7 +16,8 @@ class Timing:
     processing. standing: the encoder must show no motion for so long. stop_margin: granted to a
     controlled stop beyond its ramp. coast: granted after the power was taken off. start_margin:
     granted to a start beyond its ramp. zero: samples averaged for a zero. finish: closing the file.
-    make_safe: an emergency command to the drive from the supervisor.
+    make_safe: an emergency command to the drive from the supervisor. queue_age: samples of a rig in
+    real time that wait longer for the processing thread switch the drive off.
     """
 
     read: float = 0.1
@@ -34,3 +35,4 @@ class Timing:
     zero: float = 0.5
     finish: float = 30.0
     make_safe: float = 1.0
+    queue_age: float = 1.0

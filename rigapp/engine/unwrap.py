@@ -50,6 +50,7 @@ _F_REVERSED = int(Flag.REVERSED)
 _F_PARTIAL = int(Flag.PARTIAL)
 _F_TIME_JUMP = int(Flag.TIME_JUMP)
 _F_PAUSED = int(Flag.PAUSED)
+_F_SENSOR = int(Flag.SENSOR_FAULT)
 
 LARGEST_GAP_REVOLUTIONS = 25
 """Beyond so many revolutions the number of those lost in a gap is not certain."""
@@ -296,6 +297,8 @@ def _note_marks(mark: int, state: Counts) -> None:
         state[_FLAGS] |= _F_LOST
     if mark & 8:
         state[_FLAGS] |= _F_MISMATCH
+    if mark & 16:
+        state[_FLAGS] |= _F_SENSOR
 
 
 @numba.njit("int64(int64, int64[::1], int64[::1])", cache=True, nogil=True)
@@ -306,7 +309,11 @@ def _crossed(sample: int, state: Counts, parameters: Counts) -> int:
     if -turn < ahead < turn:
         state[_PENDING] = 0
         return 0
-    sure = ahead < 0 or state[_SEEN] != 0 or state[_GAP] != 0 or parameters[_RESTARTS] == 0
+    # A crank that had turned back onto the index comes to the next one with a count of 0: setting
+    # it to 0 cannot be seen then, and the count itself says where the index is.
+    shows = state[_PREVIOUS] == ahead - turn
+    seen = state[_SEEN] != 0 or shows
+    sure = ahead < 0 or seen or state[_GAP] != 0 or parameters[_RESTARTS] == 0
     if state[_PENDING] == 0 or sure:
         state[_PENDING_KEPT] = state[_KEPT]
         state[_PENDING_SAMPLE] = sample

@@ -95,6 +95,20 @@ def test_no_sample_is_lost_and_none_is_invented(truth: Shaft, kind: str, size: i
     assert assembler.lost_samples == 0
 
 
+def test_a_crank_that_turns_back_onto_the_index_misses_none() -> None:
+    """The count is 0 at the next index without having been set to 0."""
+    turn = 40
+    there = np.concatenate((np.arange(12, -641, -1), np.arange(-639, -520)))
+    truth = Shaft(turn, 960.0, np.repeat(there, 2))
+    counts = counter(truth, "signed")
+    for size in (1, 7, len(counts)):
+        _, found = assemble(counts, setup_for("signed", turn), truth.rate, size)
+        assert [(r.ordinal, r.first_sample, r.end_sample) for r in found] == [
+            (cut.ordinal, cut.first, cut.end) for cut in reference(truth, "signed")
+        ]
+        assert not any(r.flags & (Flag.MISSED_INDEX | Flag.COUNT_MISMATCH) for r in found)
+
+
 def test_margins_are_the_neighbouring_samples() -> None:
     truth = steady(5, 100)
     _, found = assemble(counter(truth, "modulo"), setup_for("modulo", 360), 100.0, 7, Margins(2, 4))

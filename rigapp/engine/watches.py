@@ -1,0 +1,85 @@
+"""What the supervising thread looks at beside threads and stops: old blocks, broken sensors."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from drivers.api import InputFault, InputFaultKind, InputSupervision
+from rigapp.engine import causes
+from rigapp.engine.core import Core
+from rigapp.engine.messages import FinishReason
+from rigapp.engine.run import ACTIVE, Ending
+
+if TYPE_CHECKING:
+    from rigapp.engine.connection import Connection
+
+
+class Watches:
+    """Look at the age of unprocessed data and at what the data source says of its inputs."""
+
+    def __init__(self, core: Core, connection: Connection) -> None:
+        self._core = core
+        self._connection = connection
+        self._told: tuple[InputFault, ...] = ()
+        self._real_time = core.rig.record.simulation is None
+
+    def look(self) -> None:
+        """Look once."""
+        self._look_at_queue()
+        self._look_at_inputs()
+
+    def _look_at_queue(self) -> None:
+        """Switch the drive off when an overload would be seen too late.
+
+        The time of a simulated rig waits for the engine, so that lateness costs nothing there.
+        """
+        core, limit_s = self._core, self._core.timing.queue_age
+        if not self._real_time:
+            return
+        age_s = self._connection.queue_age_s()
+        if age_s <= limit_s:
+            core.alarms.clear("queue_age")
+        elif core.state in ACTIVE and not core.alarms.is_active("queue_age"):
+            source = self._connection.devices.source
+            cause = causes.queue_age(source.name, age_s, limit_s)
+            core.trip(Ending(FinishReason.INTERNAL, cause.cause, off=True), cause)
+
+    def _look_at_inputs(self) -> None:
+        source = self._connection.devices.source
+        if not isinstance(source, InputSupervision):
+            return
+        faults = source.input_faults()
+        if faults == self._told:
+            return
+        fresh = [fault for fault in faults if fault not in self._told]
+        self._told = faults
+        for fault in fresh:
+            self._tell(source.name, source.port, fault)
+
+    def _tell(self, device: str, port: str, fault: InputFault) -> None:
+        core = self._core
+        named = ", ".join(self._name(one) for one in fault.inputs)
+        broken = fault.kind is InputFaultKind.SENSOR_BROKEN
+        if broken and fault.host_time_ns and self._concerns_force(fault) and core.state in ACTIVE:
+            cause = causes.sensor_broken(device, port, fault.words, named)
+            core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
+        elif broken:
+            before = fault.host_time_ns == 0
+            core.warn(causes.sensor_suspect(device, port, fault.words, named, before=before))
+        else:
+            core.warn(causes.input_fault(device, port, fault.kind.value, fault.words, named))
+
+    def _name(self, wanted: str) -> str:
+        """Return what an input carries, beside its name."""
+        rig = self._core.rig.record
+        carries = {
+            rig.load_cell.input_1: "force_1",
+            rig.load_cell.input_2: "force_2",
+            rig.probes.input_1: "probe_1",
+            rig.probes.input_2: "probe_2",
+        }
+        return f"{wanted} ({carries[wanted]})" if wanted in carries else wanted
+
+    def _concerns_force(self, fault: InputFault) -> bool:
+        cell = self._core.rig.record.load_cell
+        return not fault.inputs or bool({cell.input_1, cell.input_2} & set(fault.inputs))

@@ -1,0 +1,152 @@
+"""Old samples and broken sensors end a test, and say why."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from engine_doubles import MemoryRig, a_test, eventually
+
+from drivers.api import Block, InputFault, InputFaultKind, Quality
+from rigapp.engine.assembler import Assembler, EncoderSetup
+from rigapp.engine.messages import Alarm, FinishReason, Flag, RunState, Severity
+from rigapp.engine.run import ENDED
+
+LONG = 1_000_000
+
+
+def slow_thinking(simulated: bool) -> MemoryRig:
+    rig = MemoryRig(simulated=simulated)
+    rig.engine._core.timing = replace(rig.timing, queue_age=0.2, silence=60.0)
+    rig.engine.connect()
+    return rig
+
+
+def hold_up(rig: MemoryRig) -> threading.Event:
+    """Let the processing thread wait with a block in its hand until the event is set."""
+    connection = rig.engine._connection
+    assert connection is not None
+    free, real = threading.Event(), connection.processor.handle
+
+    def handle(block: Block) -> None:
+        free.wait(60.0)
+        real(block)
+
+    connection.processor.handle = handle  # type: ignore[method-assign]
+    return free
+
+
+def alarm(rig: MemoryRig, start: str) -> Alarm | None:
+    return next((a for a in rig.engine.status().alarms if a.key.startswith(start)), None)
+
+
+def test_old_samples_switch_the_drive_off() -> None:
+    rig = slow_thinking(simulated=False)
+    rig.start(a_test(LONG))
+    eventually(lambda: rig.engine.state is RunState.RUNNING, 60.0)
+    free = hold_up(rig)
+    eventually(lambda: ("off", 0.0) in rig.spindle.commands, 60.0)
+    raised = alarm(rig, "queue_age")
+    free.set()
+    rig.engine.wait(ENDED, 60.0)
+    assert raised is None or raised.severity is Severity.CRITICAL
+    raised = alarm(rig, "queue_age")
+    assert raised is not None
+    assert all((raised.cause, raised.consequence, raised.action))
+    outcome = rig.engine.outcome
+    assert outcome is not None
+    assert outcome.reason is FinishReason.INTERNAL
+    assert "waited" in outcome.sentence
+    assert rig.stands
+    rig.engine.shutdown()
+
+
+def test_a_simulated_rig_waits_instead() -> None:
+    rig = slow_thinking(simulated=True)
+    rig.start(a_test(12))
+    eventually(lambda: rig.engine.state is RunState.RUNNING, 60.0)
+    free = hold_up(rig)
+    connection = rig.engine._connection
+    assert connection is not None
+    eventually(lambda: connection.queue_age_s() > 1.0, 60.0)
+    assert rig.engine.state is RunState.RUNNING
+    free.set()
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.reason is FinishReason.COMPLETE
+    assert alarm(rig, "queue_age") is None
+    rig.engine.shutdown()
+
+
+def supervised(rig: MemoryRig) -> list[InputFault]:
+    faults: list[InputFault] = []
+    rig.source.input_faults = lambda: tuple(faults)  # type: ignore[attr-defined]
+    return faults
+
+
+def test_a_broken_bridge_wire_ends_the_test() -> None:
+    rig = MemoryRig()
+    faults = supervised(rig)
+    rig.engine.connect()
+    rig.start(a_test(LONG))
+    eventually(lambda: len(rig.store.rows) >= 3, 60.0)
+    words = "the bridge of analog_1 is broken"
+    faults.append(InputFault(InputFaultKind.SENSOR_BROKEN, ("analog_1",), words, 1))
+    rig.engine.wait(ENDED, 60.0)
+    outcome = rig.engine.outcome
+    assert outcome is not None
+    assert outcome.reason is FinishReason.DEVICE
+    assert words in outcome.sentence
+    raised = alarm(rig, "input:")
+    assert raised is not None
+    assert raised.severity is Severity.CRITICAL
+    assert "force_1" in raised.cause
+    assert rig.stands
+    faults.clear()
+    rig.engine.reconnect()
+    cleared = alarm(rig, "input:")
+    assert cleared is not None
+    assert not cleared.active
+    rig.engine.shutdown()
+
+
+@pytest.mark.parametrize(
+    ("kind", "inputs", "when", "title"),
+    [
+        (InputFaultKind.SENSOR_BROKEN, ("analog_3",), 1, "Sensor broken"),
+        (InputFaultKind.SENSOR_BROKEN, ("analog_1",), 0, "Sensor broken before"),
+        (InputFaultKind.STUCK, ("analog_2",), 1, "Input stuck"),
+        (InputFaultKind.OUT_OF_RANGE, (), 1, "Input out of range"),
+    ],
+)
+def test_other_faults_of_inputs_warn(
+    kind: InputFaultKind, inputs: tuple[str, ...], when: int, title: str
+) -> None:
+    rig = MemoryRig()
+    faults = supervised(rig)
+    rig.engine.connect()
+    rig.start(a_test(8))
+    eventually(lambda: len(rig.store.rows) >= 1, 60.0)
+    faults.append(InputFault(kind, inputs, "something is wrong", when))
+    eventually(lambda: alarm(rig, "input:") is not None, 60.0)
+    raised = alarm(rig, "input:")
+    assert raised is not None
+    assert (raised.title, raised.severity) == (title, Severity.WARNING)
+    rig.engine.wait(ENDED, 60.0)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.reason is FinishReason.COMPLETE
+    rig.engine.shutdown()
+
+
+def test_samples_of_a_broken_sensor_flag_their_revolution() -> None:
+    turns = np.arange(4000) / 1000.0 + 0.3
+    values = np.zeros((5, 4000), np.float32)
+    values[4] = np.floor(turns * 360) % 360
+    quality = np.zeros(4000, np.uint8)
+    quality[1900:] = Quality.SENSOR_FAULT
+    found = Assembler(EncoderSetup(360), 4, 960.0).push(
+        Block("daq", 0, 0, 960.0, 0, values, quality)
+    )
+    assert [bool(one.flags & Flag.SENSOR_FAULT) for one in found] == [False, True, True]
