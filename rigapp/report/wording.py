@@ -36,6 +36,7 @@ FLAGS = {
     Flag.TIME_JUMP: "device time and host time parted",
     Flag.PAUSED: "a pause in the revolution",
     Flag.RAMP: "the speed was being changed",
+    Flag.SENSOR_FAULT: "a sensor or its cable was broken",
 }
 
 STATUSES = {
