@@ -7,7 +7,7 @@ import math
 from rigapp.config.recipe import TestFile
 from rigapp.engine.history import triggered_cycles
 from rigapp.engine.schedule import Schedule
-from rigapp.storage.layout import FilePlan
+from rigapp.storage.layout import FilePlan, profile_rows
 
 SLOWER = 1.05
 """A revolution may have so many times the samples of one at the set speed."""
@@ -41,4 +41,5 @@ def file_plan(
         prediction=test.prediction.enabled,
         cycle_reason=True,
         unfinished_samples=UNFINISHED * cut_off,
+        profiles=profile_rows(revolutions) if test.prediction.enabled else 0,
     )

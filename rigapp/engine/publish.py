@@ -15,7 +15,15 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.messages import Alarm, Cycle, Event, FinishReason, Prediction, RunState
+from rigapp.engine.messages import (
+    Alarm,
+    Cycle,
+    Event,
+    FinishReason,
+    Prediction,
+    RunState,
+    WornProfile,
+)
 
 Array = NDArray[np.float64]
 
@@ -89,8 +97,8 @@ class Update:
     """Carry what is new since the last take.
 
     rows: (n, columns) of ``revolution_columns``; first_row: place of the first in the file;
-    predictions: (m, columns) of ``prediction_columns``; cycle, prediction: the newest, None when
-    there is none since the last take.
+    predictions: (m, columns) of ``prediction_columns``; cycle, prediction, profile: the newest,
+    None when there is none since the last take.
     """
 
     rows: Array
@@ -99,6 +107,7 @@ class Update:
     events: tuple[Event, ...]
     cycle: Cycle | None
     prediction: Prediction | None
+    profile: WornProfile | None = None
 
 
 class Subscription:
@@ -112,6 +121,7 @@ class Subscription:
         self._events: deque[Event] = deque(maxlen=events)
         self._next_row = 0
         self._prediction: Prediction | None = None
+        self._profile: WornProfile | None = None
         self._cycle: Any = None
         self._lock = threading.Lock()
         self.rows_dropped = 0
@@ -126,6 +136,7 @@ class Subscription:
             self._rows.clear()
             self._predictions.clear()
             self._prediction = None
+            self._profile = None
             self._cycle = None
             self._next_row = first_row
 
@@ -145,11 +156,14 @@ class Subscription:
                 self.events_dropped += 1
             self._events.append(event)
 
-    def add_prediction(self, values: Array, prediction: Prediction) -> None:
-        """Add a prediction."""
+    def add_prediction(
+        self, values: Array, prediction: Prediction, profile: WornProfile | None = None
+    ) -> None:
+        """Add a prediction, and a worn profile where there is a new one."""
         with self._lock:
             self._predictions.append(values)
             self._prediction = prediction
+            self._profile = profile or self._profile
 
     def take(self) -> Update:
         """Return what is new, and forget it. The cycle is calibrated here, in the caller's time."""
@@ -157,11 +171,11 @@ class Subscription:
             rows, predictions = list(self._rows), list(self._predictions)
             events = tuple(self._events)
             first = self._next_row - len(rows)
-            cycle, prediction = self._cycle, self._prediction
+            cycle, prediction, profile = self._cycle, self._prediction, self._profile
             self._rows.clear()
             self._predictions.clear()
             self._events.clear()
-            self._cycle = self._prediction = None
+            self._cycle = self._prediction = self._profile = None
         return Update(
             rows=np.array(rows).reshape(-1, self._columns),
             first_row=first,
@@ -169,6 +183,7 @@ class Subscription:
             events=events,
             cycle=cycle() if cycle is not None else None,
             prediction=prediction,
+            profile=profile,
         )
 
 
@@ -226,9 +241,10 @@ class Publisher:
             one.add_event(event)
 
     def prediction(self, values: Array, prediction: Prediction) -> None:
-        """Publish a prediction."""
+        """Publish a prediction; its checkpoint is for the file alone."""
+        shown = msgspec.structs.replace(prediction, profile=None, checkpoint=b"")
         for one in self._subscriptions:
-            one.add_prediction(values, prediction)
+            one.add_prediction(values, shown, prediction.profile)
 
     def notice(self, notice: Notice) -> None:
         """Publish a milestone."""

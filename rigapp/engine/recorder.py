@@ -6,14 +6,22 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 
+import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.engine.assembler import Revolution
 from rigapp.engine.calibrate import Calibrated, Calibration, calibrate
-from rigapp.engine.columns import PREDICTED_CURVES
+from rigapp.engine.columns import PREDICTED_CURVES, PROFILE_CURVES
 from rigapp.engine.history import History, Kept
-from rigapp.engine.messages import Cycle, Event, Prediction, RevolutionMeasured, as_array
+from rigapp.engine.messages import (
+    Cycle,
+    Event,
+    Prediction,
+    RevolutionMeasured,
+    WornProfile,
+    as_array,
+)
 from rigapp.engine.reduce import PLACE
 from rigapp.engine.store import Store
 
@@ -132,6 +140,7 @@ class Recorder:
         self._unfinished = unfinished
         self._lock = threading.Lock()
         self._closed = False
+        self._waiting_profile: WornProfile | None = None
         self._last: tuple[int, int] | None = None
         self._whole = False
         self.committed = 0
@@ -179,7 +188,20 @@ class Recorder:
             if not self._closed:
                 self._store.append_prediction(values)
                 self._write_curves(self._curves.predicted(prediction))
+                if prediction.checkpoint:
+                    self._store.keep_checkpoint(prediction.revolution, prediction.checkpoint)
+                if prediction.profile is not None:
+                    self._take_profile(prediction.profile)
         return values
+
+    def _take_profile(self, profile: WornProfile) -> None:
+        """Write a profile of the schedule; of the others the newest waits for the end."""
+        if not profile.keep:
+            self._waiting_profile = profile
+            return
+        self._waiting_profile = None
+        curves = {name: as_array(getattr(profile, name)) for name in PROFILE_CURVES}
+        self._store.append_profile(as_array(profile.values, "<f8"), curves)
 
     def event(self, event: Event) -> None:
         """Write an event."""
@@ -208,6 +230,8 @@ class Recorder:
             self._keep(self._history.close())
             if cut_off is not None:
                 self._keep_unfinished(cut_off)
+            if self._waiting_profile is not None:
+                self._take_profile(msgspec.structs.replace(self._waiting_profile, keep=True))
             self._closed = True
         try:
             self._store.finish(status, reason_code, sentence)

@@ -58,6 +58,14 @@ class Store(Protocol):
         """Append the predicted curves of a revolution; False when there is no room for them."""
         ...
 
+    def append_profile(self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike]) -> bool:
+        """Append a worn profile; False when there is no room for it."""
+        ...
+
+    def keep_checkpoint(self, revolution: int, state: bytes) -> None:
+        """Keep what a new twin needs to go on after a revolution; the newest one counts."""
+        ...
+
     def append_event(self, event: Event) -> bool:
         """Append to the log; False when it is full."""
         ...

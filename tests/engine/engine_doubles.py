@@ -277,6 +277,8 @@ class FakeStore:
     unfinished: list[tuple[int, dict[str, ArrayLike], int]] = field(default_factory=list)
     predictions: list[NDArray[np.float64]] = field(default_factory=list)
     curves: int = 0
+    profiles: list[tuple[int, dict[str, ArrayLike]]] = field(default_factory=list)
+    checkpoint: tuple[int, bytes] | None = None
     events: list[Event] = field(default_factory=list)
     gaps: list[Event] = field(default_factory=list)
     safe: int = 0
@@ -323,6 +325,15 @@ class FakeStore:
         self._check()
         self.curves += 1
         return True
+
+    def append_profile(self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike]) -> bool:
+        self._check()
+        self.profiles.append((int(values[0]), {k: np.array(v) for k, v in curves.items()}))
+        return True
+
+    def keep_checkpoint(self, revolution: int, state: bytes) -> None:
+        self._check()
+        self.checkpoint = (revolution, state)
 
     def append_event(self, event: Event) -> bool:
         self.events.append(event)
