@@ -1,0 +1,182 @@
+"""A whole simulated test with its twin: the worn profile against the plant's truth.
+
+The plant is driven here without devices and without a clock, so that thousands of samples take
+milliseconds; what it wears is known.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import msgspec
+import numpy as np
+import pytest
+
+from rigapp.config.loading import read_rig, read_test
+from rigapp.config.model_parameters import to_parameters
+from rigapp.engine.columns import prediction_columns, profile_columns
+from rigapp.engine.messages import Prediction, WornProfile, as_array
+from rigapp.simulation.constants import plant_constants
+from rigapp.simulation.kernels import VELOCITY, Drive
+from rigapp.simulation.plant import Plant
+from rigapp.twin.checkpoint import packed, restore, revolution_of
+from rigapp.twin.predict import Measured
+from rigapp.twin.profile import ANGLES
+from rigapp.twin.twin import Twin, profile_is_due
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+RIG = read_rig(EXAMPLES / "simulated.toml").record
+TEST = read_test(EXAMPLES / "quick.toml").record
+PARAMETERS = to_parameters(TEST.model)
+SPEED = 2.0 * np.pi
+
+
+def measured_revolutions(
+    wear: float, number: int, **effects_off: float
+) -> list[tuple[Measured, float]]:
+    """Run the plant, its wear so many times the model's; return revolutions and true depths, m.
+
+    Everything that the simulated rig has is on: noise, friction, cross-talk, run-out, ripple;
+    ``effects_off`` sets some of it otherwise.
+    """
+    assert RIG.simulation is not None
+    effects = msgspec.structs.replace(
+        RIG.simulation.plant, wear_coefficient_factor=wear, **effects_off
+    )
+    simulation = msgspec.structs.replace(RIG.simulation, plant=effects)
+    rig = msgspec.structs.replace(RIG, simulation=simulation)
+    plant = Plant(plant_constants(TEST.model, rig), seed=3, sample_rate_Hz=960.0)
+    samples = plant.advance(960 * (number + 3), Drive(VELOCITY, SPEED, SPEED, 0.0, 48.0, 0.0))
+    turns = samples.shaft_revolutions
+    force = -np.array(RIG.load_cell.matrix_N_per_mV_per_V) @ np.stack(
+        [samples.bridge_1, samples.bridge_2]
+    )
+    probes = 1e-4 * np.stack([samples.probe_1, samples.probe_2])
+    found = []
+    for index in range(number):
+        part = np.flatnonzero(np.floor(turns) == index)
+        measured = Measured(
+            index + 1,
+            samples.truth.time_s[part],
+            2.0 * np.pi * (turns[part] - index),
+            *force[:, part],
+            *probes[:, part],
+        )
+        found.append((measured, float(samples.truth.wear_depth_m[part].mean())))
+    return found
+
+
+def followed(twin: Twin, revolutions: list[tuple[Measured, float]]) -> list[Prediction]:
+    return [twin.predict(measured) for measured, _ in revolutions]
+
+
+def column(prediction: Prediction, name: str) -> float:
+    names = [one.name for one in prediction_columns()]
+    return float(as_array(prediction.values, "<f8")[names.index(name)])
+
+
+def last_profile(predictions: list[Prediction]) -> WornProfile:
+    return [one.profile for one in predictions if one.profile is not None][-1]
+
+
+def true_profile(revolutions: list[Measured]) -> np.ndarray:
+    """Cut the pin's circle out of the bushing at all its true places: depth at ANGLES, mm.
+
+    By points on the circles, sorted into degrees; deepest of each. NaN where none comes beyond.
+    """
+    joint = PARAMETERS.joint
+    round_pin = joint.pin_radius * np.exp(1j * np.radians(np.arange(-60.0, 60.0, 0.02)))
+    deepest = np.full(ANGLES.size, -np.inf)
+    for one in revolutions:
+        for place in -(one.probe_1 + 1j * one.probe_2)[::20]:
+            points = place + round_pin
+            degree = np.degrees(np.angle(points))
+            near = np.abs(degree - np.round(degree)) < 0.011
+            index = np.round(degree[near]).astype(int) + 180
+            np.maximum.at(deepest, index, np.abs(points[near]) - joint.bushing_radius)
+    return 1e3 * np.where(deepest > 0.0, deepest, np.nan)
+
+
+def test_measured_profile_is_the_plants_within_its_uncertainty() -> None:
+    revolutions = measured_revolutions(100.0, 60)
+    predictions = followed(Twin(PARAMETERS, "continuous"), revolutions)
+    depth = revolutions[-1][1]
+    assert depth > 50e-6
+    profile = last_profile(predictions)
+    measured, doubt = as_array(profile.measured), as_array(profile.uncertainty)
+    averaged = int(as_array(profile.values, "<f8")[1])
+    clean = measured_revolutions(100.0, profile.revolution, probe_noise_um=0.0, pin_run_out_um=0.0)
+    expected = true_profile([one for one, _ in clean[-averaged:]])
+    seen, worn = np.isfinite(measured), np.isfinite(expected)
+    assert seen[180]
+    assert not seen[0]
+    error = np.abs(measured - expected)[seen & worn]
+    assert (error <= doubt[seen & worn]).all()
+    assert error.max() < 4e-3
+    assert measured[seen & ~worn].max(initial=0.0) < 4e-3
+    assert expected[worn & ~seen].max(initial=0.0) < 4e-3
+    values = dict(
+        zip((one.name for one in profile_columns()), as_array(profile.values, "<f8"), strict=True)
+    )
+    assert values["run_out"] == pytest.approx(3.0, abs=0.2)
+    assert values["centred"] == 1.0
+    assert 1e-3 * column(predictions[-1], "measured_wear_depth") == pytest.approx(depth, rel=0.02)
+
+
+def test_wear_coefficients_a_tenth_apart_are_told_apart() -> None:
+    depths, doubts = [], []
+    for factor in (80.0, 88.0):
+        revolutions = measured_revolutions(factor, 50)
+        predictions = followed(Twin(PARAMETERS, "continuous"), revolutions)
+        measured = 1e-3 * column(predictions[-1], "measured_wear_depth")
+        depths.append((measured, revolutions[-1][1]))
+        doubts.append(1e-3 * float(as_array(last_profile(predictions).uncertainty)[180]))
+    (low, true_low), (high, true_high) = depths
+    assert abs(low - true_low) < doubts[0]
+    assert abs(high - true_high) < doubts[1]
+    assert high - low == pytest.approx(true_high - true_low, rel=0.1)
+    assert high / low == pytest.approx(true_high / true_low, rel=0.01)
+    # What both measurements have wrong in common does not matter between them.
+    assert high - low > 10.0 * abs((high - true_high) - (low - true_low))
+
+
+def test_a_twin_goes_on_from_its_checkpoint_as_if_nothing_had_happened() -> None:
+    revolutions = measured_revolutions(1.0, 36)
+    unbroken, before = Twin(PARAMETERS, "continuous"), Twin(PARAMETERS, "continuous")
+    whole = followed(unbroken, revolutions)
+    followed(before, revolutions[:24])
+    state = packed(before)
+    assert revolution_of(state) == 24
+    after = Twin(PARAMETERS, "continuous")
+    assert restore(after, state)
+    rest = followed(after, revolutions[24:])
+    for name in ("wear_depth", "driven_wear_depth", "measured_wear_depth"):
+        assert column(rest[0], name) == pytest.approx(column(whole[24], name), rel=1e-6)
+        assert column(rest[-1], name) == pytest.approx(column(whole[-1], name), rel=1e-3)
+
+
+def test_a_checkpoint_that_does_not_fit_is_refused() -> None:
+    twin, other = Twin(PARAMETERS, "continuous"), Twin(PARAMETERS, "continuous")
+    followed(twin, measured_revolutions(1.0, 9))
+    state = packed(twin)
+    assert not restore(other, b"")
+    assert not restore(other, state[:-20])
+    assert other.newest == 0
+    assert other.predicted.state is None
+    joint = PARAMETERS.joint
+    wide = type(joint)(joint.pin_radius, 0.012, 0.02, joint.bushing_width)
+    foreign = type(PARAMETERS)(PARAMETERS.mechanism, wide, PARAMETERS.bushing, PARAMETERS.pin)
+    assert not restore(Twin(foreign, "continuous"), state)
+
+
+def test_profiles_are_kept_evenly_in_the_logarithm() -> None:
+    kept, last = [], 0
+    for number in range(1, 10_001):
+        if profile_is_due(last, number):
+            kept.append(number)
+            last = number
+    assert kept[:4] == [1, 2, 3, 4]
+    assert kept[-1] == 10_000
+    late = np.array(kept[30:])
+    assert np.diff(np.log10(late)).max() < 1.6 / 24
+    assert len(kept) <= 24 * 4 + 3
