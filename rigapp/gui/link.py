@@ -102,6 +102,11 @@ class Link:
         """Tell whether the client plays a recorded test instead of holding an engine."""
         return bool(getattr(self._client, "is_replay", False))
 
+    @property
+    def last_recorded(self) -> int:
+        """Return the last revolution of the recorded test that is played, 0 without one."""
+        return int(getattr(self._client, "last_recorded", 0))
+
     def silence_s(self) -> float:
         """Return the seconds since the last word of the engine (0 before the first)."""
         if self._last_snapshot_at is None:

@@ -33,6 +33,10 @@ class GrowingArray:
         """Return the filled part (a view)."""
         return self._data[: self._size]
 
+    def truncate(self, size: int) -> None:
+        """Forget what lies behind the first ``size`` values."""
+        self._size = min(self._size, size)
+
     def write(self, start: int, values: NDArray[np.floating]) -> None:
         """Write values from ``start`` on, which is at most the present length; grow when needed."""
         stop = start + len(values)
@@ -83,6 +87,19 @@ class Pyramid:
         if len(values):
             self._base.write(start, values)
             self._settled = min(self._settled, start)
+
+    def truncate(self, size: int) -> None:
+        """Forget what lies behind the first ``size`` values; costs next to nothing."""
+        if size >= len(self._base):
+            return
+        self._base.truncate(size)
+        # The last bucket of each level is to be made again from what is left of it.
+        self._settled = max(0, min(self._settled, size) - 1)
+        for levels in (self._low, self._high):
+            step = 1
+            for level in levels:
+                step *= FACTOR
+                level.truncate(-(-size // step))
 
     def settle(self) -> None:
         """Bring every level up to date; costs the rows written since the last time only."""

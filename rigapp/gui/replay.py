@@ -24,12 +24,15 @@ from rigapp.engine.messages import (
     WornProfile,
 )
 from rigapp.gui.profiles import profile_message
+from rigapp.gui.recordedalarms import RecordedAlarms
 from rigapp.gui.recording import StoredRevolution, newest_revolution, recipe_of
 from rigapp.storage import TestReader, open_test
 
 Floats = NDArray[np.float64]
 
 PERIOD_S = 0.1
+MOST_ROWS = 20_000
+"""Rows in one snapshot: after a long leap the window takes them in steps that nobody feels."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,10 +45,11 @@ class Tape:
     rpm: float
     status: Status
     profiles: dict[str, NDArray[Any]]
+    alarms: RecordedAlarms
 
 
 class ReplayClient:
-    """Answer as an engine does, from a file. Pause, resume, stop and ``replay`` work.
+    """Answer as an engine does, from a file. Pause, resume, stop, speed and leaps work.
 
     A thread reads the file and keeps one snapshot ready, merged with what was not fetched yet.
     """
@@ -61,15 +65,22 @@ class ReplayClient:
         self._ready: Snapshot | None = None
         self._speed = speed
         self._row = float(len(self._tape.rows)) if at_end else 0.0
+        self._most = len(self._tape.rows) if at_end else MOST_ROWS
+        self._wanted: float | None = None
         self._sent = self._sent_predictions = 0
         self._shown_cycle = self._shown_profile = -1
         self._state = RunState.RUNNING
         self._reason = ""
         self._stop = threading.Event()
-        self._rewind = threading.Event()
         self._takes = 0
         self._thread = threading.Thread(target=self._play, name="gui-replay", daemon=True)
         self._thread.start()
+
+    @property
+    def last_recorded(self) -> int:
+        """Return the last revolution of the test."""
+        rows = self._tape.rows
+        return int(rows[-1, 0]) if len(rows) else 0
 
     def poll(self) -> Snapshot | None:
         """Return what is new since the last poll, or None; never waits."""
@@ -84,7 +95,7 @@ class ReplayClient:
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0
     ) -> Reply:
-        """Pause, resume, stop, or change the speed of the replay; everything else is refused."""
+        """Pause, resume, stop, change the speed, or go to a revolution; all else is refused."""
         arguments = arguments or {}
         if verb == "pause":
             self._state = RunState.PAUSED
@@ -95,9 +106,11 @@ class ReplayClient:
         elif verb == "replay":
             self._speed = max(0.0, float(arguments["speed"]))
         elif verb == "rewind":
-            self._rewind.set()
+            self._state, self._wanted = RunState.RUNNING, 0.0
+        elif verb == "seek":
+            self._wanted = self._row_of(float(arguments["revolution"]))
         elif verb == "status":
-            return Reply(ok=True, result=msgspec.to_builtins(self._status()))
+            return Reply(ok=True, result=msgspec.to_builtins(self._status(self._sent)))
         else:
             return Reply(ok=False, sentence=f"This is a replay; {verb!r} needs a rig.")
         return Reply(ok=True)
@@ -112,22 +125,34 @@ class ReplayClient:
         last = time.monotonic()
         while True:
             now = time.monotonic()
-            if self._rewind.is_set():
-                self._begin_again()
+            self._leap()
             self._advance(now - last)
             last = now
             self._prepare()
             if self._stop.wait(PERIOD_S):
                 return
 
-    def _begin_again(self) -> None:
-        self._rewind.clear()
-        self._row, self._sent, self._sent_predictions = 0.0, 0, 0
+    def _row_of(self, revolution: float) -> float:
+        """Return how many rows there are up to a revolution."""
+        return float(np.searchsorted(self._tape.rows[:, 0], revolution, side="right"))
+
+    def _leap(self) -> None:
+        wanted, self._wanted = self._wanted, None
+        if wanted is None:
+            return
+        if self._state is RunState.STOPPED:
+            self._state = RunState.PAUSED
+        self._reason = ""
+        self._row = wanted
         self._shown_cycle = self._shown_profile = -1
-        self._state, self._reason = RunState.RUNNING, ""
-        self._takes += 1
-        with self._lock:
-            self._ready = None
+        if wanted < self._sent:
+            until = float(self._tape.rows[int(wanted) - 1, 0]) if wanted >= 1.0 else 0.0
+            predictions = self._tape.predictions[:, 0]
+            self._sent = int(wanted)
+            self._sent_predictions = int(np.searchsorted(predictions, until, side="right"))
+            self._takes += 1
+            with self._lock:
+                self._ready = None
 
     def _advance(self, elapsed_s: float) -> None:
         end = len(self._tape.rows)
@@ -138,13 +163,14 @@ class ReplayClient:
                 self._reason = f"end of the replay; the test: {self._tape.status.reason}"
 
     def _prepare(self) -> None:
-        rows = self._tape.rows[self._sent : int(self._row)]
-        until = float(self._tape.rows[int(self._row) - 1, 0]) if self._row >= 1.0 else 0.0
+        done = min(int(self._row), self._sent + self._most)
+        rows = self._tape.rows[self._sent : done]
+        until = float(self._tape.rows[done - 1, 0]) if done else 0.0
         stop = int(np.searchsorted(self._tape.predictions[:, 0], until, side="right"))
         predictions = self._tape.predictions[self._sent_predictions : stop]
         stored = self._newest_cycle(until)
         snapshot = Snapshot(
-            status=self._status(),
+            status=self._status(done),
             first_row=self._sent,
             rows=rows.tobytes(),
             predictions=predictions.tobytes(),
@@ -152,7 +178,7 @@ class ReplayClient:
             prediction=_prediction_message(stored) if stored is not None else None,
             profile=self._newest_profile(until),
         )
-        self._sent, self._sent_predictions = int(self._row), stop
+        self._sent, self._sent_predictions = done, stop
         with self._lock:
             self._ready = snapshot if self._ready is None else merged(self._ready, snapshot)
 
@@ -171,9 +197,14 @@ class ReplayClient:
         self._shown_profile = index
         return profile_message(self._tape.profiles, index)
 
-    def _status(self) -> Status:
-        tape, done = self._tape, int(self._row)
+    def _status(self, done: int) -> Status:
+        tape = self._tape
         row = tape.rows[done - 1] if done else None
+        revolution = int(row[0]) if row is not None else 0
+        values = dict(zip(_ROW, row.tolist(), strict=True)) if row is not None else None
+        margin, limit = (
+            tape.alarms.margin(revolution, values) if values is not None else (float("nan"), "")
+        )
         shown = self._sent_predictions
         left_s = (len(tape.rows) - done) * 60.0 / tape.rpm / self._speed if self._speed else 0.0
         now = time.time()
@@ -181,7 +212,10 @@ class ReplayClient:
             tape.status,
             state=self._state,
             reason=self._reason or f"replay × {self._speed:g}",
-            revolution=int(row[0]) if row is not None else 0,
+            revolution=revolution,
+            worst_margin_percent=margin,
+            worst_margin=limit,
+            alarms=tape.alarms.alarms(revolution),
             committed=done,
             speed_rpm=float(row[_ROW["speed"]]) if row is not None else 0.0,
             started_at=float(self._takes),
@@ -232,8 +266,9 @@ def read_tape(test: TestReader) -> Tape:
         operator=metadata["operator"],
     )
     predictions = _matrix(test.predictions(), tuple(_PREDICTION))
-    profiles = test.profiles()
-    return Tape(rows, predictions, test.cycle_revolutions(), rpm, status, profiles)
+    alarms = RecordedAlarms(test.events(), recipe.limits if recipe is not None else None)
+    cycles = test.cycle_revolutions()
+    return Tape(rows, predictions, cycles, rpm, status, test.profiles(), alarms)
 
 
 def merged(older: Snapshot, newer: Snapshot) -> Snapshot:

@@ -73,6 +73,12 @@ class Table:
                 else np.asarray(values, dtype=np.float32)
             )
 
+    def truncate(self, count: int) -> None:
+        """Forget what lies behind the first ``count`` rows."""
+        self._x.truncate(count)
+        for series in self._series.values():
+            series.truncate(count)
+
     def settle(self) -> None:
         """Build every level of detail now, so that nobody waits for it later."""
         for series in self._series.values():
@@ -164,6 +170,16 @@ class LiveData:
             self.prediction = predicted_cycle(snapshot.prediction)
         if snapshot.profile is not None:
             self.profile = shown_profile(snapshot.profile)
+
+    def go_back(self, count: int) -> None:
+        """Forget everything after the first ``count`` rows: a replay goes on from there."""
+        self.rows.truncate(count)
+        last = self.rows.revolutions[-1] if count else 0.0
+        kept = int(np.searchsorted(self.predictions.revolutions, last, side="right"))
+        self.predictions.truncate(kept)
+        self.cycle, self.prediction, self.profile = None, None, None
+        self._cycles.clear()
+        self._next_row = count
 
     def expect(self, committed: int) -> None:
         """Take note of how many rows the file has: what was never sent is missing too."""

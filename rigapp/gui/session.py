@@ -75,7 +75,7 @@ class Session:
         """Take a snapshot; return whether it belongs to another test than the last one."""
         status = snapshot.status
         changed = (status.file, status.started_at) != (self._file, self._started_at)
-        if changed:
+        if changed and not self._goes_back(snapshot):
             self._begin(status)
         self.data.take(snapshot)
         self.data.expect(status.committed)
@@ -105,6 +105,15 @@ class Session:
     def close(self) -> None:
         """End the reading thread."""
         self._worker.close()
+
+    def _goes_back(self, snapshot: Snapshot) -> bool:
+        """Keep the rows before the first one when the same file goes on from an earlier row."""
+        status, known = snapshot.status, len(self.data.rows)
+        if status.file != self._file or not 0 < snapshot.first_row < known or self._held:
+            return False
+        self._started_at = status.started_at
+        self.data.go_back(snapshot.first_row)
+        return True
 
     def _begin(self, status: Status) -> None:
         self._file, self._started_at = status.file, status.started_at

@@ -119,6 +119,8 @@ class MainWindow(QMainWindow):
         )
         self.controls.show_status(status, self._link.state, replay=self._link.is_replay)
         self.replay_bar.setVisible(self._link.is_replay)
+        if self._link.is_replay and status is not None:
+            self.replay_bar.show_status(status, self._link.last_recorded)
         self._show_who_commands()
         if self._session.problem:
             self.controls.show_answer(self._session.problem, good=False)
