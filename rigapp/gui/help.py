@@ -17,7 +17,7 @@ KEYS = """
 {commands}
 | F8 | Go to the line for reasons and notes; Enter adds the note to the log |
 | F1 | This help |
-| F3 | Calibrate the load cell |
+| F3 | Calibrate the load cell or the probes |
 | F9 | Light or dark |
 | Ctrl+1 … Ctrl+9 | Go to a tab |
 | Alt + underlined letter | Press a button, go to a field |

@@ -19,7 +19,9 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.commands.live_calibration import Rig
-from rigapp.engine.messages import Snapshot
+from rigapp.engine.messages import Snapshot, Status
+from rigapp.gui.calibration.chooser import CalibrationChooser
+from rigapp.gui.calibration.probe_wizard import ProbeWizard
 from rigapp.gui.calibration.wizard import CalibrationWizard
 from rigapp.gui.closebar import CloseBar
 from rigapp.gui.command import KEY as COMMAND_KEY
@@ -74,7 +76,8 @@ class MainWindow(QMainWindow):
         self._closing = ""
         self._discard = False
         self._results_folder = results_folder
-        self._calibration: CalibrationWizard | None = None
+        self._calibration: CalibrationWizard | ProbeWizard | None = None
+        self._chooser: CalibrationChooser | None = None
         self.theme = theme
         self.watchdog = Watchdog(self)
         self.setObjectName("main_window")
@@ -171,20 +174,42 @@ class MainWindow(QMainWindow):
         self._help.activateWindow()
 
     def calibrate(self) -> None:
-        """Open the calibration wizard, or bring it to the front; refused in words during a test."""
+        """Ask what to calibrate, or bring the open wizard to the front; refused during a test."""
+        if self._may_calibrate() is None:
+            return
+        if self._calibration is not None and self._calibration.isVisible():
+            self._front(self._calibration)
+            return
+        if self._chooser is None:
+            self._chooser = CalibrationChooser(self)
+            self._chooser.chosen.connect(self.calibrate_what)
+        self._front(self._chooser)
+
+    def calibrate_what(self, which: str) -> None:
+        """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
+        status = self._may_calibrate()
+        if status is None:
+            return
+        rig = Rig(status.rig, status.simulated, status.operator or getuser())
+        line, folder = self._link.request, self._results_folder
+        if which == "load cell":
+            self._calibration = CalibrationWizard(line, rig, self.theme, folder, parent=self)
+        else:
+            self._calibration = ProbeWizard(line, rig, self.theme, folder, which, parent=self)
+        self._front(self._calibration)
+
+    def _may_calibrate(self) -> Status | None:
         status = self._link.status
         if self._link.is_replay or status is None or status.state in ACTIVE_STATES:
             why = "Calibrating needs a running engine and no test under way."
             self.controls.show_answer(why, good=False)
-            return
-        if self._calibration is None or not self._calibration.isVisible():
-            rig = Rig(status.rig, status.simulated, status.operator or getuser())
-            self._calibration = CalibrationWizard(
-                self._link.request, rig, self.theme, self._results_folder, parent=self
-            )
-        self._calibration.show()
-        self._calibration.raise_()
-        self._calibration.activateWindow()
+            return None
+        return status
+
+    def _front(self, dialog: QWidget) -> None:
+        dialog.show()
+        dialog.raise_()
+        dialog.activateWindow()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask while a test is under way; else remember the layout and detach."""

@@ -1,0 +1,54 @@
+"""The wizard for the probes: plan, readings, result, certificate."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QWidget, QWizard
+
+from rigapp.commands.live_calibration import Rig
+from rigapp.gui.calibration.bench import Line
+from rigapp.gui.calibration.probe_bench import ProbeBench
+from rigapp.gui.calibration.probe_plan_page import ProbePlanPage
+from rigapp.gui.calibration.probe_readings_page import ProbeReadingsPage
+from rigapp.gui.calibration.probe_result_pages import ProbeCertificatePage, ProbeResultPage
+from rigapp.gui.calibration.wizard import BUTTONS
+from rigapp.gui.palette import Theme
+
+
+class ProbeWizard(QWizard):
+    """Guide through the calibration of one or both probes. Closing loses no reading."""
+
+    def __init__(
+        self,
+        line: Line,
+        rig: Rig,
+        theme: Theme,
+        folder: Path,
+        probe: str = "both",
+        settings: Path | None = None,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("probe_wizard")
+        self.setWindowTitle("Calibrate the probes – rigapp")
+        self.setAccessibleName("Calibration of the probes")
+        self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
+        self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
+        self.setModal(False)
+        self.bench = ProbeBench(line, rig)
+        self.plan = ProbePlanPage(self.bench, folder, probe, settings)
+        self.plan.setCommitPage(True)
+        self.readings = ProbeReadingsPage(self.bench, theme)
+        self.result_page = ProbeResultPage(self.bench, theme)
+        self.certificate = ProbeCertificatePage(self.bench)
+        for page in (self.plan, self.readings, self.result_page, self.certificate):
+            self.addPage(page)
+        for which, (text, spoken) in BUTTONS.items():
+            self.setButtonText(which, text)
+            button = self.button(which)
+            button.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
+            button.setAccessibleName(spoken)
+        self.finished.connect(lambda _: self.bench.close())
+        self.resize(QSize(1040, 820))
