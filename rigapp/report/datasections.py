@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from rigapp.engine.messages import Event
 from rigapp.report import plots
 from rigapp.report.document import Block, Section, Table, Text
 from rigapp.report.facts import ENDS, Channel, Gap, Peak, Rows
-from rigapp.report.model_facts import Agreement, CyclePicture, Wear
+from rigapp.report.model_facts import Agreement, Burst, CyclePicture, Wear
+from rigapp.report.uncertainty import ForceUncertainty
 from rigapp.report.wording import (
     CHANNELS,
     FLAGS,
@@ -19,7 +21,12 @@ from rigapp.report.wording import (
     number,
     quantity,
     symbol,
+    utc,
 )
+from rigapp.report.worn import Worn, profile_blocks
+
+BURSTS_SHOWN = 40
+TOLD = 20
 
 RESIDUALS = {
     "residual_rms": "residual of |F|, RMS",
@@ -35,7 +42,12 @@ WEAR = {
 STATISTICS = {"max": "maximum", "min": "minimum", "rms": "RMS"}
 
 
-def extremes(rows: Rows | None, agreement: Agreement | None, vector: bool) -> list[Section]:
+def extremes(
+    rows: Rows | None,
+    agreement: Agreement | None,
+    vector: bool,
+    uncertainty: ForceUncertainty | None = None,
+) -> list[Section]:
     """Return the table of extremes and the trends of every channel."""
     title = "Extremes and RMS of every channel"
     if rows is None:
@@ -62,7 +74,9 @@ def extremes(rows: Rows | None, agreement: Agreement | None, vector: bool) -> li
     others = [one for one in channels if one.unit != "N"]
     if forces:
         blocks.append(
-            plots.trends(forces, agreement, rows.gaps, "Forces against revolution", vector)
+            plots.trends(
+                forces, agreement, rows.gaps, "Forces against revolution", vector, uncertainty
+            )
         )
     if others:
         name = "Displacement and speed against revolution"
@@ -91,7 +105,9 @@ def _extremes_row(channel: Channel, noted: dict[str, str]) -> tuple[str, ...]:
     )
 
 
-def agreement(found: Agreement | None, rows: Rows | None, vector: bool) -> list[Section]:
+def agreement(
+    found: Agreement | None, rows: Rows | None, vector: bool, events: Sequence[Event] = ()
+) -> list[Section]:
     """Return how well the model agrees with the measurement."""
     title = "Agreement with the model"
     if found is None or rows is None:
@@ -124,6 +140,12 @@ def agreement(found: Agreement | None, rows: Rows | None, vector: bool) -> list[
     if found.pairs:
         blocks.append(pairs)
     blocks.append(plots.residual_trend(found, rows.gaps, vector))
+    told = [one for one in events if one.kind == "twin"]
+    if told:
+        table = tuple((utc(one.time), count(one.revolution), one.text) for one in told[:TOLD])
+        header = ("time, UTC", "revolution", "what became of the prediction")
+        left = f"First {TOLD} of {count(len(told))} lines" if len(told) > TOLD else ""
+        blocks.append(Table(left, table, header))
     return [Section(title, tuple(blocks))]
 
 
@@ -140,20 +162,53 @@ def _statistic(name: str) -> str:
     return f"{STATISTICS[statistic]} of {plots.SHORT[channel]}"
 
 
-def cycles(pictures: Sequence[CyclePicture], refused: int, vector: bool) -> Section:
-    """Return the picture of the first, middle and last saved cycle."""
+def cycles(
+    pictures: Sequence[CyclePicture],
+    refused: int,
+    vector: bool,
+    uncertainty: ForceUncertainty | None = None,
+    bursts: Sequence[Burst] = (),
+    unfinished: Sequence[int] = (),
+) -> Section:
+    """Return the picture of the first, middle and last saved cycle, and what triggers kept."""
     blocks: list[Block] = []
     if refused:
         text = f"{counted(refused, 'whole cycle')} had no room in the file and could not be kept."
         blocks.append(Text(text, strong=True))
     if pictures:
-        blocks.append(plots.cycles(pictures, vector))
+        blocks.append(plots.cycles(pictures, vector, uncertainty))
     else:
         blocks.append(Text("No whole cycle is saved."))
+    blocks += _bursts(bursts)
+    if unfinished:
+        numbers = ", ".join(count(one) for one in unfinished)
+        blocks.append(
+            Text(f"Cut off by the end of the test, and kept apart: revolution {numbers}.")
+        )
     return Section("Whole cycles", tuple(blocks))
 
 
-def wear(found: Agreement | None, gaps: Sequence[Gap], vector: bool) -> Section:
+def _bursts(bursts: Sequence[Burst]) -> list[Block]:
+    """Return the whole cycles that alarms, limits and notes kept."""
+    if not bursts:
+        return []
+    table = tuple(
+        (count(one.trigger) if one.trigger else "–", count(one.first), count(one.last),
+         count(one.cycles), flags(one.quality) or "good")
+        for one in bursts[:BURSTS_SHOWN]
+    )  # fmt: skip
+    header = ("trigger in revolution", "kept from", "to", "cycles", "quality")
+    title = "Whole cycles kept around alarms, limits and notes"
+    blocks: list[Block] = [Table(title, table, header)]
+    if len(bursts) > BURSTS_SHOWN:
+        left = counted(len(bursts) - BURSTS_SHOWN, "more trigger")
+        blocks.append(Text(f"{left} left out here; the cycles are in the file."))
+    return blocks
+
+
+def wear(
+    found: Agreement | None, gaps: Sequence[Gap], vector: bool, worn: Worn | None = None
+) -> Section:
     """Return the wear depth, measured and predicted, and its rate; what is not known says so."""
     known = found.wear if found is not None else {}
     table = Table(
@@ -170,6 +225,7 @@ def wear(found: Agreement | None, gaps: Sequence[Gap], vector: bool) -> Section:
     picture = plots.wear_trend(found, gaps, vector) if found is not None else None
     if picture is not None:
         blocks.append(picture)
+    blocks += profile_blocks(worn, vector)
     return Section("Wear", tuple(blocks))
 
 

@@ -13,6 +13,7 @@ from rigapp.report.envelope import Floats, envelope
 from rigapp.report.facts import Line, Peak, mean
 from rigapp.storage.reader import Columns, TestReader
 
+TRIGGERED = ("before", "trigger", "after")
 RESIDUALS = ("residual_rms", "residual_1_rms", "residual_2_rms", "phase_shift")
 WEAR = ("wear_depth", "measured_wear_depth", "driven_wear_depth")
 COMPARED = tuple(
@@ -77,6 +78,44 @@ class CyclePicture:
     model_revolution: int | None
     model: Columns
     residual: Mapping[str, Floats]
+
+
+@dataclass(frozen=True, slots=True)
+class Burst:
+    """Whole cycles kept around one trigger. trigger: its revolution, 0 when it has no cycle.
+
+    quality: all flags of its cycles together.
+    """
+
+    trigger: int
+    first: int
+    last: int
+    cycles: int
+    quality: int
+
+
+def bursts_of(reader: TestReader) -> tuple[Burst, ...]:
+    """Return the whole cycles that triggers kept, those that follow one another as one."""
+    reasons = reader.cycle_reasons()
+    places = [i for i, why in enumerate(reasons) if why in TRIGGERED]
+    if not places:
+        return ()
+    numbers = reader.cycle_revolutions()
+    qualities = reader.cycle_qualities()
+    found: list[Burst] = []
+    for place in places:
+        number, quality = int(numbers[place]), int(qualities[place])
+        trigger = number if reasons[place] == "trigger" else 0
+        newest = found[-1] if found else None
+        following = newest is not None and number - newest.last <= 1
+        if newest is None or not following or (trigger and newest.trigger):
+            found.append(Burst(trigger, number, number, 1, quality))
+            continue
+        found[-1] = Burst(
+            newest.trigger or trigger, newest.first, number, newest.cycles + 1,
+            newest.quality | quality,
+        )  # fmt: skip
+    return tuple(found)
 
 
 def agreement_of(reader: TestReader) -> Agreement | None:

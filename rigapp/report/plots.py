@@ -13,6 +13,7 @@ from rigapp.report.document import Figure
 from rigapp.report.envelope import envelope
 from rigapp.report.facts import Channel, Gap
 from rigapp.report.model_facts import Agreement, CyclePicture
+from rigapp.report.uncertainty import ForceUncertainty
 from rigapp.report.wording import CHANNELS, THIN, number, quantity, symbol
 
 WIDTH_IN = 7.2
@@ -34,6 +35,7 @@ DRIVEN = "#CC79A7"
 GAP = "#E69F00"
 MODEL_LINE: Mapping[str, Any] = {"color": MODEL, "ls": (0, (4, 2)), "lw": 1.1}
 GAPS_SHOWN = 40
+BAND_WORDS = "Shaded: the expanded uncertainty of a force by the calibration."
 SHORT = {
     "force": "|F|",
     "force_1": "force_1",
@@ -66,7 +68,7 @@ STYLE: dict[Any, Any] = {
 
 
 @contextmanager
-def _canvas(height_in: float) -> Iterator[Any]:
+def canvas_of(height_in: float) -> Iterator[Any]:
     """Yield a matplotlib figure in the report's style; its margins are the same in all."""
     import matplotlib
     from matplotlib.figure import Figure as Canvas
@@ -94,7 +96,7 @@ def _panels(canvas: Any, number: int) -> Sequence[Any]:
     return tuple(canvas.subplots(number, 1, sharex=True, squeeze=False, gridspec_kw=space)[:, 0])
 
 
-def _saved(canvas: Any, title: str, words: str, caption: str, vector: bool) -> Figure:
+def saved(canvas: Any, title: str, words: str, caption: str, vector: bool) -> Figure:
     stream = io.BytesIO()
     if vector:
         canvas.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
@@ -130,14 +132,21 @@ def trends(
     gaps: Sequence[Gap],
     title: str,
     vector: bool,
+    uncertainty: ForceUncertainty | None = None,
 ) -> Figure:
-    """Draw maximum, RMS and minimum of channels against revolution, one panel a channel."""
+    """Draw maximum, RMS and minimum of channels against revolution, one panel a channel.
+
+    uncertainty: of forces; drawn as a band about the largest and the smallest value.
+    """
     predicted = agreement.lines if agreement is not None else {}
-    with _canvas(_height(len(channels))) as canvas:
+    with canvas_of(_height(len(channels))) as canvas:
         panels = _panels(canvas, len(channels))
         zoomed = False
         for axes, channel in zip(panels, channels, strict=True):
             _mark_gaps(axes, gaps)
+            if uncertainty is not None and channel.unit == "N":
+                for one in ("max", "min"):
+                    _band(axes, *channel.lines[one], uncertainty, COLOURS[one])
             with_model = False
             _draw(axes, channel.lines["max"], color=COLOURS["max"], label=SHORT["max"])
             x, rms = channel.lines["rms"]
@@ -169,9 +178,19 @@ def trends(
         caption = "Maximum, RMS and minimum of every revolution, measured (solid)"
         model = any(f"{one.name}_max" in predicted for one in channels)
         caption += " and by the model (dashed)." if model else "."
+        if uncertainty is not None:
+            caption += f" {BAND_WORDS}"
         if zoomed:
             caption += " Revolutions in which the speed changed may lie outside the scale."
-        return _saved(canvas, title, words, caption, vector)
+        return saved(canvas, title, words, caption, vector)
+
+
+def _band(
+    axes: Any, x: Any, values: Any, uncertainty: ForceUncertainty, colour: str, alpha: float = 0.2
+) -> None:
+    """Shade a force's expanded uncertainty about its curve."""
+    doubt = uncertainty.at(values)
+    axes.fill_between(x, values - doubt, values + doubt, color=colour, alpha=alpha, lw=0)
 
 
 def _leave_out_unsteady(axes: Any, channel: Channel) -> bool:
@@ -193,7 +212,7 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> F
     forces = [one for one in ("residual_rms", "residual_1_rms", "residual_2_rms") if one in found]
     names = dict(zip(("residual_rms", "residual_1_rms", "residual_2_rms"),
                      ("force", "force_1", "force_2"), strict=True))  # fmt: skip
-    with _canvas(_height(2)) as canvas:
+    with canvas_of(_height(2)) as canvas:
         upper, lower = _panels(canvas, 2)
         for axes in (upper, lower):
             _mark_gaps(axes, gaps)
@@ -215,7 +234,7 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> F
             f"{quantity(one.last, one.unit, 2)}."
             for name, one in found.items()
         )
-        return _saved(canvas, "Agreement with the model", words, "", vector)
+        return saved(canvas, "Agreement with the model", words, "", vector)
 
 
 def wear_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figure | None:
@@ -225,7 +244,7 @@ def wear_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figur
     )
     if measured is None and predicted is None and driven is None:
         return None
-    with _canvas(2.6) as canvas:
+    with canvas_of(2.6) as canvas:
         axes = canvas.subplots()
         _mark_gaps(axes, gaps)
         words = "Wear depth against revolution:"
@@ -247,18 +266,27 @@ def wear_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figur
         _revolution_axis(axes)
         caption = "From the probes (solid), by the model (dashed), by the model from the measured"
         caption += " forces (dash-dotted); what is unknown is not drawn."
-        return _saved(canvas, "Wear depth", words, caption, vector)
+        return saved(canvas, "Wear depth", words, caption, vector)
 
 
-def cycles(pictures: Sequence[CyclePicture], vector: bool) -> Figure:
+def cycles(
+    pictures: Sequence[CyclePicture], vector: bool, uncertainty: ForceUncertainty | None = None
+) -> Figure:
     """Draw whole cycles side by side: forces with the model, residual, displacement."""
-    rows: list[tuple[str, Callable[[Any, CyclePicture], None]]] = [("force (N)", _force_panel)]
+
+    def force_panel(axes: Any, picture: CyclePicture) -> None:
+        _force_panel(axes, picture, uncertainty)
+
+    def residual_panel(axes: Any, picture: CyclePicture) -> None:
+        _residual_panel(axes, picture, uncertainty)
+
+    rows: list[tuple[str, Callable[[Any, CyclePicture], None]]] = [("force (N)", force_panel)]
     if any(one.residual for one in pictures):
-        rows.append(("measured −\nmodel (N)", _residual_panel))
+        rows.append(("measured −\nmodel (N)", residual_panel))
     if any("probe_1" in one.columns for one in pictures):
         rows.append(("pin, less its\nmean (µm)", _probe_panel))
-    heights = [2.4 if draw is _force_panel else 1.5 for _, draw in rows]
-    with _canvas(0.55 + sum(heights)) as canvas:
+    heights = [2.4 if draw is force_panel else 1.5 for _, draw in rows]
+    with canvas_of(0.55 + sum(heights)) as canvas:
         grid = canvas.subplots(
             len(rows), len(pictures), sharex=True, sharey="row", squeeze=False,
             height_ratios=heights, gridspec_kw={"hspace": 0.14, "wspace": 0.07},
@@ -276,7 +304,10 @@ def cycles(pictures: Sequence[CyclePicture], vector: bool) -> Figure:
             axes.set_xlim(0, 360)
         which = {1: "the only one", 2: "first and last", 3: "first, middle and last"}
         title = f"Whole cycles, {which[len(pictures)]}"
-        return _saved(canvas, title, _cycle_words(pictures), _cycle_caption(pictures), vector)
+        caption = _cycle_caption(pictures)
+        if uncertainty is not None:
+            caption += f" {BAND_WORDS}"
+        return saved(canvas, title, _cycle_words(pictures), caption, vector)
 
 
 def _cycle_words(pictures: Sequence[CyclePicture]) -> str:
@@ -312,8 +343,11 @@ def _curve(axes: Any, picture: CyclePicture, values: Any, **style: Any) -> None:
     axes.plot(*envelope(picture.columns["angle"], values), **style)
 
 
-def _force_panel(axes: Any, picture: CyclePicture) -> None:
+def _force_panel(axes: Any, picture: CyclePicture, uncertainty: ForceUncertainty | None) -> None:
     for name in ("force", "force_1", "force_2"):
+        if uncertainty is not None:
+            curve = envelope(picture.columns["angle"], picture.columns[name])
+            _band(axes, *curve, uncertainty, COLOURS[name], 0.15)
         _curve(axes, picture, picture.columns[name], color=COLOURS[name], label=SHORT[name])
     label = "model"
     for name in ("force", "force_1", "force_2"):
@@ -322,7 +356,11 @@ def _force_panel(axes: Any, picture: CyclePicture) -> None:
             label = ""
 
 
-def _residual_panel(axes: Any, picture: CyclePicture) -> None:
+def _residual_panel(axes: Any, picture: CyclePicture, uncertainty: ForceUncertainty | None) -> None:
+    if uncertainty is not None:
+        doubt = uncertainty.at(picture.columns["force"])
+        x, high = envelope(picture.columns["angle"], doubt)
+        axes.fill_between(x, -high, high, color=COLOURS["force"], alpha=0.12, lw=0)
     axes.axhline(0.0, color="#777777", lw=0.6)
     for name in ("force", "force_1", "force_2"):
         if name in picture.residual:

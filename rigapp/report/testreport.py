@@ -12,10 +12,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from rigapp.report import datasections, logsections, setupsections
 from rigapp.report.document import Block, Document, Section, Table, Text
 from rigapp.report.facts import Rows, rows_of
-from rigapp.report.model_facts import agreement_of, cycles_of
+from rigapp.report.model_facts import agreement_of, bursts_of, cycles_of
+from rigapp.report.uncertainty import ForceUncertainty, force_uncertainty
 from rigapp.report.wording import (
     REASONS,
     STATUSES,
@@ -28,6 +31,7 @@ from rigapp.report.wording import (
     size,
     stamp,
 )
+from rigapp.report.worn import worn_of
 from rigapp.storage.reader import TestReader, open_test
 
 LEADS = {
@@ -71,15 +75,23 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Document:
     summary, about = reader.summary(), reader.metadata()
     identity = _identity(path, running=summary["status"] == "running")
     rows, agreement = rows_of(reader), agreement_of(reader)
+    uncertainty = force_uncertainty(reader.calibration(), reader.configuration())
     events = reader.events()
     gaps = rows.gaps if rows is not None else ()
     sections = [
-        _summary(summary, about, rows, identity),
+        _summary(summary, about, rows, identity, uncertainty),
         *logsections.sections(reader, events, rows, summary["reason"]),
-        *datasections.extremes(rows, agreement, vector),
-        *datasections.agreement(agreement, rows, vector),
-        datasections.cycles(cycles_of(reader), reader.state("cycles_refused"), vector),
-        datasections.wear(agreement, gaps, vector),
+        *datasections.extremes(rows, agreement, vector, uncertainty),
+        *datasections.agreement(agreement, rows, vector, events),
+        datasections.cycles(
+            cycles_of(reader),
+            reader.state("cycles_refused"),
+            vector,
+            uncertainty,
+            bursts_of(reader),
+            [one.revolution for one in reader.unfinished()],
+        ),
+        datasections.wear(agreement, gaps, vector, worn_of(reader)),
         datasections.quality(rows),
         *setupsections.sections(reader),
         _file_section(identity, summary, reader),
@@ -109,7 +121,11 @@ def _closing(identity: Identity, about: dict[str, Any]) -> str:
 
 
 def _summary(
-    summary: dict[str, Any], about: dict[str, Any], rows: Rows | None, identity: Identity
+    summary: dict[str, Any],
+    about: dict[str, Any],
+    rows: Rows | None,
+    identity: Identity,
+    uncertainty: ForceUncertainty | None,
 ) -> Section:
     status, revolutions = summary["status"], summary["revolutions"]
     planned = about["planned_revolutions"]
@@ -130,7 +146,7 @@ def _summary(
         ("Status", _capital(STATUSES.get(status, status))),
         ("Reason", _reason(summary, about)),
         ("Revolutions", f"{count(revolutions)} of {count(planned)} planned"),
-        *_data_lines(summary, rows),
+        *_data_lines(summary, rows, uncertainty),
         ("Notes", about["notes"]),
         ("File", identity.name),
     ]
@@ -139,7 +155,9 @@ def _summary(
     return Section("Summary", (*blocks, Table("", shown)))
 
 
-def _data_lines(summary: dict[str, Any], rows: Rows | None) -> list[tuple[str, str]]:
+def _data_lines(
+    summary: dict[str, Any], rows: Rows | None, uncertainty: ForceUncertainty | None
+) -> list[tuple[str, str]]:
     if rows is None:
         return [("Data", "no revolution is recorded")]
     missing = sum(gap.missing for gap in rows.gaps)
@@ -160,7 +178,14 @@ def _data_lines(summary: dict[str, Any], rows: Rows | None) -> list[tuple[str, s
     if force is not None:
         peak = force.largest
         place = f" in revolution {count(peak.revolution)}" if math.isfinite(peak.value) else ""
-        lines.append(("Largest joint force", quantity(peak.value, "N") + place))
+        doubt = ""
+        if uncertainty is not None and math.isfinite(peak.value):
+            doubt = f" ± {quantity(float(uncertainty.at(np.array(peak.value))), 'N', 2)}"
+        lines.append(("Largest joint force", quantity(peak.value, "N") + doubt + place))
+    stated = "not stated: no calibration record of the load cell in the file"
+    lines.append(
+        ("Uncertainty of a force", uncertainty.words if uncertainty is not None else stated)
+    )
     return [
         *lines,
         ("Gaps", gaps),

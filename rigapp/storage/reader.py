@@ -187,6 +187,13 @@ class TestReader:
             return ["scheduled"] * number
         return [one.decode() for one in self._file["/entry/cycles/why"][:number].tolist()]
 
+    def cycle_qualities(self) -> NDArray[np.int64]:
+        """Return the quality flags of each saved cycle's revolution, 0 where not recorded."""
+        number = self.committed("cycles")
+        if not self.plan.cycle_reason:
+            return np.zeros(number, dtype=np.int64)
+        return np.asarray(self._file["/entry/cycles/quality"][:number], dtype=np.int64)
+
     def first_free_sample(self, cycles: int, group: str = "/entry/cycles") -> int:
         """Return the number of samples in the first ``cycles`` saved cycles."""
         if cycles == 0:

@@ -1,0 +1,210 @@
+"""The worn profile of a test file: facts, section and picture (the paper's Fig. 21)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.report import plots
+from rigapp.report.document import Block, Figure, Table, Text
+from rigapp.report.wording import UNKNOWN, count, number
+from rigapp.storage.reader import TestReader
+
+Floats = NDArray[np.float64]
+
+STAGES = 4
+"""Earlier profiles that are drawn thinly, evenly spaced in the logarithm of the revolutions."""
+CURVES = {
+    "measured": "measured (probes)",
+    "predicted": "predicted (model)",
+    "driven": "model driven by the measured forces",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Extent:
+    """One profile in numbers: largest depth and where, from where to where, area and mass.
+
+    mm, degrees, mm^2, mg; NaN when unknown.
+    """
+
+    depth: float
+    angle: float
+    low: float
+    high: float
+    area: float
+    mass: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Worn:
+    """The newest worn profile, its curves in mm at ``angle`` (deg), and the stages before it.
+
+    centred: whether the probes' zero told the direction; approach_change, run_out: um.
+    """
+
+    revolution: int
+    averaged: int
+    angle: Floats
+    curves: Mapping[str, Floats]
+    uncertainty: Floats
+    extents: Mapping[str, Extent]
+    stages: tuple[tuple[int, Floats], ...]
+    approach_change: float
+    run_out: float
+    centred: bool
+
+
+def worn_of(reader: TestReader) -> Worn | None:
+    """Return the worn profile of a file, None when none is recorded."""
+    table = reader.profiles()
+    revolutions = table["revolution"]
+    if revolutions.size == 0:
+        return None
+    parameters = reader.configuration().get("parameters", {})
+    curves = {name: np.asarray(table[name][-1], dtype=np.float64) for name in CURVES}
+    return Worn(
+        revolution=int(revolutions[-1]),
+        averaged=int(table["revolutions"][-1]),
+        angle=table["angle"],
+        curves=curves,
+        uncertainty=np.asarray(table["uncertainty"][-1], dtype=np.float64),
+        extents={
+            name: extent_of(table["angle"], curve, parameters) for name, curve in curves.items()
+        },
+        stages=_stages(revolutions, table["measured"]),
+        approach_change=float(table["approach_change"][-1]),
+        run_out=float(table["run_out"][-1]),
+        centred=bool(table["centred"][-1]),
+    )
+
+
+def extent_of(angle: Floats, depth: Floats, parameters: Mapping[str, Any]) -> Extent:
+    """Return a profile (mm at deg) in numbers; radius, width and density are in parameters."""
+    known = np.isfinite(depth)
+    unknown = float("nan")
+    if not known.any():
+        return Extent(unknown, unknown, unknown, unknown, unknown, unknown)
+    deep = np.where(known, depth, 0.0)
+    worn = np.flatnonzero(deep > max(1e-4, 0.01 * float(deep.max())))
+    place = int(np.argmax(deep))
+    low, high = (float(angle[worn[0]]), float(angle[worn[-1]])) if worn.size else (unknown, unknown)
+    area = mass = unknown
+    try:
+        radius = float(parameters["joint"]["bushing_radius_mm"])
+        width = float(parameters["joint"]["bushing_width_mm"])
+        density = float(parameters["bushing"]["density_g_per_cm3"])
+        area = 0.5 * float(np.trapezoid((radius + deep) ** 2 - radius**2, np.radians(angle)))
+        mass = area * width * density
+    except (KeyError, TypeError, ValueError):
+        pass
+    return Extent(float(deep[place]), float(angle[place]), low, high, area, mass)
+
+
+def _stages(revolutions: NDArray[Any], measured: NDArray[Any]) -> tuple[tuple[int, Floats], ...]:
+    seen = [i for i in range(revolutions.size - 1) if np.isfinite(measured[i]).any()]
+    if not seen:
+        return ()
+    numbers = revolutions[seen].astype(np.float64)
+    wanted = np.geomspace(max(numbers[-1] / 100.0, numbers[0]), revolutions[-1], STAGES + 1)[:-1]
+    places = sorted({seen[int(np.argmin(np.abs(np.log(numbers / one))))] for one in wanted})
+    return tuple((int(revolutions[i]), np.asarray(measured[i], dtype=np.float64)) for i in places)
+
+
+def profile_blocks(found: Worn | None, vector: bool) -> list[Block]:
+    """Return the table, the words and the picture of the worn profile."""
+    if found is None:
+        return [Text("No worn profile is recorded in the file.")]
+    header = (
+        "worn profile", "largest depth, µm", "at, °", "from, °", "to, °", "area, mm²", "mass, mg",
+    )  # fmt: skip
+    rows = tuple((words, *_cells(found, name)) for name, words in CURVES.items())
+    title = f"Worn profile after revolution {count(found.revolution)}"
+    return [Table(title, rows, header), Text(_sentence(found)), picture(found, vector)]
+
+
+def _cells(found: Worn, name: str) -> tuple[str, ...]:
+    extent = found.extents[name]
+    depth = number(1e3 * extent.depth, "um", 2)
+    if name == "measured" and np.isfinite(extent.depth):
+        place = int(np.argmin(np.abs(found.angle - extent.angle)))
+        depth += f" ± {number(1e3 * float(found.uncertainty[place]), 'um', 2)}"
+    degrees = (number(one, "deg", 0) for one in (extent.angle, extent.low, extent.high))
+    return (depth, *degrees, number(extent.area, "mm", 4), number(extent.mass, "1", 3))
+
+
+def _sentence(found: Worn) -> str:
+    text = (
+        f"Measured from the pin's places over {found.averaged} "
+        f"{'revolution' if found.averaged == 1 else 'revolutions'}: the envelope of the pin's "
+        "circle, against the same bushing when it was new. The uncertainty (k = 2) holds noise, "
+        "wear before the reference and elastic indentation, not that of the probes' calibration. "
+        "Angles that the pin never reached are unknown and not drawn. Depth, area and mass cover "
+        "what was reached. 0° is the initial contact point, in the follower's frame."
+    )
+    if np.isfinite(found.run_out):
+        text += f" A run-out of {number(found.run_out, 'um', 1)} µm was taken out."
+    if np.isfinite(found.approach_change):
+        change = number(found.approach_change, "um", 1)
+        text += f" Elastic indentation is left in; by the model it changed by {change} µm."
+    if not found.centred and np.isfinite(found.run_out):
+        text += (
+            " The probes' zero is not at the bushing's centre, so that the direction comes from"
+            " the forces: the flanks are less certain."
+        )
+    return text
+
+
+def picture(found: Worn, vector: bool) -> Figure:
+    """Draw the worn profile, measured with its uncertainty and by the model."""
+    with plots.canvas_of(3.0) as canvas:
+        axes = canvas.subplots()
+        shades = np.linspace(0.78, 0.5, max(len(found.stages), 1))
+        for shade, (revolution, depth) in zip(shades, found.stages, strict=False):
+            axes.plot(found.angle, 1e3 * depth, color=str(shade), lw=0.8, label=count(revolution))
+        measured = 1e3 * found.curves["measured"]
+        doubt = 1e3 * found.uncertainty
+        axes.fill_between(
+            found.angle, np.maximum(measured - doubt, 0.0), measured + doubt,
+            color=plots.COLOURS["force"], alpha=0.15, lw=0,
+        )  # fmt: skip
+        axes.plot(found.angle, measured, color=plots.COLOURS["force"], label="measured")
+        axes.plot(found.angle, 1e3 * found.curves["predicted"], **plots.MODEL_LINE, label="model")
+        axes.plot(
+            found.angle, 1e3 * found.curves["driven"], color=plots.DRIVEN, ls="-.", lw=1.1,
+            label="model by\nmeasured\nforces",
+        )  # fmt: skip
+        reach = _reach(found)
+        axes.set_xlim(-reach, reach)
+        axes.set_ylim(bottom=0.0)
+        axes.set_xlabel("angle from the initial contact point (°), follower frame")
+        axes.set_ylabel("depth of wear (µm)")
+        axes.set_title(f"after revolution {count(found.revolution)}", loc="left")
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        words = "Worn profile: " + " ".join(
+            f"{CURVES[name]} at most {_depth(one)} at {number(one.angle, 'deg', 0)}°."
+            for name, one in found.extents.items()
+        )
+        caption = (
+            "Measured (solid) with its uncertainty (shaded, k = 2), by the model (dashed), by the"
+            " model from the measured forces (dash-dotted); grey: measured earlier, after the"
+            " revolution named."
+        )
+        return plots.saved(canvas, "Worn profile of the bushing", words, caption, vector)
+
+
+def _depth(extent: Extent) -> str:
+    text = number(1e3 * extent.depth, "um", 2)
+    return text if text == UNKNOWN else f"{text} µm"
+
+
+def _reach(found: Worn) -> float:
+    """Return the angle, in steps of 30 degrees, up to which there is something to see."""
+    depth = np.fmax.reduce([np.nan_to_num(curve) for curve in found.curves.values()])
+    worn = np.flatnonzero(depth > 0.005 * max(float(depth.max()), 1e-12))
+    furthest = float(np.abs(found.angle[worn]).max(initial=0.0))
+    return float(min(180.0, 30.0 * np.ceil((furthest + 5.0) / 30.0)))
