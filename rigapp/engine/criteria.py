@@ -21,8 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.recipe import StopSection
+from rigapp.engine.columns import revolution_columns
 from rigapp.engine.messages import Flag
-from rigapp.engine.reduce import PLACE
 
 Array = NDArray[np.float64]
 
@@ -35,6 +35,7 @@ RATE_BINS = 50
 UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
 NOT_JUDGED = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
 
+PLACE = {column.name: place for place, column in enumerate(revolution_columns())}
 _REVOLUTION, _TIME, _SPEED = PLACE["revolution"], PLACE["time"], PLACE["speed"]
 _FORCE, _QUALITY = PLACE["force_max"], PLACE["quality"]
 _PROBES = (PLACE["probe_1_mean"], PLACE["probe_2_mean"])

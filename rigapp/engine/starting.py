@@ -6,24 +6,19 @@ import time
 from collections.abc import Mapping
 from pathlib import Path
 
-import numpy as np
-
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
-from rigapp.config.rig import RigFile
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
 from rigapp.engine.criteria import StopMonitor
 from rigapp.engine.history import History
 from rigapp.engine.limits import RuleMonitor
+from rigapp.engine.reach import FEWEST_SAMPLES, load_cell_reach_N
 from rigapp.engine.recorder import Recorder
 from rigapp.engine.run import Refused
 from rigapp.engine.store import Opened, OpenRequest, OpenStore
 from rigapp.engine.testrun import TestRun
-
-FEWEST_SAMPLES = 16
-"""Samples that a revolution must have at least."""
 
 
 def check_start(core: Core, connection: Connection, test: TestFile) -> RuleMonitor:
@@ -148,12 +143,3 @@ def start_deadline_s(core: Core, connection: Connection, test: TestFile) -> floa
     """Return the host time at which the set speed must be reached after a start now."""
     ramp_s = test.run.speed_rpm / test.run.acceleration_rpm_per_s
     return time.monotonic() + core.timing.start_margin + 2.0 * connection.slow() * ramp_s
-
-
-def load_cell_reach_N(rig: RigFile) -> float:
-    """Return the force up to which the load cell's inputs are not full, in any direction."""
-    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
-    zero = np.array(rig.load_cell.zero_mV_per_V, np.float64)
-    # A force has the signals inverse(matrix) force: the longest row fills its input first.
-    rows = np.linalg.norm(np.linalg.inv(matrix), axis=1)
-    return float(np.min((rig.load_cell.range_mV_per_V - np.abs(zero)) / rows))

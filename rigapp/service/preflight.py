@@ -15,7 +15,10 @@ from pathlib import Path
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.engine.criteria import described
+from rigapp.engine.limits import check_rules
 from rigapp.engine.messages import DeviceView, RunState, Severity, Status
+from rigapp.engine.reach import FEWEST_SAMPLES, load_cell_reach_N
 from rigapp.service.records import RigRecords
 
 FEW_SAMPLES = 60
@@ -127,16 +130,12 @@ def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
 
 
 def _of_ends(test: TestFile) -> Iterator[Check]:
-    from rigapp.engine.criteria import described
-
     criteria = described(test.stop)
     if criteria:
         yield Check("Ends early", Verdict.GOOD, "at the first of: " + ", ".join(criteria))
 
 
 def _of_rig_limits(test: TestFile, rig: RigFile) -> Iterator[Check]:
-    from rigapp.engine.starting import load_cell_reach_N
-
     speed, fastest = test.run.speed_rpm, rig.spindle.maximum_speed_rpm
     if speed > fastest:
         text = f"{speed:g} rpm, the rig allows {fastest:g} rpm"
@@ -167,8 +166,6 @@ def _of_rig_limits(test: TestFile, rig: RigFile) -> Iterator[Check]:
 
 
 def _of_rules(test: TestFile) -> Iterator[Check]:
-    from rigapp.engine.limits import check_rules
-
     try:
         check_rules(test.limits.rule)
     except UnusableInput as error:
@@ -298,8 +295,6 @@ def _bound(channel: str, rig: RigFile | None) -> float | None:
 
 
 def _of_rate(test: TestFile, status: Status) -> Iterator[Check]:
-    from rigapp.engine.starting import FEWEST_SAMPLES
-
     rate = max((device.sample_rate_Hz for device in status.devices), default=0.0)
     if rate <= 0.0:
         return
