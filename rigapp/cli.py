@@ -103,11 +103,20 @@ def resume(
     progress: ProgressOption = None,
     speed: SpeedOption = None,
     bind: BindOption = None,
+    reason: Annotated[
+        str,
+        typer.Option("--reason", help="Why it may go on with another calibration or zero; logged."),
+    ] = "",
+    check: Annotated[
+        bool, typer.Option("--check", help="Only show what is there and what differs.")
+    ] = False,
 ) -> None:
-    """Go on with an interrupted test in the same file."""
-    from rigapp.commands.run import resume_test
+    """Go on with an interrupted test in the same file, after a look at what has changed."""
+    from rigapp.commands.run import examine_test, resume_test
 
-    raise typer.Exit(resume_test(file, rig, progress, speed, bind))
+    if check:
+        raise typer.Exit(examine_test(file, rig))
+    raise typer.Exit(resume_test(file, rig, progress, speed, bind, reason=reason))
 
 
 @app.command()

@@ -6,6 +6,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from datetime import UTC, datetime
 from pathlib import Path
 from types import FrameType
 from typing import Protocol
@@ -25,6 +26,7 @@ from rigapp.service.host import (
     recorded_test,
     with_revolutions,
 )
+from rigapp.service.resumption import Resumption, interval
 from rigapp.service.security import parse_bind
 from rigapp.service.simulated import parse_speed
 
@@ -66,10 +68,34 @@ def run_test(
 
 
 def resume_test(
-    file: Path, rig: Path, progress: str | None, speed: str | None, bind: str | None = None
+    file: Path,
+    rig: Path,
+    progress: str | None,
+    speed: str | None,
+    bind: str | None = None,
+    *,
+    reason: str = "",
 ) -> int:
-    """Go on with an interrupted test in its own file; return the exit status."""
-    return _conduct(recorded_test(file), rig, file, progress, speed, bind, resume=True)
+    """Go on with an interrupted test in its own file; return the exit status.
+
+    reason: why it may go on in spite of what ``resumption`` found; goes into the log.
+    """
+    test = recorded_test(file)
+    return _conduct(test, rig, file, progress, speed, bind, resume=True, reason=reason)
+
+
+def examine_test(file: Path, rig: Path) -> int:
+    """Show what an interrupted test would meet if it went on; 1 when it could not as it is."""
+    document = read_rig(rig)
+    host = EngineHost(document, parse_speed(None, document))
+    try:
+        found = host.resumption(file)
+    except Refused as error:
+        raise UnusableInput(f"The rig cannot be looked at: {error}.") from error
+    finally:
+        host.close()
+    show_resumption(found)
+    return 1 if found.blocked or found.asks_reason else 0
 
 
 def _conduct(
@@ -81,6 +107,7 @@ def _conduct(
     bind: str | None,
     *,
     resume: bool,
+    reason: str = "",
 ) -> int:
     if progress not in (None, "json"):
         raise UnusableInput(f"--progress {progress}: only json is known; or leave it out.")
@@ -93,7 +120,14 @@ def _conduct(
     try:
         with _interrupts() as interrupts:
             try:
-                host.start(test, out, test.record.metadata.operator, resume=resume)
+                host.start(
+                    test,
+                    out,
+                    test.record.metadata.operator,
+                    resume=resume,
+                    reason=reason,
+                    examined=show_resumption,
+                )
             except Refused as error:
                 raise UnusableInput(f"The test cannot start: {error}.") from error
             return _follow(host, shown, interrupts)
@@ -108,6 +142,25 @@ def _conduct(
         host.close()
         if host.engine.outcome is not None:
             compress_complete(host.engine.outcome)
+
+
+def show_resumption(found: Resumption) -> None:
+    """Print what is there and what differs to standard error, one line each."""
+    last = ""
+    if found.last_at:
+        at = datetime.fromtimestamp(found.last_at, UTC).isoformat(" ", "seconds")
+        last = f", the last one at {at}, {interval(found.gap_s)} ago"
+    lines = [
+        f"{found.file}: {found.title or 'test'}, {found.status}. {found.reason}".rstrip(),
+        f"{found.revolutions} revolutions are in it, up to number {found.last_revolution} of"
+        f" {found.planned}{last}.",
+    ]
+    for one in found.findings:
+        same = one.before == one.now or not one.before
+        values = one.now if same else f"{one.before} -> {one.now}"
+        text = ": ".join(part for part in (one.what, values) if part)
+        lines.append(f"  {one.fit.value:14} {text}{f' ({one.sentence})' if one.sentence else ''}")
+    print("\n".join(lines), file=sys.stderr)
 
 
 def _refuse_bad_target(out: Path) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import msgspec
@@ -22,7 +23,7 @@ from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine import causes
-from rigapp.engine.calibrate import calibration_of
+from rigapp.engine.calibrate import Calibration, calibration_of
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.devices import LoadDriver, make_devices
@@ -38,11 +39,32 @@ from rigapp.engine.messages import (
     Status,
 )
 from rigapp.engine.publish import Finished, NoticeStream, Subscription
+from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
 from rigapp.engine.run import ACTIVE, ENDED, Ending, Refused, Trigger, transition
 from rigapp.engine.starting import check_start, open_session, start_deadline_s
 from rigapp.engine.store import OpenStore, open_file
 from rigapp.engine.timing import Timing
 from rigapp.engine.views import build_status
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """An entry for the log: kind, text, who, values before and after."""
+
+    kind: str
+    text: str
+    who: str
+    before: str = ""
+    after: str = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rest:
+    """The rig before a test: calibration in use, device settings, the load cell at rest (mV/V)."""
+
+    calibration: Calibration
+    devices: Mapping[str, Mapping[str, str | float | int]]
+    signals: tuple[float, float] | None
 
 
 class Engine:
@@ -158,9 +180,11 @@ class Engine:
         *,
         operator: str = "",
         resume: bool = False,
+        remarks: Sequence[Remark] = (),
     ) -> None:
         """Make the file of a test (or reopen it: ``resume``) and start to turn.
 
+        remarks: go into the log before the crank turns.
         Raises Refused, UnusableInput (the test contradicts the rig, the file cannot be made) or
         DeviceError (the drive refuses); the spindle does not turn then.
         """
@@ -171,6 +195,7 @@ class Engine:
                 raise Refused("no devices are connected; connect first")
             self._operator = operator
             monitor = check_start(core, connection, test.record)
+            rest = signals_at_rest(core, connection)
             session = open_session(
                 core,
                 connection,
@@ -192,6 +217,9 @@ class Engine:
                 session.finished = True
                 session.recorder.finish("fault", FinishReason.DEVICE.value, str(error))
                 raise
+            for remark in remarks:
+                core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
+            note_rest(core, rest)
             connection.begin_test()
             try:
                 connection.control.run()
@@ -343,27 +371,37 @@ class Engine:
         if unknown:
             raise Refused(f"only the load_cell can be zeroed, not {', '.join(unknown)}")
         with self._command:
-            core, connection = self._core, self._connection
-            core.require(
-                connection is not None and core.state in (RunState.READY, RunState.STOPPED),
-                f"the zero is taken before a test, not while {core.state.value}",
+            tare = take_zero(self._core, self._connection, operator, reason)
+            return {"load_cell": (float(tare[0]), float(tare[1]))}
+
+    def set_tare(self, tare: Sequence[float]) -> None:
+        """Use the tare of an earlier part of a test (mV/V); only while no test is under way."""
+        with self._command:
+            connection = self._connection
+            self._core.require(
+                connection is not None and self._core.state not in ACTIVE,
+                "the tare is set before a test",
             )
             assert connection is not None
-            processor = connection.processor
-            core.require(connection.stands(), "the crank turns; let it stand")
-            averaging = processor.average(
-                max(8, round(core.timing.zero * connection.setup.sample_rate_Hz))
+            connection.processor.set_tare(tare)
+
+    def rest(self) -> Rest:
+        """Return calibration, device settings and the load cell's signals as they are now.
+
+        Raises Refused without devices and while a test is under way.
+        """
+        with self._command:
+            connection = self._connection
+            self._core.require(
+                connection is not None and self._core.state not in ACTIVE,
+                "this is looked at before a test, with the devices connected",
             )
-            if not averaging.done.wait(core.timing.zero * 4 + core.timing.start_margin):
-                raise TimeoutError("the zero needs samples, and none came; check the device")
-            calibration = processor.calibration
-            before = calibration.tare
-            tare = averaging.mean[:2] - calibration.zero
-            processor.set_tare(tare.tolist())
-            why = f": {reason.strip()}" if reason.strip() else ""
-            shown = [np.array2string(one, precision=6) for one in (before, tare)]
-            core.event("zero", operator or "operator", f"load cell zeroed{why}", shown[0], shown[1])
-            return {"load_cell": (float(tare[0]), float(tare[1]))}
+            assert connection is not None
+            return Rest(
+                connection.processor.calibration,
+                connection.devices.readback,
+                signals_at_rest(self._core, connection),
+            )
 
     def hear(self, window_s: float) -> SignalView:
         """Return the electrical signals of the last seconds and the angle, for a calibration.
@@ -429,6 +467,7 @@ class Engine:
             predictions=np.ascontiguousarray(update.predictions, "<f8").tobytes(),
             cycle=update.cycle,
             prediction=update.prediction,
+            profile=update.profile,
         )
 
     def submit_prediction(self, prediction: Prediction) -> None:

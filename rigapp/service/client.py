@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import threading
 import uuid
+from collections.abc import Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import msgspec
 import zmq
 
+from rigapp.engine.columns import revolution_columns
 from rigapp.engine.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
 from rigapp.service.registry import EngineEntry, other_version, runtime_folder
 
@@ -21,6 +23,9 @@ if TYPE_CHECKING:
     from rigapp.service.security import KeyPair
 
 SNAPSHOT_QUEUE = 64
+ROW_BYTES = 8 * len(revolution_columns())
+NEWEST = ("cycle", "prediction", "profile")
+"""What only the newest snapshot that brings it is wanted of."""
 PRESENT_S = 2.0
 
 
@@ -53,31 +58,34 @@ class Client:
         self._lock = threading.Lock()
         self._identifier = 0
         self._closed = False
+        self._held: Snapshot | None = None
         self._leave = threading.Event()
         self._presence: threading.Thread | None = None
 
     def poll(self) -> Snapshot | None:
-        """Return what came since the last call, merged into one snapshot, or None."""
-        newest: Snapshot | None = None
-        rows: list[bytes] = []
-        predictions: list[bytes] = []
-        first_row = 0
+        """Return what came since the last call, merged into one snapshot, or None.
+
+        Rows are merged only where none is missing between them: what comes after a gap, or belongs
+        to another file, is left for the next call, so that ``first_row`` shows it.
+        """
+        parts: list[Snapshot] = []
         while not self._closed:
-            try:
-                body = self._stream.recv(zmq.NOBLOCK)
-            except zmq.Again:
+            snapshot = self._held or self._receive()
+            self._held = None
+            if snapshot is None:
                 break
-            snapshot = msgspec.msgpack.decode(body, type=Snapshot)
-            if not rows:
-                first_row = snapshot.first_row
-            rows.append(snapshot.rows)
-            predictions.append(snapshot.predictions)
-            newest = _with_newest_curves(snapshot, newest)
-        if newest is None:
+            if parts and not joins(parts, snapshot):
+                self._held = snapshot
+                break
+            parts.append(snapshot)
+        return merged(parts) if parts else None
+
+    def _receive(self) -> Snapshot | None:
+        try:
+            body = self._stream.recv(zmq.NOBLOCK)
+        except zmq.Again:
             return None
-        return msgspec.structs.replace(
-            newest, first_row=first_row, rows=b"".join(rows), predictions=b"".join(predictions)
-        )
+        return msgspec.msgpack.decode(body, type=Snapshot)
 
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0
@@ -185,12 +193,27 @@ def _viewer_keys(entry: EngineEntry) -> KeyPair | None:
     return viewer_keys(runtime_folder())
 
 
-def _with_newest_curves(snapshot: Snapshot, older: Snapshot | None) -> Snapshot:
-    """Keep the curves of an older snapshot where the newer one brings none."""
-    if older is None:
-        return snapshot
+def joins(parts: Sequence[Snapshot], following: Snapshot) -> bool:
+    """Tell whether a snapshot goes on where others end: the same file, and no row between."""
+    last = next((one for one in reversed(parts) if one.rows), None)
+    if following.status.file != parts[-1].status.file:
+        return False
+    if last is None or not following.rows:
+        return True
+    return following.first_row == last.first_row + len(last.rows) // ROW_BYTES
+
+
+def merged(parts: Sequence[Snapshot]) -> Snapshot:
+    """Return snapshots that join as one: all rows and predictions, the newest of all else."""
+    with_rows = next((one for one in parts if one.rows), parts[-1])
+
+    def newest(name: str) -> Any:
+        return next((found for one in reversed(parts) if (found := getattr(one, name))), None)
+
     return msgspec.structs.replace(
-        snapshot,
-        cycle=snapshot.cycle or older.cycle,
-        prediction=snapshot.prediction or older.prediction,
+        parts[-1],
+        first_row=with_rows.first_row,
+        rows=b"".join(one.rows for one in parts),
+        predictions=b"".join(one.predictions for one in parts),
+        **{name: newest(name) for name in NEWEST},
     )

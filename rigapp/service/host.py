@@ -11,6 +11,7 @@ import signal
 import threading
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.engine.engine import Engine
+from rigapp.engine.engine import Engine, Remark
 from rigapp.engine.messages import (
     PROTOCOL_VERSION,
     Reply,
@@ -41,6 +42,14 @@ from rigapp.service.registry import (
     local_endpoints,
     runtime_folder,
     withdraw,
+)
+from rigapp.service.resumption import (
+    Past,
+    Resumption,
+    compare,
+    read_past,
+    remarks,
+    stored_tare,
 )
 from rigapp.service.security import Bind, authorise_own_viewer, parse_bind, require_viewers
 from rigapp.service.server import Server
@@ -146,26 +155,88 @@ class EngineHost:
             self.engine.shutdown()
         self.engine.connect(self._simulated.ports(parameters))
 
-    def start(self, test: Document[TestFile], out: Path, operator: str, *, resume: bool) -> None:
-        """Connect where needed and start a test; raises what the engine raises."""
+    def start(
+        self,
+        test: Document[TestFile],
+        out: Path,
+        operator: str,
+        *,
+        resume: bool,
+        reason: str = "",
+        examined: Callable[[Resumption], None] = lambda found: None,
+    ) -> None:
+        """Connect where needed and start a test, or go on with it; raises what the engine raises.
+
+        reason: for what ``resumption`` finds and asks a reason for. examined: told what it found.
+        """
         with self._starting:
             if self._records.blocking:
                 raise Refused("; ".join(self._records.blocking.values()))
-            ready = self.engine.state in (RunState.READY, RunState.STOPPED)
-            if not (ready and self._simulated.suits(test.record.model)):
-                if self.engine.state in ACTIVE:
-                    raise Refused("a test is under way; stop it first")
-                self.connect(test.record)
-            self._start_twin(test.record, _new_position(out) if resume else None)
-            self.engine.start(test, out, operator=operator, resume=resume)
+            past = read_past(out) if resume else None
+            self._make_ready(test.record)
+            notes: list[Remark] = []
+            if past is not None:
+                found = self._compare(past)
+                examined(found)
+                notes = remarks(found, operator, reason)
+                self._take_up(past)
+            self._start_twin(test.record, out, past)
+            self.engine.start(test, out, operator=operator, resume=resume, remarks=notes)
 
-    def _start_twin(self, test: TestFile, new_position: tuple[float, float] | None) -> None:
+    def resumption(self, path: Path) -> Resumption:
+        """Connect where needed and say what a test in a file would meet if it went on here."""
+        with self._starting:
+            past = read_past(path)
+            self._make_ready(recorded_test(path).record)
+            return self._compare(past)
+
+    def _make_ready(self, test: TestFile) -> None:
+        ready = self.engine.state in (RunState.READY, RunState.STOPPED)
+        if ready and self._simulated.suits(test.model):
+            return
+        if self.engine.state in ACTIVE:
+            raise Refused("a test is under way; stop it first")
+        self.connect(test)
+
+    def _compare(self, past: Past) -> Resumption:
+        """Compare a file with the rig; its tare counts unless the cell was zeroed since."""
+        rest, tare = self.engine.rest(), stored_tare(past)
+        if tare is not None and not rest.calibration.tare.any():
+            rest = replace(rest, calibration=rest.calibration.with_tare(tare))
+        return compare(
+            past,
+            self._records.rig.record,
+            rest.calibration,
+            rest.devices,
+            rest.signals,
+            self._records.blocking,
+        )
+
+    def _take_up(self, past: Past) -> None:
+        """Use the tare of the test again; let a simulated rig go on with its bushing."""
+        tare = stored_tare(past)
+        if tare is not None and not self.engine.rest().calibration.tare.any():
+            self.engine.set_tare(tare)
+        if self._simulated.needed and past.wear_depth_um is not None:
+            self._simulated.process.wear_to(max(0.0, past.wear_depth_um))
+
+    def _start_twin(self, test: TestFile, file: Path, past: Past | None) -> None:
+        """Start the twin of a test, as its file left it where the test goes on."""
         if self._twin is not None:
             self._twin.close()
             self._twin = None
         if test.prediction.enabled:
-            setup = TwinSetup(test.model, test.prediction.joint, new_position)
-            self._twin = TwinLink(setup, self.engine.submit_prediction, runtime_folder())
+            setup = TwinSetup(test.model, test.prediction.joint)
+            if past is not None:
+                setup = msgspec.structs.replace(
+                    setup, new_position_um=past.new_position_um, checkpoint=_checkpoint(file)
+                )
+            self._twin = TwinLink(
+                setup,
+                self.engine.submit_prediction,
+                runtime_folder(),
+                lambda text: self.engine.log("twin", text, "twin"),
+            )
             self._twin.wait_ready(TWIN_START_S)
 
     def _offer(self, measured: RevolutionMeasured) -> None:
@@ -235,6 +306,7 @@ class EngineHost:
             "reconnect": lambda a, who: self.connect(),
             "start": self._start_request,
             "resume_file": self._resume_request,
+            "examine_file": lambda a, who: msgspec.to_builtins(self.resumption(Path(a["file"]))),
             "pause": lambda a, who: engine.pause(who, a.get("reason", "")),
             "resume": lambda a, who: engine.resume(who),
             "stop": lambda a, who: engine.stop(who, a.get("reason", "")),
@@ -271,7 +343,8 @@ class EngineHost:
 
     def _resume_request(self, arguments: dict[str, Any], operator: str) -> None:
         path = Path(arguments["file"])
-        self.start(recorded_test(path), path, operator, resume=True)
+        reason = str(arguments.get("reason", ""))
+        self.start(recorded_test(path), path, operator, resume=True, reason=reason)
 
 
 def _plain(verb: Callable[[dict[str, Any], str], Any]) -> Callable[[Request], Any]:
@@ -304,20 +377,12 @@ def recorded_test(path: Path) -> Document[TestFile]:
     return Document(path, text, parse_test(text, f"{path} (its test)"))
 
 
-def _new_position(path: Path) -> tuple[float, float] | None:
-    """Return the mean pin position (um) in the new bushing from the first rows of a file."""
+def _checkpoint(path: Path) -> bytes:
+    """Return what the twin of an earlier part of the test left in its file, or nothing."""
     from rigapp.storage.reader import open_test
-    from rigapp.twin.twin import FIRST_STEADY, NEW_REVOLUTIONS
 
     with open_test(path) as reader:
-        number = reader.column("revolution")
-        rows = (number >= FIRST_STEADY) & (number < FIRST_STEADY + NEW_REVOLUTIONS)
-        if rows.sum() < NEW_REVOLUTIONS:
-            return None
-        return (
-            float(reader.column("probe_1_mean")[rows].mean()),
-            float(reader.column("probe_2_mean")[rows].mean()),
-        )
+        return reader.checkpoint()
 
 
 def serve(rig_path: Path, speed: str | None, bind: str | None = None) -> int:

@@ -10,7 +10,10 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from rigapp.engine.columns import revolution_columns
 from rigapp.engine.messages import (
     PROTOCOL_VERSION,
     Reply,
@@ -58,6 +61,9 @@ def status(revolution: int = 0) -> Status:
     )
 
 
+COLUMNS = len(revolution_columns())
+
+
 class Rows:
     """A source of snapshots that carries one row each."""
 
@@ -65,7 +71,7 @@ class Rows:
         self.count = 0
 
     def __call__(self) -> Snapshot:
-        row = np.array([float(self.count)])
+        row = np.full(COLUMNS, float(self.count))
         snapshot = Snapshot(
             status=status(self.count), first_row=self.count, rows=row.tobytes(), predictions=b""
         )
@@ -179,7 +185,7 @@ def test_rows_of_several_snapshots_come_in_one_piece(client: Client) -> None:
     def enough() -> bool:
         snapshot = client.poll()
         if snapshot is not None:
-            values = as_array(snapshot.rows, "<f8")
+            values = as_array(snapshot.rows, "<f8")[::COLUMNS]
             first.append(snapshot.first_row)
             assert values[0] == snapshot.first_row
             rows.extend(values)
@@ -187,6 +193,32 @@ def test_rows_of_several_snapshots_come_in_one_piece(client: Client) -> None:
 
     until(enough)
     assert np.all(np.diff(rows) == 1.0)
+
+
+@given(st.lists(st.tuples(st.booleans(), st.integers(0, 3), st.booleans()), max_size=40))
+def test_rows_are_never_joined_over_a_gap(parts: list[tuple[bool, int, bool]]) -> None:
+    """Snapshots of 0 to 3 rows, some of them lost on the way, some of another file."""
+    place, file, sent = 0, 0, []
+    for lost, count, other in parts:
+        if other:
+            place, file = 0, file + 1
+        rows = np.repeat(np.arange(place, place + count, dtype=float), COLUMNS)
+        shown = msgspec.structs.replace(status(place), file=str(file))
+        if not lost:
+            sent.append(Snapshot(shown, place, rows.tobytes(), predictions=b""))
+        place += count
+    client = object.__new__(Client)
+    client._closed, client._held = False, None
+    waiting = list(sent)
+    client._receive = lambda: waiting.pop(0) if waiting else None  # type: ignore[method-assign]
+    seen: list[tuple[str, float]] = []
+    while (snapshot := client.poll()) is not None:
+        values = as_array(snapshot.rows, "<f8")[::COLUMNS]
+        assert np.array_equal(values, snapshot.first_row + np.arange(len(values)))
+        seen += [(snapshot.status.file, value) for value in values]
+    assert seen == [
+        (one.status.file, value) for one in sent for value in as_array(one.rows, "<f8")[::COLUMNS]
+    ]
 
 
 def test_unreadable_request_is_answered(server: Server) -> None:

@@ -1,0 +1,82 @@
+"""The load cell's signals while the crank stands: taken as zero, and noted before every start."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.engine.connection import Connection
+from rigapp.engine.core import Core
+from rigapp.engine.messages import RunState
+
+Array = NDArray[np.float64]
+
+REST_EVENT = "rest"
+"""Kind of the event that holds the signals at rest before a start: "force_1, force_2" in mV/V."""
+
+REST_SHARE = 0.4
+"""The signals at rest are averaged over this share of the time for a zero."""
+
+
+def take_zero(core: Core, connection: Connection | None, operator: str, reason: str) -> Array:
+    """Take the present signals as zero of the load cell and return the tare, (2,) in mV/V.
+
+    The crank must stand and the pin must be unloaded. Raises Refused, TimeoutError.
+    """
+    core.require(
+        connection is not None and core.state in (RunState.READY, RunState.STOPPED),
+        f"the zero is taken before a test, not while {core.state.value}",
+    )
+    assert connection is not None
+    core.require(connection.stands(), "the crank turns; let it stand")
+    patience_s = core.timing.zero * 4 + core.timing.start_margin
+    signals = mean_signals(connection, core.timing.zero, patience_s)
+    calibration = connection.processor.calibration
+    tare = np.asarray(signals[:2] - calibration.zero, np.float64)
+    before = calibration.tare
+    connection.processor.set_tare(tare.tolist())
+    why = f": {reason.strip()}" if reason.strip() else ""
+    shown = [np.array2string(one, precision=6) for one in (before, tare)]
+    core.event("zero", operator or "operator", f"load cell zeroed{why}", shown[0], shown[1])
+    return tare
+
+
+def mean_signals(connection: Connection, seconds: float, patience_s: float) -> Array:
+    """Return the mean electrical signals (4,) over some seconds of samples; raise TimeoutError."""
+    rate = connection.setup.sample_rate_Hz
+    averaging = connection.processor.average(max(8, round(seconds * rate)))
+    if not averaging.done.wait(patience_s):
+        raise TimeoutError("the zero needs samples, and none came; check the device")
+    return averaging.mean
+
+
+def signals_at_rest(core: Core, connection: Connection) -> tuple[float, float] | None:
+    """Return what the load cell shows, mV/V; None when the crank moves or no samples come."""
+    if not connection.stands():
+        return None
+    seconds = REST_SHARE * core.timing.zero
+    try:
+        mean = mean_signals(connection, seconds, 2.0 * seconds * connection.slow() + 1.0)
+    except TimeoutError:
+        return None
+    return float(mean[0]), float(mean[1])
+
+
+def note_rest(core: Core, rest: tuple[float, float] | None) -> None:
+    """Write the signals at rest into the log of the test."""
+    if rest is None or not all(map(math.isfinite, rest)):
+        return
+    shown = f"{rest[0]:.6f}, {rest[1]:.6f}"
+    text = f"the load cell shows {shown} mV/V at rest before the start"
+    core.event(REST_EVENT, "engine", text, after=shown)
+
+
+def parse_rest(text: str) -> tuple[float, float] | None:
+    """Return the signals that ``note_rest`` wrote, None when the text is another."""
+    try:
+        first, second = (float(part) for part in text.split(","))
+    except ValueError:
+        return None
+    return first, second

@@ -1,0 +1,361 @@
+"""Going on with an interrupted test: what its file says, what the rig is now, what differs.
+
+``read_past`` reads the file, ``compare`` judges (pure), ``remarks`` says what goes into the log.
+A device of another kind, another encoder, a simulated rig in place of a real one, an expired
+calibration refuse; another calibration, a zero or signals at rest that moved by more than
+``ZERO_SHARE`` of the full scale need a reason, which is recorded; smaller things are noted.
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_rig
+from rigapp.config.rig import RigFile
+from rigapp.engine.calibrate import Calibration
+from rigapp.engine.engine import Remark
+from rigapp.engine.resting import REST_EVENT, parse_rest
+from rigapp.engine.run import Refused
+from rigapp.engine.store import calibration_record
+
+ZERO_SHARE = 0.02
+"""A zero that moved by more of the load cell's full scale needs a reason."""
+
+FITTED_ROWS = 50
+"""Wear is the way of the pin between lines through so many first and so many last revolutions."""
+
+UNSTEADY = ("status", "supply_V", "logic_V", "temperature_C")
+"""Readings of a device that differ from time to time."""
+
+Pair = tuple[float, float]
+
+
+class Fit(enum.StrEnum):
+    """Tell whether something lets the test go on."""
+
+    GOOD = "good"
+    NOTED = "noted"
+    REASON = "needs a reason"
+    BLOCKS = "blocks"
+
+
+class Finding(msgspec.Struct, frozen=True):
+    """One comparison: what, how it was, how it is now, what follows."""
+
+    what: str
+    before: str
+    now: str
+    fit: Fit = Fit.GOOD
+    sentence: str = ""
+
+
+class Resumption(msgspec.Struct, frozen=True):
+    """Everything that an operator should see before a test goes on. Times: UTC seconds."""
+
+    file: str
+    title: str
+    status: str
+    reason: str
+    revolutions: int
+    last_revolution: int
+    planned: int
+    last_at: float
+    gap_s: float
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def blocked(self) -> str:
+        """Return why the test cannot go on on this rig, empty when it can."""
+        return "; ".join(one.sentence for one in self.findings if one.fit is Fit.BLOCKS)
+
+    @property
+    def asks_reason(self) -> str:
+        """Return what a reason must be given for, empty when nothing."""
+        return "; ".join(one.sentence for one in self.findings if one.fit is Fit.REASON)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Past:
+    """What a file says of its test. rest: the load cell's signals at rest before its start, mV/V.
+
+    wear_depth_um: since the first revolution by the probes, None when it is not known.
+    new_position_um: of the pin in the new bushing.
+    """
+
+    path: Path
+    summary: Mapping[str, Any]
+    title: str
+    planned: int
+    last_at: float
+    calibration: Mapping[str, Any]
+    rig: RigFile | None
+    rest: Pair | None
+    new_position_um: Pair | None
+    wear_depth_um: float | None
+
+
+def read_past(path: Path) -> Past:
+    """Read what a resumption needs to know of a file; raise UnusableInput.
+
+    A complete test and one that another process writes are refused here, before a device is opened.
+    """
+    from rigapp.storage.reader import open_test
+
+    with open_test(path) as reader:
+        status = reader.summary()["status"]
+        if status == "complete":
+            raise UnusableInput(
+                f"{path}: the test is complete with {reader.committed()} revolutions; begin a new"
+                " test"
+            )
+        if status == "running":
+            raise UnusableInput(f"{path}: this test is running; stop it first")
+        rows = reader.committed()
+        try:
+            rig = parse_rig(reader.configuration()["rig"], f"{path} (its rig)")
+        except (KeyError, UnusableInput):
+            rig = None
+        rests = [parse_rest(one.after) for one in reader.events() if one.kind == REST_EVENT]
+        new = _new_position(reader)
+        return Past(
+            path=path,
+            summary=reader.summary(),
+            title=str(reader.metadata()["title"]),
+            planned=reader.state("planned_revolutions"),
+            last_at=float(reader.column("host_time", rows - 1)[0]) if rows else 0.0,
+            calibration=reader.calibration(),
+            rig=rig,
+            rest=rests[0] if rests else None,
+            new_position_um=new,
+            wear_depth_um=_depth(reader, rows),
+        )
+
+
+def _new_position(reader: Any) -> Pair | None:
+    from rigapp.engine.criteria import FIRST_STEADY, NEW_REVOLUTIONS
+
+    stop = FIRST_STEADY + NEW_REVOLUTIONS
+    number = reader.column("revolution", 0, stop)
+    rows = (number >= FIRST_STEADY) & (number < stop)
+    if rows.sum() < NEW_REVOLUTIONS:
+        return None
+    first, second = (reader.column(f"probe_{n}_mean", 0, stop)[rows].mean() for n in (1, 2))
+    return float(first), float(second)
+
+
+def _depth(reader: Any, rows: int) -> float | None:
+    """Return the depth at the last row, um, as if the bushing had been new before revolution 1."""
+    from rigapp.engine.criteria import FIRST_STEADY
+
+    def distance(first: int, stop: int, at: float) -> float:
+        number = reader.column("revolution", first, stop).astype(float)
+        places = (reader.column(f"probe_{n}_mean", first, stop) for n in (1, 2))
+        way = np.hypot(*places)
+        known = np.isfinite(way)
+        slope, start = np.polyfit(number[known] - at, way[known], 1)
+        return float(start) if math.isfinite(slope) else math.nan
+
+    if rows < 2 * FIRST_STEADY:
+        return None
+    last = float(reader.column("revolution", rows - 1)[0])
+    end = distance(max(FIRST_STEADY, rows - FITTED_ROWS), rows, last)
+    depth = end - distance(FIRST_STEADY, min(rows, FITTED_ROWS), 0.0)
+    return depth if math.isfinite(depth) else None
+
+
+def compare(
+    past: Past,
+    rig: RigFile,
+    calibration: Calibration,
+    devices: Mapping[str, Mapping[str, Any]],
+    rest: Pair | None,
+    blocking: Mapping[str, str],
+    now: float | None = None,
+) -> Resumption:
+    """Judge whether a test can go on on this rig.
+
+    rig: as now, with the numbers of its records. calibration, devices, rest: of the connection.
+    blocking: why calibration records forbid a start.
+    """
+    moment = time.time() if now is None else now
+    findings = [
+        *_of_rig(past, rig),
+        *_of_devices(past, devices),
+        *_of_calibration(past, calibration),
+        *_of_zero(past, rig, calibration, rest),
+        *(Finding("Record", "", text, Fit.BLOCKS, text) for text in blocking.values()),
+    ]
+    summary = past.summary
+    return Resumption(
+        file=str(past.path),
+        title=past.title,
+        status=summary["status"],
+        reason=summary["reason"] or "",
+        revolutions=summary["revolutions"],
+        last_revolution=summary["last_revolution"] or 0,
+        planned=past.planned,
+        last_at=past.last_at,
+        gap_s=max(0.0, moment - past.last_at) if past.last_at else 0.0,
+        findings=tuple(findings),
+    )
+
+
+def _of_rig(past: Past, rig: RigFile) -> Iterator[Finding]:
+    if past.rig is None:
+        text = "the file's own rig cannot be read; the devices are not compared"
+        yield Finding("Rig", "not readable", rig.name, Fit.NOTED, text)
+        return
+    same = past.rig.name == rig.name
+    yield Finding("Rig", past.rig.name, rig.name, Fit.GOOD if same else Fit.NOTED)
+    was, is_now = ("simulated" if one.simulation is not None else "real" for one in (past.rig, rig))
+    if was != is_now:
+        text = f"the test was made on a {was} rig, this one is {is_now}"
+        yield Finding("Kind of rig", was, is_now, Fit.BLOCKS, text)
+    for role, what in (("encoder", "Data acquisition"), ("spindle", "Drive")):
+        then, here = (one.devices[getattr(one, role).device].driver for one in (past.rig, rig))
+        if then == here:
+            yield Finding(what, then, here)
+        else:
+            text = (
+                f"the test was made with a {then}, this rig has a {here}: use the rig of the test"
+            )
+            yield Finding(what, then, here, Fit.BLOCKS, text)
+
+
+def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterator[Finding]:
+    for name, readback in devices.items():
+        then = past.calibration.get(f"device_{name}", {})
+        changed = [
+            key
+            for key, value in readback.items()
+            if key in then and not _steady_equal(key, then[key], value)
+        ]
+        if changed:
+            before, now = (
+                ", ".join(f"{key} {one[key]}" for key in changed) for one in (then, readback)
+            )
+            text = f"{name} is set otherwise than before: {', '.join(changed)}"
+            yield Finding(f"Settings of {name}", before, now, Fit.NOTED, text)
+
+
+def _steady_equal(key: str, before: Any, now: Any) -> bool:
+    return any(word in key for word in UNSTEADY) or _equal(before, now)
+
+
+def _equal(before: Any, now: Any) -> bool:
+    if isinstance(now, str) or isinstance(before, str):
+        return str(before) == str(now)
+    one, other = np.asarray(before, np.float64), np.asarray(now, np.float64)
+    return one.shape == other.shape and bool(np.allclose(one, other, rtol=1e-9, atol=1e-15))
+
+
+def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Finding]:
+    present = calibration_record(calibration)
+    for section, what, fit in (
+        ("encoder", "Encoder", Fit.BLOCKS),
+        ("load_cell", "Calibration of the load cell", Fit.REASON),
+        ("probes", "Calibration of the probes", Fit.REASON),
+    ):
+        then = past.calibration.get(section, {})
+        now = present[section]
+        keys = [key for key in now if key not in ("record", "tare_mV_per_V", "frame", "sign")]
+        changed = [key for key in keys if not (key in then and _equal(then[key], now[key]))]
+        names = [str(one.get("record", "")) for one in (then, now)]
+        if section != "encoder" and names[0] != names[1]:
+            changed = changed or ["record"]
+        if not changed:
+            name = names[1] or "numbers of the rig file"
+            yield Finding(what, name, name, Fit.GOOD, "as before")
+            continue
+        before, here = (
+            ", ".join(f"{key} {one.get(key, 'none')}" for key in changed) for one in (then, now)
+        )
+        text = f"{what.lower()} is not that of the test ({', '.join(changed)})"
+        yield Finding(what, before, here, fit, text)
+    rates = [
+        float(one.get("acquisition", {}).get("sample_rate_Hz", 0.0))
+        for one in (past.calibration, present)
+    ]
+    if rates[0] != rates[1]:
+        yield Finding("Sample rate", f"{rates[0]:g} Hz", f"{rates[1]:g} Hz", Fit.NOTED)
+
+
+def _of_zero(
+    past: Past, rig: RigFile, calibration: Calibration, rest: Pair | None
+) -> Iterator[Finding]:
+    cell = past.calibration.get("load_cell", {})
+    limit = ZERO_SHARE * rig.load_cell.full_scale_N
+
+    def judged(what: str, before: Any, now: Any, words: str) -> Finding:
+        shift = calibration.matrix @ (np.asarray(now) - np.asarray(before))
+        size = float(np.hypot(*shift))
+        then, here = (", ".join(f"{value:.5f}" for value in one) + " mV/V" for one in (before, now))
+        if size <= limit:
+            return Finding(what, then, here, Fit.GOOD, f"moved by {size:.1f} N")
+        text = (
+            f"{words} by {size:.1f} N, more than {limit:g} N ({100 * ZERO_SHARE:g} % of the full"
+            " scale)"
+        )
+        return Finding(what, then, here, Fit.REASON, text)
+
+    if "zero_mV_per_V" in cell:
+        before = np.add(cell["zero_mV_per_V"], cell.get("tare_mV_per_V", 0.0))
+        now = calibration.zero + calibration.tare
+        yield judged("Zero of the load cell", before, now, "the zero of the load cell differs")
+    if rest is None or past.rest is None:
+        text = "the crank moves" if rest is None else "the file does not tell them"
+        yield Finding("Load cell at rest", "", "", Fit.NOTED, f"not compared: {text}")
+    else:
+        words = "with the crank at rest the load cell shows a force that differs"
+        yield judged("Load cell at rest", past.rest, rest, words)
+
+
+def stored_tare(past: Past) -> Pair | None:
+    """Return the tare of the test, None when it had none."""
+    tare = past.calibration.get("load_cell", {}).get("tare_mV_per_V")
+    if tare is None or not any(tare):
+        return None
+    return float(tare[0]), float(tare[1])
+
+
+def remarks(found: Resumption, operator: str, reason: str) -> list[Remark]:
+    """Return what goes into the log; raise Refused when the test cannot go on, or not without a
+    reason."""
+    if found.blocked:
+        raise Refused(f"{found.file} cannot go on here: {found.blocked}")
+    why = reason.strip()
+    if found.asks_reason and not why:
+        raise Refused(
+            f"{found.file} goes on only with a reason: {found.asks_reason}; put it right, or give"
+            " the reason, which is recorded"
+        )
+    who = operator or "operator"
+    text = (
+        f"going on after {interval(found.gap_s)}; the test was {found.status}"
+        f"{': ' + found.reason if found.reason else ''}"
+    )
+    lines = [Remark("resumed", text, who)]
+    for one in found.findings:
+        if one.fit in (Fit.NOTED, Fit.REASON):
+            because = f", accepted: {why}" if one.fit is Fit.REASON else ""
+            sentence = one.sentence or f"{one.what} differs"
+            lines.append(Remark("resumed", f"{sentence}{because}", who, one.before, one.now))
+    return lines
+
+
+def interval(seconds: float) -> str:
+    """Return a time in words of one unit."""
+    for unit, size in (("days", 86400.0), ("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2 * size:
+            return f"{seconds / size:.1f} {unit}"
+    return f"{seconds:.0f} s"
