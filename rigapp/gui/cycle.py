@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from rigapp.gui.comparison import Shown, statistics
 from rigapp.gui.frames import COMPONENT_NAMES, Frame
 from rigapp.gui.overlay import OverlayPanel
-from rigapp.gui.palette import Theme
+from rigapp.gui.palette import CHECKED, Theme
 from rigapp.gui.polar import PolarPanel
 from rigapp.gui.probes import ProbePanel
 from rigapp.gui.recording import StoredRevolution
@@ -108,6 +108,7 @@ class CyclePanel(QSplitter):
         self.hold.setObjectName("cycle_hold")
         self.hold.setAccessibleName("Hold the picture")
         self.hold.setCheckable(True)
+        self.hold.setStyleSheet(CHECKED)
         self.hold.toggled.connect(self._held)
         self.stored = QSpinBox()
         self.stored.setObjectName("cycle_stored")
@@ -119,6 +120,7 @@ class CyclePanel(QSplitter):
         self.show_stored.setObjectName("cycle_compare")
         self.show_stored.setAccessibleName("Compare with the stored revolution")
         self.show_stored.setCheckable(True)
+        self.show_stored.setStyleSheet(CHECKED)
         self.show_stored.toggled.connect(self._compare)
         for widget in (self.hold, caption, self.stored, self.show_stored):
             self.overlay.tools.addWidget(widget)

@@ -6,6 +6,7 @@ import types
 import typing
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Annotated, Any, Literal
 
 import msgspec
@@ -133,6 +134,7 @@ class FieldSpec:
         return "; ".join(parts)
 
 
+@cache
 def form_fields() -> tuple[FieldSpec, ...]:
     """Return the fields of a test file in the order of the file."""
     return tuple(field for field in _fields(TestFile, "", False) if field.path not in HIDDEN)

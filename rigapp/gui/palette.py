@@ -132,6 +132,10 @@ def _pen(colour: str, style: Qt.PenStyle) -> QPen:
     return pen
 
 
+CHECKED = "QPushButton:checked { font-weight: bold; }"
+"""Style sheet of a button that stays pressed, so that its state does not rest on its shade."""
+
+
 def qt_palette(theme: Theme) -> QPalette:
     """Return the palette of the Fusion style for a theme, every role set by hand."""
     palette = QPalette()
@@ -165,10 +169,13 @@ def qt_palette(theme: Theme) -> QPalette:
 
 
 def apply_theme(application: QApplication, theme: Theme) -> None:
-    """Dress the application and the plots made from now on."""
-    application.setStyle("Fusion")
+    """Dress the application and the plots made from now on.
+
+    The style is set once: setting it again polishes every widget again, for half a second.
+    """
+    if application.style().objectName() != "fusion":
+        application.setStyle("Fusion")
     application.setPalette(qt_palette(theme))
-    application.setStyleSheet("QPushButton:checked { font-weight: bold; }")
     pg.setConfigOptions(
         antialias=False, useOpenGL=False, background=theme.base, foreground=theme.text
     )

@@ -86,6 +86,7 @@ class RecipePanel(QWidget):
         self._theme = theme
         self._tree: dict[str, Any] = {}
         self._text = ""
+        self._good = True
         self._path: Path | None = None
         self.test: TestFile | None = None
         self.fields = form_fields()
@@ -105,7 +106,7 @@ class RecipePanel(QWidget):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
-        self._judge()
+        self._colour()
 
     def unsaved(self) -> list[str]:
         """Return the changes that are not saved, a line each; what cannot be read counts too."""
@@ -328,6 +329,7 @@ class RecipePanel(QWidget):
     def _judge(self) -> None:
         """Check the whole form; the verdict is one sentence."""
         self.test = None
+        differences: list[str] = []
         self.name.show_text(str(self._path) if self._path else "No file opened yet")
         try:
             tree = self.tree()
@@ -343,16 +345,22 @@ class RecipePanel(QWidget):
                 "Not saved: " + "; ".join(differences) if differences else "As in the file."
             )
             self._say(text, good=True)
-        start = "Start t&his test…" if not self.unsaved() else "Save and start t&his test…"
+        start = "Save and start t&his test…" if differences else "Start t&his test…"
         self.buttons["start"].setText(start)
         for name, button in self.buttons.items():
             usable = self.test is not None and (name == "save_as" or self._path is not None)
             button.setEnabled(name == "open" or usable)
 
     def _say(self, sentence: str, *, good: bool) -> None:
-        colour = self._theme.text if good else self._theme.critical
+        self._good = good
         self.verdict.setText(sentence if good else f"▲ {sentence}")
-        self.verdict.setStyleSheet(f"color: {colour};")
+        self._colour()
+
+    def _colour(self) -> None:
+        colour = self._theme.text if self._good else self._theme.critical
+        sheet = f"color: {colour};"
+        if sheet != self.verdict.styleSheet():
+            self.verdict.setStyleSheet(sheet)
 
     def _save(self) -> bool:
         return self._path is not None and self.save(self._path)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QSplitter, QTabWidget, QVBoxLayout, QWidget
 
@@ -27,6 +28,8 @@ from rigapp.gui.tasks import Worker
 from rigapp.gui.trend import TrendPanel
 from rigapp.gui.watchdog import Watchdog
 from rigapp.gui.wearprofile import WearProfilePanel
+
+Drawing = Callable[[Status | None], None]
 
 HORIZONTAL, VERTICAL = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 
@@ -77,6 +80,7 @@ class Tabs(QTabWidget):
             self.lower_trend,
             self.residual_trend,
         )
+        self._slow = self._slow_drawings()
         self._build()
         self._connect()
 
@@ -94,7 +98,10 @@ class Tabs(QTabWidget):
             *self._trends,
         )
         for panel in dressed:
-            panel.dress(theme)
+            if panel.isVisible():
+                panel.dress(theme)
+            else:
+                QTimer.singleShot(0, self, partial(panel.dress, theme))
 
     def take_status(self, status: Status) -> None:
         """Take what every new status means for panels, seen or not."""
@@ -122,24 +129,45 @@ class Tabs(QTabWidget):
 
     def draw_slow(self, status: Status | None) -> None:
         """Draw trends, tables and lists where they can be seen."""
-        data, session = self._session.data, self._session
-        for trend in self._trends:
-            if trend.isVisible():
-                trend.refresh(data)
-        if self.profile.isVisible():
-            joint = session.test.model.joint if session.test is not None else None
-            self.profile.refresh(data, joint)
-        if self.prepare.isVisible():
-            self.prepare.show_status(status)
-        if self.devices.isVisible():
-            self.devices.show_status(status, self._link.silence_s())
-        if self.log.isVisible() or self.limits.isVisible():
-            self.log.follow(session.path)
-        if self.limits.isVisible():
-            state = status.state if status is not None else None
-            self.limits.show_limits(state, session.test, changed_limits(self.log.events))
-        if self.faults.isVisible():
-            self.faults.show_status(status)
+        for panel, draw in self._slow:
+            if panel.isVisible():
+                draw(status)
+
+    def draw_part(self, status: Status | None, part: int, parts: int) -> None:
+        """Draw one of so many parts of what ``draw_slow`` draws, so that no turn is long."""
+        for panel, draw in self._slow[part::parts]:
+            if panel.isVisible():
+                draw(status)
+
+    def _slow_drawings(self) -> list[tuple[QWidget, Drawing]]:
+        trends = [(trend, partial(self._draw_trend, trend)) for trend in self._trends]
+        return [
+            *trends,
+            (self.profile, self._draw_profile),
+            (self.prepare, self.prepare.show_status),
+            (self.devices, self._draw_devices),
+            (self.log, self._follow_log),
+            (self.limits, self._follow_log),
+            (self.limits, self._draw_limits),
+            (self.faults, self.faults.show_status),
+        ]
+
+    def _draw_trend(self, trend: TrendPanel, status: Status | None) -> None:
+        trend.refresh(self._session.data)
+
+    def _draw_profile(self, status: Status | None) -> None:
+        test = self._session.test
+        self.profile.refresh(self._session.data, test.model.joint if test is not None else None)
+
+    def _draw_devices(self, status: Status | None) -> None:
+        self.devices.show_status(status, self._link.silence_s())
+
+    def _follow_log(self, status: Status | None) -> None:
+        self.log.follow(self._session.path)
+
+    def _draw_limits(self, status: Status | None) -> None:
+        state = status.state if status is not None else None
+        self.limits.show_limits(state, self._session.test, changed_limits(self.log.events))
 
     def open_tests(self, tests: list[Path]) -> None:
         """Offer the first test file in the form."""
@@ -216,9 +244,16 @@ class Tabs(QTabWidget):
 
     def _changed(self) -> None:
         self.draw_fast(self._link.status)
-        self.draw_slow(self._link.status)
+        for panel, draw in self._slow:
+            if panel.isVisible():
+                # Each in a turn of the event loop of its own: the window stays quick.
+                QTimer.singleShot(0, self, partial(self._draw_later, panel, draw))
         if self.browser.isVisible():
             self.browser.look()
+
+    def _draw_later(self, panel: QWidget, draw: Drawing) -> None:
+        if panel.isVisible():
+            draw(self._link.status)
 
     def _ask_revolution(self, revolution: int) -> None:
         def failed(error: Exception) -> None:

@@ -13,7 +13,7 @@ from PySide6.QtGui import QKeyEvent, QPen
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from rigapp.gui.header import ElidedLabel
-from rigapp.gui.palette import Theme, line_pen, measured_pen, model_pen
+from rigapp.gui.palette import CHECKED, Theme, line_pen, measured_pen, model_pen
 from rigapp.gui.plotting import LegendEntry, LegendRow, QuietPlot
 from rigapp.gui.pyramid import polyline
 from rigapp.gui.ranges import SteadyRange, nice_step
@@ -198,6 +198,7 @@ class TrendPanel(QWidget):
         button.setObjectName(f"{prefix}_trend_{mode}")
         button.setAccessibleName(spoken)
         button.setCheckable(True)
+        button.setStyleSheet(CHECKED)
         button.setChecked(mode == self._mode)
         button.clicked.connect(lambda: self._set_mode(mode))
         return button

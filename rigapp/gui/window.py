@@ -48,7 +48,7 @@ FRAME_HEIGHT = 40
 """Room for the frame that the window manager puts around a window."""
 
 SLOW_EVERY = 5
-"""Ticks between two drawings of trends and tables: twice a second."""
+"""Ticks between two drawings of a trend or a table: twice a second, in turns."""
 
 
 class MainWindow(QMainWindow):
@@ -131,8 +131,7 @@ class MainWindow(QMainWindow):
         self._close_when_stopped()
         if not self.isMinimized():
             self.tabs.draw_fast(status)
-            if self._ticks % SLOW_EVERY == 0:
-                self.tabs.draw_slow(status)
+            self.tabs.draw_part(status, self._ticks % SLOW_EVERY, SLOW_EVERY)
 
     @property
     def settled(self) -> bool:
