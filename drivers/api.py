@@ -135,13 +135,26 @@ class Block:
     lost_before: int = 0
 
 
+class SampleClock(enum.StrEnum):
+    """Tell what makes a device sample: its own clock, or each pulse of the crank's encoder."""
+
+    TIME = "time"
+    ENCODER = "encoder"
+
+
 @dataclass(frozen=True, slots=True)
 class StreamSetup:
-    """Tell what the device will really send, as read back from it."""
+    """Tell what the device will really send, as read back from it.
+
+    clock: ENCODER means one sample a count; sample_rate_Hz is nominal then, a standing crank sends
+    no samples, and a Block without samples is a sign of life. A row named ``rate_1`` in Hz, where
+    there is one, is the pulse rate at each sample.
+    """
 
     channels: tuple[ChannelSpec, ...]
     sample_rate_Hz: float
     readback: Mapping[str, str | float | int]
+    clock: SampleClock = SampleClock.TIME
 
 
 @dataclass(frozen=True, slots=True)

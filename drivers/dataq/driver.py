@@ -5,7 +5,10 @@ Internal clock: the sample index is time; the counter row tells the angle.
 Encoder clock (``clock = "encoder"``, ``start 2``): encoder line A on input D6 makes the device scan
 once a pulse. The sample index is then the angle: sample i is pulse i since the start, lost scans
 counted by the counter. ``StreamSetup.sample_rate_Hz`` is nominal then, the rate that was asked for:
-it sizes buffers; the time of a sample is not known better than by ``Block.host_time_ns``.
+it sizes buffers. The time of a sample is told by the pulse rate where that is recorded
+(``rate_range_Hz``, line A on the rate input as well), else by ``Block.host_time_ns`` only. A
+standing shaft sends nothing: every ``idle_check_s`` the device is asked whether it lives, and a
+Block without samples says that it does.
 
 The device's counter counts one edge of one input and knows no direction: a shaft that turns back
 counts on. Counts per revolution are the encoder's lines, not its edges after quadrature, and there
@@ -32,6 +35,7 @@ from drivers.api import (
     DriverKind,
     Identity,
     InputFault,
+    SampleClock,
     SettingRefused,
     StreamSetup,
     WrongDevice,
@@ -100,7 +104,8 @@ class Dataq:
         self._line.drain()
         self._plan = plan
         self._stream = None
-        return StreamSetup(plan.channels, plan.sample_rate_Hz, self._readback(plan))
+        clock = SampleClock.ENCODER if plan.clock is Clock.ENCODER else SampleClock.TIME
+        return StreamSetup(plan.channels, plan.sample_rate_Hz, self._readback(plan), clock)
 
     def start(self) -> None:
         """Start streaming; sample index, block sequence and counter restart at 0."""

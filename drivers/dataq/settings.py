@@ -66,7 +66,7 @@ SETTINGS: Mapping[str, SettingSpec] = {
     ),
     "idle_check_s": SettingSpec(
         float,
-        5.0,
+        0.25,
         "Silence of an encoder-clocked stream after which the device is asked whether it lives.",
         0.2,
         3600.0,

@@ -187,6 +187,7 @@ class Stream:
             self._end()
             self._parser.restart(clean=True)
             self._begin()
+            self._sign_of_life()
             return
         self._halt()
         self._running = False
@@ -266,6 +267,20 @@ class Stream:
         discarded = 1  # the first scan of a stream
         begin = then_sample + passed - self._parser.received + discarded
         return max(1, begin - self._next_sample)
+
+    def _sign_of_life(self) -> None:
+        """Hand over a Block without samples: the device answers, the shaft stands."""
+        block = Block(
+            device=self._link.port.device,
+            sequence=self._sequence,
+            first_sample=self._next_sample,
+            sample_rate_Hz=self._plan.sample_rate_Hz,
+            host_time_ns=time.monotonic_ns(),
+            values=np.empty((self._rows, 0), np.int32),
+            quality=np.empty(0, np.uint8),
+        )
+        self._sequence += 1
+        self._blocks.append(block)
 
     def _watch_stuck(self, run: Run) -> None:
         """Name inputs whose converter value is the very same for two turns of the shaft."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from drivers.api import Block
 from rigapp.engine.counterstate import BEGIN, BREAK, CUT, E, P, S, new_state
 from rigapp.engine.messages import Flag
+from rigapp.engine.sampleclock import TICKS_PER_S
 from rigapp.engine.unwrap import scan
 
 Values = NDArray[np.float32] | NDArray[np.int32]
@@ -76,6 +77,9 @@ class Revolution:
     first_sample, end_sample: device sample index of its first and of the first after it.
     host_time_ns: monotonic time of the block that carries its end; later_samples: device samples
     from its end to the end of that block.
+    ticks: None for a device that samples at fixed times. Of one that the encoder clocks: the time
+    of every sample of ``values``; all that is counted in device samples above is counted in these
+    ticks then, and sample_rate_Hz says how many make a second.
     """
 
     ordinal: int
@@ -92,6 +96,7 @@ class Revolution:
     lost_samples: int
     idle_samples: int
     flags: Flag
+    ticks: NDArray[np.int64] | None = None
 
     @property
     def samples(self) -> int:
@@ -99,7 +104,9 @@ class Revolution:
         return int(self.counts.shape[0])
 
     def sample_indices(self) -> NDArray[np.int64]:
-        """Return the device sample index of every sample, (samples,)."""
+        """Return the device sample index (or tick) of every sample, (samples,)."""
+        if self.ticks is not None:
+            return self.ticks[self.before : self.before + self.samples]
         if len(self.segments) == 1:
             first = int(self.segments[0, 1])
             return np.arange(first, first + self.samples, dtype=np.int64)
@@ -185,6 +192,7 @@ class Assembler:
         self._host_time_ns = 0
         self._values: Values = np.empty((0, 0), np.float32)
         self._positions = np.empty(0, np.int64)
+        self._ticks: NDArray[np.int64] | None = None
         self._scratch = np.empty(0, np.int64)
         self._keep = np.empty(0, np.uint8)
         self._events = np.empty((0, int(E.SIZE)), np.int64)
@@ -212,8 +220,11 @@ class Assembler:
         """Return the ordinal of the revolution under way."""
         return int(self._state[S.ORDINAL])
 
-    def push(self, block: Block) -> list[Revolution]:
-        """Take a Block and return the revolutions that it completes, in order."""
+    def push(self, block: Block, ticks: NDArray[np.int64] | None = None) -> list[Revolution]:
+        """Take a Block and return the revolutions that it completes, in order.
+
+        ticks: (samples,) time of each sample in ns, of a device that the encoder clocks.
+        """
         n = block.values.shape[1]
         lost = self._lost_before(block)
         self._next_sample = block.first_sample + n
@@ -241,7 +252,8 @@ class Assembler:
             keep,
             events,
         )
-        self._append(block.values, position, keep, int(self._state[S.KEPT]) - kept_before)
+        kept = int(self._state[S.KEPT]) - kept_before
+        self._append(block.values, position, keep, kept, ticks)
         if kept_before == 0:
             self._breaks.append((0, block.first_sample))
         for event in events[:found]:
@@ -305,11 +317,21 @@ class Assembler:
         return np.rint(signal).astype(np.int64), quality
 
     def _append(
-        self, values: Values, position: NDArray[np.int64], keep: NDArray[np.uint8], kept: int
+        self,
+        values: Values,
+        position: NDArray[np.int64],
+        keep: NDArray[np.uint8],
+        kept: int,
+        ticks: NDArray[np.int64] | None,
     ) -> None:
         if kept == 0:
             return
+        if ticks is not None and self._ticks is None:
+            self._ticks = np.empty(self._positions.size, np.int64)
         self._make_room(kept, values)
+        if self._ticks is not None and ticks is not None:
+            inside = ticks if kept == position.size else ticks[keep.astype(bool)]
+            self._ticks[self._fill : self._fill + kept] = inside
         place = slice(self._fill, self._fill + kept)
         if kept == position.size:
             self._values[:, place] = values
@@ -344,6 +366,10 @@ class Assembler:
         if alive:
             grown[:, :alive] = self._values[:, start : self._fill]
             positions[:alive] = self._positions[start : self._fill]
+        if self._ticks is not None:
+            times = np.empty(size, np.int64)
+            times[:alive] = self._ticks[start : self._fill]
+            self._ticks = times
         self._values, self._positions = cast(Values, grown), positions
         self._origin, self._fill = oldest, alive
 
@@ -411,7 +437,7 @@ class Assembler:
         event = item.event
         offset = self._origin
         counts = self._positions[start - offset : end - offset] - item.base
-        return Revolution(
+        revolution = Revolution(
             ordinal=int(event[E.ORDINAL]),
             values=self._values[:, first - offset : last - offset],
             before=start - first,
@@ -427,3 +453,31 @@ class Assembler:
             idle_samples=int(event[E.IDLE]),
             flags=Flag(int(event[E.FLAGS])),
         )
+        if self._ticks is None:
+            return revolution
+        ticks = self._ticks[: self._fill]
+        around = slice(first - offset, last - offset)
+        return _timed(revolution, ticks[around], ticks[start - offset : end - offset + 1])
+
+
+def _timed(
+    revolution: Revolution, ticks: NDArray[np.int64], inside: NDArray[np.int64]
+) -> Revolution:
+    """Return a revolution counted in ticks. inside: of its samples and of the first after it.
+
+    A long time between two pulses is a stand; what of it is beyond STANDSTILL_S is idle.
+    """
+    if inside.size <= revolution.samples:  # nothing has come after it
+        inside = np.append(inside, 2 * inside[-1] - inside[-2] if inside.size > 1 else inside[-1])
+    idle = np.maximum(np.diff(inside) - round(STANDSTILL_S * TICKS_PER_S), 0)
+    nominal = TICKS_PER_S / revolution.sample_rate_Hz
+    return replace(
+        revolution,
+        ticks=ticks,
+        first_sample=int(inside[0]),
+        end_sample=int(inside[-1]),
+        sample_rate_Hz=TICKS_PER_S,
+        later_samples=round(revolution.later_samples * nominal),
+        idle_samples=int(idle.sum()),
+        flags=revolution.flags | (Flag.PAUSED if idle.any() else Flag.GOOD),
+    )

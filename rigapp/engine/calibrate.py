@@ -22,11 +22,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import ChannelSpec, StreamSetup
+from drivers.api import ChannelSpec, SampleClock, StreamSetup
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.assembler import EncoderSetup, Margins, Revolution, Values
 from rigapp.engine.bend import invertible, straight
+from rigapp.engine.sampleclock import PulseRate
 
 ANALOG = ("force_1", "force_2", "probe_1", "probe_2")
 """What the four analog inputs carry, in the order of every four-row array here."""
@@ -43,6 +44,8 @@ class Calibration:
     (2, 3) 1/N, the quadratic terms of the cell (``bend``). zero: (2,) signal units; tare: (2,)
     further zero found with the pin unloaded. sensitivity: (2,) um/V. probe_offset: (2,) V.
     latency_s: (4,). index_angle_rad: crank angle at the index.
+    clock: what makes the device sample; with the encoder's, sample_rate_Hz is nominal, fastest_Hz
+    the most pulses a second, and pulse_rate tells where their rate is recorded.
     """
 
     rows: tuple[int, int, int, int]
@@ -63,10 +66,16 @@ class Calibration:
     counter_scale: float = 1.0
     counter_offset: float = 0.0
     names: tuple[str, str] = ("", "")
+    clock: SampleClock = SampleClock.TIME
+    pulse_rate: PulseRate | None = None
+    fastest_Hz: float = 0.0
 
     @property
     def margins(self) -> Margins:
         """Return the neighbouring samples that the latency correction needs."""
+        if self.clock is SampleClock.ENCODER:
+            most = math.ceil(float(np.abs(self.latency_s).max()) * self.fastest_Hz)
+            return Margins(before=most, after=most)
         whole, part = self.shift
         after = np.where(part > 0, whole + 1, whole)
         return Margins(before=max(0, int(-whole.min())), after=max(0, int(after.max())))
@@ -124,6 +133,8 @@ def with_margins(revolution: Revolution, margins: Margins) -> tuple[NDArray[Any]
 
 def shifted(revolution: Revolution, calibration: Calibration) -> NDArray[np.float64]:
     """Return the four raw analog channels (4, samples), latency corrected."""
+    if revolution.ticks is not None:
+        return _shifted_by_time(revolution, revolution.ticks, calibration)
     whole, part = calibration.shift
     values, before = with_margins(revolution, calibration.margins)
     n = revolution.samples
@@ -134,6 +145,20 @@ def shifted(revolution: Revolution, calibration: Calibration) -> NDArray[np.floa
         out[i] = raw[start : start + n]
         if part[i] > 0:
             out[i] += part[i] * (raw[start + 1 : start + 1 + n] - out[i])
+    return out
+
+
+def _shifted_by_time(
+    revolution: Revolution, ticks: NDArray[np.int64], calibration: Calibration
+) -> NDArray[np.float64]:
+    """Return the same for samples that come at no fixed times; at the ends the last is held."""
+    inside = slice(revolution.before, revolution.before + revolution.samples)
+    # Differences of whole ticks are exact; the ticks themselves are too large for a float64.
+    time = (ticks - ticks[0]).astype(np.float64)
+    out = np.empty((4, revolution.samples))
+    for i, row in enumerate(calibration.rows):
+        raw, delay = revolution.values[row], calibration.latency_s[i] * revolution.sample_rate_Hz
+        out[i] = raw[inside] if delay == 0 else np.interp(time[inside] + delay, time, raw)
     return out
 
 
@@ -231,7 +256,25 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
         counter_scale=counter.scale,
         counter_offset=counter.offset,
         names=(rig.load_cell.calibration, rig.probes.calibration_name),
+        clock=setup.clock,
+        pulse_rate=_pulse_rate(rig, setup),
+        fastest_Hz=rig.spindle.maximum_speed_rpm / 60.0 * turn,
     )
+
+
+def _pulse_rate(rig: RigFile, setup: StreamSetup) -> PulseRate | None:
+    """Return where the pulse rate is recorded; raise UnusableInput where only it tells the time."""
+    if setup.clock is not SampleClock.ENCODER:
+        return None
+    for row, spec in enumerate(setup.channels):
+        if spec.name == "rate_1":
+            return PulseRate(row, spec.scale, spec.offset)
+    if rig.simulation is not None:
+        raise UnusableInput(
+            f"rig file: devices.{rig.encoder.device}.settings.clock = 'encoder' needs the pulse "
+            "rate (rate_range_Hz) on a simulated rig, whose time is not that of this computer"
+        )
+    return None
 
 
 def _spec(setup: StreamSetup, name: str, key: str) -> tuple[int, ChannelSpec]:

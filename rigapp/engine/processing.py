@@ -11,11 +11,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import Block
+from drivers.api import Block, SampleClock
 from rigapp.engine.assembler import Assembler, Revolution
 from rigapp.engine.calibrate import Calibration
 from rigapp.engine.checks import PeakForce
 from rigapp.engine.motion import MotionWindow, Point
+from rigapp.engine.sampleclock import TICKS_PER_S, EncoderClock
 from rigapp.engine.signals import Means, RecentSignals
 from rigapp.engine.timewatch import TimeWatch
 
@@ -98,7 +99,14 @@ class Processor:
     ) -> None:
         self._judge = judge
         self._overload_N = overload_N
-        self._watch = TimeWatch(calibration.sample_rate_Hz) if real_time else None
+        by_encoder = calibration.clock is SampleClock.ENCODER
+        timed = real_time and not by_encoder
+        self._watch = TimeWatch(calibration.sample_rate_Hz) if timed else None
+        self._clock = (
+            EncoderClock(calibration.sample_rate_Hz, calibration.pulse_rate, real_time)
+            if by_encoder
+            else None
+        )
         self._averaging: Averaging | None = None
         self._recent: RecentSignals | None = None
         self.index_seen = False
@@ -116,7 +124,7 @@ class Processor:
         )
         self.motion = MotionWindow(
             calibration.encoder.counts_per_revolution,
-            calibration.sample_rate_Hz,
+            TICKS_PER_S if by_encoder else calibration.sample_rate_Hz,
             math.degrees(calibration.index_angle_rad),
         )
         self._newest: Block | None = None
@@ -184,7 +192,10 @@ class Processor:
     def _handle(self, block: Block) -> None:
         n = block.values.shape[1]
         if n == 0:
+            if self._clock is not None:
+                self._stand(self._clock.quiet(block.host_time_ns), block.host_time_ns * 1e-9)
             return
+        ticks = self._clock.times(block) if self._clock is not None else None
         peak = self._peak.of(block.values)
         if not peak <= self._overload_N():
             self._over = True
@@ -195,11 +206,11 @@ class Processor:
         if self._discard.is_set():
             self._discard.clear()
             self.assembler.discard()
-            self._judge.begun(block.first_sample)
+            self._judge.begun(block.first_sample if ticks is None else int(ticks[0]))
         assembler = self.assembler
-        revolutions = assembler.push(block)
+        revolutions = assembler.push(block, ticks)
         self.next_sample = block.first_sample + n
-        self._look(block, n)
+        self._look(block, n, ticks)
         if assembler.lost_samples != self._lost:
             self._lost = assembler.lost_samples
             self._judge.lost(self._lost)
@@ -208,15 +219,24 @@ class Processor:
         for revolution in revolutions:
             self._judge.revolution(revolution)
 
-    def _look(self, block: Block, n: int) -> None:
+    def _stand(self, tick: int, host_s: float) -> None:
+        """Take note that no pulse has come: the device lives, the crank stands."""
+        last = self.motion.newest()
+        count = self.assembler.motion.travel[1]
+        if last is None or tick > last.sample:
+            phase = last.phase if last is not None else None
+            self.motion.add(None, Point(tick, count, host_s, phase))
+        self._judge.motion(self.motion.speed_rpm())
+
+    def _look(self, block: Block, n: int, ticks: NDArray[np.int64] | None) -> None:
         host_s = block.host_time_ns * 1e-9
         motion = self.assembler.motion
         first, last = motion.travel
         phase = motion.phase if motion.locked else None
-        self.motion.add(
-            Point(block.first_sample, first, host_s, None),
-            Point(block.first_sample + n - 1, last, host_s, phase),
-        )
+        begin, end = block.first_sample, block.first_sample + n - 1
+        if ticks is not None:
+            begin, end = int(ticks[0]), int(ticks[-1])
+        self.motion.add(Point(begin, first, host_s, None), Point(end, last, host_s, phase))
         self._newest = block
         self.index_seen = self.index_seen or phase is not None
         recent = self._recent

@@ -13,9 +13,9 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.assembler import Revolution
+from rigapp.engine.assembler import STANDSTILL_S, Revolution
 from rigapp.engine.bend import straighten
-from rigapp.engine.calibrate import Calibration, with_margins
+from rigapp.engine.calibrate import Calibration, shifted, with_margins
 from rigapp.engine.columns import CHANNELS, STATISTICS, revolution_columns
 
 Array = NDArray[np.float64]
@@ -202,6 +202,7 @@ class Reducer:
         self._scratch = np.empty((3, 8192))
         self._statistics = np.empty(len(CHANNELS) * len(STATISTICS))
         self._speed = np.empty(3)
+        self._turn = calibration.encoder.counts_per_revolution
         self._deg_per_count = 360.0 / calibration.encoder.counts_per_revolution
         self._rpm_per_slope = (
             60.0 * calibration.sample_rate_Hz / calibration.encoder.counts_per_revolution
@@ -221,15 +222,21 @@ class Reducer:
             return row
         if n > self._scratch.shape[1]:
             self._scratch = np.empty((3, 2 * n))
-        values, before = with_margins(revolution, self._margins)
-        rows = self.calibration.rows
+        rows, part = self.calibration.rows, self._part
+        if revolution.ticks is None:
+            values, before = with_margins(revolution, self._margins)
+            start = self._whole + before
+        else:
+            # Shifted by time already; 16 bits and 24 bits are exact in a float32.
+            values = shifted(revolution, self.calibration).astype(np.float32)
+            rows, start, part = (0, 1, 2, 3), np.zeros(4, np.int64), np.zeros(4)
         _reduce_kernel(
             values[rows[0]],
             values[rows[1]],
             values[rows[2]],
             values[rows[3]],
-            self._whole + before,
-            self._part,
+            start,
+            part,
             self._gain,
             self._bias,
             self.calibration.bend,
@@ -245,8 +252,30 @@ class Reducer:
         row[HEAD:] = statistics
         turned = revolution.end_count - int(revolution.counts[0])
         elapsed = revolution.end_sample - revolution.first_sample - revolution.idle_samples
-        row[PLACE["speed"]] = turned / max(elapsed, 1) * self._rpm_per_slope
-        row[PLACE["speed_max"]] = self._speed[0] * self._rpm_per_slope
-        row[PLACE["speed_min"]] = self._speed[1] * self._rpm_per_slope
-        row[PLACE["speed_rms"]] = self._speed[2] * self._rpm_per_slope
+        rpm_per_slope = self._rpm_per_slope
+        if revolution.ticks is not None:
+            self._speed[:] = _speed_by_time(revolution)
+            rpm_per_slope = 60.0 * revolution.sample_rate_Hz / self._turn
+        row[PLACE["speed"]] = turned / max(elapsed, 1) * rpm_per_slope
+        row[PLACE["speed_max"]] = self._speed[0] * rpm_per_slope
+        row[PLACE["speed_min"]] = self._speed[1] * rpm_per_slope
+        row[PLACE["speed_rms"]] = self._speed[2] * rpm_per_slope
         return row
+
+
+def _speed_by_time(revolution: Revolution) -> tuple[float, float, float]:
+    """Return max, min and RMS over time of the speed in counts per tick, of samples at pulses.
+
+    The speed is that over 1/SPEED_WINDOWS of a revolution, 8 pulses at least; a stand within one
+    counts as idle, not as slowness.
+    """
+    ticks = np.append(revolution.sample_indices(), revolution.end_sample)
+    counts = np.append(revolution.counts, revolution.end_count)
+    window = max(8, revolution.samples // SPEED_WINDOWS)
+    places = np.unique(np.append(np.arange(0, revolution.samples, window), revolution.samples))
+    longest = round(STANDSTILL_S * revolution.sample_rate_Hz)
+    idle = np.append(0, np.cumsum(np.maximum(np.diff(ticks) - longest, 0)))
+    elapsed = np.maximum(np.diff((ticks - idle)[places]), 1)
+    speed = np.diff(counts[places]) / elapsed
+    squares = float((speed**2 * elapsed).sum() / elapsed.sum())
+    return float(speed.max()), float(speed.min()), math.sqrt(squares)

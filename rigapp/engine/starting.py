@@ -6,6 +6,7 @@ import time
 from collections.abc import Mapping
 from pathlib import Path
 
+from drivers.api import SampleClock
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
@@ -52,6 +53,9 @@ def check_start(core: Core, connection: Connection, test: TestFile) -> RuleMonit
             "load_cell.range_mV_per_V"
         )
     samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
+    calibration = connection.processor.calibration
+    if calibration.clock is SampleClock.ENCODER:
+        samples = calibration.encoder.counts_per_revolution
     if samples < FEWEST_SAMPLES:
         raise UnusableInput(
             f"run.speed_rpm = {run.speed_rpm:g}: {connection.setup.sample_rate_Hz:g} samples/s "

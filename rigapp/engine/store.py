@@ -12,6 +12,7 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from drivers.api import SampleClock
 from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
@@ -141,7 +142,13 @@ def _create(request: OpenRequest) -> Opened:
     from rigapp.storage.writer import create_test
 
     test, rig = request.test.record, request.rig.record
-    plan = file_plan(test, request.calibration.sample_rate_Hz)
+    calibration = request.calibration
+    by_encoder = calibration.clock is SampleClock.ENCODER
+    plan = file_plan(
+        test,
+        calibration.sample_rate_Hz,
+        calibration.encoder.counts_per_revolution if by_encoder else None,
+    )
     metadata = TestMetadata(
         title=test.title,
         rig_text=request.rig.text,
@@ -225,6 +232,7 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
             "index_angle_deg": math.degrees(calibration.index_angle_rad),
         },
         "acquisition": {
+            "clock": calibration.clock.value,
             "sample_rate_Hz": calibration.sample_rate_Hz,
             "scale": calibration.scale.tolist(),
             "offset": calibration.offset.tolist(),

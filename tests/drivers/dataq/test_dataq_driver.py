@@ -294,6 +294,7 @@ def test_a_standing_shaft_is_not_a_fault(bench: Callable[..., Any], sends_rest: 
     b.shaft.rev_per_s = 0.0
     stops = b.wire.received.count(b"stop\r")
     b.read_until(lambda: b.wire.received.count(b"stop\r") >= stops + 2, "two questions")
+    b.read_until(lambda: b.blocks[-1].quality.size == 0, "a sign of life")
     before = b.samples
     b.shaft.rev_per_s = 3.0
     b.read_until(lambda: b.samples >= before + 300, "samples after the rest")

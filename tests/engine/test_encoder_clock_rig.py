@@ -1,0 +1,76 @@
+"""A test on the simulated rig whose data acquisition is clocked by the encoder."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from drivers.api import ChannelSpec, SampleClock, StreamSetup
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document, parse_test, read_rig
+from rigapp.engine.calibrate import calibration_of
+from rigapp.engine.engine import Engine
+from rigapp.engine.run import ENDED
+from rigapp.engine.sampleclock import PulseRate
+from rigapp.service.simulated import SimulatedDevices, parse_speed
+from rigapp.storage import open_test
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+LINES = 900
+
+
+def test_a_test_by_the_encoders_pulses(tmp_path: Path) -> None:
+    rig = read_rig(EXAMPLES / "simulated_encoder_clock.toml")
+    text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    text = text.replace("revolutions = 500", "revolutions = 12", 1)
+    test = Document(Path("quick.toml"), text, parse_test(text, "quick.toml"))
+    path = tmp_path / "test.h5"
+    devices = SimulatedDevices(rig, parse_speed("max", rig))
+    try:
+        engine = Engine(rig, ports=devices.ports(test.record.model))
+        engine.connect()
+        engine.start(test, path, operator="Ada")
+        engine.wait(ENDED, 120.0)
+        engine.shutdown()
+    finally:
+        devices.close()
+    with open_test(path) as reader:
+        assert reader.summary()["status"] == "complete", reader.summary()
+        np.testing.assert_array_equal(reader.column("revolution"), np.arange(1, 13))
+        np.testing.assert_array_equal(reader.column("samples"), LINES)
+        speed = reader.column("speed")
+        np.testing.assert_allclose(speed[1:], 60.0, rtol=0.01)
+        assert speed.std() < 0.2
+        np.testing.assert_allclose(np.diff(reader.column("time")), 60.0 / speed[1:], rtol=1e-6)
+        assert np.all(reader.column("speed_min") <= speed)
+        assert np.all(reader.column("speed_max") >= speed)
+        assert not reader.column("lost_samples").any()
+        cycle = next(one for one in reader.cycles() if one.revolution == 10)
+        np.testing.assert_allclose(
+            cycle.columns["angle"], np.arange(LINES) * 360 / LINES, atol=1e-3
+        )
+        steps = np.diff(cycle.columns["time"])
+        assert steps.min() > 0
+        np.testing.assert_allclose(steps, 1 / LINES, rtol=0.05)
+        assert cycle.columns["time"][0] == pytest.approx(reader.column("time")[8], abs=1e-6)
+        assert reader.calibration()["acquisition"]["clock"] == "encoder"
+
+
+def test_without_the_pulse_rate_a_simulated_rig_is_refused() -> None:
+    """Its time is not the host's, and the samples alone do not tell it."""
+    rig = read_rig(EXAMPLES / "simulated_encoder_clock.toml").record
+    names = {"analog_1": "mV/V", "analog_2": "mV/V", "analog_3": "V", "analog_4": "V"}
+    channels = (
+        *(ChannelSpec(name, unit) for name, unit in names.items()),
+        ChannelSpec("counter_1", "count"),
+    )
+    setup = StreamSetup(channels, 900.0, {}, SampleClock.ENCODER)
+    with pytest.raises(UnusableInput, match="rate_range_Hz"):
+        calibration_of(rig, setup)
+    told = replace(setup, channels=(*channels, ChannelSpec("rate_1", "Hz", 0.3)))
+    calibration = calibration_of(rig, told)
+    assert calibration.pulse_rate == PulseRate(5, 0.3, 0.0)
+    assert calibration.fastest_Hz == pytest.approx(700.0 / 60.0 * LINES)
