@@ -87,11 +87,11 @@ def budget(
     relative = relative_force_uncertainty(settings.weights, settings.place)
     directions = np.linspace(0.0, 2.0 * np.pi, 73)
     load = force * np.stack((np.cos(directions), np.sin(directions)), axis=-1)
-    variance = [max(np.linalg.eigvalsh(found.force_covariance(one))) for one in load]
+    variance = float(np.linalg.eigvalsh(found.force_covariance(load)).max())
     lines = [
         Contribution("applied force (mass, gravity, buoyancy)", relative * force, math.inf),
         Contribution("angle reference", settings.angle_uncertainty * force, math.inf),
-        Contribution("fit", float(np.sqrt(max(variance))), 2.0 * found.degrees),
+        Contribution("fit", math.sqrt(variance), 2.0 * found.degrees),
         Contribution("repeatability of one reading", found.residual_std, 2.0 * found.degrees),
         Contribution("resolution", settings.cell.resolution / math.sqrt(6.0), math.inf),
     ]
@@ -140,13 +140,28 @@ def classification(settings: LoadCellSettings, single: float) -> str:
         )
     smallest = 80.0
     class_2, class_1 = smallest / 500.0, smallest / 1000.0
-    count = math.ceil((single / (class_2 / math.sqrt(12.0))) ** 2) if single > 0.0 else 1
     return (
         f"Not classifiable: with a resolution of {step:g} N, ASTM E74 class A needs forces of at"
         f" least {e74:g} N and ISO 376 class 2 of at least {iso:g} N, above the full scale of"
-        f" {full:g} N. For forces from {smallest:g} N upward, averaging would have to reach a"
-        f" resolution of {class_2:.2f} N for class 2 ({class_1:.2f} N for class 1), about {count}"
-        " readings a point for class 2. The expanded uncertainty is stated instead of a class."
+        f" {full:g} N. The expanded uncertainty is stated instead of a class. For forces from"
+        f" {smallest:g} N upward, class 2 would need a resolution of {class_2:.2f} N and class 1 of"
+        f" {class_1:.2f} N.{_averaging(single, class_2)}"
+    )
+
+
+def _averaging(single: float, wanted: float) -> str:
+    """Say how many readings a mean needs until it is known as well as a resolution ``wanted``."""
+    if not single > 0.0:
+        return ""
+    count = math.ceil((single / (wanted / math.sqrt(12.0))) ** 2)
+    if count < 2:
+        return (
+            f" A reading scatters by {single:.3f} N only, so the steps of the display are what"
+            " stands against it: averaging does not help."
+        )
+    return (
+        f" A reading scatters by {single:.2f} N: the mean of about {count} readings at each load"
+        " would reach class 2."
     )
 
 

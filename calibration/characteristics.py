@@ -131,17 +131,18 @@ def _both_ways(found: Loads, enough: NDArray[np.bool_]) -> list[tuple[int, float
     ]
 
 
-def hysteresis(found: Loads) -> float | None:
-    """Return the largest mean difference falling - rising over one load, N; None without both."""
+def hysteresis_by_load(found: Loads) -> dict[float, float]:
+    """Return load -> falling less rising (N), the median over the pin angles; empty without both.
+
+    A single wrong reading moves a median of some angles little.
+    """
     loaded = found.applied > 0.0
     rising = _means(found, loaded & found.rising, by_series=False)
     falling = _means(found, loaded & ~found.rising, by_series=False)
     by_load: dict[float, list[float]] = {}
     for key in set(rising) & set(falling):
         by_load.setdefault(key[2], []).append(falling[key] - rising[key])
-    if not by_load:
-        return None
-    return float(max((np.mean(values) for values in by_load.values()), key=abs))
+    return {load: float(np.median(values)) for load, values in by_load.items()}
 
 
 Key = tuple[int, str, float]

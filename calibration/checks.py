@@ -1,57 +1,66 @@
 """Checks that catch mistakes in dead-weight readings and name them in plain words.
 
 The second round, after ``reading_checks``: it looks at the readings through a robust fit, which
-single mistakes hardly move.
+single mistakes hardly move. What touches all readings (wiring, saturation, drift, hanger,
+hysteresis) is looked at first and then taken off, so that it is not named again as many small
+mistakes (``reading_faults``).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from calibration.characteristics import Loads, hysteresis
+from calibration.characteristics import hysteresis_by_load
+from calibration.evidence import SURE, Evidence, applied_forces, examine
 from calibration.problems import Problem
-from calibration.reading_checks import place_of
-from calibration.readings import LoadCellReadings
-from calibration.settings import LoadCellSettings
-from calibration.two_axis import TwoAxisFit
+from calibration.reading_checks import coarse, place_of
+from calibration.reading_faults import single_faults
+from calibration.two_axis import Terms, huber_fit
 
 Array = NDArray[np.float64]
 
-SURE = 5.0
-
-
-@dataclass(frozen=True, slots=True)
-class Evidence:
-    """What the second round looks at: readings, robust fit, noise (N), loads, N per kg."""
-
-    readings: LoadCellReadings
-    settings: LoadCellSettings
-    found: TwoAxisFit
-    noise: float
-    loads: Loads
-    newton_per_kg: float
+BLOCKING_TURN = np.radians(4.0)
+NOTED_TURN = np.radians(2.0)
 
 
 def check_fit(evidence: Evidence) -> Iterator[Problem]:
     """Yield the mistakes that the fit shows, the most telling first."""
+    dead = list(_dead(evidence))
+    if dead:
+        yield from dead
+        return
     yield from _axes(evidence)
     saturated = list(_saturated(evidence))
-    yield from saturated
-    step_problems, explained = _steps(evidence)
-    yield from step_problems
-    loose = list(_loose_cable(evidence, explained))
-    yield from loose
-    yield from _angle_off(evidence, explained)
-    if not saturated and not loose:
-        yield from _not_monotonic(evidence, explained)
-    yield from _hysteresis(evidence)
-    yield from _drift(evidence)
-    yield from _scatter(evidence, explained)
+    if saturated:
+        yield from saturated
+        return
+    for whole in (_wandering, _hanger):
+        problem, evidence = whole(evidence)
+        if problem is not None:
+            yield problem
+    problem, evidence = _hysteresis(evidence)
+    if problem is not None:
+        yield problem
+    yield from single_faults(evidence)
     yield from _range(evidence)
+
+
+# --- wiring --------------------------------------------------------------------------------------
+
+
+def _dead(evidence: Evidence) -> Iterator[Problem]:
+    rows = np.linalg.norm(evidence.found.sensitivity, axis=1)
+    weak = int(np.argmin(rows))
+    if rows[weak] < 0.05 * rows[1 - weak]:
+        yield Problem(
+            "bridge_dead",
+            f"signal_{weak + 1} hardly follows the load ({100.0 * rows[weak] / rows[1 - weak]:.1f}"
+            " % of the other signal): is the bridge connected and switched on?",
+        )
 
 
 def _axes(evidence: Evidence) -> Iterator[Problem]:
@@ -61,10 +70,13 @@ def _axes(evidence: Evidence) -> Iterator[Problem]:
         yield Problem(
             "axes_swapped",
             "The two signals are swapped: signal_1 follows the force across the crank; exchange the"
-            " two bridges' inputs.",
+            " two bridges' inputs."
+            if np.linalg.det(a) < 0.0
+            else "The two signals are swapped and one of them is reversed, or every pin angle is a"
+            " quarter of a turn off; check the inputs, the wires and the angle reference.",
         )
         return
-    reversed_axes = [str(axis + 1) for axis in range(2) if a[axis, axis] < 0.0]
+    reversed_axes = [axis + 1 for axis in range(2) if a[axis, axis] < 0.0]
     if len(reversed_axes) == 2:
         yield Problem(
             "axes_reversed",
@@ -72,23 +84,36 @@ def _axes(evidence: Evidence) -> Iterator[Problem]:
             " reversed; check the angle reference.",
         )
     elif reversed_axes:
+        other = " Or the pin angle counts the wrong way." if reversed_axes[0] == 1 else ""
         yield Problem(
             "axis_reversed",
             f"signal_{reversed_axes[0]} has the wrong sign: that bridge is reversed; exchange its"
-            " two signal wires.",
+            f" two signal wires.{other}",
         )
     else:
-        yield from _cross_talk(a)
+        yield from _turned(a)
 
 
-def _cross_talk(a: Array) -> Iterator[Problem]:
+def _turned(a: Array) -> Iterator[Problem]:
+    """The rotation in A: a cell's own cross-talk is a few per cent, the rest is the angle."""
     share = 100.0 * max(abs(a[0, 1] / a[0, 0]), abs(a[1, 0] / a[1, 1]))
-    if share > 20.0:
+    turn = float(np.arctan2(a[1, 0] - a[0, 1], a[0, 0] + a[1, 1]))
+    if share > 20.0 or abs(turn) > BLOCKING_TURN:
         yield Problem(
             "angle_reference",
-            f"Each signal sees {share:.0f} % of the other axis; the pin's angle reference is"
-            " probably off. Repeat the angle reference step.",
+            f"Each signal sees up to {share:.0f} % of the other axis, as if every pin angle were"
+            f" {abs(np.degrees(turn)):.1f} degrees off; repeat the angle reference step.",
         )
+    elif abs(turn) > NOTED_TURN:
+        yield Problem(
+            "angle_reference",
+            f"The axes stand as if every pin angle were {abs(np.degrees(turn)):.1f} degrees off."
+            " It can be the cell's own cross-talk; only the angle reference step can tell.",
+            blocks=False,
+        )
+
+
+# --- what touches all readings -------------------------------------------------------------------
 
 
 def _saturated(evidence: Evidence) -> Iterator[Problem]:
@@ -97,253 +122,173 @@ def _saturated(evidence: Evidence) -> Iterator[Problem]:
     small = evidence.loads.applied <= 0.6 * evidence.loads.applied.max()
     if np.count_nonzero(small) < 8:
         return
-    force = _applied(evidence)
+    force = applied_forces(evidence)
     rows = np.column_stack((force, np.ones(len(force))))
-    try:
-        coefficients = np.linalg.lstsq(rows[small], signal[small], rcond=None)[0]
-    except np.linalg.LinAlgError:
-        return
+    coefficients = np.linalg.lstsq(rows[small], signal[small], rcond=None)[0]
     predicted = rows @ coefficients
     noise = np.std(signal[small] - predicted[small], axis=0)
+    largest = np.isclose(np.abs(signal), np.abs(signal).max(), rtol=1e-9, atol=0.0)
+    sharp = not coarse(readings)
+    ends = [largest]
     for axis in range(2):
         for extreme in (signal[:, axis].max(), signal[:, axis].min()):
-            at = np.isclose(signal[:, axis], extreme, rtol=1e-9, atol=0.0)
-            beyond = np.abs(predicted[at, axis]) - abs(extreme)
-            if np.count_nonzero(at) >= 2 and beyond.max() > max(
-                6.0 * noise[axis], 0.02 * abs(extreme)
-            ):
-                index = int(np.flatnonzero(at)[0])
-                yield Problem(
-                    "saturated",
-                    f"signal_{axis + 1} stands still at {extreme:g} from"
-                    f" {place_of(readings, index)} while the load grows: the input is saturated;"
-                    " choose a larger range.",
-                )
-
-
-def _applied(evidence: Evidence) -> Array:
-    """Return the applied forces (n, 2), recomputed from the fit's residual and the readings."""
-    angle = evidence.readings.angle + evidence.settings.angle_offset
-    size = evidence.loads.applied
-    return np.stack((-size * np.sin(angle), -size * np.cos(angle)), axis=-1)
-
-
-def _steps(evidence: Evidence) -> tuple[list[Problem], NDArray[np.bool_]]:
-    """Find readings that fit another mass than the one written: swapped, skipped, wrong."""
-    readings, found = evidence.readings, evidence.loads
-    off = found.along - found.applied
-    sure = max(SURE * evidence.noise, 0.005 * found.applied.max())
-    wrong = (np.abs(off) > sure) & (np.abs(found.across) < np.maximum(sure, 0.5 * np.abs(off)))
-    explained = np.zeros(len(readings), dtype=np.bool_)
-    problems: list[Problem] = []
-    indices = {
-        name: [i for i, one in enumerate(readings.series) if one == name]
-        for name in dict.fromkeys(readings.series)
-    }
-    for members in indices.values():
-        _swapped(evidence, members, wrong, explained, problems)
-        _shifted(evidence, members, wrong, explained, problems)
-    for index in np.flatnonzero(wrong & ~explained):
-        if np.count_nonzero(wrong) > 0.4 * len(readings):
-            break
-        believed = found.along[index] / evidence.newton_per_kg
-        explained[index] = True
-        problems.append(
-            Problem(
-                "wrong_weight",
-                f"At {place_of(readings, int(index))} the cell felt {believed:.2f} kg, but"
-                f" {readings.mass[index]:g} kg is written; check the weights that hung there.",
-            )
-        )
-    return _few(problems), explained
-
-
-def _swapped(
-    evidence: Evidence,
-    members: list[int],
-    wrong: NDArray[np.bool_],
-    explained: NDArray[np.bool_],
-    problems: list[Problem],
-) -> None:
-    found, sure = evidence.loads, SURE * evidence.noise
-    suspects = [i for i in members if wrong[i]]
-    if len(suspects) > 6:
-        return
-    for place, first in enumerate(suspects):
-        for second in suspects[place + 1 :]:
-            if explained[first] or explained[second]:
-                continue
-            if (
-                abs(found.along[first] - found.applied[second]) < sure
-                and abs(found.along[second] - found.applied[first]) < sure
-            ):
-                explained[[first, second]] = True
-                problems.append(
-                    Problem(
-                        "swapped_steps",
-                        f"In series {evidence.readings.series[first]} the readings of steps"
-                        f" {evidence.readings.step[first]} and {evidence.readings.step[second]}"
-                        " are swapped.",
-                    )
-                )
-
-
-def _shifted(
-    evidence: Evidence,
-    members: list[int],
-    wrong: NDArray[np.bool_],
-    explained: NDArray[np.bool_],
-    problems: list[Problem],
-) -> None:
-    """A run of readings that each fit the next (or previous) step's mass: a step was skipped."""
-    found, sure = evidence.loads, SURE * evidence.noise
-    for shift, code, words in (
-        (1, "skipped_step", "a step was skipped there: each reading belongs to the next load"),
-        (-1, "repeated_step", "a step was taken twice there: each reading belongs to the last one"),
-    ):  # fmt: skip
-        pairs = [
-            (members[k], members[k + shift])
-            for k in range(len(members))
-            if 0 <= k + shift < len(members)
-        ]
-        run = [
-            i
-            for i, j in pairs
-            if wrong[i] and not explained[i] and abs(found.along[i] - found.applied[j]) < sure
-        ]
-        if len(run) >= 2:
-            explained[[i for i in members if i >= run[0]]] = True
-            problems.append(
-                Problem(
-                    code,
-                    f"From {place_of(evidence.readings, run[0])} on, {words}.",
-                )
-            )
-
-
-def _loose_cable(evidence: Evidence, explained: NDArray[np.bool_]) -> Iterator[Problem]:
-    """Readings off in one signal alone, or far off in no sensible direction."""
-    readings = evidence.readings
-    scale = np.abs(np.diag(evidence.found.sensitivity))
-    off = np.abs(evidence.found.residual_signal) / scale
-    far = max(4.0 * SURE * evidence.noise, 0.05 * evidence.settings.cell.full_scale)
-    bad = (off.max(axis=1) > far) & ~explained
-    if np.count_nonzero(bad) == 0:
-        return
-    index = int(np.flatnonzero(bad)[0])
-    axis = int(np.argmax(off[index]))
-    count = int(np.count_nonzero(bad))
-    if count > 0.4 * len(readings):
-        return
-    explained[bad] = True
-    yield Problem(
-        "cable_loose",
-        f"signal_{axis + 1} jumps by {off[index, axis]:.0f} N at {place_of(readings, index)}"
-        + (f" (and at {count - 1} more)" if count > 1 else "")
-        + ", whatever hangs there: is a cable or the slip ring loose?",
-    )
-
-
-def _angle_off(evidence: Evidence, explained: NDArray[np.bool_]) -> Iterator[Problem]:
-    """A pin angle at which every load seems turned by the same amount."""
-    found, readings = evidence.loads, evidence.readings
-    turns = []
-    for group in np.unique(found.group):
-        members = (found.group == group) & (found.applied > 0.0) & ~explained
-        power = float(np.sum(found.applied[members] ** 2))
-        if power == 0.0:
+            at = np.zeros_like(largest)
+            at[:, axis] = np.isclose(signal[:, axis], extreme, rtol=1e-9, atol=0.0)
+            ends.append(at)
+    for at in ends:
+        if np.count_nonzero(at) < 2:
             continue
-        turn = float(np.sum(found.applied[members] * found.across[members]) / power)
-        turns.append((turn, evidence.noise / np.sqrt(power), int(np.flatnonzero(members)[0])))
-    if len(turns) < 3:
-        return
-    middle = float(np.median([turn for turn, _, _ in turns]))
-    turn, sigma, index = max(turns, key=lambda one: abs(one[0] - middle))
-    if abs(turn - middle) > max(SURE * sigma, np.radians(0.2)):
-        angle = np.degrees(readings.angle[index])
-        yield Problem(
-            "angle_off",
-            f"At the pin angle of {angle:.1f} degrees (series {readings.series[index]}) every load"
-            f" seems turned by {np.degrees(turn - middle):+.2f} degrees: the angle written there,"
-            " or at the opposite position, is off; take it from the encoder.",
-        )
-
-
-def _not_monotonic(evidence: Evidence, explained: NDArray[np.bool_]) -> Iterator[Problem]:
-    found, readings = evidence.loads, evidence.readings
-    for index in range(1, len(readings)):
-        if (
-            readings.series[index] != readings.series[index - 1]
-            or explained[[index - 1, index]].any()
-        ):
-            continue
-        if found.group[index] != found.group[index - 1]:
-            continue
-        applied = found.applied[index] - found.applied[index - 1]
-        seen = found.along[index] - found.along[index - 1]
-        if applied != 0.0 and seen * np.sign(applied) < -SURE * evidence.noise:
+        beyond = np.sign(signal) * (predicted - signal)
+        # Two equal values are a coincidence only where the display is coarse.
+        sure = np.maximum(SURE * noise, (0.005 if sharp else 0.025) * np.abs(signal))
+        if np.median((beyond / sure)[at]) > 1.0:
+            index, axis = (int(one) for one in np.argwhere(at)[0])
             yield Problem(
-                "not_monotonic",
-                f"From step {readings.step[index - 1]} to {readings.step[index]} of series"
-                f" {readings.series[index]} the load {'grew' if applied > 0 else 'fell'} but the"
-                " reading went the other way; check what hung there.",
+                "saturated",
+                f"signal_{axis + 1} stands still at {signal[index, axis]:g} from"
+                f" {place_of(readings, index)} while the load grows: the input is saturated;"
+                " choose a larger range.",
             )
             return
 
 
-def _hysteresis(evidence: Evidence) -> Iterator[Problem]:
-    difference = hysteresis(evidence.loads)
-    full = evidence.settings.cell.full_scale
-    if difference is None:
-        yield Problem(
-            "no_descending_series",
-            "No load was read both going up and going down, so hysteresis is unknown; add a"
-            " descending series.",
-            blocks=False,
-        )
-    elif abs(difference) > 0.01 * full:
-        yield Problem(
-            "hysteresis",
-            f"Going down the cell reads {difference:+.1f} N against going up, more than 1 % of full"
-            " scale: something rubs, slips or was overloaded; find it before calibrating.",
-        )
+def _wandering(evidence: Evidence) -> tuple[Problem | None, Evidence]:
+    """A zero that jumps or drifts; the evidence comes back without it."""
+    found = _jump(evidence) or _drift(evidence)
+    if found is None:
+        return None, evidence
+    problem, offset = found
+    signal = evidence.readings.signal - offset
+    return problem, examine(replace(evidence.readings, signal=signal), evidence.settings)
 
 
-def _drift(evidence: Evidence) -> Iterator[Problem]:
-    found = evidence.loads
-    zeros = np.flatnonzero(found.applied == 0.0)
-    if len(zeros) < 3:
-        return
-    order = zeros / max(len(found.applied) - 1, 1)
-    measured = evidence.found.residual[zeros]
-    slope = np.array([np.polyfit(order, measured[:, axis], 1)[0] for axis in range(2)])
-    sigma = evidence.noise / (np.std(order) * np.sqrt(len(zeros)) + 1e-12)
-    size = float(np.hypot(*slope))
-    allowed = max(evidence.settings.cell.resolution, 0.005 * evidence.settings.cell.full_scale)
-    if size > max(SURE * sigma, allowed):
-        yield Problem(
+def _jump(evidence: Evidence) -> tuple[Problem, Array] | None:
+    zeros = np.flatnonzero(evidence.loads.applied == 0.0)
+    if len(zeros) < 6:
+        return None
+    signal = evidence.readings.signal
+    felt = signal[zeros] @ evidence.found.matrix.T
+    line = np.column_stack((np.ones(len(zeros)), zeros))
+    drifting = felt - line @ np.linalg.lstsq(line, felt, rcond=None)[0]
+
+    def parted(k: int) -> float:
+        return float(
+            np.sum((felt[:k] - felt[:k].mean(axis=0)) ** 2)
+            + np.sum((felt[k:] - felt[k:].mean(axis=0)) ** 2)
+        )
+
+    split = min(range(2, len(zeros) - 1), key=parted)
+    step = felt[split:].mean(axis=0) - felt[:split].mean(axis=0)
+    size, cell = float(np.hypot(*step)), evidence.settings.cell
+    noise = float(np.sqrt(parted(split) / (2.0 * (len(zeros) - 2))))
+    least = max(SURE * noise, 0.01 * cell.full_scale, 2.0 * cell.resolution)
+    if size < least or parted(split) > 0.4 * float(np.sum(drifting**2)):
+        return None
+    before, after = (place_of(evidence.readings, int(zeros[k])) for k in (split - 1, split))
+    offset = np.zeros_like(signal)
+    offset[(zeros[split - 1] + zeros[split] + 1) // 2 :] = evidence.found.sensitivity @ step
+    return (
+        Problem(
+            "zero_jump",
+            f"The zero jumps by {size:.1f} N between {before} and {after}: did something touch"
+            " cable or amplifier? Take the readings again.",
+        ),
+        offset,
+    )
+
+
+def _drift(evidence: Evidence) -> tuple[Problem, Array] | None:
+    """The drift from all readings together: single zeros jump by a whole step of the cell."""
+    cell = evidence.settings.cell
+    if np.count_nonzero(evidence.loads.applied == 0.0) < 3:
+        return None
+    terms = Terms(quadratic=evidence.found.terms.quadratic, drift=True)
+    force, floor = applied_forces(evidence), cell.resolution / np.sqrt(12.0)
+    try:
+        found, _ = huber_fit(force, evidence.readings.signal, floor, terms)
+    except np.linalg.LinAlgError:
+        return None
+    drift = found.matrix @ found.coefficients[-1]
+    size = float(np.hypot(*drift))
+    rows = [terms.count - 1, 2 * terms.count - 1]
+    spread = found.matrix @ found.covariance[np.ix_(rows, rows)] @ found.matrix.T
+    sigma = float(np.sqrt(np.linalg.eigvalsh(spread)[-1]))
+    least = max(1.5 * cell.resolution, 0.0075 * cell.full_scale)
+    if size <= max(SURE * sigma, least):
+        return None
+    zeros = np.flatnonzero(evidence.loads.applied == 0.0)
+    along = evidence.readings.signal[zeros] @ found.matrix.T @ drift / size
+    if np.polyfit(zeros / (len(force) - 1), along, 1)[0] < least:
+        return None
+    ramp = np.linspace(-0.5, 0.5, len(force))[:, None] * found.coefficients[-1]
+    return (
+        Problem(
             "drift",
             f"The zero drifts by {size:.1f} N over the calibration; let the cell warm up and take"
             " the readings again.",
-        )
+        ),
+        ramp,
+    )
 
 
-def _scatter(evidence: Evidence, explained: NDArray[np.bool_]) -> Iterator[Problem]:
-    size = np.hypot(*evidence.found.residual.T)
-    allowed = max(evidence.settings.cell.resolution, 0.005 * evidence.settings.cell.full_scale)
-    readings = evidence.readings
-    worst: tuple[float, str] = (0.0, "")
-    for name in dict.fromkeys(readings.series):
-        members = np.array([one == name for one in readings.series]) & ~explained
-        if np.count_nonzero(members) >= 4:
-            spread = float(np.sqrt(np.mean(size[members] ** 2) / 2.0))
-            worst = max(worst, (spread, name))
-    if worst[0] > 1.5 * allowed:
-        yield Problem(
-            "scatter",
-            f"The readings of series {worst[1]} scatter by {worst[0]:.1f} N: was the weight still"
-            " swinging? Wait until it hangs still.",
+def _hanger(evidence: Evidence) -> tuple[Problem | None, Evidence]:
+    """The same mass missing, or too much, at every load but at none of the zeros."""
+    found = evidence.loads
+    loaded = found.applied > 0.0
+    if np.count_nonzero(loaded) < 8 or len(np.unique(np.round(found.applied[loaded], 3))) < 3:
+        return None, evidence
+    rows = np.column_stack((np.ones(np.count_nonzero(loaded)), found.applied[loaded]))
+    (extra, slope), *_ = np.linalg.lstsq(rows, found.along[loaded], rcond=None)
+    rest = found.along[loaded] - rows @ np.array([extra, slope])
+    before = found.along[loaded] - found.applied[loaded]
+    spread = np.sqrt(np.mean(rest**2) * np.linalg.inv(rows.T @ rows)[0, 0])
+    least = max(SURE * float(spread), 0.01 * evidence.settings.cell.full_scale)
+    if abs(extra) < least or slope < 0.5:
+        return None, evidence
+    if np.median(np.abs(rest)) > 0.5 * np.median(np.abs(before)):
+        return None, evidence
+    mass = extra / slope / evidence.newton_per_kg
+    words = "heavier" if mass > 0.0 else "lighter"
+    problem = Problem(
+        "hanger_mass",
+        f"Every load seems {abs(mass):.2f} kg {words} than written, while the zeros are right: is"
+        " hanger_mass_kg what hangs beside the pieces at every load?",
+    )
+    weights = evidence.settings.weights
+    right = replace(weights, hanger_mass=weights.hanger_mass + mass)
+    return problem, examine(evidence.readings, replace(evidence.settings, weights=right))
+
+
+def _hysteresis(evidence: Evidence) -> tuple[Problem | None, Evidence]:
+    by_load = hysteresis_by_load(evidence.loads)
+    if not by_load:
+        return (
+            Problem(
+                "no_descending_series",
+                "No load was read both going up and going down, so hysteresis is unknown; add a"
+                " descending series.",
+                blocks=False,
+            ),
+            evidence,
         )
+    largest = max(by_load.values(), key=abs)
+    if abs(largest) <= 0.01 * evidence.settings.cell.full_scale:
+        return None, evidence
+    found = evidence.loads
+    half = np.array([0.5 * by_load.get(round(float(load), 3), 0.0) for load in found.applied])
+    along = found.along - np.where(found.rising, -half, half)
+    return (
+        Problem(
+            "hysteresis",
+            f"Going down the cell reads {largest:+.1f} N against going up, more than 1 % of full"
+            " scale: something rubs, slips or was overloaded; find it before calibrating.",
+        ),
+        replace(
+            evidence,
+            loads=replace(found, along=along),
+            noise=max(evidence.noise, 0.25 * abs(largest)),
+        ),
+    )
 
 
 def _range(evidence: Evidence) -> Iterator[Problem]:
@@ -355,18 +300,3 @@ def _range(evidence: Evidence) -> Iterator[Problem]:
             " extrapolated.",
             blocks=False,
         )
-
-
-def _few(problems: list[Problem]) -> list[Problem]:
-    """Keep the first of each code and say how many more there are."""
-    kept: dict[str, Problem] = {}
-    count: dict[str, int] = {}
-    for problem in problems:
-        kept.setdefault(problem.code, problem)
-        count[problem.code] = count.get(problem.code, 0) + 1
-    return [
-        problem
-        if count[code] == 1
-        else Problem(code, f"{problem.sentence} ({count[code] - 1} more like it.)", problem.blocks)
-        for code, problem in kept.items()
-    ]

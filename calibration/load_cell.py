@@ -9,17 +9,32 @@ from numpy.typing import NDArray
 
 from calibration.budget import Budget, budget, classification, expanded_line, matrix_covariance
 from calibration.characteristics import Characteristics, characteristics, loads
-from calibration.checks import Evidence, check_fit
+from calibration.checks import check_fit
+from calibration.evidence import examine
 from calibration.problems import Problem
 from calibration.reading_checks import check_readings
 from calibration.readings import LoadCellReadings
 from calibration.settings import LoadCellSettings
-from calibration.two_axis import TwoAxisFit, choose_terms, robust_fit
-from calibration.weights import force_per_mass, pin_force, weight_force
+from calibration.two_axis import TwoAxisFit, choose_terms
+from calibration.weights import STANDARD_GRAVITY, pin_force, weight_force
 
 Array = NDArray[np.float64]
 
-STEADY_CODES = frozenset({"not_a_number", "too_few_angles", "too_few_readings", "bridge_dead"})
+STEADY_CODES = frozenset(
+    {
+        "not_a_number",
+        "too_few_angles",
+        "too_few_readings",
+        "bridge_dead",
+        "negative_mass",
+        "mass_unit",
+        "overload",
+        "angle_unit",
+        "signal_unit",
+        "duplicated_rows",
+        "copied_series",
+    }
+)
 """Problems without whose cure there is nothing to fit."""
 
 
@@ -50,11 +65,10 @@ def calibrate_load_cell(
     """Fit, check and judge; a calibration with a blocking problem is not accepted."""
     problems = list(check_readings(readings, settings))
     applied = _applied(readings, settings)
-    if STEADY_CODES & {problem.code for problem in problems}:
+    if STEADY_CODES & {problem.code for problem in problems} or not _earthly(settings):
         return _refused(problems, settings, applied)
-    floor = settings.cell.resolution / np.sqrt(12.0)
     try:
-        robust, noise = robust_fit(applied, readings.signal, floor)
+        evidence = examine(readings, settings)
     except np.linalg.LinAlgError:
         problems.append(
             Problem(
@@ -63,9 +77,6 @@ def calibrate_load_cell(
             )
         )
         return _refused(problems, settings, applied)
-    seen = loads(readings, applied, robust.force(readings.signal))
-    newton_per_kg = force_per_mass(settings.weights, settings.place)
-    evidence = Evidence(readings, settings, robust, noise, seen, newton_per_kg)
     problems += check_fit(evidence)
     found, terms = choose_terms(applied, readings.signal)
     measured = found.force(readings.signal)
@@ -87,6 +98,11 @@ def calibrate_load_cell(
         applied=applied,
         measured=measured,
     )
+
+
+def _earthly(settings: LoadCellSettings) -> bool:
+    """Tell whether gravity is near enough to the truth for forces to be compared."""
+    return abs(settings.place.gravity / STANDARD_GRAVITY - 1.0) < 0.02
 
 
 def _applied(readings: LoadCellReadings, settings: LoadCellSettings) -> Array:

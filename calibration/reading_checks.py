@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from calibration.characteristics import angle_groups
 from calibration.problems import Problem
@@ -23,7 +25,7 @@ def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> It
     yield from _impossible_masses(readings, settings)
     yield from _angles(readings)
     yield from _gravity(settings)
-    yield from _dead_or_stuck(readings)
+    yield from _dead_or_stuck(readings, settings)
     loaded = int(np.count_nonzero(readings.mass > 0.0))
     if loaded < FEWEST_LOADED:
         yield Problem(
@@ -56,7 +58,7 @@ def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -
     heaviest = float(np.nanmax(readings.mass, initial=0.0))
     if np.nanmin(readings.mass, initial=0.0) < 0.0:
         yield Problem("negative_mass", "A mass is negative; masses are written in kg, from 0 up.")
-    limit = 1.2 * settings.cell.full_scale / settings.place.gravity
+    limit = 1.2 * settings.cell.full_scale / STANDARD_GRAVITY
     if heaviest > 50.0 * limit:
         yield Problem(
             "mass_unit",
@@ -65,7 +67,8 @@ def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -
     elif heaviest > limit:
         yield Problem(
             "overload",
-            f"{heaviest:g} kg is more than the cell may bear ({limit:.1f} kg); check the mass.",
+            f"{heaviest:g} kg is more than the cell may bear ({limit:.1f} kg); check the mass,"
+            " which is written in kilograms, not in newtons or pounds.",
         )
 
 
@@ -123,7 +126,7 @@ def _gravity(settings: LoadCellSettings) -> Iterator[Problem]:
         )
 
 
-def _dead_or_stuck(readings: LoadCellReadings) -> Iterator[Problem]:
+def _dead_or_stuck(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
     signal = readings.signal
     if len(signal) < 4 or not np.isfinite(signal).all():
         return
@@ -134,13 +137,88 @@ def _dead_or_stuck(readings: LoadCellReadings) -> Iterator[Problem]:
                 f"signal_{axis + 1} never changes ({signal[0, axis]:g}); is the bridge connected"
                 " and switched on?",
             )
+    largest = float(np.abs(signal).max())
+    if settings.cell.signal_unit == "mV/V" and not 5e-3 < largest < 100.0:
+        yield Problem(
+            "signal_unit",
+            f"The largest signal is {largest:g} mV/V; a strain-gauge bridge gives about 0.5 to 4."
+            " Write the signals in the unit of the settings.",
+        )
+    yield from _copied(readings)
+    yield from _duplicated(readings)
+
+
+def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
+    """Rows that stand in the table twice, every digit the same.
+
+    Where a coarse display lets readings repeat themselves this cannot be told.
+    """
+    if coarse(readings):
+        return
+    rows: dict[tuple[object, ...], int] = {}
+    twice = []
+    for index in range(len(readings)):
+        key = (
+            readings.series[index],
+            int(readings.step[index]),
+            float(readings.mass[index]),
+            float(readings.angle[index]),
+            *readings.signal[index].tolist(),
+        )
+        if key in rows:
+            twice.append(index)
+        rows[key] = index
+    if twice:
+        more = f" ({len(twice) - 1} more like it)" if len(twice) > 1 else ""
+        yield Problem(
+            "duplicated_rows",
+            f"The reading at {place_of(readings, twice[0])} stands twice in the table{more};"
+            " remove what was pasted twice.",
+        )
+
+
+def coarse(readings: LoadCellReadings) -> bool:
+    """Tell whether the signals come in steps of more than a few hundredths of a newton."""
+    per_newton = np.ptp(readings.signal, axis=0) / (20.0 * max(readings.mass.max(), 1e-9))
+    steps = [np.diff(np.unique(column)) for column in readings.signal.T]
+    return any(len(d) == 0 or d.min() > 0.05 * g for d, g in zip(steps, per_newton, strict=True))
+
+
+def _copied(readings: LoadCellReadings) -> Iterator[Problem]:
+    """Two series with the same digits, where the cell's noise would have changed some."""
     names = list(dict.fromkeys(readings.series))
-    tables = {n: signal[[one == n for one in readings.series]] for n in names}
+    series = np.array(readings.series)
+    members = {name: np.flatnonzero(series == name) for name in names}
+    group = angle_groups(readings.angle)
     for place, name in enumerate(names):
         for other in names[:place]:
-            if len(tables[name]) > 4 and np.array_equal(tables[name], tables[other]):
-                yield Problem(
-                    "copied_series",
-                    f"Series {name} repeats series {other} digit for digit; was it copied instead"
-                    " of taken?",
-                )
+            here, there = members[name], members[other]
+            if len(here) <= 4 or not np.array_equal(readings.signal[here], readings.signal[there]):
+                continue
+            if np.array_equal(group[here], group[there]):
+                rest = ~np.isin(series, (name, other))
+                if _repeating(readings, group, rest) ** len(here) > 1e-3:
+                    continue
+            yield Problem(
+                "copied_series",
+                f"Series {name} repeats series {other} digit for digit; was it copied instead"
+                " of taken?",
+            )
+
+
+def _repeating(
+    readings: LoadCellReadings, group: NDArray[np.int64], chosen: NDArray[np.bool_]
+) -> float:
+    """Return how often two of the chosen readings of one load and angle have the same digits.
+
+    A quiet cell with a coarse display repeats itself; 0 where nothing was taken twice.
+    """
+    same = pairs = 0
+    where: dict[tuple[int, float], list[int]] = {}
+    for index in np.flatnonzero(chosen):
+        where.setdefault((int(group[index]), float(readings.mass[index])), []).append(int(index))
+    for members in where.values():
+        for first, second in combinations(members, 2):
+            pairs += 1
+            same += np.array_equal(readings.signal[first], readings.signal[second])
+    return same / pairs if pairs else 0.0

@@ -84,17 +84,20 @@ class TwoAxisFit:
         return self.covariance[np.ix_(index, index)]
 
     def force_covariance(self, force: Array) -> Array:
-        """Return the covariance (2, 2), N^2, that the fit gives a force (2,) told by the cell.
+        """Return the covariances (n, 2, 2), N^2, that the fit gives told forces (n, 2).
 
         The zero, and its drift, are left to the zero return: they are taken anew with each test.
         """
         p = self.terms.count
-        row = force if self.quadratic is None else np.append(force, _squares(force[None])[0])
-        place = [0, 1] if self.quadratic is None else [0, 1, 3, 4, 5]
+        rows, place = force, [0, 1]
+        if self.quadratic is not None:
+            rows, place = np.hstack((force, _squares(force))), [0, 1, 3, 4, 5]
         index = [axis * p + one for axis in range(2) for one in place]
-        spread = np.kron(np.eye(2), row)
-        signal = spread @ self.covariance[np.ix_(index, index)] @ spread.T
-        return np.asarray(self.matrix @ signal @ self.matrix.T, dtype=np.float64)
+        size = len(place)
+        parts = self.covariance[np.ix_(index, index)].reshape(2, size, 2, size)
+        matrix = self.matrix
+        signal = np.einsum("ni,aibj,nj->nab", rows, parts, rows)
+        return np.asarray(matrix @ signal @ matrix.T, dtype=np.float64)
 
 
 def forces(signal: Array, matrix: Array, zero: Array, quadratic: Array | None = None) -> Array:
@@ -158,27 +161,39 @@ def robust_fit(force: Array, signal: Array, floor: float) -> tuple[TwoAxisFit, f
     ``floor`` (N) is the smallest noise believed in (resolution / sqrt(12)). Quadratic terms are
     used where the loads determine them and half of the readings come nearer by a third.
     """
-    found, scale = _huber(force, signal, floor, Terms())
+    found, scale = huber_fit(force, signal, floor, Terms())
     noise = max(floor, scale)
     curved = Terms(quadratic=True)
     if len(force) <= 2 * curved.count + 4 or not _determined(force, curved):
         return found, noise
-    bent, less = _huber(force, signal, floor, curved)
+    bent, less = huber_fit(force, signal, floor, curved)
     return (bent, max(floor, less)) if less < scale / 1.5 else (found, noise)
 
 
-def _huber(force: Array, signal: Array, floor: float, terms: Terms) -> tuple[TwoAxisFit, float]:
-    """Fit with Huber weights on the residual's length; return the fit and its scale, N."""
-    weights = np.ones(len(force))
+def huber_fit(force: Array, signal: Array, floor: float, terms: Terms) -> tuple[TwoAxisFit, float]:
+    """Fit with Huber weights on the residual's length; return the fit and its scale, N.
+
+    ``floor``: the smallest scale that the weights believe in, N.
+    """
+    rows = design(force, terms)
     found = fit(force, signal, terms)
-    scale = 0.0
+    scale, length = 0.0, np.hypot(*found.residual.T)
+    weights = np.ones(len(force))
     for _ in range(ITERATIONS):
-        length = np.hypot(*found.residual.T)
         scale = float(np.median(length)) / 1.1774
         noise = max(floor, scale)
+        before = weights
         weights = np.minimum(1.0, HUBER * noise / np.maximum(length, 1e-300)) ** 2
         weights = np.maximum(weights, 1e-6)
-        found = fit(force, signal, terms, weights)
+        if np.abs(weights - before).max() < 1e-4:
+            break
+        root = np.sqrt(weights)[:, None]
+        size = np.maximum(np.abs(rows).max(axis=0), 1e-300)
+        solution = np.linalg.lstsq(rows / size * root, signal * root, rcond=None)[0]
+        coefficients = solution / size[:, None]
+        remainder = signal - rows @ coefficients
+        length = np.hypot(*(remainder @ np.linalg.inv(coefficients[:2].T).T).T)
+    found = fit(force, signal, terms, weights)
     return found, scale
 
 

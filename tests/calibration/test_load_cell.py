@@ -10,6 +10,7 @@ import pytest
 
 from calibration.load_cell import calibrate_load_cell
 from calibration.readings import LoadCellReadings
+from calibration.settings import LoadCellSettings
 from calibration.weights import Place
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
@@ -197,6 +198,55 @@ def overload(r: LoadCellReadings) -> LoadCellReadings:
     return changed(r, mass=1.5 * r.mass)
 
 
+def forgotten_hanger(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, mass=np.where(r.mass > 0.0, r.mass - 1.5, 0.0))
+
+
+def zero_jump(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[len(r) // 2 :] += np.array([0.06, 0.0])
+    return changed(r, signal=signal)
+
+
+def pasted_twice(r: LoadCellReadings) -> LoadCellReadings:
+    fine = take(Cell(step=0.0), np.random.default_rng(5))
+    keep = [*range(20), 19, *range(20, len(fine))]
+    series = tuple(fine.series[i] for i in keep)
+    return LoadCellReadings(
+        series, fine.step[keep], fine.mass[keep], fine.angle[keep], fine.signal[keep]
+    )
+
+
+def one_angle(r: LoadCellReadings) -> LoadCellReadings:
+    angle = r.angle.copy()
+    angle[26] += np.radians(5.0)
+    return changed(r, angle=angle)
+
+
+def one_swing(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[26] += np.array([0.07, -0.06])
+    return changed(r, signal=signal)
+
+
+def hardly_connected(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[:, 0] = np.random.default_rng(2).normal(0.0, 1e-5, len(r))
+    return changed(r, signal=signal)
+
+
+def microvolts(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, signal=1000.0 * r.signal)
+
+
+def tenth_of_a_turn(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, angle=r.angle + np.radians(8.0))
+
+
+def newtons(r: LoadCellReadings) -> LoadCellReadings:
+    return changed(r, mass=9.81 * r.mass)
+
+
 MISTAKES: list[tuple[str, Plant]] = [
     ("wrong_weight", wrong_weight),
     ("swapped_steps", swapped_steps),
@@ -218,13 +268,49 @@ MISTAKES: list[tuple[str, Plant]] = [
     ("copied_series", copied),
     ("no_zero", no_zero),
     ("overload", overload),
+    ("overload", newtons),
+    ("hanger_mass", forgotten_hanger),
+    ("zero_jump", zero_jump),
+    ("duplicated_rows", pasted_twice),
+    ("angle_off", one_angle),
+    ("scatter", one_swing),
+    ("bridge_dead", hardly_connected),
+    ("signal_unit", microvolts),
+    ("angle_reference", tenth_of_a_turn),
 ]
 
 
-@pytest.mark.parametrize(("code", "plant"), MISTAKES, ids=[code for code, _ in MISTAKES])
-def test_planted_mistake_is_named(code: str, plant: Plant, rng: np.random.Generator) -> None:
-    found = codes(plant(take(Cell(), rng)))
-    assert code in found
+@pytest.mark.parametrize(("code", "plant"), MISTAKES, ids=[plant.__name__ for _, plant in MISTAKES])
+def test_planted_mistake_is_named_and_nothing_else(
+    code: str, plant: Plant, rng: np.random.Generator
+) -> None:
+    assert codes(plant(take(Cell(), rng))) == {code}
+
+
+def random_good(seed: int) -> tuple[LoadCellReadings, LoadCellSettings]:
+    """Return what an honest laboratory might take: any plan, cell, noise, display and layout."""
+    rng = np.random.default_rng(seed)
+    gain = rng.choice([0.001, 0.0025, 0.005])
+    truth = gain * (np.eye(2) + rng.normal(0.0, 0.015, (2, 2)))
+    cell = Cell(
+        sensitivity=truth,
+        zero=gain * rng.normal(0.0, 5.0, 2),
+        noise=rng.choice([0.05, 0.3, 0.7, 1.0]),
+        step=rng.choice([0.0, 2.0]),
+        hysteresis=rng.uniform(-0.2, 1.2),
+        drift=rng.normal(0.0, 0.5),
+    )
+    angles, steps = int(rng.choice([4, 5, 8, 12])), int(rng.choice([4, 5, 8, 10]))
+    readings = take(cell, rng, angles, steps, float(rng.choice([20.0, 30.0, 40.0])))
+    if rng.random() < 0.3:  # one series for all angles
+        readings = replace(readings, series=("1",) * len(readings))
+    return readings, SETTINGS
+
+
+def test_good_readings_are_never_refused() -> None:
+    for seed in range(60):
+        found = calibrate_load_cell(*random_good(seed))
+        assert found.accepted, (seed, [one.sentence for one in found.problems])
 
 
 @pytest.mark.parametrize(("gravity", "expected"), [(981.0, None), (9.70, None), (9.7803, 9.8123)])
