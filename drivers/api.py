@@ -284,6 +284,8 @@ class DriveRequest:
 
     counts_per_revolution: of the drive's own encoder, after quadrature.
     direction: +1 or -1, the rig's positive sense against the drive's.
+    simulated: the drive runs on this computer, whose load delays host and drive alike. Then the
+    drive's own word says whether its watchdog has fired, not the host's clock.
     """
 
     counts_per_revolution: int
@@ -291,6 +293,7 @@ class DriveRequest:
     maximum_speed_rev_per_s: float
     watchdog_timeout_s: float
     settings: Mapping[str, Any] = field(default_factory=dict)
+    simulated: bool = False
 
 
 @runtime_checkable

@@ -118,7 +118,10 @@ class SerialPort:
         deadline = time.monotonic() + timeout_s
         with self._reading:
             while True:
-                wait = min(_SLICE_S, max(0.0, deadline - time.monotonic()))
+                # The last look is after the time is over: a busy computer may have held this thread
+                # up for longer than the device.
+                left = deadline - time.monotonic()
+                wait = min(_SLICE_S, max(0.0, left))
                 opened = self._usable("reading")
                 try:
                     if self._selectable:
@@ -128,7 +131,7 @@ class SerialPort:
                 except _PORT_ERRORS as error:
                     raise self._lost(error, "reading") from error
                 self.bytes_received += len(data)
-                if data or time.monotonic() >= deadline:
+                if data or left <= 0.0:
                     return data
 
     def write(self, data: bytes) -> None:

@@ -317,6 +317,8 @@ class Cia402Drive:
         silence_s = (time.monotonic_ns() - node.last_beat_ns) * 1e-9
         if self._target is None or silence_s <= setup.watchdog_s:
             return
+        if setup.request.simulated and DriveControl(node).state() is State.ENABLED:
+            return
         self._target = None
         self._trip = (
             f"watchdog: the host was silent for {silence_s:.2f} s and the drive has stopped the "

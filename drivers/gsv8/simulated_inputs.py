@@ -20,7 +20,7 @@ _NOISE_STEPS = {
     InputType.BRIDGE_5V: (2.0e5, 1.2e5, 8.0e4, 2.5e4, 1.0e4, 8.0e3),
 }
 _PEAK_TO_SIGMA = 6.6
-_FAR_OUT = 1e6
+_FAR_OUT, _NO_RANGE = 1e6, 1e300
 
 Codes = NDArray[np.int64]
 
@@ -38,15 +38,16 @@ def noise_sigma(kind: InputType, rate_Hz: float) -> float:
 
 def part_of_range(signal: NDArray[np.float64] | float, kind: InputType) -> NDArray[np.float64]:
     """Return a signal in fractions of an input's range; an open input (infinite) far beyond it."""
-    return np.clip(signal, -_FAR_OUT, _FAR_OUT) / NOMINAL_RANGE.get(kind, np.inf)
+    part = np.asarray(signal / NOMINAL_RANGE.get(kind, _NO_RANGE))
+    return part if np.isfinite(part).all() else np.clip(part, -_FAR_OUT, _FAR_OUT)
 
 
 def open_inputs(signals: Mapping[int, NDArray[np.float64]]) -> int:
     """Return the flags of a value error of kind 3 for the wires that are broken: Ud+, Ud-."""
     flags = 0
     for channel, signal in signals.items():
-        flags |= bool(np.isposinf(signal).any()) << 2 * (channel - 1)
-        flags |= bool(np.isneginf(signal).any()) << 2 * (channel - 1) + 1
+        flags |= bool(signal.max() == np.inf) << 2 * (channel - 1)
+        flags |= bool(signal.min() == -np.inf) << 2 * (channel - 1) + 1
     return flags
 
 

@@ -46,6 +46,7 @@ from drivers.transport import SerialPort, byte_counters
 
 _MAXIMUM_SPEED: Final = 2**31 - 1
 _MAXIMUM_ACCELERATION: Final = 2**32 - 1
+_LOOKS: Final = 3  # a ramp that has just begun shows a set-point of 0
 
 
 class RoboClaw:
@@ -293,9 +294,26 @@ class RoboClaw:
     def _judge_silence(self, link: Link, setup: Setup) -> None:
         """Take note that the watchdog has fired, and make the stop certain."""
         silence_s = (time.monotonic_ns() - link.last_sent_ns) * 1e-9
-        if self._target is not None and silence_s > setup.watchdog_s:
-            self._off(link)
-            self._silence_s = silence_s
+        if self._target is None or silence_s <= setup.watchdog_s:
+            return
+        if setup.request.simulated and self._still_obeys(link, setup, self._target):
+            return
+        self._off(link)
+        self._silence_s = silence_s
+
+    def _still_obeys(self, link: Link, setup: Setup, target: int) -> bool:
+        """Ask the drive whether its set-point is still there; the watchdog would have made it 0."""
+        if target == 0:
+            return True
+        for _ in range(_LOOKS):
+            if setup.combined:
+                status = combined_status_of(link.read(Command.COMBINED_STATUS))
+                found = status.setpoints[self._motor - 1]
+            else:
+                found = link.read(Command.PWM)[self._motor - 1]
+            if found != 0:
+                return True
+        return False
 
     def _silence_words(self) -> str:
         return (

@@ -172,9 +172,10 @@ class Link:
         deadline = time.monotonic() + self._reply_timeout(2 + LONGEST_REPLY)
         while missing := missing_bytes(command, raw, self.generation):
             left = deadline - time.monotonic()
-            if left <= 0:
+            part = self._serial.read_some(missing, max(left, 0.0))
+            if left <= 0 and not part:
                 break
-            raw += self._serial.read_some(missing, left)
+            raw += part
         return raw
 
     def _wait_for_quiet(self) -> None:

@@ -37,6 +37,10 @@ SILENT_SHARE = 0.6
 """A drive that has not answered for this share of its watchdog's time ends the test: before the
 watchdog does, so that the log names the cause and not what follows from it."""
 
+SILENT_SHARE_SIMULATED = 2.0
+"""The same for a simulated drive: a loaded computer delays its answers, and its own watchdog, which
+counts only the time for which it could run, stops the spindle in any case."""
+
 
 class Connection:
     """Open devices with their threads."""
@@ -78,6 +82,7 @@ class Connection:
         self._overrun = False
         self._turning_blind_since: float | None = None
         self._drive_polled_s = 0.0
+        self._unsupervised = False
         silence = timing.silence
         self.reader = Worker(f"read {devices.source.name}", self._read, self._died, silence)
         self.process = Worker("process", self._process, self._died, silence)
@@ -198,7 +203,20 @@ class Connection:
             self._watch_drive()
         do = control.step()
         self.follow(do)
+        self._watch_the_supervisor()
         self.drive.pause(timing.aim if busy else min(0.02, timing.poll))
+
+    def _watch_the_supervisor(self) -> None:
+        """End the test when the thread that looks at all others hangs: nobody else would tell."""
+        supervise = self.supervise
+        if supervise.well or supervise.halting or supervise.error is not None:
+            self._unsupervised = False
+        elif not self._unsupervised:
+            self._unsupervised = True
+            sentence = f"no sign of life for {supervise.silent_for():.1f} s"
+            text = f"The engine's thread {supervise.name!r} gives {sentence}."
+            cause = causes.thread_dead(supervise.name, sentence)
+            self.core.trip(Ending(FinishReason.INTERNAL, text), cause)
 
     def all_well(self) -> bool:
         """Tell whether the drive's watchdog may be fed: threads well and data fresh."""
@@ -214,7 +232,9 @@ class Connection:
             error = control.last_error
             silent = time.monotonic() - control.answered_s
             watchdog_s = self.devices.drive_request.watchdog_timeout_s
-            if isinstance(error, DeviceLost) or silent > SILENT_SHARE * watchdog_s:
+            simulated = core.rig.record.simulation is not None
+            share = SILENT_SHARE_SIMULATED if simulated else SILENT_SHARE
+            if isinstance(error, DeviceLost) or silent > share * watchdog_s:
                 sentence = error.sentence if error is not None else "it does not answer"
                 cause = causes.drive_silent(spindle.name, spindle.port, sentence)
                 text = f"{spindle.name} on {spindle.port}: {sentence}"

@@ -95,6 +95,7 @@ def make_devices(rig: RigFile, ports: Mapping[str, str], load: LoadDriver = load
             maximum_speed_rev_per_s=rig.spindle.maximum_speed_rpm / 60.0,
             watchdog_timeout_s=rig.spindle.watchdog_timeout_s,
             settings=drive_settings,
+            simulated=rig.simulation is not None,
         ),
         drivers={
             name: rig.devices[name].driver,

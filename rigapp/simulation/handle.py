@@ -19,7 +19,7 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 
-ANSWER_S = 5.0
+ANSWER_S = 30.0
 _CLOSE_S = 5.0
 _READ_SIZE = 65536
 

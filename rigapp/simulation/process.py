@@ -138,12 +138,15 @@ def _stop_on_signals(stack: contextlib.ExitStack) -> list[int]:
 
 def _loop(rig: Any, stopping: list[int], *, exit_with_parent: bool) -> None:
     from rigapp.simulation.control import Lines, answer
+    from rigapp.simulation.pacing import OwnTime
 
     lines = Lines()
     stdin = _command_input()
     orphan_until = math.inf
+    own, wait_s = OwnTime(time.monotonic(), time.thread_time()), 0.0
     while not stopping:
-        wait_s = rig.step(time.monotonic())
+        now_s = time.monotonic()
+        wait_s = rig.step(now_s, own.tick(now_s, time.thread_time(), wait_s))
         watched = rig.waitable() + ([stdin] if stdin is not None else [])
         ready, _, _ = select.select(watched, [], [], wait_s)
         if stdin is not None and stdin in ready:

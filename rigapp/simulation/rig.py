@@ -1,6 +1,7 @@
 """The simulated rig: plant, device simulators and wires in one loop, one thread.
 
-A pass takes what the hosts wrote, answers it, and advances the plant by the chunks that are due.
+A pass takes what the hosts wrote, answers it, and advances the plant by the chunks that are due;
+between two chunks the hosts are heard again, so that an answer does not wait for the rest of them.
 Within a chunk the drive's command is constant but for its ramp, so a chunk is short: at most 20 ms
 of wall time and 1/20 revolution. Faster than real time a second chunk waits for the host while it
 reads the first, so that a command takes effect within 1/10 revolution of what the host has seen.
@@ -93,6 +94,7 @@ class RigSimulation:
         self._truth = truth
         self._pace = Pace(speed, now_s)
         self._now = now_s
+        self._device_s = now_s
         self._command = DriveCommand(DriveMode.OFF)
         self._speed_wanted = 0.0
         self._chunk_bytes = 0
@@ -107,9 +109,13 @@ class RigSimulation:
         """Return the descriptors whose readability should end a wait."""
         return [d for wire in self._wires.values() for d in wire.endpoint.waitable()]
 
-    def step(self, now_s: float) -> float:
-        """Do what is due; return for how many seconds nothing else will be."""
+    def step(self, now_s: float, device_s: float | None = None) -> float:
+        """Do what is due; return for how many seconds nothing else will be.
+
+        device_s: the devices' own time (``pacing.OwnTime``), the wall clock's if None.
+        """
         self._now = now_s
+        self._device_s = now_s if device_s is None else device_s
         self._timetable.act(self, now_s, self.plant.time_s, self._revolutions())
         self._connected = self._daq.wire.connected()
         self._drive.wire.connected()
@@ -123,6 +129,7 @@ class RigSimulation:
                 break
             self._advance(steps, chunk_s, now_s)
             self._pace.advanced(chunk_s)
+            self._converse(now_s)
         for wire in self._wires.values():
             wire.flush(now_s)
         return self._wait_s()
@@ -207,17 +214,17 @@ class RigSimulation:
         """Answer the hosts."""
         data = self._daq.wire.receive()
         if data:
-            reply = self._daq.simulator.receive(data, now_s)
+            reply = self._daq.simulator.receive(data, self._device_s)
             self._daq.wire.send(reply, now_s, droppable=False)
         wire, drive = self._drive.wire, self._drive.simulator
         data = wire.receive()
         if data:
-            wire.send(drive.receive(data, now_s), now_s, droppable=False)
-        wire.send(drive.emit(now_s), now_s, droppable=True)
+            wire.send(drive.receive(data, self._device_s), now_s, droppable=False)
+        wire.send(drive.emit(self._device_s), now_s, droppable=True)
 
     def _advance(self, steps: int, chunk_s: float, now_s: float) -> None:
         """Advance the plant by one chunk under the drive's command and send its samples."""
-        command = self._drive.simulator.command(chunk_s, now_s)
+        command = self._drive.simulator.command(chunk_s, self._device_s)
         samples = self.plant.advance(steps, self._act(command))
         self._observe()
         samples = self._disturbances.apply(samples, self.plant.sample_rate_Hz)
@@ -228,10 +235,10 @@ class RigSimulation:
     def _deliver(self, samples: Samples, now_s: float) -> None:
         if samples.shaft_revolutions.size == 0:
             return
-        data = self._daq.simulator.sample(self._inputs.signals(samples), now_s)
+        data = self._daq.simulator.sample(self._inputs.signals(samples), self._device_s)
         self._chunk_bytes = len(data)
         if not self._daq.wire.send(data, now_s, droppable=True):
-            self._daq.simulator.overrun(now_s)
+            self._daq.simulator.overrun(self._device_s)
 
     def _act(self, command: DriveCommand) -> Drive:
         """Turn the drive's command into what acts on the motor during the chunk."""

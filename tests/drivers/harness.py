@@ -23,6 +23,8 @@ from typing import Any
 
 import numpy as np
 
+from rigapp.simulation.pacing import OwnTime
+
 Respond = Callable[[bytes, float], bytes]
 Produce = Callable[[float], bytes]
 
@@ -31,7 +33,10 @@ LINK_BYTES = 1 << 16
 
 
 class Wire:
-    """One simulated device on one pty, or behind a TCP port as ``socket://``."""
+    """One simulated device on one pty, or behind a TCP port as ``socket://``.
+
+    The device lives on its own time: a computer that stands still lets no watchdog fire.
+    """
 
     def __init__(
         self,
@@ -82,11 +87,12 @@ class Wire:
         self._waiting += data
 
     def _run(self) -> None:
+        own = OwnTime(time.monotonic(), time.thread_time())
         try:
             while self._server is not None and self._device < 0 and not self._stopping.is_set():
                 self._accept(self._server)
             while not self._stopping.is_set():
-                self._step()
+                self._step(own.tick(time.monotonic(), time.thread_time(), PERIOD_S))
         except ConnectionError:
             return
         except BaseException as failure:
@@ -98,7 +104,7 @@ class Wire:
             connection.setblocking(False)
             self._device = connection.detach()
 
-    def _step(self) -> None:
+    def _step(self, now_s: float) -> None:
         writers = [self._device] if self._waiting else []
         ready, writable, _ = select.select([self._device], writers, [], PERIOD_S)
         if ready:
@@ -106,13 +112,13 @@ class Wire:
             if not data:
                 raise ConnectionError("the host closed the connection")
             self.received += data
-            self._waiting += self._respond(data, time.monotonic())
+            self._waiting += self._respond(data, now_s)
         if self._produce is not None:
-            self._waiting += self._produce(time.monotonic())
+            self._waiting += self._produce(now_s)
         if len(self._waiting) > LINK_BYTES:
             assert self._overrun is not None, "the host does not read and nobody takes note"
             del self._waiting[: len(self._waiting) - LINK_BYTES]
-            self._overrun(time.monotonic())
+            self._overrun(now_s)
         if writable or self._waiting:
             with contextlib.suppress(BlockingIOError):
                 del self._waiting[: os.write(self._device, self._waiting[:16384])]
@@ -123,12 +129,13 @@ class Clock:
 
     def __init__(self, simulator: Any, signals: Callable[[Any], Any], speed: float = 1.0) -> None:
         self._simulator, self._signals, self._speed = simulator, signals, speed
-        self._last = time.monotonic()
+        self._last: float | None = None
         self._due = 0.0
         self.samples = 0
 
     def __call__(self, now_s: float) -> bytes:
         """Return the bytes of the samples that came due since the last call."""
+        self._last = now_s if self._last is None else self._last
         self._due += (now_s - self._last) * self._speed * self._simulator.sample_rate_Hz
         self._last = now_s
         count = int(self._due)

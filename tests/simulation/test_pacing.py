@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, Pace
+from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, LONGEST_PASS_S, OwnTime, Pace
 
 
 def run(pace: Pace, wall_s: float, *, taken: bool, chunk_s: float = 0.01) -> float:
@@ -73,3 +73,23 @@ def test_wait_is_until_the_next_chunk() -> None:
     fast.tick(0.0)
     assert fast.wait_s(0.01, may_be_taken=True) == 0.0
     assert fast.wait_s(0.01, may_be_taken=False) == pytest.approx(0.01)
+
+
+def test_own_time_is_the_wall_clock_where_nothing_else_runs() -> None:
+    own, wall, ran = OwnTime(100.0, 3.0), 100.0, 3.0
+    for _ in range(1000):
+        wall, ran = wall + 0.0106, ran + 0.0005  # woken 0.1 ms late
+        assert own.tick(wall, ran, 0.010) == pytest.approx(wall)
+
+
+def test_own_time_leaves_out_what_the_process_stood_in_line() -> None:
+    own = OwnTime(0.0, 0.0)
+    assert own.tick(1.0, 0.002, 0.010) == pytest.approx(0.013)
+    before = own.time_s
+    # A computer that stood still may book the time on whoever ran.
+    assert own.tick(3.0, 2.0, 0.0) == pytest.approx(before + LONGEST_PASS_S)
+    assert own.tick(2.9, 2.0, 0.0) == pytest.approx(before + LONGEST_PASS_S), "never back"
+    busy = OwnTime(0.0, 0.0)
+    for step in range(1, 501):  # a fifth of a processor
+        busy.tick(step * 0.02, step * 0.004, 0.0)
+    assert busy.time_s == pytest.approx(2.5)

@@ -93,11 +93,13 @@ def connect() -> Iterator[Callable[..., Cia402Drive]]:
     """Open and configure a driver on a rig: ``connect(rig, watchdog_s=1.0, node_id=1)``."""
     opened: list[Cia402Drive] = []
 
-    def make(rig: Rig, *, watchdog_s: float = 2.0, **settings: Any) -> Cia402Drive:
+    def make(
+        rig: Rig, *, watchdog_s: float = 2.0, simulated: bool = True, **settings: Any
+    ) -> Cia402Drive:
         driver = Cia402Drive("drive", rig.port, {"sleep_after_open_s": 0.0, **settings})
         opened.append(driver)
         driver.open()
-        driver.configure(drive_request(watchdog_s))
+        driver.configure(drive_request(watchdog_s, simulated=simulated))
         return driver
 
     yield make
@@ -106,10 +108,10 @@ def connect() -> Iterator[Callable[..., Cia402Drive]]:
 
 
 def drive_request(
-    watchdog_s: float = 2.0, direction: int = 1, counts: int = COUNTS
+    watchdog_s: float = 2.0, direction: int = 1, counts: int = COUNTS, *, simulated: bool = True
 ) -> DriveRequest:
     """Return a request for at most 12 rev/s."""
-    return DriveRequest(counts, direction, 12.0, watchdog_s)
+    return DriveRequest(counts, direction, 12.0, watchdog_s, simulated=simulated)
 
 
 @pytest.fixture

@@ -333,11 +333,12 @@ def test_close_leaves_the_drive_without_power_and_without_an_error(
 # --- supervision ----------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("simulated", [False, True])
 def test_a_silent_host_makes_the_drive_stop_quickly_and_is_told_so(
-    drive_rig: Any, connect: Any, wait_until: Any
+    drive_rig: Any, connect: Any, wait_until: Any, simulated: bool
 ) -> None:
     rig = drive_rig()
-    drive = connect(rig, watchdog_s=0.3)
+    drive = connect(rig, watchdog_s=0.3, simulated=simulated)
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.speed_rpm == 60, "the speed")
     wait_until(lambda: rig.simulator.node.objects.number(0x603F) == 0x8130, "error 8130")
@@ -354,6 +355,20 @@ def test_a_silent_host_makes_the_drive_stop_quickly_and_is_told_so(
     assert not drive.status().faults
     drive.set_speed(0.5, 1000.0)
     wait_until(lambda: rig.speed_rpm == 30, "the next start")
+
+
+@pytest.mark.parametrize("simulated", [False, True])
+def test_a_host_that_was_held_up_is_believed_only_by_a_simulated_drive(
+    drive_rig: Any, connect: Any, wait_until: Any, monkeypatch: pytest.MonkeyPatch, simulated: bool
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=5.0, simulated=simulated)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.speed_rpm == 60, "the speed")
+    monkeypatch.setattr(drive._node, "last_beat_ns", time.monotonic_ns() - 9 * 10**9)
+    faults = drive.status().faults
+    assert any(fault.startswith("watchdog") for fault in faults) is not simulated
+    assert rig.speed_rpm == 60 or not simulated
 
 
 def test_a_new_speed_after_a_silence_is_refused_although_no_status_was_read(

@@ -30,6 +30,7 @@ from drivers.api import (
 from drivers.registry import check_settings, load_simulator
 from rigapp.simulation.endpoints import PtyEndpoint
 from rigapp.simulation.link import Wire, WireFault
+from rigapp.simulation.pacing import OwnTime
 
 PERIOD = 480
 """Samples of a revolution; the first analog input says which of them a sample is."""
@@ -89,10 +90,11 @@ class Port:
             raise self.failure
 
     def _run(self) -> None:
+        own = OwnTime(time.monotonic(), time.thread_time())
         try:
             while not self._stopping.is_set():
                 with self._lock:
-                    self._step(time.monotonic())
+                    self._step(own.tick(time.monotonic(), time.thread_time(), STEP_S))
                     waitable = self.wire.endpoint.waitable()
                 select.select(waitable, [], [], STEP_S)
         except BaseException as failure:
@@ -123,12 +125,13 @@ class Feed:
             for name, (kind, span) in inputs.items()
             if kind != "counter"
         }
-        self._last = time.monotonic()
+        self._last: float | None = None
         self._due = 0.0
         self.samples = 0
 
     def __call__(self, now_s: float) -> bytes:
         """Return the bytes of the samples that came due."""
+        self._last = now_s if self._last is None else self._last
         self._due += (now_s - self._last) * self._simulator.sample_rate_Hz
         self._last = now_s
         count = int(self._due)
@@ -277,7 +280,8 @@ class SpindleBench:
         identity = self.driver.open()
         assert identity.maker
         assert identity.port == self.port.url
-        readback = self.driver.configure(DriveRequest(COUNTS, 1, 12.0, watchdog_s, self.settings))
+        request = DriveRequest(COUNTS, 1, 12.0, watchdog_s, self.settings, simulated=True)
+        readback = self.driver.configure(request)
         assert 0.0 < float(readback["watchdog_timeout_s"]) <= watchdog_s
 
     def turn(self, speed: float = 2.0) -> None:

@@ -82,11 +82,13 @@ def connect() -> Iterator[Callable[..., RoboClaw]]:
     """Open and configure a driver on a rig: ``connect(rig, watchdog_s=0.5, motor=1)``."""
     opened: list[RoboClaw] = []
 
-    def make(rig: Rig, *, watchdog_s: float = 0.5, **settings: Any) -> RoboClaw:
+    def make(
+        rig: Rig, *, watchdog_s: float = 0.5, simulated: bool = True, **settings: Any
+    ) -> RoboClaw:
         driver = RoboClaw("drive", rig.port, settings)
         opened.append(driver)
         driver.open()
-        driver.configure(drive_request(watchdog_s))
+        driver.configure(drive_request(watchdog_s, simulated=simulated))
         return driver
 
     yield make
@@ -94,9 +96,11 @@ def connect() -> Iterator[Callable[..., RoboClaw]]:
         driver.close()
 
 
-def drive_request(watchdog_s: float = 0.5, direction: int = 1) -> DriveRequest:
+def drive_request(
+    watchdog_s: float = 0.5, direction: int = 1, *, simulated: bool = True
+) -> DriveRequest:
     """Return a request for 3600 counts a revolution and at most 12 rev/s."""
-    return DriveRequest(COUNTS, direction, 12.0, watchdog_s)
+    return DriveRequest(COUNTS, direction, 12.0, watchdog_s, simulated=simulated)
 
 
 @pytest.fixture

@@ -286,11 +286,13 @@ def test_close_switches_the_motor_off(drive_rig: Any, connect: Any, wait_until: 
 # --- watchdog -------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("simulated", [False, True])
+@pytest.mark.parametrize("firmware", [NEWER, OLDER])
 def test_a_silent_host_stops_the_spindle_and_is_told_so(
-    drive_rig: Any, connect: Any, wait_until: Any
+    drive_rig: Any, connect: Any, wait_until: Any, simulated: bool, firmware: str
 ) -> None:
-    rig = drive_rig()
-    drive = connect(rig, watchdog_s=0.3, **PATIENT)
+    rig = drive_rig(firmware=firmware)
+    drive = connect(rig, watchdog_s=0.3, simulated=simulated, **PATIENT)
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
     wait_until(lambda: rig.simulator.watchdog_tripped, "the drive's watchdog")
@@ -304,6 +306,20 @@ def test_a_silent_host_stops_the_spindle_and_is_told_so(
     drive.set_speed(0.5, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 1800, "a new command")
     assert not drive.status().faults
+
+
+@pytest.mark.parametrize("simulated", [False, True])
+def test_a_host_that_was_held_up_is_believed_only_by_a_simulated_drive(
+    drive_rig: Any, connect: Any, wait_until: Any, monkeypatch: pytest.MonkeyPatch, simulated: bool
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=5.0, simulated=simulated, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
+    monkeypatch.setattr(drive._connection, "last_sent_ns", time.monotonic_ns() - 9 * 10**9)
+    faults = drive.status().faults
+    assert [fault.startswith("watchdog") for fault in faults] == ([] if simulated else [True])
+    assert rig.last.speed_count_per_s == (3600 if simulated else 0)
 
 
 def test_a_new_speed_after_a_silence_is_refused_although_no_status_was_read(

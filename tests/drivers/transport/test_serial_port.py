@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import select
 import socket
 import threading
 import time
@@ -10,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from drivers import transport
 from drivers.api import ConnectionFailed, DeviceLost
 from drivers.transport import BytePort, SerialPort
 
@@ -83,6 +85,26 @@ def test_nothing_comes_in_time(wire: Any) -> None:
     port.open()
     assert port.read_some(100, 0.01) == b""
     assert port.read_some(100, 0.0) == b""
+    port.close()
+
+
+def test_what_came_while_the_computer_held_the_reader_up_is_found(
+    wire: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    device = wire(_silent)
+    port = SerialPort("daq", device.port, 115200)
+    port.open()
+    real = transport._read_selectable
+
+    def held_up(opened: Any, maximum: int, wait_s: float) -> bytes:
+        data = real(opened, maximum, 0.0)
+        if wait_s:  # found nothing, and was then held up for longer than its time-out
+            device.send(b"late")
+            assert select.select([opened.fileno()], [], [], 60.0)[0]
+        return data
+
+    monkeypatch.setattr(transport, "_read_selectable", held_up)
+    assert port.read_some(100, 0.001) == b"late"
     port.close()
 
 
