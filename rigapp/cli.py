@@ -154,11 +154,15 @@ def export(
     file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
     to: Annotated[Path, typer.Option("--to", help="FILE.csv or FILE.parquet")],
     cycles: Annotated[bool, typer.Option("--cycles", help="Saved cycles, not statistics.")] = False,
+    points: Annotated[
+        int | None,
+        typer.Option("--points", help="With --cycles: put each on so many even crank angles."),
+    ] = None,
 ) -> None:
     """Write statistics or saved cycles as CSV or Parquet."""
     from rigapp.commands.files import export_file
 
-    raise typer.Exit(export_file(file, to, cycles=cycles))
+    raise typer.Exit(export_file(file, to, cycles=cycles, points=points))
 
 
 @app.command()

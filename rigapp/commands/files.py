@@ -25,11 +25,13 @@ def print_info(path: Path, *, as_json: bool) -> int:
     return 0
 
 
-def export_file(path: Path, target: Path, *, cycles: bool) -> int:
+def export_file(path: Path, target: Path, *, cycles: bool, points: int | None = None) -> int:
     """Write a table of a test file and say how much was written; return the exit status."""
     with _progress() as progress:
-        rows = export_test(path, target, cycles=cycles, progress=progress)
+        rows = export_test(path, target, cycles=cycles, progress=progress, points=points)
     what = "samples" if cycles else "revolutions"
+    if points is not None:
+        what = f"{points} crank angles a cycle"
     print(f"{target}: {rows} rows ({what}).")
     return 0
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -12,13 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
+from rigapp.engine.columns import CHANNELS
 from rigapp.storage.create import move_into_place
 from rigapp.storage.metadata import unit_suffix
-from rigapp.storage.reader import TestReader, open_test
+from rigapp.storage.reader import StoredCycle, TestReader, open_test
 
 ROWS_AT_A_TIME = 65536
 SAMPLES_AT_A_TIME = 1 << 18
 FORMATS = (".csv", ".parquet")
+FEWEST_POINTS = 8
 
 Table = dict[str, NDArray[Any]]
 Progress = Callable[[int, int], None]
@@ -35,8 +38,12 @@ def export_test(
     target: str | os.PathLike[str],
     cycles: bool = False,
     progress: Progress | None = None,
+    points: int | None = None,
 ) -> int:
     """Write a test's statistics, or its saved cycles, to a .csv or .parquet file; return its rows.
+
+    points: puts the cycles on so many crank angles each, by linear interpolation, without time and
+    raw signals.
 
     Columns are named as in the file with the unit at the end (``force_max_N``, ``time_s``); a cycle
     row begins with its revolution. Parquet fields carry ``units`` and ``long_name`` as well.
@@ -45,15 +52,21 @@ def export_test(
     """
     goal = Path(target)
     _refuse_target(goal)
+    if points is not None and not (cycles and points >= FEWEST_POINTS):
+        raise UnusableInput(
+            f"--points {points}: give {FEWEST_POINTS} or more, for whole cycles (--cycles)"
+        )
     with open_test(path) as reader:
-        pieces, total = _cycle_pieces(reader) if cycles else _row_pieces(reader)
-        schema = _schema(reader, cycles)
+        pieces, total = _cycle_pieces(reader, points) if cycles else _row_pieces(reader)
+        schema = _schema(reader, cycles, on_grid=points is not None)
         hidden = goal.parent / f".{goal.name}.part-{os.getpid()}"
         with _finished_file(hidden, goal):
             return _write(hidden, goal.suffix.lower(), schema, pieces, total, progress)
 
 
-def export_columns(reader: TestReader, cycles: bool) -> dict[str, tuple[str, str, str]]:
+def export_columns(
+    reader: TestReader, cycles: bool, on_grid: bool = False
+) -> dict[str, tuple[str, str, str]]:
     """Return the exported columns by name: column in the file, unit, description."""
     if not cycles:
         columns = reader.plan.revolution_columns
@@ -62,6 +75,8 @@ def export_columns(reader: TestReader, cycles: bool) -> dict[str, tuple[str, str
         }
     found = {"revolution": ("revolution", "1", "number of the revolution")}
     for one in reader.plan.cycle_columns:
+        if on_grid and one.name not in ("angle", *CHANNELS):
+            continue
         found[_named(one.name, one.unit)] = (one.name, one.unit, one.description)
     return found
 
@@ -83,13 +98,18 @@ def _row_pieces(reader: TestReader) -> tuple[Iterator[Table], int]:
     return pieces(), total
 
 
-def _cycle_pieces(reader: TestReader) -> tuple[Iterator[Table], int]:
+def _cycle_pieces(reader: TestReader, points: int | None) -> tuple[Iterator[Table], int]:
     total = reader.committed("samples")
+    types = {one.name: one.dtype for one in reader.plan.cycle_columns}
+    if points is not None:
+        total = points * reader.committed("cycles")
 
     def pieces() -> Iterator[Table]:
         waiting: list[Table] = []
         size = 0
         for stored in reader.cycles():
+            if points is not None:
+                stored = _on_grid(stored, points, types)
             count = len(next(iter(stored.columns.values())))
             waiting.append({"revolution": np.full(count, stored.revolution), **stored.columns})
             size += count
@@ -102,11 +122,16 @@ def _cycle_pieces(reader: TestReader) -> tuple[Iterator[Table], int]:
     return pieces(), total
 
 
+def _on_grid(stored: StoredCycle, points: int, types: Mapping[str, str]) -> StoredCycle:
+    even = stored.resampled(points).columns
+    return replace(stored, columns={name: one.astype(types[name]) for name, one in even.items()})
+
+
 def _joined(tables: list[Table]) -> Table:
     return {name: np.concatenate([one[name] for one in tables]) for name in tables[0]}
 
 
-def _schema(reader: TestReader, cycles: bool) -> Any:
+def _schema(reader: TestReader, cycles: bool, on_grid: bool) -> Any:
     import pyarrow
 
     columns = reader.plan.cycle_columns if cycles else reader.plan.revolution_columns
@@ -117,7 +142,7 @@ def _schema(reader: TestReader, cycles: bool) -> Any:
             pyarrow.from_numpy_dtype(np.dtype(types[source])),
             metadata={"units": unit, "long_name": description},
         )
-        for name, (source, unit, description) in export_columns(reader, cycles).items()
+        for name, (source, unit, description) in export_columns(reader, cycles, on_grid).items()
     ]
     about = {name: str(value) for name, value in reader.metadata().items()}
     return pyarrow.schema(fields, metadata=about)

@@ -6,7 +6,7 @@ import contextlib
 import os
 import zlib
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +38,7 @@ from rigapp.storage.layout import (
     streams_of,
 )
 from rigapp.storage.locks import writer_is_alive
+from rigapp.storage.resample import Method, resample_channels
 
 Columns = dict[str, NDArray[Any]]
 
@@ -54,6 +55,13 @@ class StoredCycle:
     columns: Columns
     why: str = "scheduled"
     quality: int = 0
+
+    def resampled(self, points: int = 360, method: Method = "linear") -> StoredCycle:
+        """Return this cycle on a uniform grid of crank angles, without time and raw signals.
+
+        method: linear or band-limited, see ``rigapp.storage.resample``. Raises ValueError.
+        """
+        return replace(self, columns=dict(resample_channels(self.columns, points, method)))
 
 
 def open_test(path: str | os.PathLike[str]) -> TestReader:
