@@ -80,7 +80,6 @@ class MeasuredValues:
         device.note_fault(_SENSOR_BROKEN, wires, now_s)
         self._codes = codes
         if device.state.injection == 1:
-            self._codes = np.full_like(codes, p.HALF_SCALE_CODE)
             over[:] = False
         return over
 
@@ -95,18 +94,18 @@ class MeasuredValues:
         self._converted_as = list(kinds)
         codes = codes_of(inputs)
         self._device.state.raw = codes[:, 0].tolist()
-        if self._device.state.injection != 1:
-            self._codes = codes
+        self._codes = codes
 
     def one_frame(self) -> bytes:
-        """Return the frame of the last sample."""
-        values = self._values(self._codes[:, -1:], self._counts[:, -1:])
-        return encode_frames(values, self._layout(), self._over(self._codes[:, -1:])).tobytes()
+        """Return the frame of the last sample, or of the test value when that is fed in by now."""
+        codes = self._fed(self._codes[:, -1:])
+        values = self._values(codes, self._counts[:, -1:])
+        return encode_frames(values, self._layout(), self._over(codes)).tobytes()
 
     def frames(self, saturated: NDArray[np.bool_], time_s: float) -> bytes:
         """Return the bytes of the samples that were converted last."""
         layout = self._layout()
-        values: NDArray[Any] = self._values(self._codes, self._counts)
+        values: NDArray[Any] = self._values(self._fed(self._codes), self._counts)
         extra = self._plan.active(FaultKind.WRONG_OBJECT_COUNT, time_s, 1.0)
         if extra is not None:
             more = np.zeros((int(extra), values.shape[1]), dtype=values.dtype)
@@ -116,6 +115,11 @@ class MeasuredValues:
         if sequences > 1:
             values, saturated = self._whole_frames(values, saturated, sequences)
         return self._damaged(encode_frames(values, layout, saturated, sequences), time_s)
+
+    def _fed(self, codes: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Return what the converter gives: the inputs, or the test value in their place."""
+        injected = self._device.state.injection == 1
+        return np.full_like(codes, p.HALF_SCALE_CODE) if injected else codes
 
     def _count(self, shaft: NDArray[np.float64], time_s: float) -> None:
         plan, settings = self._plan, self._device.settings

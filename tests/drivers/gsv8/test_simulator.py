@@ -433,6 +433,21 @@ def test_false_and_missing_index_and_stuck_counter() -> None:
 # --- faults -----------------------------------------------------------------------------------
 
 
+def test_the_test_value_is_there_at_once_and_goes_at_once() -> None:
+    simulator = Gsv8Simulator()
+    _ask(simulator, Command.STOP_TRANSMISSION)
+    simulator.sample(_signals(3, 0.25), 0.0)
+
+    def shown() -> float:
+        return float(_rows(_ask(simulator, Command.GET_VALUE), FrameLayout(8))[0, 0])
+
+    assert shown() == pytest.approx(0.25, abs=1e-6)
+    _ask(simulator, Command.SET_INJECTION, u8(1))
+    assert shown() == pytest.approx(1.75, abs=1e-6), "no sample came since"
+    _ask(simulator, Command.SET_INJECTION, u8(0))
+    assert shown() == pytest.approx(0.25, abs=1e-6)
+
+
 def test_an_open_input_floats_to_one_side_and_is_named() -> None:
     simulator = Gsv8Simulator()
     signals = {1: np.full(3, np.inf), 2: np.full(3, -np.inf)}
