@@ -61,11 +61,18 @@ class _Entry:
 class AlarmBook:
     """Keep the alarm list; any thread may call it.
 
-    clock: UTC seconds. on_change: told outside the lock, in the caller's thread.
+    clock: UTC seconds. on_change: told outside the lock, in the caller's thread. elapsed: seconds
+    that no change of the computer's clock shortens or lengthens, for shelving.
     """
 
-    def __init__(self, clock: Callable[[], float], on_change: Changed) -> None:
+    def __init__(
+        self,
+        clock: Callable[[], float],
+        on_change: Changed,
+        elapsed: Callable[[], float] | None = None,
+    ) -> None:
         self._clock = clock
+        self._elapsed = elapsed or clock
         self._on_change = on_change
         self._entries: dict[str, _Entry] = {}
         self._lock = threading.Lock()
@@ -74,7 +81,7 @@ class AlarmBook:
 
     def raise_alarm(self, cause: Cause, revolution: int = 0) -> bool:
         """Raise an alarm, or renew its words when it is active already; True when it is new."""
-        now = self._clock()
+        now = self._elapsed()
         with self._lock:
             entry = self._entries.get(cause.key)
             if entry is not None and entry.active:
@@ -82,7 +89,7 @@ class AlarmBook:
                 return False
             first = cause.severity is Severity.CRITICAL and not self._first_out_given
             self._first_out_given |= first
-            fresh = _Entry(cause, now, revolution, first)
+            fresh = _Entry(cause, self._clock(), revolution, first)
             if entry is not None:
                 fresh.first_out |= entry.first_out
                 fresh.shelved_until = entry.shelved_until
@@ -93,7 +100,7 @@ class AlarmBook:
 
     def clear(self, key: str) -> None:
         """Take note that the condition of an alarm has gone."""
-        now = self._clock()
+        now = self._elapsed()
         with self._lock:
             entry = self._entries.get(key)
             if entry is None or not entry.active:
@@ -106,7 +113,7 @@ class AlarmBook:
 
     def acknowledge(self, key: str, operator: str) -> Alarm:
         """Acknowledge an alarm; raise Refused when there is none of that key."""
-        now = self._clock()
+        now = self._elapsed()
         with self._lock:
             entry = self._find(key)
             entry.acknowledged = True
@@ -125,7 +132,7 @@ class AlarmBook:
                 f"an alarm can be shelved for at most {LONGEST_SHELF_S / 3600:g} h, "
                 f"not {seconds / 3600:g} h"
             )
-        now = self._clock()
+        now = self._elapsed()
         with self._lock:
             entry = self._find(key)
             entry.shelved_until = now + seconds
@@ -138,7 +145,7 @@ class AlarmBook:
         """Show alarms again whose shelving is over; to be called now and then."""
         if not self._shelved:
             return
-        now = self._clock()
+        now = self._elapsed()
         with self._lock:
             over = [
                 (key, entry)
@@ -157,7 +164,7 @@ class AlarmBook:
     def reset(self, operator: str) -> None:
         """Take latched and returned alarms off the list; raise Refused while one is active
         or not acknowledged."""
-        now = self._clock()
+        now = self._elapsed()
         with self._lock:
             for entry in self._entries.values():
                 if entry.cause.severity is not Severity.CRITICAL:
@@ -174,7 +181,7 @@ class AlarmBook:
 
     def blocking(self) -> Alarm | None:
         """Return a critical alarm that forbids a start, or None."""
-        now = self._clock()
+        now = self._elapsed()
         with self._lock:
             for entry in self._entries.values():
                 if entry.cause.severity is Severity.CRITICAL:
@@ -189,7 +196,7 @@ class AlarmBook:
 
     def alarms(self) -> tuple[Alarm, ...]:
         """Return the list: critical first, then the oldest first."""
-        now = self._clock()
+        now = self._elapsed()
         with self._lock:
             found = [entry.alarm(now) for entry in self._entries.values()]
         return tuple(

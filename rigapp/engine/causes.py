@@ -266,6 +266,28 @@ def storage_failed(sentence: str) -> Cause:
     )
 
 
+def disk_slow(seconds: float) -> Cause:
+    """The disk takes long over a commit."""
+    return _warning(
+        "disk_slow",
+        "Disk slow",
+        f"The disk takes {seconds:.1f} s or longer to make the data safe.",
+        "The test goes on, its data wait in memory; after 20 s it would be stopped.",
+        "Stop other programs that write to this disk; look at its health and its network.",
+    )
+
+
+def service_failed(sentence: str) -> Cause:
+    """Windows cannot be served any more."""
+    return _warning(
+        "service",
+        "Windows cannot be served",
+        sentence,
+        "The test goes on and is recorded; windows may show nothing and cannot command it.",
+        "Stop the test where it was started (Ctrl-C), or by the emergency stop.",
+    )
+
+
 def will_not_stop(sentence: str) -> Cause:
     """The spindle could not be shown to stand."""
     return _critical(

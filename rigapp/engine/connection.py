@@ -209,7 +209,8 @@ class Connection:
     def _watch_the_supervisor(self) -> None:
         """End the test when the thread that looks at all others hangs: nobody else would tell."""
         supervise = self.supervise
-        if supervise.well or supervise.halting or supervise.error is not None:
+        hangs = supervise.silent_for() > supervise.silence_s
+        if not hangs or supervise.halting or supervise.error is not None:
             self._unsupervised = False
         elif not self._unsupervised:
             self._unsupervised = True

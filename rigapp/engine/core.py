@@ -32,6 +32,12 @@ from rigapp.engine.run import ACTIVE, Ending, Refused, Trigger, allowed, transit
 from rigapp.engine.testrun import TestRun
 from rigapp.engine.timing import Timing
 
+SLOW_DISK_S = 2.0
+"""A commit that takes longer is told; it takes some milliseconds on a sound disk."""
+
+CALM_COMMITS = 20
+"""Quick commits in a row after which a disk counts as sound again."""
+
 OVER_WITH_THE_TEST = frozenset(
     {
         "overspeed",
@@ -46,6 +52,7 @@ OVER_WITH_THE_TEST = frozenset(
         "speed_lost",
         "moved_in_pause",
         "storage",
+        "disk_slow",
         "cycles_refused",
     }
 )
@@ -99,12 +106,14 @@ class Core:
     def __init__(self, rig: Document[RigFile], timing: Timing) -> None:
         self.rig = rig
         self.timing = timing
-        self.alarms = AlarmBook(time.time, self._alarm_changed)
+        self.alarms = AlarmBook(time.time, self._alarm_changed, time.monotonic)
         self.publisher = Publisher(len(revolution_columns()), len(prediction_columns()))
         self.session: Session | None = None
         self.control: SpindleControl | None = None
         self.anchor = (time.monotonic_ns(), time.time())
         self._no_limits = LimitsSection()
+        self._quick_commits = 0
+        self.committing_since = 0.0
         self._state = RunState.IDLE
         self._reason = ""
         self._changed = threading.Condition()
@@ -271,12 +280,16 @@ class Core:
         session = self.session
         if session is None or session.finished:
             return
+        self.committing_since = time.monotonic()
         try:
             safe = session.recorder.commit()
         except Exception as error:
             if not session.finished:
                 self.storage_failed(error)
             return
+        finally:
+            took, self.committing_since = time.monotonic() - self.committing_since, 0.0
+        self._look_at_disk(took)
         if safe != session.committed:
             session.committed = safe
             self.publisher.notice(Committed(safe))
@@ -294,6 +307,20 @@ class Core:
                 "room lasts",
             )
         session.triggers_refused = triggers
+
+    def disk_slow(self, seconds: float) -> None:
+        """Warn of a disk that takes long over a commit."""
+        self._quick_commits = 0
+        self.warn(causes.disk_slow(seconds))
+
+    def _look_at_disk(self, took: float) -> None:
+        if took > SLOW_DISK_S:
+            self.disk_slow(took)
+            self.event("disk", "engine", f"the disk took {took:.1f} s over a commit")
+            return
+        self._quick_commits += 1
+        if self._quick_commits == CALM_COMMITS:
+            self.alarms.clear("disk_slow")
 
     @property
     def finish_due(self) -> bool:

@@ -331,6 +331,10 @@ class Engine:
         """Write an event to the log of the test, with what was before and after it."""
         self._core.event(kind, who, text, before, after)
 
+    def service_failed(self, sentence: str) -> None:
+        """Warn that viewers cannot be served."""
+        self._core.warn(causes.service_failed(sentence))
+
     def set_limit(self, name: str, value: float, operator: str = "", reason: str = "") -> None:
         """Change a limit of the test under way; the change is logged with before and after.
 

@@ -9,7 +9,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from rigapp.engine import causes
-from rigapp.engine.core import Core
+from rigapp.engine.core import SLOW_DISK_S, Core
 from rigapp.engine.messages import FinishReason, RunState
 from rigapp.engine.run import ACTIVE, Ending
 from rigapp.engine.watches import Watches
@@ -49,6 +49,7 @@ class Supervisor:
         self._look_at_start()
         self._look_at_stop()
         self._look_at_clock()
+        self._look_at_disk()
         self._core.alarms.look()
         self._rest()
 
@@ -153,6 +154,13 @@ class Supervisor:
             if session is None or session.stood:
                 return
             connection.supervise.pause(0.02)
+
+    def _look_at_disk(self) -> None:
+        """Tell of a commit that takes long while it does."""
+        core, since = self._core, self._core.committing_since
+        waited = time.monotonic() - since if since else 0.0
+        if waited > SLOW_DISK_S and not core.alarms.is_active("disk_slow"):
+            core.disk_slow(waited)
 
     def _look_at_clock(self) -> None:
         now = time.monotonic()

@@ -139,12 +139,27 @@ class EngineHost:
     def _listen(self, bind: Bind | None) -> Server:
         folder = runtime_folder()
         if bind is None:
-            return Server(self.handle, self.snapshot, *local_endpoints(folder, os.getpid()))
+            return self._server_at(*local_endpoints(folder, os.getpid()), None)
         if bind.curve:
             require_viewers(folder, bind)
             authorise_own_viewer(folder)
         keys = folder if bind.curve else None
-        return Server(self.handle, self.snapshot, *bind.endpoints(), keys)
+        return self._server_at(*bind.endpoints(), keys)
+
+    def _server_at(self, commands: str, stream: str, keys: Path | None) -> Server:
+        return Server(
+            self.handle,
+            self.snapshot,
+            commands,
+            stream,
+            keys,
+            on_failure=self.engine.service_failed,
+            on_viewers=self._note_viewers,
+        )
+
+    def _note_viewers(self, watched: bool) -> None:
+        text = "a window looks on" if watched else "the last window has gone"
+        self.engine.log("viewer", text, "engine")
 
     # --- tests -----------------------------------------------------------------------------------
 

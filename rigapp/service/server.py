@@ -50,13 +50,20 @@ class Server:
         commands: str,
         stream: str,
         keys: Path | None = None,
+        on_failure: Callable[[str], None] = lambda sentence: None,
+        on_viewers: Callable[[bool], None] = lambda watched: None,
     ) -> None:
         """Bind at once, so that the addresses are known; ``start`` begins to serve.
 
+        on_failure: told in the serving thread that viewers get no snapshots, or nothing at all.
+        on_viewers: told when the first viewer comes and when the last one has gone.
         keys: the runtime folder with the keys, when viewers must show theirs. Raises UnusableInput
         when an address cannot be had.
         """
         self._handler = handler
+        self._on_failure = on_failure
+        self._on_viewers = on_viewers
+        self._told = False
         self._snapshots = snapshots
         self._context = zmq.Context()
         self._guard = Guard(self._context, keys) if keys is not None else None
@@ -126,7 +133,7 @@ class Server:
                 if self._router in ready:
                     self._accept()
                 if self._publisher in ready:
-                    self.watched = self._publisher.recv()[:1] == b"\x01"
+                    self._look_who_watches(self._publisher.recv()[:1] == b"\x01")
                 self._send_replies()
                 if clock.due():
                     self._publish()
@@ -134,7 +141,13 @@ class Server:
             self._send_replies()
         except BaseException as error:
             self.failure = error
+            self._on_failure(f"The part that serves windows has died: {_named(error)}")
             raise
+
+    def _look_who_watches(self, watched: bool) -> None:
+        if watched != self.watched:
+            self.watched = watched
+            self._on_viewers(watched)
 
     def _accept(self) -> None:
         frames = self._router.recv_multipart()
@@ -180,7 +193,18 @@ class Server:
         self._router.send_multipart([sender, b"", msgspec.msgpack.encode(reply)])
 
     def _publish(self) -> None:
-        self._publisher.send(msgspec.msgpack.encode(self._snapshots()), zmq.NOBLOCK)
+        try:
+            body = msgspec.msgpack.encode(self._snapshots())
+        except Exception as error:
+            if not self._told:
+                self._told = True
+                self._on_failure(f"No snapshot could be made for windows: {_named(error)}")
+            return
+        self._publisher.send(body, zmq.NOBLOCK)
+
+
+def _named(error: BaseException) -> str:
+    return f"{type(error).__name__}: {error}"
 
 
 class _Period:

@@ -225,7 +225,7 @@ def test_a_dead_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
     back_to_work(rig)
 
 
-@pytest.mark.parametrize("name", ["process", "drive"])
+@pytest.mark.parametrize("name", ["process", "commit", "drive", "supervise"])
 def test_a_silent_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
     connection = rig.engine._connection
     assert connection is not None
@@ -241,6 +241,40 @@ def test_a_silent_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
         assert rig.stands
     finally:
         release.set()
+
+
+def test_a_slow_disk_is_told_while_it_is_slow_and_costs_nothing(
+    rig: MemoryRig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in ("core", "supervisor"):
+        monkeypatch.setattr(f"rigapp.engine.{module}.SLOW_DISK_S", 0.1)
+    go_on = rig.store.commit_waits = threading.Event()
+    eventually(lambda: any(a.key == "disk_slow" for a in rig.engine.status().alarms), 60.0)
+    rows = len(rig.store.rows)
+    eventually(lambda: len(rig.store.rows) > rows + 3, 60.0)
+    rig.store.commit_waits = None
+    go_on.set()
+    eventually(lambda: any(event.kind == "disk" for event in rig.store.events), 60.0)
+    eventually(
+        lambda: not any(a.key == "disk_slow" and a.active for a in rig.engine.status().alarms), 60.0
+    )
+    rig.engine.stop("Ada")
+    ended(rig, FinishReason.OPERATOR)
+    numbers = rig.store.column("revolution")
+    assert list(numbers) == list(range(1, len(numbers) + 1))
+    assert rig.store.safe == len(numbers)
+
+
+def test_a_jump_of_the_computers_clock_is_in_the_log(
+    rig: MemoryRig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    core = rig.engine._core
+    core.anchor = (core.anchor[0], core.anchor[1] - 3600.0)
+    monkeypatch.setattr("rigapp.engine.supervisor.ANCHOR_S", 0.0)
+    eventually(lambda: any(event.kind == "clock" for event in rig.store.events), 60.0)
+    (told,) = [event for event in rig.store.events if event.kind == "clock"]
+    assert "jumped by 3600" in told.text
+    assert rig.engine.state is RunState.RUNNING
 
 
 def test_a_hanging_drive_call_is_no_hanging_test() -> None:

@@ -16,6 +16,10 @@ import numpy as np
 import pytest
 from stories import RIG, Running, children, log, numbers, recipe, summary, until
 
+from rigapp.config.loading import read_rig
+from rigapp.engine.run import ENDED
+from rigapp.service.host import EngineHost, read_test
+from rigapp.service.simulated import parse_speed
 from rigapp.storage.reader import open_test
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs Linux's /proc")
@@ -124,6 +128,35 @@ def test_killed_and_stalled_twin_costs_no_revolution(
     assert np.array_equal(numbers(out), np.arange(1, 161))
     assert summary(out)["gaps"] == 0
     until(lambda: not Path(f"/proc/{second}").exists(), "the stalled twin has ended")
+
+
+def test_disk_delayed_by_two_seconds_costs_no_revolution(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In this process, so that its syncs can be delayed."""
+    out = tmp_path / "t.h5"
+    document = read_rig(RIG)
+    host = EngineHost(document, parse_speed("20", document))
+    real, delays = os.fdatasync, [2.2, 2.2]
+
+    def slow(descriptor: int) -> None:
+        if delays and host.engine.status().committed > 5:
+            time.sleep(delays.pop())  # the fault itself
+        real(descriptor)
+
+    try:
+        host.start(read_test(recipe(tmp_path, 90, twin=False)), out, "Ada", resume=False)
+        monkeypatch.setattr(os, "fdatasync", slow)
+        host.engine.wait(ENDED, 120.0)
+    finally:
+        host.close()
+    assert not delays
+    assert np.array_equal(numbers(out), np.arange(1, 91))
+    assert summary(out)["gaps"] == 0
+    assert summary(out)["status"] == "complete"
+    told = [event for event in log(out) if event.kind == "disk"]
+    assert told
+    assert "the disk took" in told[0].text
 
 
 def test_suspended_engine_is_recorded_and_never_silent(

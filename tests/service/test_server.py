@@ -221,6 +221,49 @@ def test_rows_are_never_joined_over_a_gap(parts: list[tuple[bool, int, bool]]) -
     ]
 
 
+def test_source_that_fails_is_told_once_and_commands_go_on(tmp_path: Path) -> None:
+    told: list[str] = []
+
+    def broken() -> Snapshot:
+        raise ValueError("a mistake of the source")
+
+    server = Server(
+        Handler(), broken, f"ipc://{tmp_path}/c", f"ipc://{tmp_path}/s", on_failure=told.append
+    )
+    server.start()
+    client = Client(EngineEntry(1, server.commands, server.stream, "rig.toml", 0.0))
+    try:
+        until(lambda: told)
+        assert client.request("stop").ok
+        assert client.request("stop").ok
+        assert told == [
+            "No snapshot could be made for windows: ValueError: a mistake of the source"
+        ]
+    finally:
+        client.close()
+        server.close()
+
+
+def test_first_and_last_viewer_are_told(tmp_path: Path) -> None:
+    seen: list[bool] = []
+    server = Server(
+        Handler(), Rows(), f"ipc://{tmp_path}/c", f"ipc://{tmp_path}/s", on_viewers=seen.append
+    )
+    server.start()
+    try:
+        clients = [
+            Client(EngineEntry(1, server.commands, server.stream, "rig.toml", 0.0))
+            for _ in range(2)
+        ]
+        until(lambda: all(client.poll() is not None for client in clients))
+        for client in clients:
+            client.close()
+        until(lambda: not server.watched)
+        assert seen == [True, False]
+    finally:
+        server.close()
+
+
 def test_unreadable_request_is_answered(server: Server) -> None:
     import zmq
 
