@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
+from typing import Protocol
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -31,7 +32,18 @@ from rigapp.gui.wearprofile import WearProfilePanel
 
 Drawing = Callable[[Status | None], None]
 
+TURN_MS = 10
+"""Between two parts of a long drawing, so that keys and the state bar come in between."""
+
 HORIZONTAL, VERTICAL = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+
+
+class Dressed(Protocol):
+    """A panel that takes a theme."""
+
+    def isVisible(self) -> bool: ...
+
+    def dress(self, theme: Theme) -> None: ...
 
 
 class Tabs(QTabWidget):
@@ -81,12 +93,15 @@ class Tabs(QTabWidget):
             self.residual_trend,
         )
         self._slow = self._slow_drawings()
+        self._staged: list[QWidget] = [*self._trends, self.profile]
+        self._staged += [self.overview.residual_plot, self.cycle.overlay.residual_plot]
+        self._staged += [self.cycle.polar, self.cycle.probes, self.cycle.values]
         self._build()
         self._connect()
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        dressed = (
+        dressed: tuple[Dressed, ...] = (
             self.overview,
             self.overview_alarms,
             self.cycle,
@@ -97,11 +112,10 @@ class Tabs(QTabWidget):
             self.browser,
             *self._trends,
         )
-        for panel in dressed:
-            if panel.isVisible():
-                panel.dress(theme)
-            else:
-                QTimer.singleShot(0, self, partial(panel.dress, theme))
+        # What is seen first; the sort is stable. The first panel of those at once.
+        first, *others = sorted(dressed, key=lambda panel: not panel.isVisible())
+        first.dress(theme)
+        self._in_turns(partial(panel.dress, theme) for panel in others)
 
     def take_status(self, status: Status) -> None:
         """Take what every new status means for panels, seen or not."""
@@ -244,12 +258,22 @@ class Tabs(QTabWidget):
 
     def _changed(self) -> None:
         self.draw_fast(self._link.status)
+        calls: list[Callable[[], object]] = []
+        for panel in self._staged:
+            if panel.isVisible():
+                panel.setUpdatesEnabled(False)
+                calls.append(partial(panel.setUpdatesEnabled, True))
         for panel, draw in self._slow:
             if panel.isVisible():
-                # Each in a turn of the event loop of its own: the window stays quick.
-                QTimer.singleShot(0, self, partial(self._draw_later, panel, draw))
+                calls.append(partial(self._draw_later, panel, draw))
+        self._in_turns(calls)
         if self.browser.isVisible():
             self.browser.look()
+
+    def _in_turns(self, calls: Iterable[Callable[[], object]]) -> None:
+        """Make each call in a turn of the event loop of its own, so that none is long."""
+        for number, call in enumerate(calls, 1):
+            QTimer.singleShot(number * TURN_MS, self, call)
 
     def _draw_later(self, panel: QWidget, draw: Drawing) -> None:
         if panel.isVisible():

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
 import logging
 from collections.abc import Sequence
 from getpass import getuser
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence, QShortcut
@@ -18,11 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.commands.live_calibration import Rig
 from rigapp.engine.messages import Snapshot, Status
-from rigapp.gui.calibration.chooser import CalibrationChooser
-from rigapp.gui.calibration.probe_wizard import ProbeWizard
-from rigapp.gui.calibration.wizard import CalibrationWizard
 from rigapp.gui.closebar import CloseBar
 from rigapp.gui.command import KEY as COMMAND_KEY
 from rigapp.gui.command import ViewerBar, why_forbidden
@@ -40,6 +38,11 @@ from rigapp.gui.startbar import StartBar
 from rigapp.gui.tabs import Tabs
 from rigapp.gui.tasks import Worker
 from rigapp.gui.watchdog import Watchdog
+
+if TYPE_CHECKING:
+    from rigapp.gui.calibration.chooser import CalibrationChooser
+    from rigapp.gui.calibration.probe_wizard import ProbeWizard
+    from rigapp.gui.calibration.wizard import CalibrationWizard
 
 log = logging.getLogger(__name__)
 
@@ -174,6 +177,8 @@ class MainWindow(QMainWindow):
 
     def calibrate(self) -> None:
         """Ask what to calibrate, or bring the open wizard to the front; refused during a test."""
+        from rigapp.gui.calibration.chooser import CalibrationChooser
+
         if self._may_calibrate() is None:
             return
         if self._calibration is not None and self._calibration.isVisible():
@@ -182,10 +187,16 @@ class MainWindow(QMainWindow):
         if self._chooser is None:
             self._chooser = CalibrationChooser(self)
             self._chooser.chosen.connect(self.calibrate_what)
+            # Fits and statistics are loaded while somebody chooses, not before, and not here.
+            self._reader.submit(_load_wizards, lambda _: None, lambda _: None)
         self._front(self._chooser)
 
     def calibrate_what(self, which: str) -> None:
         """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
+        from rigapp.commands.live_calibration import Rig
+        from rigapp.gui.calibration.probe_wizard import ProbeWizard
+        from rigapp.gui.calibration.wizard import CalibrationWizard
+
         status = self._may_calibrate()
         if status is None:
             return
@@ -371,3 +382,8 @@ class MainWindow(QMainWindow):
             self._settings.setValue(f"splitter/{splitter.objectName()}", splitter.saveState())
         self._settings.setValue("tab", self.tabs.currentIndex())
         self._settings.setValue("theme", self.theme.name)
+
+
+def _load_wizards() -> None:
+    for name in ("wizard", "probe_wizard"):
+        importlib.import_module(f"rigapp.gui.calibration.{name}")
