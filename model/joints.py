@@ -44,6 +44,12 @@ class ContinuousContact:
         """Return what to tell the user when the assumption fails; empty when it holds."""
         if self.assumption_holds:
             return ""
+        if np.all(self.wall < 0.0):
+            return (
+                "The assumption of tension does not hold: the follower is in compression at all"
+                " crank angles. The pin bears on the wall away from the crank all the time; the"
+                " same equations with minus the clearance were solved."
+            )
         spans = " and ".join(
             f"{np.degrees(start):.1f} to {np.degrees(end):.1f} deg"
             for start, end in self.compression

@@ -60,8 +60,13 @@ class Front:
         return depth
 
     def depth_at_contact_point(self, inner: float) -> float:
-        """Return the radial depth at the initial contact point, the node at angle 0, m."""
-        return max(float(self.depth(inner)[len(self.surface) // 2]), 0.0)
+        """Return the radial depth at the contact point, m.
+
+        The node at angle 0, where a follower in tension bears, or the one opposite, where one in
+        compression does: the deeper of the two.
+        """
+        depth = self.depth(inner)
+        return max(float(depth[len(self.surface) // 2]), float(depth[0]), 0.0)
 
 
 def wear_problem(

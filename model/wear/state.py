@@ -33,8 +33,8 @@ LARGEST_SECTORS = 360
 class WearState:
     """Hold the wear of a bushing after some cycles, in SI; ``advance`` returns a new one.
 
-    ``cycles``; ``max_depth`` (m); ``depth_at_contact`` (m) at the initial contact point: what the
-    clearance has grown by; ``worn_area`` (m^2); ``worn_mass`` (kg); ``peak_pressure`` (Pa) and
+    ``cycles``; ``max_depth`` (m); ``depth_at_contact`` (m) at the contact point: what the clearance
+    has grown by; ``worn_area`` (m^2); ``worn_mass`` (kg); ``peak_pressure`` (Pa) and
     ``mean_force`` (N) of the last advance; ``estimated_error`` (m) of the depth.
     """
 
@@ -53,7 +53,7 @@ class WearState:
 
     @property
     def depth_at_contact(self) -> float:
-        """Return the depth at the initial contact point, m."""
+        """Return the depth at the contact point, in tension or compression, m."""
         return self.front.depth_at_contact_point(self.problem.ring.inner)
 
     @property

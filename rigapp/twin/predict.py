@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import Motion, inverse_dynamics
+from model.dynamics import Motion
 from model.history import motion_from_history
+from model.joints import continuous_contact, perfect_joint
 from model.parameters import Parameters
 from rigapp.engine.columns import PREDICTION_POINTS
 from rigapp.engine.messages import Prediction, RevolutionMeasured, as_array
@@ -64,18 +65,15 @@ def predict_motion(parameters: Parameters, joint: str, measured: Measured, depth
     """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
 
     joint: "perfect", or "continuous" with the clearance of the bushing worn by depth (m) at the
-    contact point (paper, Eq. 12).
+    contact point (paper, Eq. 12), on the wall that the sign of the force asks for.
     """
-    speed, acceleration = motion_from_history(measured.time, measured.angle)
-    clearance = parameters.joint.clearance + depth if joint == "continuous" else 0.0
-    return inverse_dynamics(
-        parameters.mechanism,
-        GRID,
-        _on_grid(measured.angle, speed),
-        _on_grid(measured.angle, acceleration),
-        clearance,
-        contact=parameters.joint,
-    )
+    rates = motion_from_history(measured.time, measured.angle)
+    speed, acceleration = (_on_grid(measured.angle, rate) for rate in rates)
+    mechanism, surfaces = parameters.mechanism, parameters.joint
+    if joint != "continuous":
+        return perfect_joint(mechanism, GRID, speed, acceleration, surfaces)
+    clearance = surfaces.clearance + depth
+    return continuous_contact(mechanism, surfaces, GRID, speed, acceleration, clearance).motion
 
 
 def measured_force(measured: Measured) -> Array:

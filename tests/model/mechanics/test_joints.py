@@ -97,3 +97,16 @@ def test_ranges_of_a_part_and_of_the_whole() -> None:
 def test_a_negative_clearance_is_refused() -> None:
     with pytest.raises(ModelError, match="clearance"):
         continuous_contact(CASE_B, JOINT, ANGLES, np.pi, clearance=-1e-4)
+
+
+def test_compression_all_the_way_round_is_called_what_it_is() -> None:
+    """An inboard spring presses the pin on the other wall; no contact is lost on the way."""
+    spring = Spring(525.0, 0.127 - 20.0 / 525.0)
+    inboard = replace(CASE_A, spring=spring)
+    answer = continuous_contact(inboard, JOINT, ANGLES, np.pi)
+    assert (answer.motion.force_follower[0] > 0.0).all()
+    assert not answer.assumption_holds
+    assert "compression at all crank angles" in answer.sentence()
+    assert "lost" not in answer.sentence()
+    expected = inverse_dynamics(inboard, ANGLES, np.pi, 0.0, -JOINT.clearance, JOINT)
+    np.testing.assert_array_equal(answer.motion.force, expected.force)

@@ -12,7 +12,7 @@ import pytest
 from model.bushing.contact import ContactError
 from model.errors import ModelError
 from model.joints import continuous_contact
-from model.parameters import Bushing, Joint, Material, Parameters
+from model.parameters import Bushing, Joint, Material, Parameters, Spring
 from model.wear.front import WornThrough
 from model.wear.life import life, row_cycles
 from model.wear.state import unworn_state
@@ -224,3 +224,18 @@ def test_live_state_rests_without_force(parameters) -> None:
     assert still.max_depth == 0.0
     with pytest.raises(ModelError, match="typical force"):
         unworn_state(parameters, 0.0)
+
+
+def test_a_follower_in_compression_wears_the_other_wall_and_its_clearance_grows(
+    parameters,
+) -> None:
+    pressed = replace(
+        parameters,
+        mechanism=replace(parameters.mechanism, spring=Spring(525.0, 0.127 - 20.0 / 525.0)),
+    )
+    found = life(pressed, RPM30, 5000.0, "continuous", 1e-2)
+    assert abs(abs(found.angle[np.argmax(found.depth)]) - np.pi) < 0.02
+    grown = found.clearance - pressed.joint.clearance
+    np.testing.assert_allclose(grown[1:], found.max_depth[1:], rtol=0.02)
+    assert found.mean_force[-1] < found.mean_force[0]
+    assert "compression at all crank angles" in found.notes[0]
