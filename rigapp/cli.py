@@ -396,6 +396,28 @@ def doctor(
     raise typer.Exit(examine(port))
 
 
+@app.command()
+def status(
+    rig: Annotated[Path | None, typer.Option("--rig", help="Only the engine of this rig.")] = None,
+    json: JsonOption = False,
+) -> None:
+    """Show the engines that run: state, revolution, alarms, who is in command; 1 when none does."""
+    from rigapp.commands.status import show_engines
+
+    raise typer.Exit(show_engines(rig, as_json=json))
+
+
+@app.command()
+def keys() -> None:
+    """Make this user's key pair as a viewer of rigs elsewhere; print the file to hand over."""
+    from rigapp.service.registry import runtime_folder
+    from rigapp.service.security import viewer_keys
+
+    folder = runtime_folder()
+    viewer_keys(folder)
+    print(folder / "keys" / "viewer.key")
+
+
 @app.command(hidden=True)
 def engine(
     rig: Annotated[Path, typer.Argument()],

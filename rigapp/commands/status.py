@@ -1,0 +1,89 @@
+"""`rigapp status`: the engines that run, each in a few lines."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+ANSWER_S = 5.0
+
+
+def show_engines(rig: Path | None, *, as_json: bool) -> int:
+    """Print the engines of this computer, and one that RIGAPP_ENGINE names; 1 when there is none.
+
+    rig: only the engine of this rig file. An engine that does not answer is listed with the reason.
+    """
+    found = [_asked(entry) for entry in _entries(rig)]
+    if as_json:
+        print(json.dumps(found, indent=2))
+    elif not found:
+        print(f"No engine runs{f' for {rig}' if rig is not None else ''}.")
+    else:
+        print("\n".join(line for one in found for line in _lines(one)))
+    return 0 if found else 1
+
+
+def _entries(rig: Path | None) -> list[Any]:
+    import os
+
+    from rigapp.service.launch import find_engine
+    from rigapp.service.registry import read_entry, running_engines
+
+    if rig is not None:
+        entry = find_engine(rig)
+        return [entry] if entry is not None else []
+    elsewhere = os.environ.get("RIGAPP_ENGINE")
+    return [*([read_entry(Path(elsewhere))] if elsewhere else []), *running_engines()]
+
+
+def _asked(entry: Any) -> dict[str, Any]:
+    from rigapp.service.client import Client, EngineUnreachable
+
+    shown: dict[str, Any] = {"pid": entry.pid, "rig_file": entry.rig}
+    try:
+        client = Client(entry)
+    except EngineUnreachable as error:
+        return {**shown, "problem": str(error)}
+    try:
+        reply = client.request("status", timeout_s=ANSWER_S)
+    except EngineUnreachable as error:
+        return {**shown, "problem": str(error)}
+    finally:
+        client.close()
+    if not reply.ok:
+        return {**shown, "problem": reply.sentence}
+    status = reply.result
+    names = (
+        "state", "reason", "rig", "test", "file", "revolution", "planned", "committed",
+        "speed_rpm", "data_age_s", "in_command", "simulated",
+    )  # fmt: skip
+    alarms = [
+        {name: alarm[name] for name in ("key", "title", "cause", "state", "severity", "first_out")}
+        for alarm in status["alarms"]
+    ]
+    return {**shown, **{name: _finite(status[name]) for name in names}, "alarms": alarms}
+
+
+def _finite(value: Any) -> Any:
+    """Return None for an infinite number, which JSON cannot tell."""
+    return None if isinstance(value, float) and value in (float("inf"), float("-inf")) else value
+
+
+def _lines(one: dict[str, Any]) -> list[str]:
+    head = f"engine {one['pid']}: {one['rig_file']}"
+    if "problem" in one:
+        return [head, f"  {one['problem']}"]
+    reason = f" ({one['reason']})" if one["reason"] else ""
+    lines = [head, f"  {one['state']}{reason}"]
+    if one["file"]:
+        lines.append(
+            f"  {one['test']}: revolution {one['revolution']} of {one['planned']},"
+            f" {one['committed']} safe in {one['file']}"
+        )
+    if one["in_command"]:
+        lines.append(f"  in command: {one['in_command']}")
+    lines += [
+        f"  {alarm['severity']}, {alarm['state']}: {alarm['cause']}" for alarm in one["alarms"]
+    ]
+    return lines
