@@ -372,6 +372,47 @@ def calibrate_probes(
     )
 
 
+@calibrate_app.command("run-out")
+def calibrate_run_out(
+    to: RecordOption,
+    rig: Annotated[
+        Path | None, typer.Option("--rig", help="Rig file: roll the spindle slowly now.")
+    ] = None,
+    recorded: Annotated[
+        list[Path] | None,
+        typer.Option("--from", help="Test file of a slow roll, whole cycles kept; repeatable."),
+    ] = None,
+    settings: Annotated[
+        Path | None, typer.Option("--settings", help="Settings file: [pin], [paperwork].")
+    ] = None,
+    test: Annotated[
+        Path | None, typer.Option("--test", help="Test file whose mechanism and limits are kept.")
+    ] = None,
+    rpm: Annotated[
+        str, typer.Option("--rpm", help="Speeds of the rolls; two tell inertia from run-out.")
+    ] = "3,6",
+    revolutions: Annotated[int, typer.Option("--revolutions", help="Of each roll.")] = 12,
+    orders: Annotated[int, typer.Option("--orders", help="Fourier orders of the map.")] = 8,
+    json: JsonOption = False,
+) -> None:
+    """Map the pin's run-out by a slow roll of the spindle; a bad roll is refused, not saved."""
+    from rigapp.commands.run_out import calibrate_run_out as make
+
+    raise typer.Exit(
+        make(
+            rig,
+            recorded or [],
+            to,
+            settings=settings,
+            test=test,
+            rpm=rpm,
+            revolutions=revolutions,
+            orders=orders,
+            as_json=json,
+        )
+    )
+
+
 @calibrate_app.command("certificate")
 def calibrate_certificate(
     record: Annotated[Path, typer.Argument(help="Calibration record.")],

@@ -22,6 +22,7 @@ from calibration.settings import LoadCellSettings
 from rigapp.config.calibration_settings import (
     LoadCellFile,
     ProbeFile,
+    RunOutFile,
     read_load_cell_settings,
 )
 from rigapp.config.errors import UnusableInput
@@ -121,7 +122,7 @@ def keep_record(
     to: Path,
     kind: str,
     readings: str,
-    settings: LoadCellFile | ProbeFile,
+    settings: LoadCellFile | ProbeFile | RunOutFile,
     result: Mapping[str, Any],
     taken: Mapping[str, Any] | None = None,
 ) -> None:

@@ -115,6 +115,25 @@ class ProbeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     paperwork: PaperworkSection = PaperworkSection()
 
 
+class PinSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[pin]: whose run-out is mapped."""
+
+    name: str = "pin"
+
+
+class RunOutFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A settings file for ``rigapp calibrate run-out``."""
+
+    schema: int
+    pin: PinSection = PinSection()
+    paperwork: PaperworkSection = PaperworkSection()
+
+
+def read_run_out_settings(path: Path) -> RunOutFile:
+    """Read settings; raise UnusableInput."""
+    return read_document(path, RunOutFile).record
+
+
 def read_load_cell_settings(path: Path) -> tuple[LoadCellFile, LoadCellSettings]:
     """Read settings and return the file and its meaning in SI; raise UnusableInput."""
     given = read_document(path, LoadCellFile).record

@@ -99,7 +99,10 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[probes]: two capacitance probes; position = sensitivity (voltage - offset).
 
-    calibration: a record for both probes, or one for each, in the place of these numbers.
+    calibration: a record for both probes, or one for each, in the place of these numbers. run_out:
+    the record of the pin's run-out map, in the place of the map's numbers (Fourier orders 1 ... of
+    the crank angle, for each probe). alignment: position along and across the follower = matrix
+    (probe 1, probe 2). uncertainty_um: expanded uncertainty of a position, each probe.
     """
 
     device: str
@@ -111,6 +114,12 @@ class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     latency_ms: Pair = (0.0, 0.0)
     calibration: str | tuple[str, str] = ""
     calibration_override: str = ""
+    uncertainty_um: Pair | None = None
+    alignment: Matrix = ((1.0, 0.0), (0.0, 1.0))
+    run_out: str = ""
+    run_out_override: str = ""
+    run_out_cos_um: tuple[tuple[float, ...], tuple[float, ...]] = ((), ())
+    run_out_sin_um: tuple[tuple[float, ...], tuple[float, ...]] = ((), ())
 
     @property
     def calibration_name(self) -> str:

@@ -27,6 +27,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.assembler import EncoderSetup, Margins, Revolution, Values
 from rigapp.engine.bend import invertible, straight
+from rigapp.engine.probes import ProbeCorrection, probe_correction
 from rigapp.engine.sampleclock import PulseRate
 
 ANALOG = ("force_1", "force_2", "probe_1", "probe_2")
@@ -45,7 +46,8 @@ class Calibration:
     further zero found with the pin unloaded. sensitivity: (2,) um/V. probe_offset: (2,) V.
     latency_s: (4,). index_angle_rad: crank angle at the index.
     clock: what makes the device sample; with the encoder's, sample_rate_Hz is nominal, fastest_Hz
-    the most pulses a second, and pulse_rate tells where their rate is recorded.
+    the most pulses a second, and pulse_rate tells where their rate is recorded. correction: run-out
+    map and alignment of the probes, None without. probe_uncertainty_um: expanded, of one position.
     """
 
     rows: tuple[int, int, int, int]
@@ -69,6 +71,8 @@ class Calibration:
     clock: SampleClock = SampleClock.TIME
     pulse_rate: PulseRate | None = None
     fastest_Hz: float = 0.0
+    correction: ProbeCorrection | None = None
+    probe_uncertainty_um: tuple[float, float] | None = None
 
     @property
     def margins(self) -> Margins:
@@ -182,6 +186,8 @@ class Calibrated:
 def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
     """Return the revolution in engineering units."""
     values = calibration.engineering(shifted(revolution, calibration))
+    if calibration.correction is not None:
+        values[2:] = calibration.correction.apply(revolution.counts, values[2:])
     turn = calibration.encoder.counts_per_revolution
     return Calibrated(
         angle_rad=np.asarray(
@@ -259,6 +265,8 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
         clock=setup.clock,
         pulse_rate=_pulse_rate(rig, setup),
         fastest_Hz=rig.spindle.maximum_speed_rpm / 60.0 * turn,
+        correction=probe_correction(rig.probes, turn, math.radians(rig.encoder.index_angle_deg)),
+        probe_uncertainty_um=rig.probes.uncertainty_um,
     )
 
 

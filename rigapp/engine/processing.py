@@ -143,11 +143,19 @@ class Processor:
             return None
         newest = block.values[:, -1:]
         raw = newest[list(calibration.rows)].astype(np.float64)
+        values, host_s = calibration.engineering(raw)[:, 0], block.host_time_ns * 1e-9
+        if calibration.correction is not None:
+            angle = self.motion.angle_deg(host_s)
+            values[2:] = calibration.correction.at(
+                None if angle is None else math.radians(angle),
+                calibration.index_angle_rad,
+                values[2:],
+            )
         return Live(
             signals=calibration.signals(newest)[:, 0],
-            values=calibration.engineering(raw)[:, 0],
+            values=values,
             count=float(newest[calibration.counter_row, 0]),
-            host_s=block.host_time_ns * 1e-9,
+            host_s=host_s,
         )
 
     def set_tare(self, tare: Sequence[float]) -> None:

@@ -17,6 +17,7 @@ from rigapp.engine.assembler import STANDSTILL_S, Revolution
 from rigapp.engine.bend import straighten
 from rigapp.engine.calibrate import Calibration, shifted, with_margins
 from rigapp.engine.columns import CHANNELS, STATISTICS, revolution_columns
+from rigapp.engine.probes import ProbeCorrection
 
 Array = NDArray[np.float64]
 
@@ -26,6 +27,9 @@ HEAD = len(revolution_columns()) - len(CHANNELS) * len(STATISTICS)
 NAMES = tuple(column.name for column in revolution_columns())
 PLACE = {name: place for place, name in enumerate(NAMES)}
 """Column name -> place in a row."""
+
+PROBE_STATISTICS = CHANNELS.index("probe_1") * len(STATISTICS)
+"""Place of the first probe's statistics among all."""
 
 SPEED_WINDOWS = 36
 """Local speed is the slope of a straight line fitted to this part of a revolution."""
@@ -246,6 +250,8 @@ class Reducer:
             self._speed,
             self._statistics,
         )
+        if self.calibration.correction is not None:
+            self._correct_probes(revolution, self.calibration.correction)
         statistics = self._statistics
         index_deg = math.degrees(self.calibration.index_angle_rad)
         statistics[4::5] = (statistics[4::5] * self._deg_per_count + index_deg) % 360.0
@@ -261,6 +267,17 @@ class Reducer:
         row[PLACE["speed_min"]] = self._speed[1] * rpm_per_slope
         row[PLACE["speed_rms"]] = self._speed[2] * rpm_per_slope
         return row
+
+    def _correct_probes(self, revolution: Revolution, correction: ProbeCorrection) -> None:
+        """Replace the probes' statistics by those of the corrected pair."""
+        raw = shifted(revolution, self.calibration)[2:]
+        gain = np.diag(self._gain)[2:, None]
+        pair = correction.apply(revolution.counts, gain * raw + self._bias[2:, None])
+        first = PROBE_STATISTICS
+        for place, values in zip((first, first + len(STATISTICS)), pair, strict=True):
+            out = self._statistics[place : place + len(STATISTICS)]
+            row = np.ascontiguousarray(values)
+            _extremes_and_moments(row, revolution.samples, revolution.counts, out)
 
 
 def _speed_by_time(revolution: Revolution) -> tuple[float, float, float]:

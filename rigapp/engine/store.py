@@ -224,6 +224,7 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
             "offset_V": calibration.probe_offset.tolist(),
             "latency_ms": (calibration.latency_s[2:] * 1e3).tolist(),
             "frame": "follower",
+            **_probe_extras(calibration),
         },
         "encoder": {
             "counts_per_revolution": encoder.counts_per_revolution,
@@ -238,6 +239,20 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
             "offset": calibration.offset.tolist(),
         },
     }
+
+
+def _probe_extras(calibration: Calibration) -> dict[str, Any]:
+    """Return uncertainty, alignment and run-out map of the probes, those that are in use."""
+    extras: dict[str, Any] = {}
+    if calibration.probe_uncertainty_um is not None:
+        extras["uncertainty_um"] = list(calibration.probe_uncertainty_um)
+    correction = calibration.correction
+    if correction is not None:
+        extras["alignment"] = correction.matrix.tolist()
+        if correction.cosines.size:
+            extras["run_out_cos_um"] = correction.cosines.tolist()
+            extras["run_out_sin_um"] = correction.sines.tolist()
+    return extras
 
 
 def _plain(devices: Mapping[str, Mapping[str, str | float | int]]) -> dict[str, Any]:

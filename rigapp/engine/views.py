@@ -184,7 +184,9 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
             value=float(live.values[i]),
             unit="N" if i < 2 else "um",
             calibration=records[i] or "rig file",
-            uncertainty=force_uncertainty(core, float(live.values[i])) if i < 2 else None,
+            uncertainty=force_uncertainty(core, float(live.values[i]))
+            if i < 2
+            else _position_uncertainty(core, i - 2),
         )
         for i, name in enumerate(names)
     ]
@@ -205,6 +207,12 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     shown = angle if angle is not None else math.nan
     views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
     return tuple(views)
+
+
+def _position_uncertainty(core: Core, probe: int) -> float | None:
+    """Return the expanded uncertainty of a position, um, where the calibration states it."""
+    stated = core.rig.record.probes.uncertainty_um
+    return None if stated is None else stated[probe]
 
 
 def force_uncertainty(core: Core, force: float) -> float | None:

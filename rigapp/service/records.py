@@ -15,8 +15,7 @@ from calibration.records import Record, RecordError, unseal
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.rig import RigFile
-
-SECTIONS = {"load_cell": "load cell", "probes": "probe"}
+from rigapp.service.probe_records import probe_records
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,32 +43,27 @@ def with_records(rig: Document[RigFile], now: float | None = None) -> RigRecords
     remarks: dict[str, str] = {}
     moment = time.time() if now is None else now
     if load_cell.calibration:
-        text, record = _read(rig, "load_cell", load_cell.calibration)
+        text, record = _read(rig, "load_cell.calibration", load_cell.calibration, ("load cell",))
         texts["load_cell"] = text
         load_cell = _load_cell(rig, record)
         _judge_age("load_cell", record, load_cell.calibration_override, moment, blocking, remarks)
-    if probes.calibration:
-        names = probes.calibration
-        pair = (names, names) if isinstance(names, str) else names
-        found = [_read(rig, "probes", name) for name in pair]
-        for number, (text, record) in enumerate(found, 1):
-            section = f"probe_{number}"
+    if probes.calibration or probes.run_out:
+        found = probe_records(rig, lambda section, name, kinds: _read(rig, section, name, kinds))
+        probes = found.probes
+        for section, text, record, override in found.records:
             texts[section] = text
-            _judge_age(section, record, probes.calibration_override, moment, blocking, remarks)
-        sensitivities = tuple(_number(rig, r, "sensitivity_um_per_V") for _, r in found)
-        offsets = tuple(_number(rig, r, "offset_V") for _, r in found)
-        probes = msgspec.structs.replace(
-            probes, sensitivity_um_per_V=sensitivities, offset_V=offsets
-        )
+            _judge_age(section, record, override, moment, blocking, remarks)
     record_file = msgspec.structs.replace(rig.record, load_cell=load_cell, probes=probes)
     return RigRecords(Document(rig.path, rig.text, record_file), texts, blocking, remarks)
 
 
-def _read(rig: Document[RigFile], section: str, name: str) -> tuple[str, Record]:
+def _read(
+    rig: Document[RigFile], key: str, name: str, kinds: tuple[str, ...]
+) -> tuple[str, Record]:
     path = Path(name)
     if not path.is_absolute():
         path = rig.path.parent / path
-    where = f"{rig.path}: {section}.calibration = {name!r}"
+    where = f"{rig.path}: {key} = {name!r}"
     try:
         data = path.read_bytes()
         record = unseal(data)
@@ -77,9 +71,9 @@ def _read(rig: Document[RigFile], section: str, name: str) -> tuple[str, Record]
         raise UnusableInput(f"{where}: the record cannot be read ({error}).") from error
     except RecordError as error:
         raise UnusableInput(f"{where}: {error}.") from error
-    if record.kind != SECTIONS[section]:
+    if record.kind not in kinds:
         raise UnusableInput(
-            f"{where}: this is the record of a {record.kind}, not of a {SECTIONS[section]}."
+            f"{where}: this is the record of a {record.kind}, not of a {' or a '.join(kinds)}."
         )
     return data.decode(), record
 
@@ -100,13 +94,6 @@ def _load_cell(rig: Document[RigFile], record: Record) -> Any:
         quadratic_mV_per_V_per_N2=None if quadratic is None else tuple(map(tuple, quadratic)),
         uncertainty_N=(line["constant_N"], line["per_N"]),
     )
-
-
-def _number(rig: Document[RigFile], record: Record, key: str) -> float:
-    value = record.content["result"].get(key)
-    if not isinstance(value, int | float):
-        raise UnusableInput(f"{rig.path}: the record {record.number} has no {key}.")
-    return float(value)
 
 
 def _judge_age(

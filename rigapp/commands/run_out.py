@@ -1,0 +1,219 @@
+"""`rigapp calibrate run-out`: slow rolls, live or recorded, become the map of the pin's run-out."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import os
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibration.run_out import (
+    Roll,
+    RunOutError,
+    RunOutMap,
+    Turn,
+    evaluate,
+    make_map,
+    spread_at,
+)
+from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
+from rigapp.commands.probe_results import UM, problems_of
+from rigapp.commands.slow_roll import take_roll
+from rigapp.config.calibration_settings import RunOutFile, read_run_out_settings
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+from rigapp.engine.messages import Flag
+
+Array = NDArray[np.float64]
+GRID_DEG = 5
+NEEDED = "live rolls need --rig, recorded ones --from FILE.h5"
+
+
+def calibrate_run_out(
+    rig: Path | None,
+    recorded: Sequence[Path],
+    to: Path,
+    *,
+    settings: Path | None,
+    test: Path | None,
+    rpm: str,
+    revolutions: int,
+    orders: int,
+    as_json: bool,
+) -> int:
+    """Make the map from live rolls or from recorded ones; keep a record when it is good."""
+    if (rig is None) == (not recorded):
+        raise UnusableInput(f"give --rig or --from, one of the two: {NEEDED}.")
+    given = RunOutFile(schema=1) if settings is None else read_run_out_settings(settings)
+    refuse_existing(to)
+    files = list(recorded)
+    if rig is not None:
+        operator = given.paperwork.operator or os.environ.get("USER", "")
+
+        def say(text: str) -> None:
+            print(text, file=sys.stderr if as_json else sys.stdout, flush=True)
+
+        files = [
+            take_roll(rig, test, speed, revolutions, to, operator, say) for speed in speeds_of(rpm)
+        ]
+    rolls = [read_roll(path) for path in files]
+    try:
+        found = make_map([roll for roll, _ in rolls], orders)
+    except RunOutError as error:
+        raise UnusableInput(f"run-out: {error}.") from error
+    result = run_out_result(found)
+    if found.accepted:
+        taken = {
+            "rig": read_rig(rig).record.name if rig is not None else "",
+            "files": [dict(facts) for _, facts in rolls],
+            "orders": orders,
+        }
+        keep_record(to, "run-out map", harmonics_csv(found), given, result, taken)
+    say_result(result, to, as_json=as_json, lines=run_out_lines(found))
+    return 0 if found.accepted else 1
+
+
+def speeds_of(text: str) -> list[float]:
+    """Return the speeds (rpm) of a text such as ``3,6``; raise UnusableInput."""
+    try:
+        speeds = [float(word) for word in text.replace(";", ",").split(",") if word.strip()]
+    except ValueError as error:
+        raise UnusableInput(f"--rpm {text}: write speeds such as 3,6.") from error
+    if not speeds or len(set(speeds)) != len(speeds) or not all(0.5 <= one <= 15 for one in speeds):
+        raise UnusableInput(f"--rpm {text}: give different speeds from 0.5 to 15 rpm.")
+    return speeds
+
+
+def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
+    """Read the undisturbed whole cycles of a test file, as the probes showed them.
+
+    A map and an alignment that were applied while it was recorded are taken back. Returns the roll
+    and what the record tells of the file. Raises UnusableInput.
+    """
+    from rigapp.storage.reader import open_test
+
+    with open_test(path) as reader:
+        quality = dict(
+            zip(
+                reader.column("revolution").tolist(), reader.column("quality").tolist(), strict=True
+            )
+        )
+        speed = dict(
+            zip(reader.column("revolution").tolist(), reader.column("speed").tolist(), strict=True)
+        )
+        probes = reader.calibration().get("probes", {})
+        turns, rpm = [], []
+        digest = hashlib.sha256()
+        for cycle in reader.cycles():
+            number = int(cycle.revolution)
+            if quality.get(number, int(Flag.PARTIAL)) & ~int(Flag.SATURATED):
+                continue
+            angle = np.radians(cycle.columns["angle"].astype(np.float64))
+            shown = np.array([cycle.columns["probe_1"], cycle.columns["probe_2"]], np.float64)
+            saturated = bool(quality[number] & int(Flag.SATURATED))
+            turns.append(Turn(number, angle, _as_read(shown, angle, probes) / UM, saturated))
+            rpm.append(speed[number])
+            for name in ("angle", "probe_1", "probe_2"):
+                digest.update(np.ascontiguousarray(cycle.columns[name]).tobytes())
+    mean = float(np.mean(rpm)) if rpm else 0.0
+    facts = {
+        "name": path.name,
+        "sha256_of_samples": digest.hexdigest(),
+        "revolutions": len(turns),
+        "speed_rpm": mean,
+    }
+    return Roll(f"{path.name}", mean * 2.0 * math.pi / 60.0, tuple(turns)), facts
+
+
+def _as_read(shown: Array, angle: Array, probes: Mapping[str, Any]) -> Array:
+    """Return what the probes read (2, n), um, before alignment and map were applied."""
+    matrix = np.asarray(probes.get("alignment", np.eye(2)), np.float64)
+    read = np.linalg.solve(matrix, shown)
+    cosines = probes.get("run_out_cos_um")
+    if cosines is None or not np.size(cosines):
+        return np.asarray(read, np.float64)
+    together = _interleaved(np.asarray(cosines), np.asarray(probes["run_out_sin_um"]))
+    return np.asarray(read + evaluate(together, angle), np.float64)
+
+
+def _interleaved(cosines: Array, sines: Array) -> Array:
+    together = np.empty((2, 2 * cosines.shape[1]))
+    together[:, 0::2], together[:, 1::2] = cosines, sines
+    return together
+
+
+def run_out_result(found: RunOutMap) -> dict[str, Any]:
+    """Return what ``--json`` prints and the record keeps, units in the keys."""
+    result: dict[str, Any] = {
+        "accepted": found.accepted,
+        "problems": problems_of(found.problems),
+        "expanded_uncertainty_um": None,
+        "coverage_factor": found.coverage_factor,
+    }
+    if found.coefficients is None or found.covariance is None or found.expanded is None:
+        return result
+    grid = np.radians(np.arange(0.0, 360.0, GRID_DEG))
+    return {
+        **result,
+        "cos_um": (UM * found.coefficients[:, 0::2]).tolist(),
+        "sin_um": (UM * found.coefficients[:, 1::2]).tolist(),
+        "covariance_um2": (UM**2 * found.covariance).tolist(),
+        "map_um": (UM * evaluate(found.coefficients, grid)).tolist(),
+        "map_standard_uncertainty_um": (UM * spread_at(found.covariance, grid)).tolist(),
+        "map_step_deg": GRID_DEG,
+        "peak_to_peak_um": _listed(found.peak),
+        "inertia_um": _listed(found.inertia),
+        "between_rolls_um": _listed(found.between),
+        "drift_um": _listed(found.drift),
+        "rest_um": _listed(found.rest),
+        "expanded_uncertainty_um": float(UM * found.expanded.max()),
+        "expanded_uncertainties_um": _listed(found.expanded),
+    }
+
+
+def _listed(values: Array | None) -> list[float] | None:
+    if values is None:
+        return None
+    listed: list[float] = (UM * values).tolist()
+    return listed
+
+
+def harmonics_csv(found: RunOutMap) -> str:
+    """Return the orders of every revolution: the readings of the record."""
+    lines = ["roll,revolution,probe,order,cos_um,sin_um"]
+    for one in found.harmonics:
+        for probe in range(2):
+            pairs = (UM * one.coefficients[probe]).reshape(-1, 2)
+            lines += [
+                f"{one.roll + 1},{one.number},{probe + 1},{order},{cosine!r},{sine!r}"
+                for order, (cosine, sine) in enumerate(pairs.tolist(), 1)
+            ]
+    return "\n".join(lines) + "\n"
+
+
+def run_out_lines(found: RunOutMap) -> list[str]:
+    """Return the result in words and numbers, a line each."""
+    if found.peak is None or found.expanded is None or found.drift is None:
+        return []
+    lines = [
+        f"Probe {probe + 1}: run-out {UM * found.peak[probe]:.2f} um from lowest to highest,"
+        f" expanded uncertainty {UM * found.expanded[probe]:.2f} um"
+        f" (k = {found.coverage_factor:.2f})."
+        for probe in range(2)
+    ]
+    if found.inertia is None:
+        lines.append(
+            "One speed only: what inertia adds to it is not known. A second, other speed tells."
+        )
+    else:
+        lines.append(
+            f"Motion with the speed, taken off the slowest roll: up to"
+            f" {UM * found.inertia.max():.2f} um."
+        )
+    return lines

@@ -1,0 +1,208 @@
+"""Records of the probes in use: pair, run-out map and U reach the engine's samples and its file."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+from calibration.records import seal
+from calibration.run_out import evaluate
+from drivers.api import Block
+from rigapp.commands.run_out import _as_read
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document, read_rig
+from rigapp.config.rig import RigFile
+from rigapp.engine.assembler import Assembler, EncoderSetup, Revolution
+from rigapp.engine.calibrate import Calibration, calibrate
+from rigapp.engine.probes import probe_correction
+from rigapp.engine.reduce import NAMES, PLACE, Reducer
+from rigapp.engine.store import calibration_record
+from rigapp.service.records import with_records
+
+RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
+IN_TIME, TOO_LATE = 1780000000.0, 1800000000.0
+DATES = {"calibrated_at": "2026-01-01T00:00:00Z", "due_at": "2027-01-01T00:00:00Z"}
+COS, SIN = [[3.0, 0.5], [0.0, -0.25]], [[0.0, 0.1], [3.0, 0.0]]
+MATRIX = [[1.0, 0.02], [-0.01, 1.0]]
+
+
+def one_probe(sensitivity: float, offset: float) -> dict[str, Any]:
+    return {
+        "sensitivity_um_per_V": sensitivity,
+        "offset_V": offset,
+        "expanded_uncertainty_um": 1.2,
+    }
+
+
+PAIR = {
+    "kind": "probe pair",
+    **DATES,
+    "settings": {"probe": {"name": "pair"}},
+    "result": {
+        "probes": [one_probe(101.0, 0.1), one_probe(98.0, -0.2)],
+        "alignment": {"matrix": MATRIX},
+    },
+}
+MAP = {
+    "kind": "run-out map",
+    **DATES,
+    "settings": {"pin": {"name": "pin"}},
+    "result": {"cos_um": COS, "sin_um": SIN, "expanded_uncertainties_um": [0.5, 0.9]},
+}
+
+
+def rig_with(folder: Path, lines: str) -> Document[RigFile]:
+    (folder / "pair.json").write_bytes(seal(PAIR))
+    (folder / "map.json").write_bytes(seal(MAP))
+    path = folder / "rig.toml"
+    path.write_text(RIG.read_text().replace("[probes]\n", f"[probes]\n{lines}\n"))
+    return read_rig(path)
+
+
+def test_pair_and_map_take_the_place_of_the_rig_files_numbers(tmp_path: Path) -> None:
+    rig = rig_with(tmp_path, 'calibration = "pair.json"\nrun_out = "map.json"')
+    found = with_records(rig, IN_TIME)
+    probes = found.rig.record.probes
+    assert probes.sensitivity_um_per_V == (101.0, 98.0)
+    assert probes.offset_V == (0.1, -0.2)
+    assert probes.alignment == ((1.0, 0.02), (-0.01, 1.0))
+    assert probes.run_out_cos_um == ((3.0, 0.5), (0.0, -0.25))
+    # The uncertainties of the line and of the map add as squares.
+    assert probes.uncertainty_um == pytest.approx((1.3, 1.5))
+    assert set(found.texts) == {"probes", "run_out"}
+    assert not found.blocking
+
+
+def test_expired_map_blocks_a_start_unless_overridden_with_a_reason(tmp_path: Path) -> None:
+    late = with_records(rig_with(tmp_path, 'run_out = "map.json"'), TOO_LATE)
+    assert "run_out expired on 2027-01-01" in late.blocking["run_out"]
+    used = with_records(
+        rig_with(tmp_path, 'run_out = "map.json"\nrun_out_override = "the roll is tomorrow"'),
+        TOO_LATE,
+    )
+    assert not used.blocking
+    assert "the roll is tomorrow" in used.remarks["run_out"]
+
+
+def test_records_in_each_others_place_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(UnusableInput, match="record of a probe pair, not of a run-out map"):
+        with_records(rig_with(tmp_path, 'run_out = "pair.json"'), IN_TIME)
+    with pytest.raises(UnusableInput, match="not of a probe or a probe pair"):
+        with_records(rig_with(tmp_path, 'calibration = "map.json"'), IN_TIME)
+    with pytest.raises(UnusableInput, match="not of a probe"):
+        with_records(rig_with(tmp_path, 'calibration = ["pair.json", "pair.json"]'), IN_TIME)
+
+
+def calibration(index_angle: float = 0.0, **changes: Any) -> Calibration:
+    section = read_rig(RIG).record.probes
+    section = msgspec.structs.replace(
+        section, alignment=MATRIX, run_out_cos_um=COS, run_out_sin_um=SIN
+    )
+    values: dict[str, Any] = {
+        "rows": (0, 1, 2, 3),
+        "counter_row": 4,
+        "encoder": EncoderSetup(3600),
+        "index_angle_rad": index_angle,
+        "sample_rate_Hz": 1000.0,
+        "scale": np.ones(4),
+        "offset": np.zeros(4),
+        "matrix": np.diag([200.0, 190.0]),
+        "zero": np.zeros(2),
+        "sensitivity": np.array([100.0, 90.0]),
+        "probe_offset": np.array([0.1, -0.1]),
+        "latency_s": np.array([0.0, 0.0, 1.4e-3, 1.4e-3]),
+        "correction": probe_correction(section, 3600, index_angle),
+        "probe_uncertainty_um": (1.3, 1.5),
+    }
+    return Calibration(**{**values, **changes})
+
+
+def shown_by(kind: Calibration, position: np.ndarray) -> list[Revolution]:
+    """Return revolutions of a pin at ``position`` (2,), um, by crooked probes, with run-out."""
+    turns = np.arange(4000) / 1000.0 * 0.97 + 0.3
+    sensed = turns - 1.4e-3 * 0.97  # the analog path is late
+    angle = kind.index_angle_rad + 2.0 * math.pi * sensed
+    interleaved = np.array([[3.0, 0.0, 0.5, 0.1], [0.0, 3.0, -0.25, 0.0]])
+    read = np.linalg.solve(np.array(MATRIX), np.repeat(position[:, None], 4000, axis=1))
+    read = read + evaluate(interleaved, angle)
+    values = np.zeros((5, 4000))
+    values[2:4] = read / kind.sensitivity[:, None] + kind.probe_offset[:, None]
+    values[4] = np.floor(turns * 3600.0 + 1e-9) % 3600.0
+    assembler = Assembler(kind.encoder, 4, kind.sample_rate_Hz, kind.margins)
+    good = np.zeros(4000, np.uint8)
+    return assembler.push(Block("daq", 0, 0, 1000.0, 0, values.astype(np.float32), good))
+
+
+@pytest.mark.parametrize("index_angle", [0.0, 1.1])
+def test_map_and_alignment_leave_the_position_in_samples_and_statistics(index_angle: float) -> None:
+    kind = calibration(index_angle)
+    position = np.array([-420.0, 25.0])
+    revolutions = shown_by(kind, position)
+    assert len(revolutions) >= 2
+    plain = Reducer(calibration(index_angle, correction=None))
+    reducer = Reducer(kind)
+    for revolution in revolutions[:2]:
+        values = calibrate(revolution, kind)
+        # One count of the encoder is 0.1 deg: 3 um of run-out change by 0.005 um.
+        assert values.probe_1 == pytest.approx(np.full(revolution.samples, -420.0), abs=0.05)
+        assert values.probe_2 == pytest.approx(np.full(revolution.samples, 25.0), abs=0.05)
+        row = dict(zip(NAMES, reducer.reduce(revolution).tolist(), strict=True))
+        assert row["probe_1_max"] == pytest.approx(values.probe_1.max(), abs=1e-9)
+        assert row["probe_2_min"] == pytest.approx(values.probe_2.min(), abs=1e-9)
+        assert row["probe_2_rms"] == pytest.approx(25.0, abs=0.02)
+        assert row["probe_1_mean"] == pytest.approx(-420.0, abs=0.02)
+        assert row["probe_1_max"] - row["probe_1_min"] < 0.1
+        before = plain.reduce(revolution)
+        assert before[PLACE["probe_1_max"]] - before[PLACE["probe_1_min"]] > 5.5
+        # Forces are what they were.
+        assert row["force_max"] == pytest.approx(before[PLACE["force_max"]])
+
+
+def test_live_value_is_corrected_where_the_angle_is_known() -> None:
+    correction = calibration(0.4).correction
+    assert correction is not None
+    read = np.array([10.0, 20.0])
+    angle = 0.4 + 2.0 * math.pi * 900 / 3600
+    interleaved = np.array([[3.0, 0.0, 0.5, 0.1], [0.0, 3.0, -0.25, 0.0]])
+    expected = np.array(MATRIX) @ (read - evaluate(interleaved, np.array([angle]))[:, 0])
+    assert correction.at(angle, 0.4, read) == pytest.approx(expected)
+    assert correction.at(None, 0.4, read) == pytest.approx(np.array(MATRIX) @ read)
+
+
+def test_file_tells_what_was_applied_and_a_roll_takes_it_back() -> None:
+    kind = calibration()
+    kept = calibration_record(kind)["probes"]
+    assert kept["alignment"] == MATRIX
+    assert kept["run_out_cos_um"] == COS
+    assert kept["uncertainty_um"] == [1.3, 1.5]
+    angle = np.linspace(0.0, 6.0, 50)
+    interleaved = np.array([[3.0, 0.0, 0.5, 0.1], [0.0, 3.0, -0.25, 0.0]])
+    read = np.array([[1.0], [2.0]]) + evaluate(interleaved, angle)
+    shown = np.array(MATRIX) @ (read - evaluate(interleaved, angle))
+    assert _as_read(shown, angle, kept) == pytest.approx(read)
+    assert _as_read(read, angle, {}) == pytest.approx(read)
+    plain = calibration_record(calibration(correction=None, probe_uncertainty_um=None))["probes"]
+    assert not {"alignment", "run_out_cos_um", "uncertainty_um"} & set(plain)
+
+
+@pytest.mark.parametrize(
+    ("changes", "needle"),
+    [
+        ({"run_out_cos_um": ((1.0,), (1.0,))}, "differ in length"),
+        ({"alignment": ((1.0, 1.0), (1.0, 1.0))}, "singular"),
+        ({"alignment": ((math.nan, 0.0), (0.0, 1.0))}, "not a number"),
+    ],
+)
+def test_senseless_corrections_are_refused(changes: dict[str, Any], needle: str) -> None:
+    section = msgspec.structs.replace(read_rig(RIG).record.probes, **changes)
+    with pytest.raises(UnusableInput, match=needle):
+        probe_correction(section, 3600, 0.0)
+
+
+def test_plain_probes_have_no_correction() -> None:
+    assert probe_correction(read_rig(RIG).record.probes, 3600, 0.0) is None
