@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 SCHEMA = 1
-KINDS = ("load cell", "probe", "probe pair", "run-out map")
+KINDS = ("load cell", "probe", "probe pair", "run-out map", "running check")
 
 
 class RecordError(ValueError):

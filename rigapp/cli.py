@@ -413,6 +413,47 @@ def calibrate_run_out(
     )
 
 
+@calibrate_app.command("running-check")
+def calibrate_running_check(
+    rig: RigOption,
+    to: RecordOption,
+    speeds: Annotated[
+        str, typer.Option("--speeds", help="Speeds in rpm; the slowest is the zero.")
+    ] = "30,120,240",
+    revolutions: Annotated[int, typer.Option("--revolutions", help="At each speed.")] = 20,
+    mass_kg: Annotated[
+        float | None,
+        typer.Option("--mass-kg", help="Of the pin outboard of the gauges; else the rig file's."),
+    ] = None,
+    radius_mm: Annotated[
+        float | None, typer.Option("--radius-mm", help="Of that mass; else the rig file's.")
+    ] = None,
+    follower_off: Annotated[
+        bool, typer.Option("--follower-off", help="The follower is off, nothing hangs on the pin.")
+    ] = False,
+    settings: Annotated[
+        Path | None, typer.Option("--settings", help="Settings file of a calibration: paperwork.")
+    ] = None,
+    json: JsonOption = False,
+) -> None:
+    """Turn the pin alone: does the cell show its known inertia, - m r w^2 in force_1?"""
+    from rigapp.commands.running_check import check_running
+
+    raise typer.Exit(
+        check_running(
+            rig,
+            to,
+            speeds=speeds,
+            revolutions=revolutions,
+            mass_kg=mass_kg,
+            radius_mm=radius_mm,
+            follower_off=follower_off,
+            settings=settings,
+            as_json=json,
+        )
+    )
+
+
 @calibrate_app.command("certificate")
 def calibrate_certificate(
     record: Annotated[Path, typer.Argument(help="Calibration record.")],

@@ -31,6 +31,7 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     pin_run_out_um: NotNegative = 3.0
     probe_noise_um: NotNegative = 0.2
     filter_delay_ms: NotNegative = 1.0
+    outboard_mass_factor: NotNegative = 1.0
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -78,7 +79,8 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     inverse(matrix) f + quadratic (f1^2, f1 f2, f2^2), f the force on the pin.
     uncertainty_N: expanded uncertainty U(F) = first + second F. calibration: a record that takes
     the place of matrix, zero, quadratic and uncertainty; calibration_override: why it is used
-    though expired.
+    though expired. outboard_mass_kg, outboard_radius_mm: the pin outboard of the gauges and the
+    distance of its centre of mass from the crank's axis; force_1 holds - mass radius speed^2 of it.
     """
 
     device: str
@@ -92,6 +94,8 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     resolution_N: Positive = 2.0
     latency_ms: Pair = (0.0, 0.0)
     uncertainty_N: Pair | None = None
+    outboard_mass_kg: NotNegative = 0.0
+    outboard_radius_mm: Positive = 76.2
     calibration: str = ""
     calibration_override: str = ""
 

@@ -127,6 +127,10 @@ def plant_constants(
         weight=0.0,
         micrometer_1=0.0,
         micrometer_2=0.0,
+        outboard=plant.outboard_mass_factor
+        * rig.load_cell.outboard_mass_kg
+        * rig.load_cell.outboard_radius_mm
+        * 1e-3,
     )
     return Constants(*map(float, constants))
 

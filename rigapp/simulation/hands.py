@@ -6,10 +6,11 @@ A hand is a table from the control channel::
     {"hand": "hang_weight", "mass_kg": 5.0, "gravity_m_s2": 9.8123}     0 takes it off
     {"hand": "turn_pin", "angle_deg": 90.0}
     {"hand": "set_micrometer", "probe": 1, "position_um": -200.0}
+    {"hand": "release_crank"}          the crank may turn without the follower
     {"hand": "put_on_follower"}
 
-The crank is locked while the follower is off. A weight is conventional mass: steel of 8000 kg/m3 in
-air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000).
+The crank is locked while the follower is off, until it is released. A weight is conventional mass:
+steel of 8000 kg/m3 in air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000).
 """
 
 from __future__ import annotations
@@ -43,6 +44,12 @@ class PutOnFollower(
     """Put the follower on the pin."""
 
 
+class ReleaseCrank(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="release_crank"
+):
+    """Take the lock off the crank while the follower is off."""
+
+
 class HangWeight(
     msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="hang_weight"
 ):
@@ -69,7 +76,7 @@ class SetMicrometer(
     position_um: Annotated[float, msgspec.Meta(ge=-5000, le=5000)]
 
 
-Hand = TakeOffFollower | PutOnFollower | HangWeight | TurnPin | SetMicrometer
+Hand = TakeOffFollower | PutOnFollower | ReleaseCrank | HangWeight | TurnPin | SetMicrometer
 
 
 class Hands:
@@ -78,27 +85,33 @@ class Hands:
     def __init__(self, plant: Plant) -> None:
         self._plant = plant
         self._off = False
+        self._locked = True
         self._weight_N = 0.0
         self._micrometers_um = [0.0, 0.0]
 
     @property
     def lock_Nm(self) -> float:
         """Return the friction that holds the crank while the follower is off."""
-        return LOCK_Nm if self._off else 0.0
+        return LOCK_Nm if self._off and self._locked else 0.0
 
     def do(self, hand: Hand) -> None:
         """Do what is asked; raise UnusableInput where a person could not."""
         if self._plant.state().speed_rad_per_s != 0.0:
             raise UnusableInput("hand: the spindle turns; stop it first.")
-        if isinstance(hand, HangWeight | SetMicrometer) and not self._off:
+        if isinstance(hand, HangWeight | SetMicrometer | ReleaseCrank) and not self._off:
             raise UnusableInput("hand: the follower is on the pin; take_off_follower first.")
         match hand:
             case TakeOffFollower():
-                self._off = True
+                self._off = self._locked = True
+            case ReleaseCrank():
+                if self._weight_N > 0.0:
+                    raise UnusableInput("hand: a weight hangs on the pin; take it off first.")
+                self._locked = False
             case PutOnFollower():
                 self._off = False
                 self._weight_N = 0.0
             case HangWeight(mass_kg=mass, gravity_m_s2=gravity):
+                self._locked = True
                 self._weight_N = mass * gravity * BUOYANCY
             case TurnPin(angle_deg=angle):
                 self._plant.turn_by_hand(math.radians(angle))

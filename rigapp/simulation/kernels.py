@@ -55,7 +55,8 @@ class Constants(NamedTuple):
     """Hold everything that does not change while the plant runs; SI units.
 
     bench: 1 with the follower taken off, for calibration: the pin then carries a weight (N, towards
-    -y) and the probes face micrometers (m); 0 with the mechanism together.
+    -y) and the probes face micrometers (m); 0 with the mechanism together. outboard: mass of the
+    pin outboard of the gauges times its radius, kg m; its inertia presses the cell outward.
     """
 
     crank_radius: float
@@ -109,6 +110,7 @@ class Constants(NamedTuple):
     weight: float
     micrometer_1: float
     micrometer_2: float
+    outboard: float
 
 
 class Drive(NamedTuple):
@@ -346,6 +348,8 @@ def worn(
     Archard with rigid pin: the pressure that moves the wall by dd cos u is dd cos u / (K ds), so
     F / width = R1 dd (f + sin(2f)/2) / (K ds); the area swept is 2 R1 sin f dd.
     """
+    if force <= 0.0:
+        return 0.0, 0.0
     _, _, _, _, p1, _, _, _, _ = geometry(k, angle, depth)
     slip = k.pin_radius * abs(turned) * (1.0 - p1)
     f = contact_half_angle(k, depth, force)
@@ -466,7 +470,7 @@ def emit(
     warm = time - state[WARM]
     noise_1, noise_2 = normal_pair(seed, np.uint64(1), index)
     noise_3, noise_4 = normal_pair(seed, np.uint64(2), index)
-    on_pin_1 = -delayed(ring, 0, head, delay_steps)
+    on_pin_1 = k.outboard * state[SPEED] ** 2 - delayed(ring, 0, head, delay_steps)
     on_pin_2 = -delayed(ring, 1, head, delay_steps)
     bridge_1 = k.cell_11 * on_pin_1 + k.cell_12 * on_pin_2 + k.noise_1 * noise_1 + k.drift_1 * warm
     bridge_2 = k.cell_21 * on_pin_1 + k.cell_22 * on_pin_2 + k.noise_2 * noise_2 + k.drift_2 * warm

@@ -85,6 +85,7 @@ class Plant:
     ) -> None:
         """Start at rest: at angle_rad, or just before where the crank rests by itself."""
         self.constants = Constants(*map(float, constants))
+        self._assembled = self.constants
         self._seed = np.uint64(seed % 2**64)
         self._delay = filter_delay_s
         self._longest = longest_step_s
@@ -162,6 +163,10 @@ class Plant:
         """Take the follower off: a weight hangs on the pin, micrometers face the probes."""
         self.constants = self.constants._replace(
             bench=1.0,
+            follower_mass=0.0,
+            follower_inertia=0.0,
+            slider_mass=0.0,
+            stiffness=0.0,
             weight=weight_N,
             micrometer_1=micrometers_m[0],
             micrometer_2=micrometers_m[1],
@@ -169,7 +174,14 @@ class Plant:
 
     def assemble(self) -> None:
         """Put the follower on again."""
-        self.constants = self.constants._replace(bench=0.0)
+        together = self._assembled
+        self.constants = self.constants._replace(
+            bench=0.0,
+            follower_mass=together.follower_mass,
+            follower_inertia=together.follower_inertia,
+            slider_mass=together.slider_mass,
+            stiffness=together.stiffness,
+        )
 
     def wear_to(self, depth_m: float, area_m2: float | None = None) -> None:
         """Let the bushing be worn to a depth; the area is what such wear takes where none is given.
