@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 import subprocess
 import sys
+import tomllib
 from collections.abc import Mapping
 from importlib.metadata import EntryPoint
+from pathlib import Path
 from typing import Any, cast
 
 import pytest
@@ -126,3 +128,12 @@ def test_mistakes_are_said_in_one_sentence(settings: dict[str, Any], words: str)
         registry.check_settings(INFO, settings, "rig.toml [devices.daq.settings]")
     assert words in str(caught.value)
     assert str(caught.value).startswith("rig.toml [devices.daq.settings]")
+
+
+def test_the_import_rules_name_every_module_of_a_simulator() -> None:
+    root = Path(__file__).parents[3]
+    rules = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["tool"]["importlinter"]
+    (rule,) = [row for row in rules["contracts"] if "never imports a simulator" in row["name"]]
+    files = (root / "drivers").rglob("simulat*.py")
+    modules = {".".join(file.relative_to(root).with_suffix("").parts) for file in files}
+    assert set(rule["forbidden_modules"]) == modules
