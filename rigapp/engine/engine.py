@@ -215,7 +215,9 @@ class Engine:
                 core.fire(Trigger.START, f"started by {operator}" if operator else "")
             except Refused as error:
                 session.finished = True
-                session.recorder.finish("fault", FinishReason.DEVICE.value, str(error))
+                sentence = f"The test did not start: {core.reason or error}"
+                session.recorder.finish("fault", FinishReason.DEVICE.value, sentence)
+                session.outcome = Finished(FinishReason.DEVICE, sentence, "fault", 0, str(path))
                 raise
             for remark in remarks:
                 core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import time
 from typing import Any
 
-from engine_doubles import RATE, FakeStore, MemoryRig, a_test, eventually
+from engine_doubles import RATE, Crank, FakeStore, MemoryRig, a_test, eventually
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import (
@@ -15,9 +16,14 @@ from hypothesis.stateful import (
 )
 
 from drivers.api import DeviceError
+from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import RunState
+from rigapp.engine.reduce import PLACE
 from rigapp.engine.run import ACTIVE, ENDED, TURNING, Refused
+from rigapp.engine.store import Opened
 from rigapp.engine.timing import Timing
+
+LAST = ("revolution", "time")
 
 QUICK = Timing(
     read=0.02,
@@ -42,6 +48,7 @@ class Operating(RuleBasedStateMachine):
         self.rig = MemoryRig(timing=QUICK)
         self.broken: set[str] = set()
         self.bad_disks: list[FakeStore] = []
+        self.left: FakeStore | None = None
         self.rig.engine.connect()
 
     @initialize(long=st.booleans())
@@ -84,6 +91,60 @@ class Operating(RuleBasedStateMachine):
     @rule()
     def reconnect(self) -> None:
         self.command(self.rig.engine.reconnect)
+
+    @rule()
+    def disconnect(self) -> None:
+        """Let the program end as it should: it stops a test under way, and says so."""
+        self.rig.engine.shutdown(10.0)
+        assert self.rig.engine.state is RunState.IDLE
+        if self.rig.stores:
+            assert self.rig.engine.outcome is not None
+            assert self.rig.engine.outcome.sentence
+            assert self.rig.store.closed
+
+    @rule()
+    def kill(self) -> None:
+        """Let the program die; the drive's watchdog stops the crank, another program begins."""
+        dead = self.rig
+        if dead.stores:
+            self.left = self.as_committed(dead.store)
+        crank = dead.crank
+        dead.source.crank = dead.spindle.crank = Crank()  # nothing of it reaches the rig any more
+        with crank.lock:
+            crank.powered, crank.target, crank.acceleration = False, 0.0, 20.0
+        dead.engine.shutdown(10.0)
+        crank.turn(round(0.5 * RATE))
+        assert abs(crank.speed) < 1e-6
+        self.rig = MemoryRig(crank=crank, timing=QUICK)
+        self.apply()
+        self.command(self.rig.engine.connect)
+
+    def as_committed(self, store: FakeStore) -> FakeStore:
+        """Return what is found after a kill: the rows that were safe."""
+        safe = list(store.rows[: store.safe])
+        return FakeStore(rows=safe, safe=len(safe), ending=store.ending)
+
+    @rule(revolutions=st.sampled_from([4, 1000]))
+    def go_on(self, revolutions: int) -> None:
+        """Resume the last file, as a kill or an end has left it."""
+        left = self.as_committed(self.rig.store) if self.rig.stores else self.left
+        if left is None or (left.ending is not None and left.ending[0] == "complete"):
+            return
+        if self.rig.engine.state in ACTIVE:
+            return
+        last = [float(left.rows[-1][PLACE[name]]) for name in LAST] if left.rows else [0.0, 0.0]
+        left.ending = None
+        self.rig.opened = Opened(left, len(left.rows), int(last[0]), last[1], time.time())
+        before = len(left.rows)
+        try:
+            self.rig.start(a_test(revolutions), resume=True)
+        except (Refused, DeviceError, UnusableInput):
+            self.rig.opened = None
+            return
+        assert self.rig.store is left
+        eventually(lambda: len(left.rows) > before or self.rig.engine.state not in TURNING, 30.0)
+        numbers = left.column("revolution")
+        assert list(numbers) == sorted(set(numbers))
 
     # --- the rig ---------------------------------------------------------------------------------
 
