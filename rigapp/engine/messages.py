@@ -109,7 +109,11 @@ class ChannelView(msgspec.Struct, frozen=True):
 
 
 class DeviceView(msgspec.Struct, frozen=True):
-    """Show one device: identity, rate, losses, last error."""
+    """Show one device: identity, rate, losses, last error.
+
+    counters: what its driver counted on the line, by name (``bytes_received``, ``crc_errors``,
+    ``retries``), in the order to show it; empty when it counts nothing.
+    """
 
     name: str
     driver: str
@@ -120,6 +124,7 @@ class DeviceView(msgspec.Struct, frozen=True):
     lost_samples: int
     errors: int
     last_error: str
+    counters: dict[str, int] = {}
 
 
 class Status(msgspec.Struct, frozen=True):

@@ -8,6 +8,7 @@ import time
 
 import numpy as np
 
+from drivers.api import LineCounters
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
 from rigapp.engine.messages import (
@@ -164,6 +165,7 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
                 last_error=connection.last_source_error
                 if source
                 else (error.sentence if error is not None else ""),
+                counters=dict(device.counters()) if isinstance(device, LineCounters) else {},
             )
         )
     return tuple(views)

@@ -174,6 +174,9 @@ class FakeSource:
         self._sequence += 1
         return block
 
+    def counters(self) -> dict[str, int]:
+        return {"bytes_received": 4096, "crc_errors": 2}
+
     def zero(self, inputs: Sequence[str]) -> None:
         raise NotImplementedError
 
@@ -341,6 +344,10 @@ class FakeStore:
 
     def note_gap(self, event: Event) -> None:
         self.gaps.append(event)
+
+    def place(self) -> None:
+        if not self.closed:
+            self._check()
 
     def commit(self) -> int:
         self._check()

@@ -375,7 +375,8 @@ def test_status_shows_the_run(rig: MemoryRig) -> None:
     assert status.file == str(Path("memory.h5"))
     assert status.operator == "Ada"
     assert status.worst_margin in ("overspeed", "stale data")
-    assert {device.name for device in status.devices} == {"daq", "drive"}
+    counters = {device.name: device.counters for device in status.devices}
+    assert counters == {"daq": {"bytes_received": 4096, "crc_errors": 2}, "drive": {}}
     assert status.drive is not None
     assert status.drive.enabled
     assert status.simulated
