@@ -44,11 +44,15 @@ LARGEST_OFFSET = math.radians(20.0)
 
 @dataclass(frozen=True, slots=True)
 class Rig:
-    """Where the readings come from: name of the rig, whether it is simulated, who calibrates."""
+    """Where the readings come from: name of the rig, whether it is simulated, who calibrates.
+
+    file: the rig file, where it is known.
+    """
 
     name: str
     simulated: bool
     operator: str = ""
+    file: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -79,6 +79,7 @@ class MainWindow(QMainWindow):
         self._closing = ""
         self._discard = False
         self._results_folder = results_folder
+        self._rig_file = rig
         self._calibration: CalibrationWizard | ProbeWizard | None = None
         self._chooser: CalibrationChooser | None = None
         self.theme = theme
@@ -200,7 +201,8 @@ class MainWindow(QMainWindow):
         status = self._may_calibrate()
         if status is None:
             return
-        rig = Rig(status.rig, status.simulated, status.operator or getuser())
+        operator = status.operator or getuser()
+        rig = Rig(status.rig, status.simulated, operator, self._rig_file)
         line, folder = self._link.request, self._results_folder
         if which == "load cell":
             self._calibration = CalibrationWizard(line, rig, self.theme, folder, parent=self)

@@ -21,6 +21,9 @@ from rigapp.commands.live_calibration import Outcome
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.calibration.bench import Bench
 from rigapp.gui.calibration.parts import larger, named, prose
+from rigapp.service.rigfile import name_record
+
+USE = "Write its name into the &rig file…"
 
 REFUSED = (
     "Nothing is saved. Go back, select a reading of the series that is wrong, reject it with the"
@@ -163,15 +166,30 @@ class CertificatePage(QWizardPage):
         self.html = QPushButton("Write the certificate as &HTML")
         named(self.html, "certificate_html", "Write the certificate as HTML")
         self.words = prose("certificate_words", "Where the certificate is")
+        self.use = QPushButton(USE)
+        named(self.use, "use_record", "Write the name of the record into the rig file")
+        self.no = QPushButton("N&o, leave it")
+        named(self.no, "leave_rig_file", "Leave the rig file as it is")
+        self.used = prose("use_words", "What happens to the rig file")
         row = QHBoxLayout()
         row.addWidget(self.pdf)
         row.addWidget(self.html)
         row.addStretch(1)
+        rig = QHBoxLayout()
+        rig.addWidget(self.use)
+        rig.addWidget(self.no)
+        rig.addStretch(1)
         column = QVBoxLayout(self)
         column.addWidget(self.saved)
         column.addLayout(row)
         column.addWidget(self.words)
+        column.addSpacing(self.words.fontMetrics().height())
+        column.addWidget(self.used)
+        column.addLayout(rig)
         column.addStretch(1)
+        self._asked = False
+        self.use.clicked.connect(self._use)
+        self.no.clicked.connect(self._leave)
         self.pdf.clicked.connect(lambda: self._write(".pdf"))
         self.html.clicked.connect(lambda: self._write(".html"))
         bench.said.connect(self.words.setText)
@@ -184,12 +202,50 @@ class CertificatePage(QWizardPage):
         simulated = (
             " It was made on a simulated rig, for practice." if self._bench.rig.simulated else ""
         )
-        self.saved.setText(
-            f"The record is saved and read-only: {path}.{simulated}\nTo use it, copy matrix and"
-            " zero into the rig file, section [load_cell], and name the record there."
-        )
+        self.saved.setText(f"The record is saved and read-only: {path}.{simulated}")
         self.words.clear()
+        self._leave()
         self.pdf.setFocus()
+
+    def _leave(self) -> None:
+        """Ask nothing; say what would put the record to use."""
+        file = self._bench.rig.file
+        self._asked = False
+        self.no.hide()
+        self.use.setVisible(file is not None)
+        self.use.setText(USE)
+        name = "the rig file" if file is None else str(file)
+        self.used.setText(
+            f"The record counts when {name} names it: section [load_cell], calibration = ..."
+        )
+
+    def _use(self) -> None:
+        """Ask first, then write the record's name into the rig file."""
+        file, outcome = self._bench.rig.file, self._bench.outcome
+        if file is None or outcome is None or outcome.saved is None:
+            return
+        if not self._asked:
+            self._asked = True
+            self.used.setText(
+                f"Write the name of this record into {file}? Comments and all else stay, and a copy"
+                " of the file as it is now is kept beside it."
+            )
+            self.use.setText("&Yes, write it")
+            self.no.show()
+            return
+        try:
+            copy = name_record(file, outcome.saved)
+        except UnusableInput as error:
+            self._leave()
+            self.used.setText(str(error))
+            return
+        self._asked = False
+        self.use.hide()
+        self.no.hide()
+        self.used.setText(
+            f"{file.name} names the record now; the former file is {copy.name}. It counts when the"
+            " engine is started again: close all windows of this rig, and open one after a minute."
+        )
 
     def _write(self, suffix: str) -> None:
         outcome = self._bench.outcome
