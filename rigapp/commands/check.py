@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any, Protocol, runtime_checkable
 
 import msgspec
 
 from drivers.api import DeviceError
+from drivers.registry import load_driver
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.engine.devices import LoadDriver, make_devices
 from rigapp.engine.messages import Status
 from rigapp.service.preflight import Check, Verdict, blocked, disk_facts, preflight
 from rigapp.service.records import RigRecords, with_records
@@ -30,12 +34,13 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
 
     records = with_records(read_rig(rig_path))
     test = read_test(test_path).record
-    status, problems = look(records, test)
+    status, found = look(records, test)
     rate = _rate(status) or _configured_rate(records.rig.record)
     disk = disk_facts(test, rate, Path.cwd()) if rate else None
     checks = preflight(test, records, disk, status)
-    if problems:
-        checks = [check for check in checks if check.what != "Engine"] + problems
+    if status is None:
+        checks = [check for check in checks if check.what != "Engine"]
+    checks += found
     table = Table(show_header=False, box=None, pad_edge=False)
     for check in checks:
         text = f"{check.finding}. {check.action}" if check.action else check.finding
@@ -45,9 +50,10 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
 
 
 def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check]]:
-    """Return how the rig stands, and what kept it from being looked at.
+    """Return how the rig stands, and what else was found or kept it from being looked at.
 
-    The engine that runs for the rig is asked; without one, the devices are opened and released.
+    The engine that runs for the rig is asked; without one, the devices are opened, their own test
+    value is looked at, and they are released.
     """
     from rigapp.service.client import Client, EngineUnreachable
     from rigapp.service.launch import find_engine
@@ -55,7 +61,7 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
     entry = find_engine(records.rig.path)
     try:
         if entry is None:
-            return _look_alone(records, test), []
+            return _look_alone(records, test)
         client = Client(entry)
         try:
             return msgspec.convert(client.request("status").result, Status), []
@@ -69,23 +75,68 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
         return None, [Check("Devices", Verdict.BLOCKS, str(error))]
 
 
-def _look_alone(records: RigRecords, test: TestFile) -> Status:
+def _look_alone(records: RigRecords, test: TestFile) -> tuple[Status, list[Check]]:
     from rigapp.engine.engine import Engine
     from rigapp.service.simulated import SimulatedDevices, parse_speed
 
     simulated = SimulatedDevices(records.rig, parse_speed(None, records.rig))
     try:
-        engine = Engine(records.rig, ports=simulated.ports(test.model), records=records.texts)
+        ports = simulated.ports(test.model)
+        checks = list(self_check(records.rig.record, ports))
+        engine = Engine(records.rig, ports=ports, records=records.texts)
         try:
             engine.connect()
             deadline = time.monotonic() + FIRST_DATA_S
             while not engine.status().channels and time.monotonic() < deadline:
                 time.sleep(0.05)
-            return engine.status()
+            return engine.status(), checks
         finally:
             engine.shutdown()
     finally:
         simulated.close()
+
+
+@runtime_checkable
+class SelfChecking(Protocol):
+    """A data source that can feed half of its range into its inputs, as the GSV-8 does."""
+
+    def half_scale(self) -> Sequence[Any]:
+        """Return one result an input: name, measured, expected, unit, right."""
+        ...
+
+
+def self_check(
+    rig: RigFile, ports: Mapping[str, str], load: LoadDriver = load_driver
+) -> Iterator[Check]:
+    """Yield what the data source's test value shows, where it has one; raise what opening raises.
+
+    The way from the amplifier to the program is checked: scales and order of the channels.
+    """
+    devices = make_devices(rig, ports, load)
+    try:
+        devices.open()
+        source = devices.source
+        if not isinstance(source, SelfChecking):
+            return
+        what = f"Test value of {source.name}"
+        try:
+            results = source.half_scale()
+        except DeviceError as error:
+            yield Check(what, Verdict.ATTENTION, f"not possible: {error.sentence}")
+            return
+        wrong = [one for one in results if not one.right]
+        if wrong:
+            found = ", ".join(
+                f"{one.name} {one.measured:.4g} {one.unit} in place of {one.expected:.4g}"
+                for one in wrong
+            )
+            action = "Compare scales and order of the device's channels with the rig file"
+            yield Check(what, Verdict.BLOCKS, found, action)
+        else:
+            names = ", ".join(one.name for one in results)
+            yield Check(what, Verdict.GOOD, f"half of the range arrives on {names}")
+    finally:
+        devices.close()
 
 
 def _rate(status: Status | None) -> float:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from rigapp.config.loading import Document
@@ -337,11 +337,12 @@ class Core:
             if session.finished:
                 return
             ending = session.ending or Ending(FinishReason.INTERNAL, "the test ended by itself")
+            then = session.fault_sentence
+            if then and then not in ending.sentence:
+                ending = replace(ending, sentence=f"{ending.sentence} Then: {then}")
             ending = self._close_file(session, ending)
-            fault = ending.fault or bool(session.fault_sentence)
+            fault = ending.fault or bool(then)
             sentence = ending.sentence
-            if session.fault_sentence and session.fault_sentence not in sentence:
-                sentence = f"{sentence} Then: {session.fault_sentence}"
             rows = session.recorder.committed
             session.finished = True
             if rows != session.committed:
