@@ -7,7 +7,7 @@ certificate again and compare it byte for byte.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -22,18 +22,24 @@ from rigapp.report.probe_certificate import (
     probe_statements,
     probe_tables,
 )
+from rigapp.report.run_out_certificate import (
+    run_out_conditions,
+    run_out_figures,
+    run_out_statements,
+    run_out_tables,
+)
 
 
 def certificate_of(record: Record) -> Document:
     """Compose the certificate of a record."""
     content = record.content
-    texts, tables, figures = (_cell if record.kind == "load cell" else _probe)(content)
+    texts, tables, figures = PARTS[record.kind](content)
     return Document(
         title=f"Certificate of calibration: {_item(content)}",
         footer=f"Certificate {record.number}",
         sections=(
             Section("", (*(Text(text) for text in texts), _identity(record), *tables)),
-            Section("Residuals", tuple(figures)),
+            Section("Map" if record.kind == "run-out map" else "Residuals", tuple(figures)),
         ),
         closing=(
             f"Number {record.number} is the beginning of the SHA-256 digest of the record, readings"
@@ -56,9 +62,24 @@ def _probe(content: Mapping[str, Any]) -> Parts:
     return probe_statements(content), tables, probe_figures(content)
 
 
+def _run_out(content: Mapping[str, Any]) -> Parts:
+    tables = [run_out_conditions(content), *run_out_tables(content)]
+    return run_out_statements(content), tables, run_out_figures(content)
+
+
+PARTS: Mapping[str, Callable[[Mapping[str, Any]], Parts]] = {
+    "load cell": _cell,
+    "probe": _probe,
+    "probe pair": _probe,
+    "run-out map": _run_out,
+}
+"""Kind of a record -> what its certificate says."""
+
+
 def _item(content: Mapping[str, Any]) -> str:
     settings = content["settings"]
-    return str((settings.get("cell") or settings.get("probe"))["name"])
+    item = next(settings[key] for key in ("cell", "probe", "pin") if key in settings)
+    return str(item["name"])
 
 
 def _joined(*texts: str) -> str:

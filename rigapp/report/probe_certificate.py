@@ -47,7 +47,7 @@ def _how_taken(taken: Content) -> str:
         words += f" by {taken['operator']}"
     rejected = sum(1 for event in taken["events"] if event["event"] == "reject")
     words += f"; {taken['positions']} positions, {taken['runs']} runs up and down"
-    words += f"; {rejected} rejections" if rejected else "; nothing rejected"
+    words += f"; {rejected} series rejected and repeated" if rejected else "; nothing rejected"
     return words + ("; SIMULATED rig, for practice" if taken["simulated"] else "")
 
 
