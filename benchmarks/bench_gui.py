@@ -1,7 +1,8 @@
 """Time of a frame of the window's plots against plain pyqtgraph, side by side in one run.
 
 Run with ``QT_QPA_PLATFORM=offscreen python benchmarks/bench_gui.py``. Prints the median wall time
-of new data + complete repaint, in ms, and the ratio plain / own.
+of new data + complete repaint, in ms, the ratio plain / own, and the budget: 16 ms for a frame of
+four overlays and the trend of 10^6 cycles together.
 """
 
 from __future__ import annotations
@@ -30,6 +31,8 @@ from rigapp.gui.trend import TrendPanel
 FRAMES = 25
 POINTS = 3600
 SIZE = (1280, 800)
+BUDGET_MS = 16.0
+BUDGET_ROWS = 1_000_000
 
 
 def cycles(count: int) -> list[tuple[MeasuredCycle, PredictedCycle]]:
@@ -183,12 +186,22 @@ def main() -> None:
     apply_theme(application, LIGHT)
     print(f"{'frame':<44}{'own ms':>9}{'plain ms':>10}{'plain / own':>13}")
     own, plain = own_overlays(application), plain_overlays(application)
-    name = "4 overlays, 3600 points + model + residual"
-    print(f"{name:<44}{own:9.1f}{plain:10.1f}{plain / own:13.1f}")
+    overlays = own
+    show("4 overlays, 3600 points + model + residual", own, plain)
     for rows in (23_000, 1_000_000, 10_000_000):
         own, plain = own_trend(application, rows), plain_trend(application, rows)
-        name = f"trend of 6 series, {rows:,} cycles"
-        print(f"{name:<44}{own:9.1f}{plain:10.1f}{plain / own:13.1f}")
+        show(f"trend of 6 series, {rows:,} cycles", own, plain)
+        if rows == BUDGET_ROWS:
+            frame = overlays + own
+    name = f"4 overlays + trend of {BUDGET_ROWS:,} cycles"
+    print(
+        f"{name:<44}{frame:9.1f}   budget {BUDGET_MS:.0f} ms, budget / own {BUDGET_MS / frame:.2f}"
+    )
+
+
+def show(name: str, own: float, plain: float) -> None:
+    """Print one line."""
+    print(f"{name:<44}{own:9.1f}{plain:10.1f}{plain / own:13.1f}")
 
 
 if __name__ == "__main__":

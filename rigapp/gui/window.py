@@ -46,11 +46,16 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-TICK_MS = 100
+TICK_MS = 25
+"""Between two looks for news: a revolution shall be on the screen 100 ms after its end."""
+
+STATE_EVERY = 4
+"""Ticks between two looks at the state bar when there are no news: its ages grow all the same."""
+
 FRAME_HEIGHT = 40
 """Room for the frame that the window manager puts around a window."""
 
-SLOW_EVERY = 5
+SLOW_EVERY = 20
 """Ticks between two drawings of a trend or a table: twice a second, in turns."""
 
 
@@ -117,9 +122,19 @@ class MainWindow(QMainWindow):
         self._ticks += 1
         self._session.deliver()
         self._reader.deliver()
+        before = self._link.state
         snapshot = self._link.pump()
         if snapshot is not None:
             self._take(snapshot)
+        news = snapshot is not None or before is not self._link.state
+        if news or self._session.problem or self._ticks % STATE_EVERY == 0:
+            self._show_state()
+        if not self.isMinimized():
+            status = self._link.status
+            self.tabs.draw_fast(status)
+            self.tabs.draw_part(status, self._ticks % SLOW_EVERY, SLOW_EVERY)
+
+    def _show_state(self) -> None:
         status = self._link.status
         self.header.show_headline(
             headline(status, self._link.state, self._link.reason, self._link.data_age_s())
@@ -133,9 +148,6 @@ class MainWindow(QMainWindow):
             self.controls.show_answer(self._session.problem, good=False)
             self._session.problem = ""
         self._close_when_stopped()
-        if not self.isMinimized():
-            self.tabs.draw_fast(status)
-            self.tabs.draw_part(status, self._ticks % SLOW_EVERY, SLOW_EVERY)
 
     @property
     def settled(self) -> bool:
