@@ -46,6 +46,8 @@ from rigapp.engine.store import OpenStore, open_file
 from rigapp.engine.timing import Timing
 from rigapp.engine.views import build_status
 
+EXTENDABLE = frozenset({RunState.STARTING, RunState.RUNNING, RunState.PAUSING, RunState.PAUSED})
+
 
 @dataclass(frozen=True, slots=True)
 class Remark:
@@ -363,6 +365,29 @@ class Engine:
                 before=f"{before:g}" if before is not None else "none",
                 after=f"{value:g}",
             )
+
+    def extend(self, revolutions: int, operator: str = "", reason: str = "") -> None:
+        """Let the test under way end after another number of revolutions; logged.
+
+        Raises Refused when no test runs or it has come so far already, UnusableInput when the file
+        or the disk has no room for them.
+        """
+        with self._command:
+            core, session = self._core, self._core.session
+            if session is None or core.state not in EXTENDABLE or session.run.complete:
+                raise Refused("the number of revolutions is changed while a test runs or is paused")
+            run = session.run
+            core.require(
+                revolutions > run.number + 1,
+                f"revolution {run.number} is made already; the test can end after a later one than"
+                f" {run.number + 1}",
+            )
+            before = run.planned
+            session.recorder.extend(revolutions)
+            run.planned = revolutions
+            why = f": {reason.strip()}" if reason.strip() else ""
+            text = f"the test shall end after {revolutions} revolutions{why}"
+            core.event("command", operator or "operator", text, str(before), str(revolutions))
 
     def zero(
         self, what: Sequence[str] = ("load_cell",), operator: str = "", reason: str = ""

@@ -221,6 +221,12 @@ class Recorder:
             self.committed = self._store.commit()
         return self.committed
 
+    def extend(self, revolutions: int) -> None:
+        """Make room for another number of revolutions; raise UnusableInput when there is none."""
+        with self._lock:
+            if not self._closed:
+                self._store.extend(revolutions)
+
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
         """Keep what still waits and the revolution cut off, say how the test ended, and close."""
         cut_off = None if self._closed or self._whole else self._unfinished()

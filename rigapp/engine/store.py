@@ -75,6 +75,10 @@ class Store(Protocol):
         """Count an interruption and log it."""
         ...
 
+    def extend(self, revolutions: int) -> None:
+        """Make room for another number of revolutions and log it; raise UnusableInput."""
+        ...
+
     def commit(self) -> int:
         """Make everything safe and return the number of safe rows."""
         ...

@@ -330,6 +330,7 @@ class EngineHost:
             "acknowledge": lambda a, who: engine.acknowledge(a.get("key", ""), who),
             "shelve": lambda a, who: engine.shelve(a["key"], a["reason"], a["minutes"], who),
             "note": lambda a, who: engine.note(a["text"], who),
+            "extend": lambda a, who: engine.extend(int(a["revolutions"]), who, a.get("reason", "")),
             "set_limit": lambda a, who: engine.set_limit(
                 a["name"], a["value"], who, a.get("reason", "")
             ),
@@ -389,7 +390,9 @@ def recorded_test(path: Path) -> Document[TestFile]:
 
     with open_test(path) as reader:
         text = reader.configuration()["test"]
-    return Document(path, text, parse_test(text, f"{path} (its test)"))
+        planned = reader.state("planned_revolutions")
+    test = Document(path, text, parse_test(text, f"{path} (its test)"))
+    return with_revolutions(test, planned or None)
 
 
 def _checkpoint(path: Path) -> bytes:

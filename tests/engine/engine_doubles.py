@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -31,6 +31,7 @@ from drivers.api import (
     SettingSpec,
     StreamSetup,
 )
+from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.recipe import (
     CyclesSection,
@@ -177,6 +178,11 @@ class FakeSource:
     def counters(self) -> dict[str, int]:
         return {"bytes_received": 4096, "crc_errors": 2}
 
+    @property
+    def gives(self) -> bool:
+        """Tell whether samples come, so that the crank turns when they are read."""
+        return self.streaming and not (self.lost or self.silent or self.broken is not None)
+
     def zero(self, inputs: Sequence[str]) -> None:
         raise NotImplementedError
 
@@ -194,6 +200,7 @@ class FakeSpindle:
     def __init__(self, name: str, port: str, crank: Crank) -> None:
         self.name, self.port, self.crank = name, port, crank
         self.lost = False
+        self.is_read: Callable[[], bool] = lambda: True
         self.hang: threading.Event | None = None
         self.faults: tuple[str, ...] = ()
         self.cause_remains = False
@@ -240,8 +247,8 @@ class FakeSpindle:
     def status(self) -> DriveStatus:
         self._alive()
         self.polls += 1
-        if time.monotonic() - self.crank.turned_at > 0.05:  # nobody reads; time goes on
-            self.crank.turn(BLOCK)
+        if not self.is_read() or time.monotonic() - self.crank.turned_at > 5.0:
+            self.crank.turn(BLOCK)  # nobody reads; time goes on
         return DriveStatus(
             host_time_ns=time.monotonic_ns(),
             speed_rev_per_s=self.crank.speed,
@@ -290,6 +297,12 @@ class FakeStore:
     broken: BaseException | None = None
     commit_waits: threading.Event | None = None
     cycles_refused: int = 0
+    room: int = 1_000_000
+
+    def extend(self, revolutions: int) -> None:
+        if revolutions > self.room:
+            raise UnusableInput(f"the file has room for {self.room} revolutions")
+        self.room = max(self.room, revolutions)
 
     @property
     def revolutions(self) -> int:
@@ -399,6 +412,7 @@ class MemoryRig:
     def __post_init__(self) -> None:
         self.source = FakeSource("daq", "memory", self.crank)
         self.spindle = FakeSpindle("drive", "memory", self.crank)
+        self.spindle.is_read = lambda: self.source.gives
         self.engine = Engine(
             Document(Path("rig.toml"), "rig text", self.rig_file()),
             ports={"daq": "memory", "drive": "memory"},
@@ -479,7 +493,7 @@ def a_test(
         title="A short test",
         run=RunSection(revolutions, rpm, acceleration_rpm_per_s=600.0),
         model=None,  # type: ignore[arg-type]
-        cycles=CyclesSection(schedule, every_revolutions=every, per_decade=3),
+        cycles=CyclesSection(schedule, every, 3, before_alarm=0, after_alarm=0),
         limits=LimitsSection(
             overload_N=overload_N, overspeed_rpm=200.0, stale_data_s=0.5, rule=rules
         ),
@@ -487,7 +501,7 @@ def a_test(
     )
 
 
-def eventually(condition: Any, seconds: float = 10.0) -> None:
+def eventually(condition: Any, seconds: float = 60.0) -> None:
     """Wait until a condition holds; fail with its name when it does not in time."""
     deadline = time.monotonic() + seconds
     while not condition():

@@ -216,6 +216,30 @@ def test_limits_change_with_an_entry_in_the_log(rig: MemoryRig) -> None:
     assert (change.source, change.before, change.after) == ("Ada", "70", "40")
 
 
+def test_the_number_of_revolutions_is_changed_while_the_test_runs(rig: MemoryRig) -> None:
+    with pytest.raises(Refused, match="while a test runs"):
+        rig.engine.extend(30)
+    rig.start(a_test(LONG))
+    recorded(rig, 5)
+    with pytest.raises(UnusableInput, match="room for"):
+        rig.engine.extend(2 * LONG, "Ada")
+    assert rig.engine.status().planned == LONG
+    with pytest.raises(Refused, match="made already"):
+        rig.engine.extend(3, "Ada")
+    rig.engine.pause("Ada")
+    rig.engine.wait((RunState.PAUSED,), 60.0)
+    last = int(rig.store.column("revolution")[-1]) + 8
+    rig.engine.extend(last, "Ada", "the joint is sound")
+    rig.engine.resume("Ada")
+    rig.engine.wait(ENDED, 60.0)
+    assert int(rig.store.column("revolution")[-1]) == last
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.reason is FinishReason.COMPLETE
+    (told,) = [e for e in rig.store.events if "shall end after" in e.text]
+    assert (told.source, told.before, told.after) == ("Ada", str(LONG), str(last))
+    assert told.text.endswith("the joint is sound")
+
+
 def test_the_zero_is_an_event_with_before_and_after(rig: MemoryRig) -> None:
     tare = rig.engine.zero(operator="Ada", reason="pin unloaded")["load_cell"]
     assert abs(tare[0]) + abs(tare[1]) > 0.1
