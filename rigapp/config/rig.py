@@ -32,6 +32,8 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     probe_noise_um: NotNegative = 0.2
     filter_delay_ms: NotNegative = 1.0
     outboard_mass_factor: NotNegative = 1.0
+    probe_misalignment_deg: Pair = (0.0, 0.0)
+    probe_sensitivity_error_percent: Pair = (0.0, 0.0)
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -72,7 +72,8 @@ def plant_constants(
     cell = _cell(rig, plant)
     believed = np.linalg.norm(np.linalg.inv(_matrix(rig)), axis=1)
     zero = rig.load_cell.zero_mV_per_V
-    volts = [1e6 / s for s in rig.probes.sensitivity_um_per_V]
+    volts = _volts_per_metre(rig, plant)
+    see_1, see_2 = (math.radians(angle) for angle in plant.probe_misalignment_deg)
     constants = Constants(
         crank_radius=radius,
         follower_length=length,
@@ -121,6 +122,10 @@ def plant_constants(
         volts_per_metre_2=volts[1],
         offset_1=rig.probes.offset_V[0],
         offset_2=rig.probes.offset_V[1],
+        see_11=math.cos(see_1),
+        see_12=math.sin(see_1),
+        see_21=-math.sin(see_2),
+        see_22=math.cos(see_2),
         index_angle=math.radians(rig.encoder.index_angle_deg),
         encoder_direction=rig.encoder.direction,
         bench=0.0,
@@ -178,6 +183,12 @@ def _hertz(parameters: ParameterFile, clearance: float) -> float:
     pin = joint.pin_radius_mm * 1e-3
     relative = pin * joint.bushing_radius_mm * 1e-3 / clearance
     return 4.0 * relative * compliance / (math.pi * joint.bushing_width_mm * 1e-3 * pin**2)
+
+
+def _volts_per_metre(rig: RigFile, plant: PlantSection) -> list[float]:
+    """Return the probes' true sensitivities: the rig file's, wrong by the plant's errors."""
+    pairs = zip(rig.probes.sensitivity_um_per_V, plant.probe_sensitivity_error_percent, strict=True)
+    return [1e6 / (believed * (1.0 + error / 100.0)) for believed, error in pairs]
 
 
 def _matrix(rig: RigFile) -> NDArray[np.float64]:

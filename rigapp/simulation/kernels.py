@@ -54,6 +54,7 @@ U = types.uint64
 class Constants(NamedTuple):
     """Hold everything that does not change while the plant runs; SI units.
 
+    see: what each probe sees of the motion along and across the follower (its direction).
     bench: 1 with the follower taken off, for calibration: the pin then carries a weight (N, towards
     -y) and the probes face micrometers (m); 0 with the mechanism together. outboard: mass of the
     pin outboard of the gauges times its radius, kg m; its inertia presses the cell outward.
@@ -104,6 +105,10 @@ class Constants(NamedTuple):
     volts_per_metre_2: float
     offset_1: float
     offset_2: float
+    see_11: float
+    see_12: float
+    see_21: float
+    see_22: float
     index_angle: float
     encoder_direction: float
     bench: float
@@ -474,8 +479,10 @@ def emit(
     on_pin_2 = -delayed(ring, 1, head, delay_steps)
     bridge_1 = k.cell_11 * on_pin_1 + k.cell_12 * on_pin_2 + k.noise_1 * noise_1 + k.drift_1 * warm
     bridge_2 = k.cell_21 * on_pin_1 + k.cell_22 * on_pin_2 + k.noise_2 * noise_2 + k.drift_2 * warm
-    probe_1 = delayed(ring, 2, head, delay_steps) + k.probe_noise * noise_3
-    probe_2 = delayed(ring, 3, head, delay_steps) + k.probe_noise * noise_4
+    along = delayed(ring, 2, head, delay_steps)
+    across = delayed(ring, 3, head, delay_steps)
+    probe_1 = k.see_11 * along + k.see_12 * across + k.probe_noise * noise_3
+    probe_2 = k.see_21 * along + k.see_22 * across + k.probe_noise * noise_4
     angle = state[ANGLE]
     out[OUT_SHAFT, column] = k.encoder_direction * (angle - k.index_angle) / (2.0 * math.pi)
     out[OUT_BRIDGE_1, column] = quantised(bridge_1, k.step_1) + k.zero_1

@@ -10,8 +10,11 @@ import msgspec
 import numpy as np
 import pytest
 
+from calibration.alignment import calibrate_pair
+from calibration.probe_procedure import ProbePlan, begin_probes
 from calibration.records import seal
 from calibration.run_out import evaluate
+from calibration.settings import ProbeSettings
 from drivers.api import Block
 from rigapp.commands.run_out import _as_read
 from rigapp.config.errors import UnusableInput
@@ -23,6 +26,10 @@ from rigapp.engine.probes import probe_correction
 from rigapp.engine.reduce import NAMES, PLACE, Reducer
 from rigapp.engine.store import calibration_record
 from rigapp.service.records import with_records
+from rigapp.simulation import kernels
+from rigapp.simulation.constants import packaged_parameters, plant_constants
+from rigapp.simulation.kernels import Drive
+from rigapp.simulation.plant import Plant
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 IN_TIME, TOO_LATE = 1780000000.0, 1800000000.0
@@ -206,3 +213,44 @@ def test_senseless_corrections_are_refused(changes: dict[str, Any], needle: str)
 
 def test_plain_probes_have_no_correction() -> None:
     assert probe_correction(read_rig(RIG).record.probes, 3600, 0.0) is None
+
+
+def test_pair_calibrated_on_the_plants_bench_tells_the_true_position_in_use() -> None:
+    """The plant's probes are crooked and wrong in sensitivity; the record puts both right."""
+    rig = read_rig(RIG).record
+    section = msgspec.structs.replace(
+        rig.simulation.plant,
+        probe_misalignment_deg=(1.5, -0.8),
+        probe_sensitivity_error_percent=(1.0, -1.5),
+    )
+    rig = msgspec.structs.replace(
+        rig, simulation=msgspec.structs.replace(rig.simulation, plant=section)
+    )
+    plant = Plant(plant_constants(packaged_parameters(), rig), sample_rate_Hz=200.0)
+    still = Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
+
+    def volts(x_um: float, y_um: float) -> np.ndarray:
+        plant.bench(0.0, (1e-6 * x_um, 1e-6 * y_um))
+        samples = plant.advance(round(0.5 / plant.step_s), still)
+        return np.array([samples.probe_1[5:].mean(), samples.probe_2[5:].mean()])
+
+    procedure = begin_probes(ProbePlan((1, 2), 800e-6, 11, 1))
+    while not procedure.done:
+        step = procedure.step
+        if not step.series:
+            procedure = procedure.mounted()
+            continue
+        at = 1e6 * step.position
+        signal = volts(at, 0.0) if step.probe == 1 else volts(0.0, at)
+        procedure = procedure.record(step.position, signal, 0.0, 0.0)
+    given = ProbeSettings("pair", 10.0, 0.5e-6, nominal=100e-6)
+    pair = calibrate_pair((procedure.readings(1), procedure.readings(2)), (given, given))
+    assert pair.accepted, pair.problems
+    assert np.degrees(pair.alignment.angle) == pytest.approx([1.5, -0.8], abs=0.02)
+    read = [
+        found.sensitivity * (voltage - found.offset)
+        for found, voltage in zip(pair.probes, volts(-500.0, 26.0), strict=True)
+    ]
+    told = 1e6 * (pair.alignment.matrix @ read)
+    assert told == pytest.approx([-500.0, 26.0], abs=0.3)
+    assert abs(1e6 * read[1] - 26.0) > 5.0
