@@ -20,7 +20,8 @@ class DailyCheck:
     """The result. deviation: (n, 2) N along and across the weight, zero of each series taken off.
 
     sensitivity: mean ratio of felt to applied force. cross_talk: mean share felt across. zero: (2,)
-    mean zero less the calibration's, N. largest: the largest deviation, N. allowed: N.
+    mean zero less the calibration's, N. largest: the largest deviation, N. allowed: N. weight: the
+    heaviest that hung, N.
     """
 
     passed: bool
@@ -31,6 +32,7 @@ class DailyCheck:
     largest: float
     allowed: float
     sentence: str
+    weight: float
 
 
 def daily_check(
@@ -83,4 +85,5 @@ def daily_check(
         largest=largest,
         allowed=allowed,
         sentence=sentence,
+        weight=float(size.max()),
     )

@@ -454,6 +454,25 @@ def calibrate_running_check(
     )
 
 
+@calibrate_app.command("history")
+def calibrate_history(
+    store: Annotated[Path, typer.Argument(help="Store of daily checks.")] = Path(
+        "daily-checks.jsonl"
+    ),
+    to: Annotated[
+        Path | None, typer.Option("--to", help="Draw the charts: .png, .html or .pdf.")
+    ] = None,
+    rig: Annotated[
+        str | None, typer.Option("--rig-name", help="Only this rig; else that of the last check.")
+    ] = None,
+    json: JsonOption = False,
+) -> None:
+    """Show the daily checks and their control charts; status 1 when a rule asks for action."""
+    from rigapp.commands.daily_history import show_history
+
+    raise typer.Exit(show_history(store, to, rig, as_json=json))
+
+
 @calibrate_app.command("certificate")
 def calibrate_certificate(
     record: Annotated[Path, typer.Argument(help="Calibration record.")],

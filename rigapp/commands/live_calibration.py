@@ -32,9 +32,12 @@ from rigapp.commands.calibrate import (
     load_cell_result,
     refuse_existing,
 )
+from rigapp.commands.daily_history import History, append_check, entry_of, read_history
 from rigapp.commands.journal import Journal
 from rigapp.config.calibration_settings import AngleSection, LoadCellFile
 from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+from rigapp.service.records import with_records
 
 PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
 Array = NDArray[np.float64]
@@ -122,6 +125,13 @@ def window_of(view: Mapping[str, Any]) -> Window:
         zero=np.array(view["zero"], dtype=np.float64),
         quadratic=None if quadratic is None else np.array(quadratic, dtype=np.float64),
     )
+
+
+def _uncertainty(rig: Path | None) -> tuple[float, float] | None:
+    """Return U(F) = first + second F of the rig's calibration, None where it is not stated."""
+    if rig is None:
+        return None
+    return with_records(read_rig(rig)).rig.record.load_cell.uncertainty_N
 
 
 class LiveSession:
@@ -292,6 +302,31 @@ class LiveSession:
         }
         keep_record(to, "load cell", self.readings_csv(), given, outcome.result, taken)
         return replace(outcome, saved=to)
+
+    def keep_check(self, outcome: Outcome, store: Path) -> History:
+        """Append a daily check to the store and return the history; raise UnusableInput.
+
+        Judged again without new readings it counts once.
+        """
+        if outcome.check is None or self._in_use is None:
+            raise UnusableInput("there is no daily check to keep.")
+        matrix, zero, quadratic = self._in_use
+        in_use = {
+            "matrix": matrix.tolist(),
+            "zero": zero.tolist(),
+            "quadratic": None if quadratic is None else quadratic.tolist(),
+        }
+        entry = entry_of(
+            outcome.check,
+            rig=self.rig.name,
+            simulated=self.rig.simulated,
+            operator=self.rig.operator,
+            calibration=in_use,
+            uncertainty_N=_uncertainty(self.rig.file),
+            source=f"{self.journal.path.name}:{len(self.procedure.events)}",
+        )
+        append_check(store, entry)
+        return read_history(store, self.rig.name)
 
     def readings_csv(self) -> str:
         """Return all readings as the CSV of ``calibrate load-cell``, rejected ones as comments."""

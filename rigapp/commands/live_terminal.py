@@ -13,6 +13,7 @@ from calibration.live import WINDOW_S, Readiness, Window
 from calibration.plans import PlanKind, StepKind
 from calibration.procedure import ProcedureError
 from rigapp.commands.calibrate import cell_lines, refuse_existing, say_result
+from rigapp.commands.daily_history import STORE, History, history_result, verdict_lines
 from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.commands.live_calibration import (
     PLANS,
@@ -197,7 +198,7 @@ def calibrate_live(
     session = LiveSession(
         given,
         meaning,
-        Rig(document.record.name, simulated, operator),
+        Rig(document.record.name, simulated, operator, rig),
         where,
         wish,
         keep_waiting_times=not practise,
@@ -225,7 +226,8 @@ def calibrate_live(
 def _conclude(session: LiveSession, to: Path, *, as_json: bool, say: Callable[[str], None]) -> int:
     outcome = session.judge()
     if session.procedure.kind is PlanKind.DAILY:
-        return _say_check(outcome, as_json=as_json, say=say)
+        history = session.keep_check(outcome, to.parent / STORE)
+        return _say_check(outcome, history, as_json=as_json, say=say)
     assert outcome.calibration is not None
     lines = cell_lines(outcome.calibration, outcome.settings)
     if outcome.accepted:
@@ -234,12 +236,16 @@ def _conclude(session: LiveSession, to: Path, *, as_json: bool, say: Callable[[s
     return 0 if outcome.accepted else 1
 
 
-def _say_check(outcome: Outcome, *, as_json: bool, say: Callable[[str], None]) -> int:
+def _say_check(
+    outcome: Outcome, history: History, *, as_json: bool, say: Callable[[str], None]
+) -> int:
     if as_json:
         import json
 
-        print(json.dumps(outcome.result))
+        print(json.dumps({**outcome.result, "history": history_result(history)}))
     assert outcome.check is not None
     say(outcome.check.sentence)
-    say("The readings are in the journal; a daily check makes no record.")
+    for line in verdict_lines(history):
+        say(line)
+    say(f"It is kept in {STORE}; 'rigapp calibrate history' draws the chart.")
     return 0 if outcome.accepted else 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import pytest
 
 from calibration.records import unseal
 from rigapp.commands.live_calibration import Rig
+from rigapp.commands.run import run_test
 from rigapp.config.loading import read_rig
 from rigapp.engine.messages import Request
 from rigapp.gui.calibration.wizard import CalibrationWizard
@@ -19,8 +21,11 @@ from rigapp.gui.palette import LIGHT
 from rigapp.gui.tasks import Worker
 from rigapp.service.host import EngineHost
 from rigapp.simulation.constants import plant_section
+from rigapp.simulation.handle import start_simulated_rig
+from rigapp.storage.reader import open_test
 
 WITHIN_S = 240.0
+REVOLUTIONS = 16
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 
 
@@ -65,14 +70,16 @@ def pump(wizard: CalibrationWizard, line: HostLine, until: Any, what: str, withi
         time.sleep(0.005)
 
 
-def test_wizard_finds_the_plants_matrix_and_refuses_exchanged_plugs(
-    qtbot: Any, line: HostLine, tmp_path: Path
+def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_tells_the_forces(
+    qtbot: Any, line: HostLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     settings = tmp_path / "settings.toml"
     settings.write_text(
         'schema = 1\n[cell]\nname = "Pin cell"\n[place]\ngravity_m_s2 = 9.8123\n', "utf-8"
     )
-    rig = Rig("Simulated slider-crank", True, "E. Sample")
+    file = tmp_path / "rig.toml"
+    file.write_text(EXAMPLE.read_text("utf-8").replace("speed = 20.0", 'speed = "max"'), "utf-8")
+    rig = Rig("Simulated slider-crank", True, "E. Sample", file)
     wizard = CalibrationWizard(line, rig, LIGHT, tmp_path, settings)
     qtbot.addWidget(wizard)
     wizard.show()
@@ -114,5 +121,62 @@ def test_wizard_finds_the_plants_matrix_and_refuses_exchanged_plugs(
     told = found @ (signal - np.array(result["zero"])[:, None])
     line_N = result["uncertainty_line_N"]
     assert np.hypot(*(told - force)).max() < line_N["constant_N"] + 300.0 * line_N["per_N"]
+    # The certificate is written, and its end is told.
+    page = wizard.certificate
+    page.pdf.click()
+    pump(wizard, line, lambda: "certificate is" in page.words.text(), "certificate", WITHIN_S)
+    assert bench.outcome.saved.with_suffix(".pdf").read_bytes().startswith(b"%PDF")
+    # The rig file names the record after a question, and a test with it tells the plant's forces.
+    page.use.click()
+    assert not read_rig(file).record.load_cell.calibration
+    page.use.click()
+    assert read_rig(file).record.load_cell.calibration == bench.outcome.saved.name
     wizard.accept()
     pump(wizard, line, lambda: not wizard.isVisible(), "the end", WITHIN_S)
+    measured, at_plant = forces_of_a_test(file, tmp_path, monkeypatch)
+    allowed_N = line_N["constant_N"] + line_N["per_N"] * np.hypot(*at_plant)
+    error = np.hypot(*(measured - at_plant))
+    assert np.all(error < allowed_N)
+    # With the numbers of the rig file it would be worse: the record is what was used.
+    believed = np.diag([200.0, 200.0]) @ np.linalg.inv(found) @ measured
+    worse = np.hypot(*(believed - at_plant))
+    assert np.sqrt(np.mean(error**2)) < 0.7 * np.sqrt(np.mean(worse**2))
+
+
+def forces_of_a_test(
+    rig: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> tuple[np.ndarray, np.ndarray]:
+    """Run a test; return the mean cycle, (2, bins) N, as measured and as the plant had it."""
+    truth = folder / "truth.npz"
+    start = partial(start_simulated_rig, truth=truth)
+    monkeypatch.setattr("rigapp.service.simulated.start_simulated_rig", start)
+    monkeypatch.setattr("rigapp.commands.run.compress_complete", lambda end: None)
+    text = (EXAMPLE.parent / "quick.toml").read_text("utf-8")
+    for old, new in (
+        ("revolutions = 500", f"revolutions = {REVOLUTIONS}"),
+        ("every_revolutions = 10", "every_revolutions = 1"),
+        ('joint = "continuous"', 'joint = "continuous"\nenabled = false'),
+    ):
+        assert old in text
+        text = text.replace(old, new)
+    (folder / "test.toml").write_text(text, "utf-8")
+    out = folder / "test.h5"
+    assert run_test(folder / "test.toml", rig, out, None, None, None) == 0
+    told = []
+    with open_test(out) as reader:
+        assert "load_cell" in reader.calibration()
+        for cycle in reader.cycles():
+            if int(cycle.revolution) > REVOLUTIONS // 2:
+                columns = cycle.columns
+                told.append(np.array([columns[n] for n in ("angle", "force_1", "force_2")]))
+    with np.load(truth) as stored:
+        steady = np.abs(stored["speed_rad_per_s"] * 30.0 / np.pi / 60.0 - 1.0) < 0.03
+        angle = np.degrees(stored["angle_rad"][steady])
+        plant = np.array([angle, stored["force_e1_N"][steady], stored["force_n1_N"][steady]])
+    return mean_cycle(np.hstack(told)), mean_cycle(plant)
+
+
+def mean_cycle(columns: np.ndarray) -> np.ndarray:
+    """Return the mean of forces (angle in degrees, force_1, force_2) in bins of 10 degrees."""
+    place = (np.mod(columns[0], 360.0) // 10.0).astype(int)
+    return np.array([[one[place == k].mean() for k in range(36)] for one in columns[1:]])

@@ -63,6 +63,25 @@ def judged(wizard: Any, qtbot: Any) -> None:
     qtbot.waitUntil(ready, timeout=20000)
 
 
+def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path: Path) -> None:
+    wizard.plan.plan.setCurrentIndex(0)
+    to_readings(wizard)
+    go_ahead(wizard, lambda: done(wizard))
+    page = wizard.result_page
+    for _ in range(2):  # judged again, it counts once
+        wizard.next()
+        judged(wizard, qtbot)
+
+        def charted() -> bool:
+            wizard.bench.tick()
+            return page.chart.isVisible()
+
+        qtbot.waitUntil(charted, timeout=60000)
+        assert "1 check with this calibration" in page.chart.words.text()
+        wizard.back()
+    assert len((tmp_path / "daily-checks.jsonl").read_text().splitlines()) == 1
+
+
 def test_whole_wizard_to_the_certificate(wizard: Any, qtbot: Any, tmp_path: Path) -> None:
     assert "45.5 kg in all" in wizard.plan.summary.text()
     to_readings(wizard)

@@ -17,10 +17,13 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.commands.calibrate import cell_lines
+from rigapp.commands.daily_history import STORE, History
 from rigapp.commands.live_calibration import Outcome
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.calibration.bench import Bench
+from rigapp.gui.calibration.chart_plot import ChartPlot
 from rigapp.gui.calibration.parts import larger, named, prose
+from rigapp.gui.palette import Theme
 from rigapp.service.rigfile import name_record
 
 USE = "Write its name into the &rig file…"
@@ -34,9 +37,10 @@ REFUSED = (
 class ResultPage(QWizardPage):
     """Show matrix, uncertainty, problems; save the record, or say why it is refused."""
 
-    def __init__(self, bench: Bench) -> None:
+    def __init__(self, bench: Bench, theme: Theme, folder: Path) -> None:
         super().__init__()
         self._bench = bench
+        self._store = folder / STORE
         self.setTitle("Result")
         self.verdict = prose("verdict", "Verdict")
         larger(self.verdict, 1.8, bold=True)
@@ -49,6 +53,7 @@ class ResultPage(QWizardPage):
         self.matrix.setMaximumHeight(6 * self.matrix.fontMetrics().height())
         self.matrix.setTabKeyNavigation(False)
         self.words = prose("result_words", "Uncertainty and classification")
+        self.chart = ChartPlot(theme)
         self.target = QLineEdit()
         named(self.target, "record_file", "Record to make")
         self.target_label = QLabel("Save the &record as")
@@ -62,6 +67,7 @@ class ResultPage(QWizardPage):
         column.addWidget(self.problems)
         column.addWidget(self.matrix)
         column.addWidget(self.words)
+        column.addWidget(self.chart, 4)
         column.addStretch(1)
         column.addWidget(self.problem)
         column.addLayout(row)
@@ -73,7 +79,7 @@ class ResultPage(QWizardPage):
         self.verdict.setText("Calculating …")
         for label in (self.problems, self.words, self.problem):
             label.clear()
-        for widget in (self.matrix, self.target, self.target_label):
+        for widget in (self.matrix, self.target, self.target_label, self.chart):
             widget.hide()
         session = self._bench.session
         if session is not None:
@@ -108,6 +114,8 @@ class ResultPage(QWizardPage):
         return True
 
     def _said(self, text: str) -> None:
+        if self.isVisible() and text and self._bench.outcome is not None:
+            self.problem.setText(text)
         if self.isVisible() and text and self._bench.outcome is None:
             self.verdict.setText("✗ There is no result")
             self.problems.setText(text)
@@ -118,10 +126,21 @@ class ResultPage(QWizardPage):
         if outcome.check is not None:
             self.verdict.setText(_mark(outcome, "The daily check is passed", "The check failed"))
             self.problems.setText(outcome.check.sentence)
+            self._keep_check(outcome)
         else:
             self.verdict.setText(_mark(outcome, "Accepted", "Refused"))
             self._show_calibration(outcome)
         self.completeChanged.emit()
+
+    def _keep_check(self, outcome: Outcome) -> None:
+        session = self._bench.session
+        assert session is not None
+        self._bench.run(lambda: session.keep_check(outcome, self._store), self._show_history)
+
+    def _show_history(self, found: History) -> None:
+        self.chart.show_history(found)
+        self.chart.show()
+        self.words.setText(f"The check is kept in {self._store}.")
 
     def _show_calibration(self, outcome: Outcome) -> None:
         found = outcome.calibration

@@ -47,7 +47,7 @@ class CalibrationWizard(QWizard):
         self.plan = PlanPage(self.bench, folder, settings)
         self.angle = AnglePage(self.bench, theme)
         self.readings = ReadingsPage(self.bench, theme)
-        self.result_page = ResultPage(self.bench)
+        self.result_page = ResultPage(self.bench, theme, folder)
         self.certificate = CertificatePage(self.bench)
         for page in (
             self.plan,

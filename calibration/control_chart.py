@@ -1,0 +1,142 @@
+"""The control chart of the daily check: does the cell stay as it was calibrated?
+
+A Shewhart chart of one value a day. Two kinds of limits: those of the calibration, the expanded
+uncertainty about the value that it promises, and those of the history, three standard deviations
+about its mean, the deviation taken from the moving ranges (mean range / 1.128), which a slow change
+does not widen. Runs are judged by the rules that are called Western Electric's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+ENOUGH = 8
+"""Checks from which on the history has limits of its own."""
+RANGE_FACTOR = 1.128
+"""Mean range of two values of a normal distribution, in standard deviations."""
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What a rule found: a code, one sentence, the place of the last value (from 0), and whether it
+    asks for action or only for attention."""
+
+    code: str
+    sentence: str
+    at: int
+    action: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Chart:
+    """One chart. promised: what the calibration says; expanded: its U, or None. centre, sigma: of
+    the history, None while it is short. Values and limits in the unit of the values."""
+
+    values: Array
+    promised: float
+    expanded: float | None
+    centre: float | None
+    sigma: float | None
+    findings: tuple[Finding, ...]
+
+    @property
+    def limits(self) -> tuple[float, float] | None:
+        """Return the limits of the history, centre -+ 3 sigma."""
+        if self.centre is None or self.sigma is None:
+            return None
+        return self.centre - 3.0 * self.sigma, self.centre + 3.0 * self.sigma
+
+
+def chart(
+    values: Sequence[float], promised: float, expanded: float | None, *, least: float = 0.0
+) -> Chart:
+    """Judge values in the order of time.
+
+    expanded: U of one value about ``promised``; None when the calibration does not state it. least:
+    the smallest standard deviation believed in, of the resolution. The last value is what counts: a
+    rule is told when it ends there.
+    """
+    array = np.asarray(values, np.float64)
+    findings: list[Finding] = []
+    centre = sigma = None
+    last = len(array) - 1
+    if last >= 0 and expanded is not None and abs(array[last] - promised) > expanded:
+        findings.append(
+            Finding(
+                "beyond_uncertainty",
+                f"The last check is {array[last] - promised:+.5f} off what the calibration says,"
+                f" more than its uncertainty of {expanded:.5f}: calibrate again.",
+                last,
+                True,
+            )
+        )
+    if len(array) >= ENOUGH:
+        # The last value is judged by the others.
+        before = array[:-1]
+        centre = float(before.mean())
+        sigma = max(float(np.abs(np.diff(before)).mean()) / RANGE_FACTOR, least, 1e-12)
+        findings += _rules((array - centre) / sigma)
+    findings += _trend(array)
+    return Chart(array, promised, expanded, centre, sigma, tuple(findings))
+
+
+def _rules(z: Array) -> list[Finding]:
+    """Judge values in standard deviations from the centre, by the first rule that holds."""
+    last = len(z) - 1
+    side = float(np.sign(z[-1]))
+    above = "above" if side > 0 else "below"
+    if abs(z[-1]) > 3.0:
+        return [
+            Finding(
+                "beyond_limits",
+                f"The last check lies {abs(z[-1]):.1f} standard deviations {above} the mean of all"
+                " before: repeat it; if it stays, look for the cause before testing.",
+                last,
+                True,
+            )
+        ]
+    if len(z) >= 8 and np.all(side * z[-8:] > 0.0):
+        return [
+            Finding(
+                "shift",
+                f"Eight checks in a row lie {above} the mean: the cell has shifted; plan a new"
+                " calibration.",
+                last,
+                True,
+            )
+        ]
+    for code, window, count, bound in (("two_of_three", 3, 2, 2.0), ("four_of_five", 5, 4, 1.0)):
+        if len(z) >= window and np.count_nonzero(side * z[-window:] > bound) >= count:
+            return [
+                Finding(
+                    code,
+                    f"{count} of the last {window} checks lie more than {bound:g} standard"
+                    f" deviation{'s' if bound > 1 else ''} {above} the mean: something begins to"
+                    " change; watch it.",
+                    last,
+                    False,
+                )
+            ]
+    return []
+
+
+def _trend(values: Array) -> list[Finding]:
+    steps = np.diff(values[-7:])
+    if len(steps) < 6 or not (np.all(steps > 0.0) or np.all(steps < 0.0)):
+        return []
+    way = "rose" if steps[0] > 0.0 else "fell"
+    return [
+        Finding(
+            "trend",
+            f"The value {way} seven checks in a row, by {abs(float(steps.sum())):.5f} in all: the"
+            " cell drifts; plan a new calibration.",
+            len(values) - 1,
+            True,
+        )
+    ]

@@ -1,0 +1,93 @@
+"""The control charts of the daily checks, as a picture or a page."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from rigapp.commands.daily_history import COLUMNS, NAMES, History, verdict_lines, when
+from rigapp.config.errors import UnusableInput
+from rigapp.report.document import Document, Figure, Section, Table, Text
+
+BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#666666"
+
+
+def write_chart(found: History, to: Path) -> None:
+    """Write the charts as .png, .html or .pdf; raise UnusableInput."""
+    from rigapp.report.html import as_html
+    from rigapp.report.pdf import as_pdf
+
+    writers = {".png": draw, ".html": _page(as_html), ".pdf": _page(as_pdf)}
+    writer = writers.get(to.suffix.lower())
+    if writer is None:
+        raise UnusableInput(f"{to}: a chart is .png, .html or .pdf; name it so.")
+    try:
+        to.write_bytes(writer(found))
+    except OSError as error:
+        raise UnusableInput(f"{to}: cannot be written ({error}).") from error
+
+
+def _page(writer: Callable[[Document], bytes]) -> Callable[[History], bytes]:
+    return lambda found: writer(document(found))
+
+
+def document(found: History) -> Document:
+    """Compose the page: verdict, charts, table."""
+    rows = tuple(
+        (
+            when(one),
+            f"{one['sensitivity_ratio']:.5f}",
+            f"{one['cross_talk_ratio']:+.5f}",
+            f"{one['largest_N']:.2f}",
+            "passed" if one["passed"] else "failed",
+            str(one["operator"]),
+        )
+        for one in found.entries
+    )
+    head = ("when (UTC)", "sensitivity", "cross-talk", "largest N", "verdict", "operator")
+    words = tuple(Text(line) for line in verdict_lines(found))
+    return Document(
+        title=f"Daily checks of {found.entries[-1]['rig']}",
+        footer="Control chart of the daily checks",
+        sections=(
+            Section("", words),
+            Section("Charts", (Figure("Sensitivity and cross-talk", draw(found), words[0].text),)),
+            Section("Checks", (Table("Checks with the calibration in use", rows, head),)),
+        ),
+        closing="Sensitivity: felt over applied force. Cross-talk: share felt across the weight.",
+    )
+
+
+def draw(found: History) -> bytes:
+    """Return the charts as PNG."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure as Canvas
+
+    canvas = Canvas(figsize=(7.5, 5.0), dpi=120, layout="constrained")
+    for place, name in enumerate(COLUMNS, 1):
+        one = found.charts[name]
+        axes = canvas.add_subplot(2, 1, place)
+        count = np.arange(1, len(one.values) + 1)
+        axes.plot(count, one.values, "-o", color=BLUE, ms=4, lw=1, label="checks")
+        flagged = sorted({finding.at for finding in one.findings})
+        if flagged:
+            axes.plot(count[flagged], one.values[flagged], "s", color=ORANGE, ms=9, mfc="none",
+                      mew=1.8, label="see the words")  # fmt: skip
+        axes.axhline(one.promised, color=GREY, lw=1.0)
+        if one.expanded is not None:
+            axes.axhspan(one.promised - one.expanded, one.promised + one.expanded, color=GREY,
+                         alpha=0.15, label="U of the calibration")  # fmt: skip
+        if one.limits is not None:
+            for limit in one.limits:
+                axes.axhline(limit, color=ORANGE, ls="--", lw=1.0)
+            axes.plot([], [], "--", color=ORANGE, label="limits of the history")
+        axes.set_ylabel(NAMES[name])
+        axes.set_xlabel("check")
+        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    FigureCanvasAgg(canvas)
+    stream = io.BytesIO()
+    canvas.savefig(stream, format="png", metadata={"Software": None})
+    return stream.getvalue()
