@@ -6,7 +6,8 @@ Reached through the fixtures ``wire`` and ``wait_until`` of ``tests/drivers/conf
     device = wire(simulator.receive, simulator.emit)      # sends by itself, too
     port = device.port                                    # path to open
 
-``wire.source(simulator, signals)`` runs a simulated data source on the clock.
+``wire.source(simulator, signals)`` runs a simulated data source on the clock; ``rig_maker`` and
+``Connections`` put a simulated drive with a motor, and drivers in front of it, on a wire.
 """
 
 from __future__ import annotations
@@ -19,15 +20,19 @@ import threading
 import time
 import tty
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from drivers.api import DriveCommand, DriveMode, DriveRequest, MotorState
 from rigapp.simulation.pacing import OwnTime
 
 Respond = Callable[[bytes, float], bytes]
 Produce = Callable[[float], bytes]
 
+COUNTS = 3600
+DUTY_COUNTS_PER_S = 40000.0
 PERIOD_S = 0.002
 LINK_BYTES = 1 << 16
 
@@ -183,6 +188,120 @@ class Wires:
         """Close all wires."""
         for wire in self._made:
             wire.close()
+
+
+class Motor:
+    """Turn as the drive wants, without inertia; duty 1 is 40000 counts/s."""
+
+    def __init__(self, simulator: Any) -> None:
+        self.simulator = simulator
+        self.commands: list[DriveCommand] = [DriveCommand(DriveMode.OFF)]
+        self.time_s = 0.0
+        self._position = 0.0
+        self._last: float | None = None
+
+    def __call__(self, now_s: float) -> bytes:
+        """Advance to now, and return what the drive sends."""
+        elapsed = 0.0 if self._last is None else now_s - self._last
+        self._last = now_s
+        self.time_s += elapsed
+        command = self.simulator.command(elapsed, now_s)
+        self.commands.append(command)
+        speed = command.speed_count_per_s + command.duty * DUTY_COUNTS_PER_S
+        self._position += speed * elapsed
+        self.simulator.observe(MotorState(int(self._position), speed, abs(speed) * 1e-4))
+        data: bytes = self.simulator.emit(now_s)
+        return data
+
+
+@dataclass
+class DriveRig:
+    """A simulated drive whose motor follows it exactly, on a wire."""
+
+    simulator: Any
+    wire: Wire
+    motor: Motor
+
+    @property
+    def port(self) -> str:
+        """Return what a driver opens."""
+        return self.wire.port
+
+    @property
+    def time_s(self) -> float:
+        """Return the time that has passed for the drive."""
+        return self.motor.time_s
+
+    @property
+    def commands(self) -> list[DriveCommand]:
+        """Return what has driven the motor so far."""
+        return self.motor.commands
+
+    @property
+    def last(self) -> DriveCommand:
+        """Return what drives the motor now."""
+        return self.commands[-1]
+
+    @property
+    def speed_rpm(self) -> float:
+        """Return the set-point that drives the motor now."""
+        return self.last.speed_count_per_s / COUNTS * 60.0
+
+
+def rig_maker(wire: Wires, simulated: Callable[..., Any]) -> Callable[..., DriveRig]:
+    """Return what makes a simulated drive on a pty from the options of its simulator."""
+
+    def make(**options: Any) -> DriveRig:
+        simulator = simulated(**options)
+        motor = Motor(simulator)
+        return DriveRig(simulator, wire(simulator.receive, motor), motor)
+
+    return make
+
+
+def drive_request(
+    watchdog_s: float,
+    direction: int = 1,
+    counts: int = COUNTS,
+    *,
+    simulated: bool = True,
+) -> DriveRequest:
+    """Return a request for at most 12 rev/s."""
+    return DriveRequest(counts, direction, 12.0, watchdog_s, simulated=simulated)
+
+
+class Connections:
+    """Open and configure drivers: ``connect(rig, watchdog_s=1.0, SETTING=...)``; close them all.
+
+    factory: makes a driver from name, port and settings. defaults: settings of every one.
+    """
+
+    def __init__(self, factory: Callable[..., Any], watchdog_s: float, **defaults: Any) -> None:
+        self._factory = factory
+        self._watchdog_s = watchdog_s
+        self._defaults = defaults
+        self._opened: list[Any] = []
+
+    def __call__(
+        self,
+        rig: DriveRig,
+        *,
+        watchdog_s: float | None = None,
+        simulated: bool = True,
+        **settings: Any,
+    ) -> Any:
+        """Return a driver that is open and configured."""
+        driver = self._factory("drive", rig.port, {**self._defaults, **settings})
+        self._opened.append(driver)
+        driver.open()
+        time_s = self._watchdog_s if watchdog_s is None else watchdog_s
+        driver.configure(drive_request(time_s, simulated=simulated))
+        return driver
+
+    def close(self) -> None:
+        """Close all drivers."""
+        for driver in self._opened:
+            driver.close()
 
 
 def wait_until(condition: Callable[[], bool], what: str, timeout_s: float = 60.0) -> None:
