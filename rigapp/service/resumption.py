@@ -34,6 +34,8 @@ ZERO_SHARE = 0.02
 FITTED_ROWS = 50
 """Wear is the way of the pin between lines through so many first and so many last revolutions."""
 
+NOT_COMPARED = ("record", "tare_mV_per_V", "frame", "sign")
+
 UNSTEADY = ("status", "supply_V", "logic_V", "temperature_C")
 """Readings of a device that differ from time to time."""
 
@@ -252,10 +254,24 @@ def _steady_equal(key: str, before: Any, now: Any) -> bool:
     return any(word in key for word in UNSTEADY) or _equal(before, now)
 
 
+def _same(before: Any, now: Any) -> bool:
+    """Compare what an older or a newer program may not have written: nothing counts as zeros."""
+    if before is not None and now is not None:
+        return _equal(before, now)
+    try:
+        return not np.any(np.asarray(now if before is None else before, np.float64))
+    except (TypeError, ValueError):
+        return False
+
+
 def _equal(before: Any, now: Any) -> bool:
-    if isinstance(now, str) or isinstance(before, str):
+    """Compare texts as texts, numbers and lists of them as numbers, tables key by key."""
+    if isinstance(now, Mapping) and isinstance(before, Mapping):
+        return before.keys() == now.keys() and all(_equal(before[k], now[k]) for k in now)
+    try:
+        one, other = np.asarray(before, np.float64), np.asarray(now, np.float64)
+    except (TypeError, ValueError):
         return str(before) == str(now)
-    one, other = np.asarray(before, np.float64), np.asarray(now, np.float64)
     return one.shape == other.shape and bool(np.allclose(one, other, rtol=1e-9, atol=1e-15))
 
 
@@ -268,8 +284,8 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Finding]:
     ):
         then = past.calibration.get(section, {})
         now = present[section]
-        keys = [key for key in now if key not in ("record", "tare_mV_per_V", "frame", "sign")]
-        changed = [key for key in keys if not (key in then and _equal(then[key], now[key]))]
+        keys = [key for key in {**then, **now} if key not in NOT_COMPARED]
+        changed = [key for key in keys if not _same(then.get(key), now.get(key))]
         names = [str(one.get("record", "")) for one in (then, now)]
         if section != "encoder" and names[0] != names[1]:
             changed = changed or ["record"]
@@ -282,6 +298,12 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Finding]:
         )
         text = f"{what.lower()} is not that of the test ({', '.join(changed)})"
         yield Finding(what, before, here, fit, text)
+    clocks = [
+        str(one.get("acquisition", {}).get("clock", "time")) for one in (past.calibration, present)
+    ]
+    if clocks[0] != clocks[1]:
+        text = f"the test was sampled by {clocks[0]}, this rig samples by {clocks[1]}"
+        yield Finding("Sample clock", clocks[0], clocks[1], Fit.BLOCKS, text)
     rates = [
         float(one.get("acquisition", {}).get("sample_rate_Hz", 0.0))
         for one in (past.calibration, present)
@@ -313,7 +335,8 @@ def _of_zero(
         now = calibration.zero + calibration.tare
         yield judged("Zero of the load cell", before, now, "the zero of the load cell differs")
     if rest is None or past.rest is None:
-        text = "the crank moves" if rest is None else "the file does not tell them"
+        text = "the crank moves, or no samples come while it stands"
+        text = text if rest is None else "the file does not tell them"
         yield Finding("Load cell at rest", "", "", Fit.NOTED, f"not compared: {text}")
     else:
         words = "with the crank at rest the load cell shows a force that differs"
