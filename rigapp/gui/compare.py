@@ -24,8 +24,8 @@ Floats = NDArray[np.float64]
 MOST = 6
 BUCKETS = 1500
 COLOURS = {
-    "light": ("#0072b2", "#d55e00", "#009e73", "#000000", "#a8497b", "#8a6d00"),
-    "dark": ("#56b4e9", "#f0a050", "#00c08b", "#ffffff", "#cc79a7", "#f0e442"),
+    "light": ("#0072b2", "#d55e00", "#2ca25f", "#000000", "#a8497b", "#803000"),
+    "dark": ("#3f9be0", "#f0a050", "#7fe0b0", "#ffffff", "#f0e442", "#e15759"),
 }
 QUANTITIES = {
     "force_max": "Maximum of |F| (N)",

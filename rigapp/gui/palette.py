@@ -1,4 +1,7 @@
-"""Colours of the window: a calm grey screen, Okabe-Ito colours for data and for the abnormal."""
+"""Colours of the window: a calm grey screen, and colours that eyes without one cone tell apart.
+
+Data and alarms after Okabe and Ito, shifted where a simulation of such eyes confuses two of them.
+"""
 
 from __future__ import annotations
 
@@ -48,20 +51,20 @@ LIGHT = Theme(
     grid="#c8c8c8",
     band="#dde3e8",
     warning="#e69f00",
-    critical="#b34700",
+    critical="#a84300",
     on_signal="#000000",
     curves=MappingProxyType(
         {
             "force": "#000000",
             "force_1": "#0072b2",
-            "force_2": "#009e73",
+            "force_2": "#2ca25f",
             "probe_1": "#0072b2",
-            "probe_2": "#009e73",
+            "probe_2": "#2ca25f",
             "max": "#0072b2",
             "rms": "#000000",
-            "min": "#009e73",
+            "min": "#2ca25f",
             "model": "#d55e00",
-            "frozen": "#8c8c8c",
+            "frozen": "#767676",
             "other": "#a8497b",
         }
     ),
@@ -81,18 +84,18 @@ DARK = Theme(
     grid="#444444",
     band="#2c3338",
     warning="#e69f00",
-    critical="#ff8a3d",
+    critical="#ff6b4a",
     on_signal="#000000",
     curves=MappingProxyType(
         {
             "force": "#ffffff",
-            "force_1": "#56b4e9",
-            "force_2": "#00c08b",
-            "probe_1": "#56b4e9",
-            "probe_2": "#00c08b",
-            "max": "#56b4e9",
+            "force_1": "#3f9be0",
+            "force_2": "#7fe0b0",
+            "probe_1": "#3f9be0",
+            "probe_2": "#7fe0b0",
+            "max": "#3f9be0",
             "rms": "#ffffff",
-            "min": "#00c08b",
+            "min": "#7fe0b0",
             "model": "#f0a050",
             "frozen": "#8c8c8c",
             "other": "#cc79a7",

@@ -1,0 +1,172 @@
+"""The palette for eyes that see colours differently: simulated, measured, and never alone.
+
+Simulation: the matrices of Machado, Oliveira and Fernandes (2009) for a complete lack of one cone,
+in linear RGB. Difference: CIE 1976 L*a*b*, where 2.3 is just noticeable; thin lines need far more.
+"""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPen
+
+from rigapp.engine.messages import RunState, Severity
+from rigapp.gui.alarms import MARKS
+from rigapp.gui.compare import COLOURS
+from rigapp.gui.headline import _STATES, Level
+from rigapp.gui.palette import DARK, LIGHT, Theme, measured_pen, model_pen
+
+SEEN_BY = {
+    "full colour": np.eye(3),
+    "protanopia": np.array(
+        [
+            [0.152286, 1.052583, -0.204868],
+            [0.114503, 0.786281, 0.099216],
+            [-0.003882, -0.048116, 1.051998],
+        ]
+    ),
+    "deuteranopia": np.array(
+        [
+            [0.367322, 0.860646, -0.227968],
+            [0.280085, 0.672501, 0.047413],
+            [-0.011820, 0.042940, 0.968881],
+        ]
+    ),
+    "tritanopia": np.array(
+        [
+            [1.255528, -0.076749, -0.178779],
+            [-0.078411, 0.930809, 0.147602],
+            [0.004733, 0.691367, 0.303900],
+        ]
+    ),
+}
+LEAST_DIFFERENCE = 15.0
+"""Between curves of one plot that have the same line style."""
+
+LEAST_CONTRAST = 3.0
+"""Between a curve and its background (WCAG 2.2, graphics)."""
+
+THEMES = pytest.mark.parametrize("theme", [LIGHT, DARK], ids=["light", "dark"])
+EYES = pytest.mark.parametrize("eyes", list(SEEN_BY))
+
+PLOTS = (
+    ("force", "force_1", "force_2", "model", "frozen"),
+    ("max", "rms", "min", "model"),
+    ("probe_1", "probe_2"),
+)
+"""Roles that stand in one plot; ``model`` is dashed, all others are solid."""
+
+
+def linear(colour: str) -> np.ndarray:
+    """Return the linear RGB of a colour, 0 .. 1."""
+    value = QColor(colour)
+    srgb = np.array([value.redF(), value.greenF(), value.blueF()])
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+
+
+def lab(colour: str, eyes: str) -> np.ndarray:
+    """Return L*a*b* (D65) of a colour as some eyes see it."""
+    seen = np.clip(SEEN_BY[eyes] @ linear(colour), 0.0, 1.0)
+    to_xyz = np.array(
+        [
+            [0.4124564, 0.3575761, 0.1804375],
+            [0.2126729, 0.7151522, 0.0721750],
+            [0.0193339, 0.1191920, 0.9503041],
+        ]
+    )
+    x, y, z = to_xyz @ seen / np.array([0.95047, 1.0, 1.08883])
+    fx, fy, fz = (v ** (1 / 3) if v > 0.008856 else 7.787 * v + 16 / 116 for v in (x, y, z))
+    return np.array([116.0 * fy - 16.0, 500.0 * (fx - fy), 200.0 * (fy - fz)])
+
+
+def difference(one: str, other: str, eyes: str) -> float:
+    """Return the colour difference that some eyes see."""
+    return float(np.linalg.norm(lab(one, eyes) - lab(other, eyes)))
+
+
+def contrast(one: str, other: str) -> float:
+    """Return the ratio of luminances of two colours, 1 .. 21."""
+    weights = np.array([0.2126, 0.7152, 0.0722])
+    bright, dim = sorted((float(weights @ linear(c)) for c in (one, other)), reverse=True)
+    return (bright + 0.05) / (dim + 0.05)
+
+
+def test_the_simulation_knows_which_colours_are_confused() -> None:
+    assert difference("#000000", "#ffffff", "full colour") == pytest.approx(100.0, abs=0.1)
+    red, green = "#c04040", "#5f7a1f"
+    assert difference(red, green, "full colour") > 50.0
+    assert difference(red, green, "deuteranopia") < 0.5 * difference(red, green, "full colour")
+    for eyes in SEEN_BY:
+        assert difference("#808080", "#808080", eyes) == 0.0
+        assert np.allclose(lab("#808080", eyes)[1:], 0.0, atol=1.0)
+
+
+@THEMES
+@EYES
+@pytest.mark.parametrize("roles", PLOTS)
+def test_curves_of_one_plot_are_told_apart(theme: Theme, eyes: str, roles: tuple[str, ...]) -> None:
+    for one, other in itertools.combinations(roles, 2):
+        found = difference(theme.curves[one], theme.curves[other], eyes)
+        assert found > LEAST_DIFFERENCE, (one, other, round(found, 1))
+
+
+@THEMES
+@EYES
+def test_alarm_colours_are_told_from_each_other_and_from_a_calm_screen(
+    theme: Theme, eyes: str
+) -> None:
+    for one, other in itertools.combinations((theme.window, theme.warning, theme.critical), 2):
+        found = difference(one, other, eyes)
+        assert found > LEAST_DIFFERENCE, (one, other, round(found, 1))
+
+
+@THEMES
+@EYES
+def test_runs_that_are_compared_are_told_apart(theme: Theme, eyes: str) -> None:
+    for one, other in itertools.combinations(COLOURS[theme.name], 2):
+        found = difference(one, other, eyes)
+        assert found > LEAST_DIFFERENCE, (one, other, round(found, 1))
+
+
+@THEMES
+def test_curves_and_words_stand_out_from_their_background(theme: Theme) -> None:
+    for role, colour in theme.curves.items():
+        assert contrast(colour, theme.base) >= LEAST_CONTRAST, role
+    for text, back in (
+        (theme.text, theme.window),
+        (theme.text, theme.base),
+        (theme.muted, theme.window),
+        (theme.text, theme.button),
+        (theme.critical, theme.window),
+        (theme.on_signal, theme.warning),
+        (theme.highlighted_text, theme.highlight),
+    ):
+        assert contrast(text, back) >= 4.5, (text, back)
+    for colour in COLOURS[theme.name]:
+        assert contrast(colour, theme.base) >= LEAST_CONTRAST, colour
+
+
+@THEMES
+def test_measured_and_model_differ_in_their_line_too(theme: Theme) -> None:
+    def dashed(pen: QPen) -> bool:
+        return pen.style() is not Qt.PenStyle.SolidLine
+
+    for role in theme.curves:
+        if role != "model":
+            assert not dashed(measured_pen(theme, role)), role
+    assert dashed(model_pen(theme))
+    assert dashed(model_pen(theme, stale=True, width=2.0))
+
+
+def test_states_and_alarms_have_words_and_shapes_beside_colour() -> None:
+    assert set(_STATES) == set(RunState)
+    words = [word for word, _, _ in _STATES.values()]
+    assert len(set(words)) == len(words)
+    abnormal = {shape for _, shape, level in _STATES.values() if level is Level.CRITICAL}
+    calm = {shape for _, shape, level in _STATES.values() if level is Level.NORMAL}
+    assert not abnormal & calm
+    marks = {MARKS[severity].split()[0] for severity in Severity}
+    assert len(marks) == len(Severity)
