@@ -31,6 +31,7 @@ SAMPLES = 3600
 EVERY = 10
 ROUNDS = 3
 BATCH = 64
+PLACE_S = 0.02
 METADATA = TestMetadata(title="benchmark", rig_text="", test_text="")
 PLAN = FilePlan(revolutions=1, cycles=1, samples_per_cycle=SAMPLES, prediction=False)
 ROW_NAMES = [one.name for one in PLAN.revolution_columns]
@@ -55,7 +56,7 @@ class Way(Protocol):
 
 
 class InPlace:
-    """Store in the file made beforehand; commits come from a thread, as in the engine."""
+    """Store in the file made beforehand; a thread places and commits, as in the engine."""
 
     def __init__(self, folder: Path, revolutions: int) -> None:
         plan = FilePlan(revolutions, revolutions // EVERY, SAMPLES, prediction=False)
@@ -80,9 +81,11 @@ class InPlace:
 
     def _commit_when_due(self) -> None:
         while not self._ended:
-            self._due.wait()
-            self._due.clear()
-            self._writer.commit()
+            if self._due.wait(PLACE_S):
+                self._due.clear()
+                self._writer.commit()
+            else:
+                self._writer.place()
 
 
 class Columns:

@@ -185,6 +185,7 @@ class Connection:
                 core.finish()
                 return
             self.commit.pause(min(0.02, core.timing.commit))
+            core.place()
             self.commit.beat()
         core.commit()
 

@@ -275,6 +275,17 @@ class Core:
 
     # --- the file --------------------------------------------------------------------------------
 
+    def place(self) -> None:
+        """Put what waits in memory into the file, without making it safe."""
+        session = self.session
+        if session is None or session.finished:
+            return
+        try:
+            session.recorder.place()
+        except Exception as error:
+            if not session.finished:
+                self.storage_failed(error)
+
     def commit(self) -> None:
         """Make the rows so far safe and announce them."""
         session = self.session

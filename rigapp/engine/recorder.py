@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rigapp.engine.assembler import Revolution
 from rigapp.engine.calibrate import Calibrated, Calibration, calibrate
-from rigapp.engine.columns import PREDICTED_CURVES, PROFILE_CURVES
+from rigapp.engine.columns import PREDICTED_CURVES, PROFILE_CURVES, cycle_columns
 from rigapp.engine.history import History, Kept
 from rigapp.engine.messages import (
     Cycle,
@@ -26,6 +26,8 @@ from rigapp.engine.reduce import PLACE
 from rigapp.engine.store import Store
 
 Array = NDArray[np.float64]
+
+_SAMPLE_TYPES = {one.name: one.dtype for one in cycle_columns()}
 
 
 def cycle_samples(
@@ -44,7 +46,7 @@ def cycle_samples(
         + calibration.offset[:, None]
     )
     time = (revolution.sample_indices() - start_sample) / revolution.sample_rate_Hz
-    return {
+    columns = {
         "angle": np.degrees(values.angle_rad),
         "time": time + time_offset_s,
         "force_1": values.force_1,
@@ -58,6 +60,8 @@ def cycle_samples(
         "raw_probe_2": signals[3],
         "raw_count": raw[calibration.counter_row],
     }
+    # Copies of the file's own types: the file then need not copy them again.
+    return {name: columns[name].astype(dtype) for name, dtype in _SAMPLE_TYPES.items()}
 
 
 def cycle_message(number: int, revolution: Revolution, calibration: Calibration) -> Cycle:
@@ -214,6 +218,11 @@ class Recorder:
         with self._lock:
             if not self._closed:
                 self._store.note_gap(event)
+
+    def place(self) -> None:
+        """Put what waits in memory into the file; between commits, so that appending need not."""
+        if not self._closed:
+            self._store.place()
 
     def commit(self) -> int:
         """Make everything safe; return the safe rows. Appending goes on meanwhile."""

@@ -75,6 +75,10 @@ class Store(Protocol):
         """Count an interruption and log it."""
         ...
 
+    def place(self) -> None:
+        """Put what waits in memory into the file, without making it safe."""
+        ...
+
     def extend(self, revolutions: int) -> None:
         """Make room for another number of revolutions and log it; raise UnusableInput."""
         ...

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
+from collections.abc import Sequence
 
 from rigapp.storage.disk import Disk
 
@@ -27,12 +28,13 @@ class Backlog:
         self._placing = threading.Lock()
         self.bytes = 0
 
-    def put(self, data: memoryview, offset: int) -> None:
-        """Add a write; ``data`` must not change afterwards. Raises StorageFailed."""
+    def put(self, writes: Sequence[tuple[memoryview, int]]) -> None:
+        """Add writes; their data must not change afterwards. Raises StorageFailed."""
         self._disk.refuse_broken()
+        size = sum(len(data) for data, _ in writes)
         with self._lock:
-            self._writes.append((data, offset))
-            self.bytes += len(data)
+            self._writes.extend(writes)
+            self.bytes += size
 
     def assist(self, share: int) -> None:
         """Place writes as the policy asks; called by each append. Raises StorageFailed."""

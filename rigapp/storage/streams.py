@@ -103,10 +103,12 @@ class RowBuffer:
     def _hand_over(self, first: int, block: Float) -> None:
         if block.shape[1] == 0:
             return
+        writes = []
         for one, offset, column in zip(self._fields, self._offsets, block, strict=True):
             if one.dtype != "<f8":
                 column = column.astype(one.dtype)
-            self._backlog.put(_bytes_of(column), offset + first * column.itemsize)
+            writes.append((_bytes_of(column), offset + first * column.itemsize))
+        self._backlog.put(writes)
 
 
 class RecordPlacer:
@@ -123,18 +125,20 @@ class RecordPlacer:
         return rows <= self._room.reserved or self._room.holds(rows)
 
     def place(self, first: int, rows: int, value_of: Callable[[str], Any]) -> None:
-        """Copy ``rows`` rows from row ``first`` on; ``value_of`` gives each field's array."""
-        copies = []
+        """Place ``rows`` rows from row ``first`` on; ``value_of`` gives each field's array.
+
+        An array that has the field's type already is not copied: it must not change afterwards.
+        """
+        writes = []
         for one in self._stream.fields:
-            data = np.array(value_of(one.name), dtype=one.dtype, order="C")
+            data = np.ascontiguousarray(value_of(one.name), dtype=one.dtype)
             if data.size * data.itemsize != rows * one.row_bytes:
                 raise ValueError(
                     f"{self._stream.path(one.name)}: got {data.shape}, "
                     f"wanted {(rows, *one.shape)} values"
                 )
-            copies.append((_bytes_of(data), self._offsets[one.name] + first * one.row_bytes))
-        for copy, offset in copies:
-            self._backlog.put(copy, offset)
+            writes.append((_bytes_of(data), self._offsets[one.name] + first * one.row_bytes))
+        self._backlog.put(writes)
 
 
 def _bytes_of(array: NDArray[Any]) -> memoryview:

@@ -157,8 +157,8 @@ class TestWriter:
     ) -> bool:
         """Append the samples of one whole cycle; False when there is no reserved room for it.
 
-        columns: name -> (samples,) array, or an array (columns, samples) in the plan's order. why,
-        quality: kept where the plan has ``cycle_reason``.
+        columns: name -> (samples,) array, or an array (columns, samples) in the plan's order; they
+        must not change afterwards, as those of the file's type are not copied. why, quality: kept where the plan has ``cycle_reason``.
         """
         kept = self._append_ragged("cycles", "samples", revolution, columns, why, quality)
         if not kept:
@@ -351,6 +351,15 @@ class TestWriter:
         """
         with self._commit_lock:
             return self.revolutions_committed if self._closed else self._commit()
+
+    def place(self) -> None:
+        """Put into the file what waits in memory, without making it safe; for between commits.
+
+        It keeps appending free of writing. Raises StorageFailed; after ``close`` it does nothing.
+        """
+        with self._commit_lock:
+            if not self._closed:
+                self._backlog.drain()
 
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
         """Commit, and say how the test ended: status complete, stopped or fault."""

@@ -412,7 +412,6 @@ class MemoryRig:
     def __post_init__(self) -> None:
         self.source = FakeSource("daq", "memory", self.crank)
         self.spindle = FakeSpindle("drive", "memory", self.crank)
-        self.spindle.is_read = lambda: self.source.gives
         self.engine = Engine(
             Document(Path("rig.toml"), "rig text", self.rig_file()),
             ports={"daq": "memory", "drive": "memory"},
@@ -421,6 +420,15 @@ class MemoryRig:
             timing=self.timing,
             on_measured=self.measured.append,
         )
+
+        self.spindle.is_read = self._is_read
+
+    def _is_read(self) -> bool:
+        """Tell whether the engine still reads the samples with which the crank turns."""
+        connection = self.engine._connection
+        if connection is None or any(one.ended for one in connection.workers):
+            return False
+        return self.source.gives and connection.reader.well and connection.process.well
 
     @property
     def store(self) -> FakeStore:

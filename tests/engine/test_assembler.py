@@ -95,6 +95,57 @@ def test_no_sample_is_lost_and_none_is_invented(truth: Shaft, kind: str, size: i
     assert assembler.lost_samples == 0
 
 
+@settings(max_examples=20, deadline=None)
+@given(motions, st.sampled_from(KINDS), st.lists(st.integers(1, 700), max_size=100))
+def test_what_is_not_whole_yet_is_the_rest(truth: Shaft, kind: str, sizes: list[int]) -> None:
+    counts = counter(truth, kind)
+    assembler, found = assemble(counts, setup_for(kind, truth.turn), truth.rate, sizes)
+    part = assembler.unfinished()
+    wanted = reference(truth, kind)
+    if part is None:
+        assert found == []
+        return
+    assert part.flags & Flag.PARTIAL
+    assert part.end_sample == len(counts)
+    if found:
+        assert part.first_sample == found[-1].end_sample
+        assert part.ordinal > found[-1].ordinal
+    assert part.samples + part.idle_samples == part.end_sample - part.first_sample
+    place = slice(part.before, part.before + part.samples)
+    np.testing.assert_array_equal(part.values[0, place], part.sample_indices())
+    assert part.before + part.samples == part.values.shape[1]
+    if wanted:
+        inside = truth.position[part.sample_indices()]
+        assert set((inside - part.counts) % truth.turn) == {0}
+        assert abs(int(part.counts[-1])) < truth.turn
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("size", [1, 19, 10_000])
+def test_from_a_stand_through_zero_to_3000_rpm_backwards(kind: str, size: int) -> None:
+    """Forward to 3000 rpm, down through a stand, and up to 3000 rpm the other way."""
+    rate, turn = 12_000.0, 3600
+    speed = np.concatenate(
+        (
+            np.zeros(600),
+            np.linspace(0.0, 50.0, 6000),
+            np.linspace(50.0, -50.0, 12_000),
+            np.full(6000, -50.0),
+        )
+    )
+    turns = 0.4 + np.cumsum(speed) / rate
+    truth = Shaft(turn, rate, np.floor(turns * turn).astype(np.int64))
+    counts = counter(truth, kind)
+    _, found = assemble(counts, setup_for(kind, turn), rate, size)
+    wanted = reference(truth, kind)
+    assert len(wanted) > 40
+    assert [(r.ordinal, r.first_sample, r.end_sample) for r in found] == [
+        (cut.ordinal, cut.first, cut.end) for cut in wanted
+    ]
+    assert any(r.flags & Flag.REVERSED for r in found)
+    assert not any(r.flags & ~(Flag.REVERSED | Flag.PAUSED) for r in found)
+
+
 def test_a_crank_that_turns_back_onto_the_index_misses_none() -> None:
     """The count is 0 at the next index without having been set to 0."""
     turn = 40

@@ -141,13 +141,13 @@ def test_an_overload_at_every_turn_of_a_coasting_crank_is_one_alarm() -> None:
     eventually(lambda: len(rig.store.rows) >= 2, 60.0)
     rig.crank.deaf = True
     rig.source.force_N = 390.0
-    eventually(lambda: rig.engine.state is RunState.STOPPING)
+    eventually(lambda: rig.engine.state is RunState.STOPPING, 60.0)
     with rig.crank.lock:  # and the spring swings it faster than it ran
         rig.crank.target, rig.crank.acceleration = 5.0, 100.0
     for force_N in (50.0, 390.0, 50.0, 390.0, 50.0):
         rig.source.force_N = force_N
         reads = rig.source.reads
-        eventually(lambda before=reads: rig.source.reads > before + 3)  # type: ignore[misc]
+        eventually(lambda before=reads: rig.source.reads > before + 3, 60.0)  # type: ignore[misc]
     with rig.crank.lock:
         rig.crank.target = 0.0
     ended(rig, FinishReason.LIMIT, "390")
@@ -354,6 +354,7 @@ def test_no_thread_is_left_behind() -> None:
 
 def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
     rig = MemoryRig(simulated=False)
+    rig.engine._core.timing = replace(rig.timing, queue_age=600.0, silence=60.0)
     rig.engine.connect()
     rig.start(a_test(LONG))
     eventually(lambda: len(rig.store.rows) >= 5)
@@ -367,7 +368,7 @@ def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
         handle(block)
 
     connection.processor.handle = slow  # type: ignore[method-assign]
-    eventually(lambda: connection.queue.refused_blocks > 3)
+    eventually(lambda: connection.queue.refused_blocks > 10)
     go_on.set()
     connection.processor.handle = handle  # type: ignore[method-assign]
     eventually(lambda: any(a.key == "overrun" for a in rig.engine.status().alarms))

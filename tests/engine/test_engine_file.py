@@ -32,6 +32,7 @@ def document(revolutions: int) -> Document[TestFile]:
         "acceleration_rpm_per_s = 60.0", "acceleration_rpm_per_s = 600.0"
     )
     text = text.replace("overspeed_rpm = 90.0", "overspeed_rpm = 180.0")
+    text = text.replace("[cycles]", "[cycles]\nbefore_alarm = 0\nafter_alarm = 0")
     return Document(Path("quick.toml"), text, parse_test(text, "quick.toml"))
 
 
@@ -40,7 +41,7 @@ def test_a_test_is_in_its_file(rig: MemoryRig, tmp_path: Path) -> None:
     rig.engine.connect()
     rows = rig.engine.subscribe()
     rig.engine.start(document(25), path, operator="Ada")
-    assert rig.engine.wait(ENDED, 30.0) is RunState.STOPPED
+    assert rig.engine.wait(ENDED, 60.0) is RunState.STOPPED
     rig.engine.note("after the end")
     rig.engine.shutdown()
     shown = rows.take().rows
@@ -63,14 +64,14 @@ def test_a_stopped_test_goes_on_in_its_file(rig: MemoryRig, tmp_path: Path) -> N
     rig.engine.start(document(40), path, operator="Ada")
     eventually(lambda: rig.engine.status().committed >= 5)
     rig.engine.stop("Ada", "lunch")
-    rig.engine.wait(ENDED, 30.0)
+    rig.engine.wait(ENDED, 60.0)
     with pytest.raises(UnusableInput, match="exists"):
         rig.engine.start(document(40), path)
     with open_test(path) as reader:
         first = int(reader.column("revolution")[-1])
         assert reader.summary()["status"] == "stopped"
     rig.engine.start(document(40), path, resume=True)
-    rig.engine.wait(ENDED, 30.0)
+    rig.engine.wait(ENDED, 60.0)
     rig.engine.shutdown()
     with open_test(path) as reader:
         np.testing.assert_array_equal(reader.column("revolution"), np.arange(1, 41))
