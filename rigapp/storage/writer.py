@@ -158,7 +158,8 @@ class TestWriter:
         """Append the samples of one whole cycle; False when there is no reserved room for it.
 
         columns: name -> (samples,) array, or an array (columns, samples) in the plan's order; they
-        must not change afterwards, as those of the file's type are not copied. why, quality: kept where the plan has ``cycle_reason``.
+        must not change afterwards, as those of the file's type are not copied. why, quality: kept
+        where the plan has ``cycle_reason``.
         """
         kept = self._append_ragged("cycles", "samples", revolution, columns, why, quality)
         if not kept:
