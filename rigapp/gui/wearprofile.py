@@ -121,19 +121,16 @@ class WearProfilePanel(QWidget):
         self._model.setData(RECORDED_DEG, profile.predicted, connect="finite")
         self._draw_band(profile)
         self._fit(profile.deepest)
-        at = f"revolution {profile.revolution}"
         if seen.any():
             place = int(np.nanargmax(profile.measured))
-            depth = f"measured at most {profile.measured[place]:.4f} mm"
-            measured = f"{depth} ± {profile.uncertainty[place]:.4f} (k = 2), {at}"
+            depth = f"{profile.measured[place]:.4f} ± {profile.uncertainty[place]:.4f} mm (k = 2)"
             extent = RECORDED_DEG[seen]
-            words = (
-                f"the pin reached {extent[0]:.0f}° to {extent[-1]:.0f}°; nothing is known beyond"
-            )
+            measured = f"measured {depth}, revolution {profile.revolution}"
+            words = f"seen from {extent[0]:.0f}° to {extent[-1]:.0f}°"
         else:
-            measured, words = f"measured: not known yet, {at}", ""
+            measured, words = f"measured: not known yet, revolution {profile.revolution}", ""
         deepest = np.nanmax(profile.predicted, initial=-1.0)
-        model = f"model at most {deepest:.4f} mm" if deepest >= 0.0 else "model: not known"
+        model = f"model {deepest:.4f} mm" if deepest >= 0.0 else "model: not known"
         self._show_entries(measured, model, words)
 
     def _draw_band(self, profile: ShownProfile | None) -> None:
