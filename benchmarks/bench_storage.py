@@ -1,10 +1,11 @@
 """Records stored per second, in place and by other means, the same records in one run.
 
 Run with ``python benchmarks/bench_storage.py [--seconds 3] [--folder DIR]``. A record is one
-revolution: its row of statistics and, every tenth, its whole cycle of 3600 samples. Each way stores
-for the same time, commits once a second, and syncs at the end: "taken" is the rate until then,
-"on disk" the rate with that sync. The ways take turns, ROUNDS times; the table shows medians and
-the ratio to the in-place file.
+revolution: its row of statistics and, every tenth, its whole cycle of 3600 samples; a second table
+is of the rows alone. All ways of a table store the same records, each for the same time, with a
+commit once a second and a sync at the end: "taken" is the rate until then, "on disk" the rate with
+that sync. The ways take turns, ROUNDS times; the tables show medians and the ratio to the in-place
+file. PyMeasure and bluesky take part where they are installed.
 """
 
 from __future__ import annotations
@@ -18,8 +19,9 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import h5py
 import numpy as np
@@ -32,6 +34,7 @@ EVERY = 10
 ROUNDS = 3
 BATCH = 64
 PLACE_S = 0.02
+PACED_HZ = 1000
 METADATA = TestMetadata(title="benchmark", rig_text="", test_text="")
 PLAN = FilePlan(revolutions=1, cycles=1, samples_per_cycle=SAMPLES, prediction=False)
 ROW_NAMES = [one.name for one in PLAN.revolution_columns]
@@ -160,34 +163,39 @@ class Table(Columns):
 
 
 class PyMeasureCsv:
-    """Store rows as PyMeasure does: its CSV formatter and a log file handler; no whole cycles."""
+    """Store as PyMeasure does: its CSV formatter and log file handlers, a line a row or sample."""
 
     def __init__(self, folder: Path, revolutions: int) -> None:
         import logging
 
         from pymeasure.experiment.results import CSVFormatter
 
-        self._handler = logging.FileHandler(folder / "pymeasure.csv")
-        self._handler.setFormatter(CSVFormatter(columns=ROW_NAMES))
-        self._record = logging.makeLogRecord
+        self._handlers = []
+        for name, columns in (("rows", ROW_NAMES), ("cycles", list(CYCLE_TYPES))):
+            handler = logging.FileHandler(folder / f"pymeasure-{name}.csv")
+            handler.setFormatter(CSVFormatter(columns=columns))
+            self._handlers.append(handler)
 
     def row(self, values: Row) -> None:
-        data = dict(zip(ROW_NAMES, values.tolist(), strict=True))
-        self._handler.emit(self._record({"msg": data}))
+        # Its recorder hands dictionaries to the handler as well.
+        self._handlers[0].emit(dict(zip(ROW_NAMES, values.tolist(), strict=True)))
 
     def cycle(self, number: int, columns: Cycle) -> None:
-        return
+        for sample in zip(*(one.tolist() for one in columns.values()), strict=True):
+            self._handlers[1].emit(dict(zip(columns, sample, strict=True)))
 
     def commit(self) -> None:
-        self._handler.flush()
+        for handler in self._handlers:
+            handler.flush()
 
     def close(self) -> None:
-        self._handler.close()
-        _sync(Path(self._handler.baseFilename))
+        for handler in self._handlers:
+            handler.close()
+            _sync(Path(handler.baseFilename))
 
 
 class BlueskyJson:
-    """Store rows as bluesky does: event documents as JSON lines; no whole cycles."""
+    """Store as bluesky does: event documents as JSON lines, a cycle as one of arrays."""
 
     def __init__(self, folder: Path, revolutions: int) -> None:
         from bluesky.callbacks.json_writer import JSONLinesWriter
@@ -198,14 +206,17 @@ class BlueskyJson:
         self._number = 0
 
     def row(self, values: Row) -> None:
-        self._number += 1
-        data = dict(zip(ROW_NAMES, values.tolist(), strict=True))
-        stamps = dict.fromkeys(ROW_NAMES, 0.0)
-        event = {"uid": str(self._number), "descriptor": "d", "seq_num": self._number, "time": 0.0}
-        self._write("event", {**event, "data": data, "timestamps": stamps, "filled": {}})
+        self._event("rows", dict(zip(ROW_NAMES, values.tolist(), strict=True)))
 
     def cycle(self, number: int, columns: Cycle) -> None:
-        return
+        self._event("cycles", {name: one.tolist() for name, one in columns.items()})
+
+    def _event(self, descriptor: str, data: dict[str, Any]) -> None:
+        self._number += 1
+        stamps = dict.fromkeys(data, 0.0)
+        about = {"uid": str(self._number), "descriptor": descriptor, "seq_num": self._number}
+        event = {**about, "time": 0.0, "data": data, "timestamps": stamps, "filled": {}}
+        self._write("event", event)
 
     def commit(self) -> None:
         return
@@ -218,12 +229,23 @@ WAYS: dict[str, tuple[Callable[[Path, int], Way], str]] = {
     "in place": (InPlace, ""),
     "h5py, compound table, SWMR, 64 rows a time": (Table, ""),
     "h5py, one dataset a column, resized": (Columns, ""),
-    "PyMeasure CSV (rows only)": (PyMeasureCsv, "pymeasure"),
-    "bluesky JSON lines (rows only)": (BlueskyJson, "bluesky"),
+    "PyMeasure CSV recorder": (PyMeasureCsv, "pymeasure"),
+    "bluesky, JSON lines": (BlueskyJson, "bluesky"),
 }
 
 
-def store(way: Way, seconds: float, most: int) -> tuple[int, float, float, NDArray[np.int64]]:
+GOALS = (
+    (2, "h5py, compound table, SWMR, 64 rows a time"),
+    (2, "h5py, one dataset a column, resized"),
+    (4, "PyMeasure CSV recorder"),
+    (100, "bluesky, JSON lines"),
+)
+"""How many times more records a second the in-place file shall take."""
+
+
+def store(
+    way: Way, seconds: float, most: int, every: int
+) -> tuple[int, float, float, NDArray[np.int64]]:
     """Store records for so long; return their number, the time, that with the last sync, calls."""
     values = np.arange(len(ROW_NAMES), dtype=np.float64)
     noise = np.random.default_rng(1).normal(0.0, 50.0, SAMPLES)
@@ -241,7 +263,7 @@ def store(way: Way, seconds: float, most: int) -> tuple[int, float, float, NDArr
         way.row(values)
         calls[call] = clock() - before
         call += 1
-        if number % EVERY == 0:
+        if number % every == 0:
             before = clock()
             way.cycle(number, columns)
             calls[call] = clock() - before
@@ -257,19 +279,23 @@ def store(way: Way, seconds: float, most: int) -> tuple[int, float, float, NDArr
 def main() -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=float, default=1.5)
+    parser.add_argument("--seconds", type=float, default=1.0)
     parser.add_argument("--folder", type=Path, default=None, help="on the disk to be measured")
     parser.add_argument("--rows", type=int, default=1_000_000, help="of the test of memory")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(dir=options.folder) as name:
-        compare(Path(name), options.seconds)
+        compare(Path(name), options.seconds, cycles=True)
+        compare(Path(name), options.seconds, cycles=False)
+        time_calls(Path(name), 4.0 * options.seconds)
         watch_memory(Path(name), options.rows)
         count_pages(Path(name))
 
 
-def compare(folder: Path, seconds: float) -> None:
-    """Let the ways take turns; print records per second, calls and bytes."""
-    most = int(min(80_000 * seconds, shutil.disk_usage(folder).free / 4 / (CYCLE_BYTES / EVERY)))
+def compare(folder: Path, seconds: float, cycles: bool) -> None:
+    """Let the ways take turns; print records per second, ratios, calls and bytes."""
+    every = EVERY if cycles else 1 << 62
+    free = shutil.disk_usage(folder).free
+    most = int(min(80_000 * seconds, free / 4 / (CYCLE_BYTES / EVERY)))
     rates: dict[str, list[tuple[float, float]]] = {}
     calls: list[NDArray[np.int64]] = []
     amplification = 0.0
@@ -278,19 +304,19 @@ def compare(folder: Path, seconds: float) -> None:
             if package and not _present(package):
                 continue
             way = make(folder, most)
-            number, taken, synced, times = store(way, seconds, most)
+            number, taken, synced, times = store(way, seconds, most, every)
             rates.setdefault(name, []).append((number / taken, number / synced))
             if isinstance(way, InPlace):
                 calls.append(times)
-                payload = number * ROW_BYTES + number // EVERY * CYCLE_BYTES
+                payload = number * ROW_BYTES + number // every * CYCLE_BYTES
                 amplification = max(amplification, way.bytes_written / payload)
                 with open_test(way.path) as reader:
                     assert reader.committed() == number
             for path in folder.iterdir():
                 path.unlink()
     own = np.median(rates["in place"], axis=0)
-    print(f"{'records a second (row, every tenth a whole cycle)':<48}", end="")
-    print(f"{'taken':>10}{'ratio':>8}{'on disk':>10}{'ratio':>8}")
+    what = "row, every tenth a whole cycle" if cycles else "row only"
+    print(f"{f'records a second ({what})':<48}{'taken':>10}{'ratio':>8}{'on disk':>10}{'ratio':>8}")
     for name, (_, package) in WAYS.items():
         if name in rates:
             rate = np.median(rates[name], axis=0)
@@ -299,13 +325,62 @@ def compare(folder: Path, seconds: float) -> None:
                 f"{name:<48}" + "".join(f"{value:>10,.0f}{share:>8.3f}" for value, share in pairs)
             )
         else:
-            print(f"{name:<48}   skipped: {package} is not installed")
+            print(f"{name:<48}   skipped: {package} is not installed here")
+    _judge_peers(rates)
     times = np.concatenate(calls) / 1e3
+    print(f"in place, one call of a flood: median {np.median(times):.1f} us,", end="")
     print(
-        f"\nin place, one call: median {np.median(times):.1f} us, 99 % {_part(times, 99)},", end=""
+        f" 99 % {_part(times, 99)}, 99.9 % {_part(times, 99.9)}, longest {times.max() / 1e3:.1f} ms"
     )
-    print(f" 99.9 % {_part(times, 99.9)} (goal 150 us), longest {times.max() / 1e3:.1f} ms")
-    print(f"in place, bytes written per byte of payload: {amplification:.4f} (goal 1.05)")
+    print(f"in place, bytes written per byte of payload: {amplification:.4f} (goal 1.05)\n")
+
+
+def _judge_peers(rates: dict[str, list[tuple[float, float]]]) -> None:
+    """Print how many times faster the in-place file takes records, against the goals."""
+    own = float(np.median([taken for taken, _ in rates["in place"]]))
+    for goal, name in GOALS:
+        if name not in rates:
+            print(f"in place against {name}: not measured here (goal {goal})")
+            continue
+        ratio = own / float(np.median([taken for taken, _ in rates[name]]))
+        print(f"in place against {name}: {ratio:.1f} times (goal {goal})")
+
+
+def time_calls(folder: Path, seconds: float) -> None:
+    """Store at a rate that a rig can have; print what one call costs the thread that calls it.
+
+    Processor time of the calling thread leaves out what other programs do on this computer.
+    """
+    wall: list[int] = []
+    spent: list[int] = []
+    rows = int(seconds * PACED_HZ)
+    way = InPlace(folder, rows)
+    values = np.arange(len(ROW_NAMES), dtype=np.float64)
+    noise = np.random.default_rng(1).normal(0.0, 50.0, SAMPLES)
+    columns = {name: noise.astype(dtype) for name, dtype in CYCLE_TYPES.items()}
+    pace = threading.Event()
+    start = time.perf_counter()
+    for number in range(1, rows + 1):
+        values[0] = number
+        for call in (partial(way.row, values), partial(way.cycle, number, columns)):
+            if call.func == way.cycle and number % EVERY:
+                continue
+            before, cpu = time.perf_counter_ns(), time.thread_time_ns()
+            call()
+            spent.append(time.thread_time_ns() - cpu)
+            wall.append(time.perf_counter_ns() - before)
+        if number % PACED_HZ == 0:
+            way.commit()
+        pace.wait(max(0.0, start + number / PACED_HZ - time.perf_counter()))
+    way.close()
+    way.path.unlink()
+    for name, found in (("processor time", spent), ("elapsed", wall)):
+        times = np.array(found) / 1e3
+        print(
+            f"in place at {PACED_HZ} rev/s, one call, {name}: median {np.median(times):.1f} us,",
+            end="",
+        )
+        print(f" 99 % {_part(times, 99)}, 99.9 % {_part(times, 99.9)} (goal 150 us)")
 
 
 def watch_memory(folder: Path, rows: int) -> None:
