@@ -147,6 +147,7 @@ class ProbeReadingsPage(QWizardPage):
         self.progress.setValue(procedure.position)
         if procedure.done:
             self.left.setText("All steps are done.")
+            self.shown.setEnabled(False)
         else:
             text = RECORD[procedure.step.kind]
             self.record.setText(text)

@@ -110,6 +110,7 @@ class ProbeResultPage(QWizardPage):
         self.words.setText("\n".join(outcome_lines(outcome)).replace(" um", " µm"))
         for widget in (self.target, self.target_label):
             widget.setVisible(outcome.accepted)
+        self.setFinalPage(not outcome.accepted)
         self.completeChanged.emit()
 
 

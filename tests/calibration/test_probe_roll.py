@@ -1,0 +1,92 @@
+"""A slow roll of the simulated rig by the engine, from the command to the record and back."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from calibration.records import unseal
+from rigapp.commands.run_out import calibrate_run_out, speeds_of
+from rigapp.commands.slow_roll import roll_text
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_test, read_rig
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+RIG = EXAMPLES / "simulated.toml"
+
+
+def test_live_roll_makes_a_record_and_its_file_makes_it_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+    # A loaded machine may hold the samples back for a while; that is not what is tested here.
+    patient = (
+        (EXAMPLES / "quick.toml").read_text().replace("stale_data_s = 2.0", "stale_data_s = 60")
+    )
+    (tmp_path / "patient.toml").write_text(patient)
+
+    def make(to: Path, rig: Path | None, recorded: list[Path]) -> int:
+        return calibrate_run_out(
+            rig,
+            recorded,
+            to,
+            settings=None,
+            test=tmp_path / "patient.toml",
+            rpm="10",
+            revolutions=5,
+            orders=4,
+            as_json=True,
+        )
+
+    assert make(tmp_path / "map.json", RIG, []) == 0
+    result = json.loads(capsys.readouterr().out)
+    assert result["peak_to_peak_um"] == pytest.approx([6.0, 6.0], abs=0.5)
+    assert [one["code"] for one in result["problems"]] == ["few_revolutions"]
+    record = unseal((tmp_path / "map.json").read_bytes())
+    assert record.kind == "run-out map"
+    kept = record.content["taken"]["files"][0]
+    assert kept["speed_rpm"] == pytest.approx(10.0, abs=0.2)
+    roll = tmp_path / "map.roll-10rpm.h5"
+    assert make(tmp_path / "again.json", None, [roll]) == 0
+    again = unseal((tmp_path / "again.json").read_bytes())
+    assert again.content["result"] == record.content["result"]
+    assert again.content["taken"]["files"] == record.content["taken"]["files"]
+    with pytest.raises(UnusableInput, match="never overwritten"):
+        make(tmp_path / "map.json", None, [roll])
+
+
+def test_roll_keeps_mechanism_and_guards_of_a_test() -> None:
+    rig = read_rig(RIG).record
+    roll = parse_test(roll_text(rig, EXAMPLES / "quick.toml", 4.0, 12, "E. Sample"), "roll")
+    assert roll.run.speed_rpm == 4.0
+    assert roll.run.revolutions == 14
+    assert roll.cycles.every_revolutions == 1
+    assert not roll.prediction.enabled
+    assert roll.limits.overload_N == 380.0
+    assert roll.limits.overspeed_rpm == 22.0
+    plain = parse_test(roll_text(rig, None, 4.0, 12, ""), "roll")
+    assert plain.limits.overload_N <= 380.0
+
+
+@pytest.mark.parametrize("text", ["fast", "", "3,3", "0.1", "60"])
+def test_speeds_that_are_no_slow_roll_are_refused(text: str) -> None:
+    with pytest.raises(UnusableInput, match="--rpm"):
+        speeds_of(text)
+    assert speeds_of("3, 6") == [3.0, 6.0]
+
+
+def test_rig_and_files_together_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(UnusableInput, match="one of the two"):
+        calibrate_run_out(
+            None,
+            [],
+            tmp_path / "map.json",
+            settings=None,
+            test=None,
+            rpm="3",
+            revolutions=5,
+            orders=4,
+            as_json=True,
+        )
