@@ -156,8 +156,8 @@ def _averaging(single: float, wanted: float) -> str:
     count = math.ceil((single / (wanted / math.sqrt(12.0))) ** 2)
     if count < 2:
         return (
-            f" A reading scatters by {single:.3f} N only, so the steps of the display are what"
-            " stands against it: averaging does not help."
+            f" The readings of this calibration scatter by {single:.3f} N: if they are means of"
+            " many, such means would reach class 2; a single reading does not."
         )
     return (
         f" A reading scatters by {single:.2f} N: the mean of about {count} readings at each load"

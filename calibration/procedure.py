@@ -84,7 +84,8 @@ class Procedure:
         if step.kind is StepKind.ANGLE_REFERENCE:
             return (
                 "Lay the level on the flat of the crank, turn the crank until the bubble is in the"
-                " middle, and enter the angle that the encoder shows."
+                " middle, and enter the angle that the encoder shows. Then turn the level end for"
+                " end and do it again: the mean is free of the level's own error."
             )
         degrees = np.degrees(step.angle)
         if step.kind is StepKind.TURN:
@@ -106,13 +107,29 @@ class Procedure:
 
     # --- events ----------------------------------------------------------------------------------
 
-    def reference(self, offset: float, uncertainty: float) -> Procedure:
-        """Take the result of the angle reference step, rad."""
+    def reference(
+        self, offset: float, uncertainty: float, shown: Sequence[float] = ()
+    ) -> Procedure:
+        """Take the result of the angle reference step, rad.
+
+        shown: what the encoder showed, twice when the level was turned end for end.
+        """
         self._expect(StepKind.ANGLE_REFERENCE)
         if not (np.isfinite(offset) and np.isfinite(uncertainty) and uncertainty >= 0.0):
             raise ProcedureError("the angle reference must be two finite numbers")
-        event = {"event": "reference", "offset": offset, "uncertainty": uncertainty}
+        event = {
+            "event": "reference",
+            "offset": offset,
+            "uncertainty": uncertainty,
+            "shown": [float(one) for one in shown],
+        }
         return self._next(event, angle_offset=offset, angle_uncertainty=uncertainty)
+
+    @property
+    def shown(self) -> tuple[float, ...]:
+        """Return what the encoder showed with the crank level, rad."""
+        found = [one for one in self.events if one["event"] == "reference"]
+        return tuple(found[-1].get("shown", ())) if found else ()
 
     def turned(self, angle: float) -> Procedure:
         """Take note that the pin stands at an angle (rad) near the step's; weights are off."""
@@ -274,7 +291,8 @@ def _apply(procedure: Procedure | None, event: Mapping[str, Any]) -> Procedure:
             raise ProcedureError("a journal starts with begin")
         return begin(PlanKind(event["kind"]), event["heaviest"], event["pieces"])
     if kind == "reference":
-        return procedure.reference(event["offset"], event["uncertainty"])
+        shown = event.get("shown", ())
+        return procedure.reference(event["offset"], event["uncertainty"], shown)
     if kind == "turned":
         return procedure.turned(event["angle"])
     if kind == "exercised":

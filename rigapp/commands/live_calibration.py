@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibration.daily import DailyCheck, daily_check
+from calibration.level import LevelError, LevelReading, reversed_level, single
 from calibration.live import Readiness, Verdict, Window, assess
 from calibration.load_cell import LoadCellCalibration, calibrate_load_cell
 from calibration.pieces import PiecesError
@@ -34,7 +35,7 @@ from rigapp.commands.calibrate import (
 )
 from rigapp.commands.daily_history import History, append_check, entry_of, read_history
 from rigapp.commands.journal import Journal
-from rigapp.config.calibration_settings import AngleSection, LoadCellFile
+from rigapp.config.calibration_settings import LoadCellFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.service.records import with_records
@@ -234,14 +235,30 @@ class LiveSession:
 
         Raises ProcedureError when it is so far from 0 that the crank was not level.
         """
-        offset = -float(np.angle(np.exp(1j * shown)))
-        if abs(offset) > LARGEST_OFFSET:
+        self._refer(single(shown, uncertainty), (shown,))
+
+    def reference_reversed(self, first: float, second: float) -> LevelReading:
+        """Take the angle reference with the level turned end for end between two angles (rad).
+
+        The level's own error cancels; what is left is the setting of the bubble. Raises
+        ProcedureError.
+        """
+        setting = math.radians(self.given.angle.setting_standard_uncertainty_deg)
+        try:
+            found = reversed_level(first, second, setting)
+        except LevelError as error:
+            raise ProcedureError(str(error)) from error
+        self._refer(found, (first, second))
+        return found
+
+    def _refer(self, found: LevelReading, shown: Sequence[float]) -> None:
+        if abs(found.angle) > LARGEST_OFFSET:
             raise ProcedureError(
-                f"the encoder shows {math.degrees(-offset):.1f} degrees with the crank level; it"
-                " should show about 0. Is it the right flat? Else correct"
+                f"the encoder shows {math.degrees(found.angle):.1f} degrees with the crank level;"
+                " it should show about 0. Is it the right flat? Else correct"
                 " encoder.index_angle_deg in the rig file"
             )
-        self._adopt(self.procedure.reference(offset, uncertainty))
+        self._adopt(self.procedure.reference(-found.angle, found.uncertainty, shown))
 
     def take(self, window: Window) -> None:
         """Take the step under way with a window that is ready; raise ProcedureError when not."""
@@ -359,7 +376,12 @@ class LiveSession:
     def _final_settings(self) -> tuple[LoadCellFile, LoadCellSettings]:
         offset = self.procedure.angle_offset or 0.0
         uncertainty = self.procedure.angle_uncertainty or 0.0
-        angle = AngleSection(math.degrees(offset), math.degrees(uncertainty))
+        angle = msgspec.structs.replace(
+            self.given.angle,
+            offset_deg=math.degrees(offset),
+            standard_uncertainty_deg=math.degrees(uncertainty),
+            level_readings_deg=tuple(math.degrees(one) for one in self.procedure.shown),
+        )
         given = msgspec.structs.replace(self.given, angle=angle)
         return given, replace(self.settings, angle_offset=offset, angle_uncertainty=uncertainty)
 

@@ -119,15 +119,33 @@ class Terminal:
 
     def _reference(self, window: Window) -> None:
         assert window.angle is not None
-        shown = math.degrees(window.angle)
-        if self._hands is None:
-            word = self._read(f"  angle with the crank level [{shown:.1f} degrees]: ").strip()
-            try:
-                shown = float(word) if word else shown
-            except ValueError as error:
-                raise ProcedureError(f"{word!r} is not a number of degrees") from error
-        uncertainty = math.radians(self._session.given.angle.standard_uncertainty_deg)
-        self._session.reference(math.radians(shown), uncertainty)
+        shown = window.angle
+        if self._hands is not None:
+            uncertainty = math.radians(self._session.given.angle.standard_uncertainty_deg)
+            self._session.reference(shown, uncertainty)
+            return
+        first = self._angle("  angle with the crank level", shown)
+        word = self._read(
+            "  Turn the level end for end and the crank until it is level again; Enter, or s to do"
+            " without: "
+        )
+        if word.strip().lower() == "s":
+            uncertainty = math.radians(self._session.given.angle.standard_uncertainty_deg)
+            self._session.reference(first, uncertainty)
+            return
+        window = self._wait_ready()
+        assert window.angle is not None
+        second = self._angle("  angle with the level turned", window.angle)
+        found = self._session.reference_reversed(first, second)
+        assert found.level_error is not None
+        self._say(f"  The level itself is off by {math.degrees(found.level_error):+.2f} degrees.")
+
+    def _angle(self, question: str, shown: float) -> float:
+        word = self._read(f"{question} [{math.degrees(shown):.1f} degrees]: ").strip()
+        try:
+            return math.radians(float(word)) if word else shown
+        except ValueError as error:
+            raise ProcedureError(f"{word!r} is not a number of degrees") from error
 
 
 def _recorded(found: Readiness, unit: str) -> str:

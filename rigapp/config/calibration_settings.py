@@ -55,10 +55,16 @@ class PlaceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[angle]: the result of the angle reference step."""
+    """[angle]: the result of the angle reference step.
+
+    setting_standard_uncertainty_deg: of bringing the bubble to the middle once, for a level that is
+    turned end for end. level_readings_deg: what the encoder showed, both ways, from a live step.
+    """
 
     offset_deg: float = 0.0
     standard_uncertainty_deg: NotNegative = 0.05
+    setting_standard_uncertainty_deg: NotNegative = 0.02
+    level_readings_deg: tuple[float, ...] = ()
 
 
 class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

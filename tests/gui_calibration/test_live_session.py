@@ -12,7 +12,7 @@ import pytest
 
 from calibration.live import Verdict
 from calibration.plans import PlanKind, StepKind
-from calibration.procedure import ProcedureError
+from calibration.procedure import ProcedureError, take_up
 from calibration.records import unseal
 from rigapp.commands.journal import Journal
 from rigapp.commands.live_calibration import LiveSession, Rig, Wish, parse_pieces, window_of
@@ -212,11 +212,26 @@ def test_daily_check_passes_and_fails(
     assert session.judge().accepted
 
 
+def test_level_turned_end_for_end_goes_into_record_and_budget(
+    scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
+) -> None:
+    session = begin(tmp_path / "c.journal", settings_file, simulated)
+    answers = iter(["", "0.3", "", "359.9", "q"])
+    said: list[str] = []
+    Terminal(session, scripted.ask, lambda _: next(answers), said.append).run()
+    assert any("off by +0.20 degrees" in text for text in said)
+    procedure = take_up(session.journal.read())
+    assert np.degrees(procedure.angle_offset) == pytest.approx(-0.1)
+    given, settings = session._final_settings()
+    assert given.angle.level_readings_deg == pytest.approx((0.3, 359.9))
+    assert np.degrees(settings.angle_uncertainty) == pytest.approx(0.02 / np.sqrt(2.0))
+
+
 def test_terminal_rejects_with_a_reason(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
     session = begin(tmp_path / "c.journal", settings_file, simulated)
-    script = ["", "", "", "", "", "", "r", "1", "bumped", "x", "q"]
+    script = ["", "", "s", "", "", "", "", "r", "1", "bumped", "x", "q"]
     said: list[str] = []
     answers = iter(script)
     Terminal(session, scripted.ask, lambda _: next(answers), said.append).run()

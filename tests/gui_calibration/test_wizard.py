@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -60,7 +61,25 @@ def judged(wizard: Any, qtbot: Any) -> None:
         wizard.bench.tick()
         return wizard.bench.outcome is not None
 
-    qtbot.waitUntil(ready, timeout=20000)
+    qtbot.waitUntil(ready, timeout=120000)
+
+
+def test_level_is_turned_end_for_end(wizard: Any, scripted: Any) -> None:
+    scripted.angle_deg = 0.3
+    wizard.next()
+    page = wizard.angle
+    for _ in range(3):
+        wizard.bench.tick()
+    assert page.turn.isEnabled()
+    page.turn.click()
+    scripted.angle_deg = 359.9
+    wizard.bench.tick()
+    assert "mean +0.10" in page.first.text()
+    assert "off by +0.20" in page.first.text()
+    wizard.next()
+    procedure = wizard.bench.session.procedure
+    assert math.degrees(procedure.angle_offset) == pytest.approx(-0.1, abs=1e-6)
+    assert math.degrees(procedure.angle_uncertainty) == pytest.approx(0.02 / math.sqrt(2.0))
 
 
 def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path: Path) -> None:
@@ -76,7 +95,7 @@ def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path:
             wizard.bench.tick()
             return page.chart.isVisible()
 
-        qtbot.waitUntil(charted, timeout=60000)
+        qtbot.waitUntil(charted, timeout=120000)
         assert "1 check with this calibration" in page.chart.words.text()
         wizard.back()
     assert len((tmp_path / "daily-checks.jsonl").read_text().splitlines()) == 1
@@ -108,7 +127,7 @@ def test_whole_wizard_to_the_certificate(wizard: Any, qtbot: Any, tmp_path: Path
         wizard.bench.tick()
         return "The certificate is" in wizard.certificate.words.text()
 
-    qtbot.waitUntil(written, timeout=20000)
+    qtbot.waitUntil(written, timeout=120000)
     assert record.with_suffix(".html").stat().st_size > 1000
 
 

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QVBoxLayout, QWizardPage
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QPushButton, QVBoxLayout, QWizardPage
 
 from calibration.plans import StepKind
 from rigapp.gui.calibration.bench import Bench
 from rigapp.gui.calibration.hands_panel import HandsPanel
 from rigapp.gui.calibration.parts import Stability, field, larger, named, number, prose
 from rigapp.gui.palette import Theme
+
+TURN = "&Keep this angle; I turn the level end for end"
+AGAIN = "&Forget the first angle"
 
 
 class AnglePage(QWizardPage):
@@ -28,7 +31,8 @@ class AnglePage(QWizardPage):
         larger(self.instruction, 1.5)
         self.instruction.setText(
             "Lay the level on the flat of the crank and turn the crank until the bubble is in the"
-            " middle. The encoder should show 0 degrees, or 360."
+            " middle. The encoder should show 0 degrees, or 360. Then turn the level end for end"
+            " and do it again: the mean is free of the level's own error."
         )
         self.live = prose("angle_live", "Angle of the encoder now")
         larger(self.live, 1.5, bold=True)
@@ -45,6 +49,10 @@ class AnglePage(QWizardPage):
             "angle_uncertainty",
             "Standard uncertainty of the level, degrees",
         )
+        self.turn = QPushButton(TURN)
+        named(self.turn, "angle_turn", "Keep this angle and turn the level end for end")
+        self.first = prose("angle_first", "The first angle")
+        self._first_deg: float | None = None
         self.problem = prose("angle_problem", "What is wrong on this page")
         self.hands = HandsPanel(bench)
         form = QFormLayout()
@@ -56,10 +64,13 @@ class AnglePage(QWizardPage):
         column.addWidget(self.live)
         column.addWidget(self.stability)
         column.addLayout(form)
+        column.addWidget(self.turn)
+        column.addWidget(self.first)
         column.addStretch(1)
         column.addWidget(self.problem)
         column.addWidget(self.hands)
         self.setCommitPage(True)
+        self.turn.clicked.connect(self._keep_first)
         self.follow.toggled.connect(self._follow)
         self._follow(True)
         bench.looked.connect(self._look)
@@ -71,7 +82,39 @@ class AnglePage(QWizardPage):
         if session is not None:
             self.uncertainty.setValue(session.given.angle.standard_uncertainty_deg)
         self.hands.setVisible(self._bench.rig.simulated)
+        self._forget_first()
         self._look()
+
+    def _keep_first(self) -> None:
+        """Keep the angle as the first of two, or forget it."""
+        if self._first_deg is not None:
+            self._forget_first()
+            return
+        self.shown.interpretText()
+        self._first_deg = self.shown.value()
+        self.turn.setText(AGAIN)
+        self.uncertainty.setEnabled(False)
+        self._tell_first()
+
+    def _forget_first(self) -> None:
+        self._first_deg = None
+        self.turn.setText(TURN)
+        self.uncertainty.setEnabled(True)
+        self._tell_first()
+
+    def _tell_first(self) -> None:
+        if self._first_deg is None:
+            self.first.setText("")
+            return
+        session, second = self._bench.session, self.shown.value()
+        assert session is not None
+        setting = session.given.angle.setting_standard_uncertainty_deg
+        mean, own = 0.5 * (self._first_deg + second), 0.5 * (self._first_deg - second)
+        self.first.setText(
+            f"First {self._first_deg:+.2f} degrees, now {second:+.2f} degrees with the level"
+            f" turned: mean {mean:+.2f} +- {setting / math.sqrt(2.0):.3f} degrees; the level itself"
+            f" is off by {own:+.2f} degrees."
+        )
 
     def isComplete(self) -> bool:
         """Tell whether the crank stands at a known angle, or the reference was taken already."""
@@ -88,6 +131,10 @@ class AnglePage(QWizardPage):
             box.interpretText()
         if not self._due():
             return True
+        if self._first_deg is not None:
+            return self._bench.reference_reversed(
+                math.radians(self._first_deg), math.radians(self.shown.value())
+            )
         return self._bench.reference(
             math.radians(self.shown.value()), math.radians(self.uncertainty.value())
         )
@@ -108,6 +155,7 @@ class AnglePage(QWizardPage):
         bench = self._bench
         window = bench.window
         self.stability.show_readiness(bench.readiness, "no signals from the engine")
+        self.turn.setEnabled(self._due() and self.isComplete())
         if not self._due() and bench.session is not None:
             self.live.setText("The angle reference has been taken already.")
         elif window is None or window.angle is None:
@@ -117,4 +165,5 @@ class AnglePage(QWizardPage):
             self.live.setText(f"The encoder shows {degrees:.2f} degrees.")
             if self.follow.isChecked():
                 self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
+        self._tell_first()
         self.completeChanged.emit()

@@ -136,6 +136,10 @@ class Bench(QObject):
         """Take the angle reference, rad."""
         return self._try(lambda session: session.reference(shown, uncertainty))
 
+    def reference_reversed(self, first: float, second: float) -> bool:
+        """Take the angle reference with the level turned end for end, rad."""
+        return self._try(lambda session: session.reference_reversed(first, second))
+
     def reject(self, index: int, reason: str) -> bool:
         """Reject a reading with a reason."""
         return self._try(lambda session: session.reject(index, reason))
@@ -156,7 +160,7 @@ class Bench(QObject):
         self.outcome = outcome
         self.judged.emit()
 
-    def _try(self, act: Callable[[LiveSession], None]) -> bool:
+    def _try(self, act: Callable[[LiveSession], object]) -> bool:
         if self.session is None:
             return False
         try:

@@ -35,6 +35,7 @@ WORDS = {
     "routine": "Routine: 4 pin angles, 5 loads up and down",
     "full": "Full: 12 pin angles, 10 loads up and down",
 }
+ROUNDED_GRAVITY = 9.81
 NEW = "Begin a new calibration"
 
 
@@ -69,7 +70,7 @@ class PlanPage(QWizardPage):
         self.hanger = number(0.0, 20.0, 4, 0.1, "kg")
         named(self.hanger, "calibration_hanger", "Mass of the hanger, kilograms")
         self.gravity = number(9.76, 9.84, 5, 0.0001, "m/s²")
-        self.gravity.setValue(9.81)
+        self.gravity.setValue(ROUNDED_GRAVITY)
         named(self.gravity, "calibration_gravity", "Local gravity, metres per second squared")
         self.operator = QLineEdit(bench.rig.operator)
         named(self.operator, "calibration_operator", "Operator")
@@ -101,6 +102,7 @@ class PlanPage(QWizardPage):
         self.plan.currentIndexChanged.connect(self._summarise)
         self.weights.textChanged.connect(self._summarise)
         self.hanger.valueChanged.connect(self._summarise)
+        self.gravity.valueChanged.connect(self._summarise)
         self.begin.currentIndexChanged.connect(self._summarise)
         self.settings.editingFinished.connect(self.read_settings)
         self.browse.clicked.connect(self._browse)
@@ -187,10 +189,17 @@ class PlanPage(QWizardPage):
         most = max(step.mass for step in steps)
         readings = sum(1 for step in steps if step.series)
         hours, minutes = divmod(round(time_needed(steps) / 60.0), 60)
-        self.summary.setText(
+        needed = f"{hours} h {minutes} min" if hours else f"{minutes} min"
+        text = (
             f"{len(pieces)} pieces, {sum(pieces):g} kg in all. The heaviest load is {most:g} kg;"
-            f" {readings} readings, about {hours} h {minutes} min."
+            f" {readings} readings, about {needed}."
         )
+        if settings.gravity_stated and abs(self.gravity.value() - ROUNDED_GRAVITY) < 1e-6:
+            text += (
+                "\n9.81 m/s² is a rounded value, up to 0.3 % off: write the gravity of this place,"
+                " or name a settings file with latitude and height."
+            )
+        self.summary.setText(text)
 
     def _browse(self) -> None:
         dialog = QFileDialog(self, "Choose settings", filter="Settings (*.toml)")

@@ -146,6 +146,8 @@ class ReadingsPage(QWizardPage):
             self.record.setAccessibleName(text.replace("&", ""))
         else:
             self.left.setText("All steps are done.")
+        for widget in (self.stability, self.record):
+            widget.setVisible(not procedure.done)
         self._fill()
         self.plot.show_session(session)
         self.completeChanged.emit()

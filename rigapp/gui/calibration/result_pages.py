@@ -225,6 +225,7 @@ class CertificatePage(QWizardPage):
         self.words.clear()
         self._leave()
         self.pdf.setFocus()
+        self._bench.run(_load_writers, lambda _: None)
 
     def _leave(self) -> None:
         """Ask nothing; say what would put the record to use."""
@@ -273,8 +274,17 @@ class CertificatePage(QWizardPage):
         from rigapp.commands.calibrate import write_certificate
 
         record, target = outcome.saved, outcome.saved.with_suffix(suffix)
-        self.words.setText("Writing …")
+        self.words.setText("Writing the certificate; the first one takes some seconds …")
         self._bench.run(
             lambda: write_certificate(record, target),
             lambda _: self.words.setText(f"The certificate is {target}."),
         )
+
+
+def _load_writers() -> None:
+    """Load what draws a certificate while the operator reads the page."""
+    import matplotlib.figure  # noqa: F401
+
+    import rigapp.report.certificate
+    import rigapp.report.html
+    import rigapp.report.pdf  # noqa: F401
