@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rigapp.engine.criteria import Met
+from rigapp.engine.criteria import TITLES, Met
 from rigapp.engine.messages import Severity
 
 
@@ -392,7 +392,7 @@ def criterion(met: Met) -> Cause:
     """A stop criterion of the test that guards the joint is met."""
     return _critical(
         f"stop:{met.name}",
-        f"Stop criterion {met.name}",
+        f"Stop criterion: {TITLES[met.name]}",
         met.sentence,
         "The test was stopped, as its test file says.",
         "Look at the trend and the joint; go on with the test in its file, or end it here.",
@@ -408,7 +408,7 @@ def criterion_blind(name: str) -> Cause:
     """Nothing is known of a stop criterion."""
     return _warning(
         blind_key(name),
-        f"Stop criterion {name} cannot be judged",
+        f"Stop criterion not judged: {TITLES[name]}",
         f"Nothing has been measured or predicted for stop.{name} in many revolutions.",
         "The test goes on without this criterion.",
         "Check the probes, or the prediction's process, or stop the test.",

@@ -40,6 +40,17 @@ _REVOLUTION, _TIME, _SPEED = PLACE["revolution"], PLACE["time"], PLACE["speed"]
 _FORCE, _QUALITY = PLACE["force_max"], PLACE["quality"]
 _PROBES = (PLACE["probe_1_mean"], PLACE["probe_2_mean"])
 
+TITLES = {
+    "elapsed_time_h": "elapsed time",
+    "running_time_h": "running time",
+    "wear_depth_um": "wear depth",
+    "force_N": "force",
+    "wear_rate_um_per_1000_revolutions": "wear rate",
+    "deviation_N": "deviation from the model",
+    "deviation_percent": "deviation from the model",
+}
+"""Key of a criterion -> its name in words."""
+
 HISTORY_COLUMNS = ("revolution", "time", "speed", "quality", "probe_1_mean", "probe_2_mean")
 """What a criterion needs to know of the rows of an earlier segment."""
 
