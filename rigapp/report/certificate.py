@@ -7,7 +7,7 @@ certificate again and compare it byte for byte.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -28,6 +28,11 @@ from rigapp.report.run_out_certificate import (
     run_out_statements,
     run_out_tables,
 )
+from rigapp.report.running_certificate import (
+    running_figures,
+    running_statements,
+    running_tables,
+)
 
 
 def certificate_of(record: Record) -> Document:
@@ -39,7 +44,7 @@ def certificate_of(record: Record) -> Document:
         footer=f"Certificate {record.number}",
         sections=(
             Section("", (*(Text(text) for text in texts), _identity(record), *tables)),
-            Section("Map" if record.kind == "run-out map" else "Residuals", tuple(figures)),
+            Section(PICTURES.get(record.kind, "Residuals"), tuple(figures)),
         ),
         closing=(
             f"Number {record.number} is the beginning of the SHA-256 digest of the record, readings"
@@ -67,13 +72,28 @@ def _run_out(content: Mapping[str, Any]) -> Parts:
     return run_out_statements(content), tables, run_out_figures(content)
 
 
+def _running(content: Mapping[str, Any]) -> Parts:
+    return running_statements(content), running_tables(content), running_figures(content)
+
+
 PARTS: Mapping[str, Callable[[Mapping[str, Any]], Parts]] = {
     "load cell": _cell,
     "probe": _probe,
     "probe pair": _probe,
     "run-out map": _run_out,
+    "running check": _running,
 }
 """Kind of a record -> what its certificate says."""
+
+PICTURES = {"run-out map": "Map", "running check": "Forces"}
+"""Kind of a record -> heading of its figures, residuals without one."""
+
+
+def _level(shown: Sequence[float]) -> str:
+    if len(shown) != 2:
+        return ""
+    one, two = (math.remainder(angle, 360.0) for angle in shown)
+    return f"; level turned end for end at {one:.3f} and {two:.3f} deg"
 
 
 def _item(content: Mapping[str, Any]) -> str:
@@ -129,8 +149,9 @@ def _conditions(content: Mapping[str, Any]) -> Table:
         ("Weights", f"{weights['mass_kind']} mass, density {weights['density_kg_per_m3']:g} kg/m3,"
                     f" relative u = {weights['relative_standard_uncertainty']:g}"),
         ("Hanger", f"{weights['hanger_mass_kg']:g} kg"),
-        ("Angle reference", f"offset {angle['offset_deg']:g} deg,"
-                            f" u = {angle['standard_uncertainty_deg']:g} deg"),
+        ("Angle reference", f"offset {angle['offset_deg']:.6g} deg,"
+                            f" u = {angle['standard_uncertainty_deg']:.3g} deg"
+                            + _level(angle.get("level_readings_deg", ()))),
     ]  # fmt: skip
     return Table("Conditions", tuple(rows))
 
