@@ -77,7 +77,18 @@ class AlarmBook:
         self._entries: dict[str, _Entry] = {}
         self._lock = threading.Lock()
         self._first_out_given = False
+        self._claimed = ""
         self._shelved = False
+
+    def claim_first_out(self, cause: Cause) -> None:
+        """Let this alarm be the first-out one, if none is yet, though another may be raised before.
+
+        What ends a test commands the drive first and raises its alarm then.
+        """
+        with self._lock:
+            if cause.severity is Severity.CRITICAL and not self._first_out_given:
+                self._first_out_given = True
+                self._claimed = cause.key
 
     def raise_alarm(self, cause: Cause, revolution: int = 0) -> bool:
         """Raise an alarm, or renew its words when it is active already; True when it is new."""
@@ -87,8 +98,10 @@ class AlarmBook:
             if entry is not None and entry.active:
                 entry.cause = cause
                 return False
-            first = cause.severity is Severity.CRITICAL and not self._first_out_given
+            free = not self._first_out_given or self._claimed == cause.key
+            first = cause.severity is Severity.CRITICAL and free
             self._first_out_given |= first
+            self._claimed = "" if first else self._claimed
             fresh = _Entry(cause, self._clock(), revolution, first)
             if entry is not None:
                 fresh.first_out |= entry.first_out
@@ -176,6 +189,7 @@ class AlarmBook:
             gone = [entry.alarm(now) for entry in self._entries.values() if not entry.active]
             self._entries = {k: e for k, e in self._entries.items() if e.active}
             self._first_out_given = False
+            self._claimed = ""
         for alarm in gone:
             self._on_change(alarm, "reset", operator)
 

@@ -239,6 +239,8 @@ class Core:
                 announce = self._set(RunState.FAULT, ending.sentence)
                 command = True
         control = self.control
+        if first and cause is not None:
+            self.alarms.claim_first_out(cause)
         if command and control is not None:
             control.stop_now(off=ending.off or session is None or session.ending is None)
         if cause is not None:

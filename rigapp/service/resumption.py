@@ -164,6 +164,8 @@ def _depth(reader: Any, rows: int) -> float | None:
         places = (reader.column(f"probe_{n}_mean", first, stop) for n in (1, 2))
         way = np.hypot(*places)
         known = np.isfinite(way)
+        if known.sum() < FIRST_STEADY:
+            return math.nan
         slope, start = np.polyfit(number[known] - at, way[known], 1)
         return float(start) if math.isfinite(slope) else math.nan
 

@@ -210,6 +210,16 @@ def test_the_first_out_alarm_stays_it_when_it_comes_again() -> None:
     assert told == ["raised, first out", "cleared", "raised"]
 
 
+def test_what_ends_a_test_is_first_out_though_another_alarm_is_raised_before_it() -> None:
+    one = Book()
+    one.book.claim_first_out(CRITICAL)
+    one.book.raise_alarm(causes.overspeed(60.0, 45.0, "encoder"))
+    one.book.raise_alarm(CRITICAL)
+    assert [a.key for a in one.book.alarms() if a.first_out] == ["overload"]
+    one.book.claim_first_out(causes.overspeed(60.0, 45.0, "encoder"))
+    assert [a.key for a in one.book.alarms() if a.first_out] == ["overload"]
+
+
 def test_the_end_of_shelving_is_told() -> None:
     one = Book()
     one.book.raise_alarm(WARNING)
