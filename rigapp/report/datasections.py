@@ -10,7 +10,7 @@ from rigapp.report import plots
 from rigapp.report.document import Block, Section, Table, Text
 from rigapp.report.facts import ENDS, Channel, Gap, Peak, Rows
 from rigapp.report.model_facts import Agreement, Burst, CyclePicture, Wear
-from rigapp.report.uncertainty import ForceUncertainty
+from rigapp.report.uncertainty import ForceUncertainty, PositionUncertainty
 from rigapp.report.wording import (
     CHANNELS,
     FLAGS,
@@ -47,6 +47,7 @@ def extremes(
     agreement: Agreement | None,
     vector: bool,
     uncertainty: ForceUncertainty | None = None,
+    positions: PositionUncertainty | None = None,
 ) -> list[Section]:
     """Return the table of extremes and the trends of every channel."""
     title = "Extremes and RMS of every channel"
@@ -70,6 +71,8 @@ def extremes(
             "a quality flag."
         )
     )
+    if positions is not None:
+        blocks.append(Text(f"Expanded uncertainty of a position: {positions.words}."))
     forces = [one for one in rows.channels if one.unit == "N"]
     others = [one for one in channels if one.unit != "N"]
     if forces:
@@ -80,7 +83,7 @@ def extremes(
         )
     if others:
         name = "Displacement and speed against revolution"
-        blocks.append(plots.trends(others, None, rows.gaps, name, vector))
+        blocks.append(plots.trends(others, None, rows.gaps, name, vector, positions=positions))
     return [Section(title, tuple(blocks))]
 
 

@@ -13,7 +13,7 @@ from rigapp.report.document import Figure
 from rigapp.report.envelope import envelope
 from rigapp.report.facts import Channel, Gap
 from rigapp.report.model_facts import Agreement, CyclePicture
-from rigapp.report.uncertainty import ForceUncertainty
+from rigapp.report.uncertainty import ForceUncertainty, PositionUncertainty
 from rigapp.report.wording import CHANNELS, THIN, number, quantity, symbol
 
 WIDTH_IN = 7.2
@@ -36,6 +36,7 @@ GAP = "#E69F00"
 MODEL_LINE: Mapping[str, Any] = {"color": MODEL, "ls": (0, (4, 2)), "lw": 1.1}
 GAPS_SHOWN = 40
 BAND_WORDS = "Shaded: the expanded uncertainty of a force by the calibration."
+POSITION_WORDS = "Shaded: the expanded uncertainty of a position by the calibration."
 SHORT = {
     "force": "|F|",
     "force_1": "force_1",
@@ -133,10 +134,12 @@ def trends(
     title: str,
     vector: bool,
     uncertainty: ForceUncertainty | None = None,
+    positions: PositionUncertainty | None = None,
 ) -> Figure:
     """Draw maximum, RMS and minimum of channels against revolution, one panel a channel.
 
-    uncertainty: of forces; drawn as a band about the largest and the smallest value.
+    uncertainty, positions: of forces and of positions; drawn as a band about the largest and the
+    smallest value.
     """
     predicted = agreement.lines if agreement is not None else {}
     with canvas_of(_height(len(channels))) as canvas:
@@ -147,6 +150,13 @@ def trends(
             if uncertainty is not None and channel.unit == "N":
                 for one in ("max", "min"):
                     _band(axes, *channel.lines[one], uncertainty, COLOURS[one])
+            doubt = positions.of(channel.name) if positions is not None else None
+            if doubt is not None:
+                for one in ("max", "min"):
+                    x, values = channel.lines[one]
+                    axes.fill_between(
+                        x, values - doubt, values + doubt, color=COLOURS[one], alpha=0.2, lw=0
+                    )
             with_model = False
             _draw(axes, channel.lines["max"], color=COLOURS["max"], label=SHORT["max"])
             x, rms = channel.lines["rms"]
@@ -180,6 +190,8 @@ def trends(
         caption += " and by the model (dashed)." if model else "."
         if uncertainty is not None:
             caption += f" {BAND_WORDS}"
+        if positions is not None:
+            caption += f" {POSITION_WORDS}"
         if zoomed:
             caption += " Revolutions in which the speed changed may lie outside the scale."
         return saved(canvas, title, words, caption, vector)

@@ -62,7 +62,7 @@ def _record(name: str, values: Mapping[str, Any]) -> Table:
 def _record_rows(record: Record) -> list[tuple[str, str]]:
     content = record.content
     given, result = _mapping(content.get("settings")), _mapping(content.get("result"))
-    item = _mapping(given.get("cell") or given.get("probe"))
+    item = _mapping(given.get("cell") or given.get("probe") or given.get("pin"))
     paper = _mapping(given.get("paperwork"))
     rows = [
         ("number", f"{record.number}, the digest of the record holds"),

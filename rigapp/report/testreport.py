@@ -18,7 +18,11 @@ from rigapp.report import datasections, logsections, setupsections
 from rigapp.report.document import Block, Document, Section, Table, Text
 from rigapp.report.facts import Rows, rows_of
 from rigapp.report.model_facts import agreement_of, bursts_of, cycles_of
-from rigapp.report.uncertainty import ForceUncertainty, force_uncertainty
+from rigapp.report.uncertainty import (
+    ForceUncertainty,
+    force_uncertainty,
+    position_uncertainty,
+)
 from rigapp.report.wording import (
     REASONS,
     STATUSES,
@@ -81,7 +85,9 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Document:
     sections = [
         _summary(summary, about, rows, identity, uncertainty),
         *logsections.sections(reader, events, rows, summary["reason"]),
-        *datasections.extremes(rows, agreement, vector, uncertainty),
+        *datasections.extremes(
+            rows, agreement, vector, uncertainty, position_uncertainty(reader.calibration())
+        ),
         *datasections.agreement(agreement, rows, vector, events),
         datasections.cycles(
             cycles_of(reader),

@@ -25,6 +25,7 @@ from rigapp.engine.calibrate import Calibration, calibrate
 from rigapp.engine.probes import probe_correction
 from rigapp.engine.reduce import NAMES, PLACE, Reducer
 from rigapp.engine.store import calibration_record
+from rigapp.report.uncertainty import position_uncertainty
 from rigapp.service.records import with_records
 from rigapp.simulation import kernels
 from rigapp.simulation.constants import packaged_parameters, plant_constants
@@ -254,3 +255,14 @@ def test_pair_calibrated_on_the_plants_bench_tells_the_true_position_in_use() ->
     told = 1e6 * (pair.alignment.matrix @ read)
     assert told == pytest.approx([-500.0, 26.0], abs=0.3)
     assert abs(1e6 * read[1] - 26.0) > 5.0
+
+
+def test_report_takes_u_of_positions_from_the_file() -> None:
+    kept = calibration_record(calibration())
+    found = position_uncertainty(kept)
+    assert found is not None
+    assert found.of("probe_2") == pytest.approx(1.5)
+    assert found.of("force_1") is None
+    assert "± 1.30 µm (probe 1)" in found.words
+    for unknown in ({}, {"probes": {}}, {"probes": {"uncertainty_um": [1.0, math.nan]}}):
+        assert position_uncertainty(unknown) is None
