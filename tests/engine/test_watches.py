@@ -5,11 +5,13 @@ from __future__ import annotations
 import threading
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
 from drivers.api import Block, InputFault, InputFaultKind, Quality
+from rigapp.config.recipe import TestFile
 from rigapp.engine.assembler import Assembler, EncoderSetup
 from rigapp.engine.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.engine.run import ENDED
@@ -19,7 +21,7 @@ LONG = 1_000_000
 
 def slow_thinking(simulated: bool) -> MemoryRig:
     rig = MemoryRig(simulated=simulated)
-    rig.engine._core.timing = replace(rig.timing, queue_age=0.2, silence=60.0)
+    rig.engine._core.timing = replace(rig.timing, queue_age=600.0, silence=60.0)
     rig.engine.connect()
     return rig
 
@@ -38,15 +40,28 @@ def hold_up(rig: MemoryRig) -> threading.Event:
     return free
 
 
+def patient(revolutions: int) -> TestFile:
+    """Return a test that forgives a reader that is held up."""
+    test = a_test(revolutions)
+    return msgspec.structs.replace(
+        test, limits=msgspec.structs.replace(test.limits, stale_data_s=60.0)
+    )
+
+
+def limit_age(rig: MemoryRig) -> None:
+    rig.engine._core.timing = replace(rig.engine._core.timing, queue_age=0.2)
+
+
 def alarm(rig: MemoryRig, start: str) -> Alarm | None:
     return next((a for a in rig.engine.status().alarms if a.key.startswith(start)), None)
 
 
 def test_old_samples_switch_the_drive_off() -> None:
     rig = slow_thinking(simulated=False)
-    rig.start(a_test(LONG))
+    rig.start(patient(LONG))
     eventually(lambda: rig.engine.state is RunState.RUNNING, 60.0)
     free = hold_up(rig)
+    limit_age(rig)
     eventually(lambda: ("off", 0.0) in rig.spindle.commands, 60.0)
     raised = alarm(rig, "queue_age")
     free.set()
@@ -65,17 +80,21 @@ def test_old_samples_switch_the_drive_off() -> None:
 
 def test_a_simulated_rig_waits_instead() -> None:
     rig = slow_thinking(simulated=True)
-    rig.start(a_test(12))
+    rig.start(patient(LONG))
     eventually(lambda: rig.engine.state is RunState.RUNNING, 60.0)
     free = hold_up(rig)
+    limit_age(rig)
     connection = rig.engine._connection
     assert connection is not None
     eventually(lambda: connection.queue_age_s() > 1.0, 60.0)
     assert rig.engine.state is RunState.RUNNING
+    rows = len(rig.store.rows)
     free.set()
+    eventually(lambda: len(rig.store.rows) > rows + 3, 60.0)
+    rig.engine.stop("Ada")
     rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
-    assert rig.engine.outcome.reason is FinishReason.COMPLETE
+    assert rig.engine.outcome.reason is FinishReason.OPERATOR
     assert alarm(rig, "queue_age") is None
     rig.engine.shutdown()
 
@@ -90,7 +109,7 @@ def test_a_broken_bridge_wire_ends_the_test() -> None:
     rig = MemoryRig()
     faults = supervised(rig)
     rig.engine.connect()
-    rig.start(a_test(LONG))
+    rig.start(patient(LONG))
     eventually(lambda: len(rig.store.rows) >= 3, 60.0)
     words = "the bridge of analog_1 is broken"
     faults.append(InputFault(InputFaultKind.SENSOR_BROKEN, ("analog_1",), words, 1))
@@ -127,7 +146,7 @@ def test_other_faults_of_inputs_warn(
     rig = MemoryRig()
     faults = supervised(rig)
     rig.engine.connect()
-    rig.start(a_test(8))
+    rig.start(patient(8))
     eventually(lambda: len(rig.store.rows) >= 1, 60.0)
     faults.append(InputFault(kind, inputs, "something is wrong", when))
     eventually(lambda: alarm(rig, "input:") is not None, 60.0)
