@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import calendar
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -46,13 +46,15 @@ def with_records(rig: Document[RigFile], now: float | None = None) -> RigRecords
         text, record = _read(rig, "load_cell.calibration", load_cell.calibration, ("load cell",))
         texts["load_cell"] = text
         load_cell = _load_cell(rig, record)
-        _judge_age("load_cell", record, load_cell.calibration_override, moment, blocking, remarks)
+        against = _faults(rig, record, moment)
+        _judge("load_cell", record, load_cell.calibration_override, against, blocking, remarks)
     if probes.calibration or probes.run_out:
         found = probe_records(rig, lambda section, name, kinds: _read(rig, section, name, kinds))
         probes = found.probes
         for section, text, record, override in found.records:
             texts[section] = text
-            _judge_age(section, record, override, moment, blocking, remarks)
+            against = _faults(rig, record, moment)
+            _judge(section, record, override, against, blocking, remarks)
     record_file = msgspec.structs.replace(rig.record, load_cell=load_cell, probes=probes)
     return RigRecords(Document(rig.path, rig.text, record_file), texts, blocking, remarks)
 
@@ -96,25 +98,51 @@ def _load_cell(rig: Document[RigFile], record: Record) -> Any:
     )
 
 
-def _judge_age(
+def _faults(rig: Document[RigFile], record: Record, now: float) -> list[str]:
+    """Return what stands against the use of a record: it has expired, or it is foreign.
+
+    Foreign: taken on another rig, on a simulated one for a real one or the reverse, or of a load
+    cell of another full scale. Readings that came as a table do not say where they were taken.
+    """
+    found = []
+    content, here = record.content, rig.record
+    due = str(content["due_at"])
+    if now > calendar.timegm(time.strptime(due, "%Y-%m-%dT%H:%M:%SZ")):
+        found.append(f"expired on {due[:10]}")
+    taken = content.get("taken") or {}
+    where = str(taken.get("rig") or "")
+    if where and where != here.name:
+        found.append(f"was taken on the rig {where!r}, this is {here.name!r}")
+    simulated = taken.get("simulated")
+    if simulated is not None and bool(simulated) is not (here.simulation is not None):
+        kinds = ("a real rig", "a simulated rig")
+        found.append(f"was taken on {kinds[bool(simulated)]}, this is {kinds[not simulated]}")
+    if record.kind == "load cell":
+        full = content["settings"]["cell"].get("full_scale_N")
+        if full is not None and abs(full / here.load_cell.full_scale_N - 1.0) > 1e-6:
+            found.append(
+                f"is of a load cell of {full:g} N, the rig file says"
+                f" {here.load_cell.full_scale_N:g} N"
+            )
+    return found
+
+
+def _judge(
     section: str,
     record: Record,
     override: str,
-    now: float,
+    against: Sequence[str],
     blocking: dict[str, str],
     remarks: dict[str, str],
 ) -> None:
-    due_text = str(record.content["due_at"])
-    due = calendar.timegm(time.strptime(due_text, "%Y-%m-%dT%H:%M:%SZ"))
-    if now <= due:
-        remarks[section] = f"record {record.number}, due {due_text[:10]}"
+    """Block a start for what stands against a record, unless a reason overrides it."""
+    words = " and ".join(against)
+    if not against:
+        remarks[section] = f"record {record.number}, due {str(record.content['due_at'])[:10]}"
     elif override.strip():
-        remarks[section] = (
-            f"record {record.number}, expired {due_text[:10]}, used all the same:"
-            f" {override.strip()}"
-        )
+        remarks[section] = f"record {record.number} {words}, used all the same: {override.strip()}"
     else:
         blocking[section] = (
-            f"the calibration record {record.number} of {section} expired on {due_text[:10]};"
+            f"the calibration record {record.number} of {section} {words};"
             f" calibrate again, or write calibration_override with the reason"
         )

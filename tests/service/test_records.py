@@ -58,6 +58,26 @@ def test_expired_record_blocks_unless_overridden_with_a_reason(tmp_path: Path) -
     assert "weights are away" in used.remarks["load_cell"]
 
 
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"taken": {"rig": "Other rig", "simulated": True}}, "taken on the rig 'Other rig'"),
+        ({"taken": {"rig": "Simulated slider-crank", "simulated": False}}, "taken on a real rig"),
+        ({"settings": {"cell": {"signal_unit": "mV/V", "full_scale_N": 200.0}}}, "of 200 N"),
+    ],
+)
+def test_foreign_record_blocks_unless_overridden_with_a_reason(
+    tmp_path: Path, changes: dict, words: str
+) -> None:
+    content = {**CELL, **changes}
+    assert words in with_records(rig_with(tmp_path, content), IN_TIME).blocking["load_cell"]
+    line = 'calibration = "cell.json"\ncalibration_override = "cell was moved here"'
+    used = with_records(rig_with(tmp_path, content, line), IN_TIME)
+    assert not used.blocking
+    assert words in used.remarks["load_cell"]
+    assert "cell was moved here" in used.remarks["load_cell"]
+
+
 def test_foreign_and_spoilt_records_are_refused(tmp_path: Path) -> None:
     with pytest.raises(UnusableInput, match="record of a probe"):
         with_records(rig_with(tmp_path, {**CELL, "kind": "probe"}), IN_TIME)
