@@ -62,7 +62,7 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
     try:
         if entry is None:
             return _look_alone(records, test)
-        client = Client(entry)
+        client = Client(entry, look=False)
         try:
             return msgspec.convert(client.request("status").result, Status), []
         finally:

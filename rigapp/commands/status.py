@@ -42,7 +42,7 @@ def _asked(entry: Any) -> dict[str, Any]:
 
     shown: dict[str, Any] = {"pid": entry.pid, "rig_file": entry.rig}
     try:
-        client = Client(entry)
+        client = Client(entry, look=False)
     except EngineUnreachable as error:
         return {**shown, "problem": str(error)}
     try:

@@ -36,9 +36,10 @@ class EngineUnreachable(Exception):
 class Client:
     """One viewer of one engine; ``poll`` and ``request`` may be called from different threads."""
 
-    def __init__(self, entry: EngineEntry, operator: str = "") -> None:
+    def __init__(self, entry: EngineEntry, operator: str = "", *, look: bool = True) -> None:
         """Attach to the engine of an entry; nothing is sent yet.
 
+        look: take snapshots, which makes this a viewer; without it ``poll`` returns None.
         Raises EngineUnreachable when the entry tells of another version of the protocol, and
         UnusableInput when the engine demands a key and this viewer's cannot be used.
         """
@@ -54,7 +55,8 @@ class Client:
         self._stream.setsockopt(zmq.LINGER, 0)
         self._stream.setsockopt(zmq.SUBSCRIBE, b"")
         self._show_keys(self._stream)
-        self._stream.connect(entry.snapshots)
+        if look:
+            self._stream.connect(entry.snapshots)
         self._lock = threading.Lock()
         self._identifier = 0
         self._closed = False

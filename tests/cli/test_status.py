@@ -52,6 +52,7 @@ def test_running_engine_is_shown(host: EngineHost, capsys: pytest.CaptureFixture
     (one,) = json.loads(capsys.readouterr().out)
     assert (one["state"], one["in_command"], one["alarms"]) == ("idle", "Ada", [])
     assert one["data_age_s"] is None
+    assert not host.watched  # who only asks is no viewer
 
 
 def test_status_has_everything_a_header_shows(host: EngineHost) -> None:
