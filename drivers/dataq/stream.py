@@ -29,6 +29,7 @@ from drivers.dataq.scans import Run, ScanParser
 _log = logging.getLogger(__name__)
 
 _SLICE_S: Final = 0.05
+_LATENESS_S: Final = 0.01
 _MOST_SENTENCES: Final = 100
 _MOST_RESTARTS: Final = 3
 _HEALTHY_SCANS: Final = 1000
@@ -79,7 +80,7 @@ class Stream:
         self._chunks: list[bytes] = []
         self._waiting = 0
         self._oldest_s = 0.0
-        self._last_data_s = 0.0
+        self._silent_s = 0.0
         self._blocks: deque[Block] = deque()
         self._sequence = 0
         self._next_sample = 0
@@ -131,7 +132,7 @@ class Stream:
 
     def _begin(self) -> None:
         self._link.port.write(self._start)
-        self._last_data_s = time.monotonic()
+        self._silent_s = 0.0
 
     def _end(self) -> None:
         """Stop the device and take in all that it still sent."""
@@ -163,13 +164,17 @@ class Stream:
         self._waiting += len(data)
 
     def _pump(self, wait_s: float) -> None:
+        began = time.monotonic()
         data = self._link.port.read_some(READ_BYTES, wait_s)
         now = time.monotonic()
         if data:
-            self._last_data_s = now
+            self._silent_s = 0.0
             self._keep(data)
-        elif now - self._last_data_s >= self._patience_s():
-            self._silence(now - self._last_data_s)
+        else:
+            # Time for which this thread was held up is not the device's silence.
+            self._silent_s += min(now - began, wait_s + _LATENESS_S)
+            if self._silent_s >= self._patience_s():
+                self._silence(self._silent_s)
         full = self._waiting >= self._wanted
         if self._waiting and (full or now - self._oldest_s >= self._pace.block_s):
             self._parse()

@@ -73,8 +73,8 @@ class Wire:
     def unplug(self) -> None:
         """Take the device away: the host sees a broken connection."""
         self._stopping.set()
-        self._thread.join(5.0)
-        assert not self._thread.is_alive(), "the wire's thread did not end within 5 s"
+        self._thread.join(60.0)
+        assert not self._thread.is_alive(), "the wire's thread did not end within 60 s"
         for descriptor in (self._device, self._host):
             with contextlib.suppress(OSError):
                 os.close(descriptor)

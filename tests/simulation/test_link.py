@@ -15,7 +15,7 @@ from rigapp.simulation.endpoints import Endpoint, PtyEndpoint, SocketEndpoint
 from rigapp.simulation.link import OutputQueue, Wire, WireFault
 
 
-def wait_for(condition: Callable[[], bool], what: str, deadline_s: float = 5.0) -> None:
+def wait_for(condition: Callable[[], bool], what: str, deadline_s: float = 60.0) -> None:
     end = time.monotonic() + deadline_s
     while not condition():
         assert time.monotonic() < end, f"waited {deadline_s} s for {what}"
@@ -30,7 +30,7 @@ def endpoint(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Endpoin
 
 
 def opened(endpoint: Endpoint) -> serial.SerialBase:
-    return serial.serial_for_url(endpoint.url, timeout=2.0)
+    return serial.serial_for_url(endpoint.url, timeout=60.0)
 
 
 def heard_by(endpoint: Endpoint, count: int) -> bytes:
@@ -78,7 +78,7 @@ def test_next_host_does_not_get_what_the_last_one_left(tmp_path: Path) -> None:
     second = os.open(endpoint.url, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
     assert endpoint.connected()
     endpoint.write(b"new")
-    assert select.select([second], [], [], 2.0)[0]
+    assert select.select([second], [], [], 60.0)[0]
     assert os.read(second, 100) == b"new"
     os.close(second)
     endpoint.close()
@@ -144,26 +144,41 @@ def test_wire_tells_of_an_overrun_only_when_the_host_does_not_read(tmp_path: Pat
     assert wire.dropped == kept.count(False) > 0
     assert wire.waiting() <= 2000
     got = 0
-    while select.select([host], [], [], 0.2)[0]:
-        got += len(os.read(host, 65536))
-        wire.flush(0.0)
+
+    def read() -> bool:
+        nonlocal got
+        while select.select([host], [], [], 0.0)[0]:
+            got += len(os.read(host, 65536))
+            wire.flush(0.0)
+        return got >= 100 * (400 - wire.dropped)
+
+    wait_for(read, "all that was kept")
     assert got == 100 * (400 - wire.dropped)
     os.close(host)
     wire.close()
 
 
+Talk = tuple[Wire, Callable[[float, int], bytes]]
+
+
 @pytest.fixture
-def talk(tmp_path: Path) -> Iterator[tuple[Wire, Callable[[float], bytes]]]:
+def talk(tmp_path: Path) -> Iterator[Talk]:
+    """Yield a wire and what hears: ``hear(now_s, count)`` returns so many bytes, none is more."""
     wire = Wire(PtyEndpoint(tmp_path / "daq"), seed=3)
     host = os.open(wire.endpoint.url, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
-    def hear(now_s: float) -> bytes:
+    def hear(now_s: float, count: int) -> bytes:
         heard = b""
-        for _ in range(200):
+
+        def listen() -> bool:
+            nonlocal heard
             wire.flush(now_s)
-            if not select.select([host], [], [], 0.0 if heard else 0.05)[0]:
-                break
-            heard += os.read(host, 65536)
+            if select.select([host], [], [], 0.0)[0]:
+                heard += os.read(host, 65536)
+            return len(heard) >= count
+
+        wait_for(listen, f"{count} bytes from the wire")
+        assert not select.select([host], [], [], 0.01)[0], "more than was meant to come"
         return heard
 
     yield wire, hear
@@ -171,27 +186,24 @@ def talk(tmp_path: Path) -> Iterator[tuple[Wire, Callable[[float], bytes]]]:
     wire.close()
 
 
-Talk = tuple[Wire, Callable[[float], bytes]]
-
-
 def test_garbage_and_truncation_spoil_the_bytes_in_a_repeatable_way(talk: Talk) -> None:
     wire, hear = talk
     wire.start_fault(WireFault.GARBAGE, 5)
     wire.send(b"12345678", 0.0, droppable=True)
-    spoilt = hear(0.0)
+    spoilt = hear(0.0, 13)
     assert len(spoilt) == 13
     assert spoilt.endswith(b"12345678")
     wire.stop_fault(WireFault.GARBAGE)
     wire.start_fault(WireFault.TRUNCATED, 3)
     wire.send(b"12345678", 0.0, droppable=True)
-    cut = hear(0.0)
+    cut = hear(0.0, 5)
     assert len(cut) == 5
     assert set(cut) <= set(b"12345678")
     wire.send(b"123", 0.0, droppable=True)
-    assert hear(0.0) == b""
+    assert hear(0.0, 0) == b""
     wire.stop_fault(WireFault.TRUNCATED)
     wire.send(b"whole", 0.0, droppable=True)
-    assert hear(0.0) == b"whole"
+    assert hear(0.0, 5) == b"whole"
 
 
 def test_split_sends_a_piece_a_pass_and_slow_waits(talk: Talk) -> None:
@@ -199,13 +211,13 @@ def test_split_sends_a_piece_a_pass_and_slow_waits(talk: Talk) -> None:
     wire.start_fault(WireFault.SPLIT, 3)
     wire.send(b"12345678", 0.0, droppable=True)
     assert wire.waiting() == 5
-    assert hear(0.0) == b"12345678"
+    assert hear(0.0, 8) == b"12345678"
     wire.stop_fault(WireFault.SPLIT)
     wire.start_fault(WireFault.SLOW, 0.5)
     wire.send(b"late", 10.0, droppable=False)
-    assert hear(10.4) == b""
+    assert hear(10.4, 0) == b""
     assert wire.wake_s() == 10.5
-    assert hear(10.6) == b"late"
+    assert hear(10.6, 4) == b"late"
 
 
 def test_hanging_device_hears_and_says_nothing(talk: Talk) -> None:
@@ -214,7 +226,7 @@ def test_hanging_device_hears_and_says_nothing(talk: Talk) -> None:
     wire.start_fault(WireFault.HANG)
     os.write(host, b"hello")
     wire.send(b"x", 0.0, droppable=True)
-    assert hear(0.0) == b""
+    assert hear(0.0, 0) == b""
     assert wire.receive() == b""
     wire.stop_fault(WireFault.HANG)
     os.write(host, b"again")

@@ -28,7 +28,7 @@ FRAME = 20
 HERE = Path(__file__).parent
 
 
-def wait_for(condition: Callable[[], bool], what: str, deadline_s: float = 20.0) -> None:
+def wait_for(condition: Callable[[], bool], what: str, deadline_s: float = 60.0) -> None:
     end = time.monotonic() + deadline_s
     while not condition():
         assert time.monotonic() < end, f"waited {deadline_s} s for {what}"
@@ -92,14 +92,14 @@ def test_prints_one_line_of_urls_and_ends_quietly(rig_file: Path, number: signal
         stderr=subprocess.PIPE,
     )
     assert process.stdout is not None
-    assert select.select([process.stdout], [], [], 30.0)[0]
+    assert select.select([process.stdout], [], [], 60.0)[0]
     urls = json.loads(process.stdout.readline())
     assert list(urls) == ["daq", "drive"]
     for url in urls.values():
         with serial.serial_for_url(url, timeout=0.1):
             pass
     process.send_signal(number)
-    rest, complaints = process.communicate(timeout=10.0)
+    rest, complaints = process.communicate(timeout=60.0)
     assert (process.returncode, rest, complaints) == (0, b"", b"")
     assert not any(Path(url).exists() for url in urls.values())
 
@@ -149,16 +149,16 @@ def test_drive_turns_the_spindle_until_the_host_falls_silent(
     assert state["speed_rpm"] == pytest.approx(48.0, rel=0.1)
     assert state["drive_mode"] == "velocity"
     assert not state["watchdog_tripped"]
-    wait_for(lambda: rig.state()["watchdog_tripped"], "the watchdog", 5.0)
+    wait_for(lambda: rig.state()["watchdog_tripped"], "the watchdog")
     assert time.monotonic() - silent > 0.3
-    wait_for(lambda: abs(rig.state()["speed_rpm"]) < 0.01, "standstill", 5.0)
+    wait_for(lambda: abs(rig.state()["speed_rpm"]) < 0.01, "standstill")
 
 
 def read_stream(host: serial.SerialBase, count: int) -> NDArray[np.float32]:
     data = b""
-    deadline = time.monotonic() + 30.0
+    deadline = time.monotonic() + 60.0
     while len(data) < count * FRAME:
-        assert time.monotonic() < deadline, f"{len(data)} bytes came in 30 s"
+        assert time.monotonic() < deadline, f"{len(data)} bytes came in 60 s"
         data += host.read(4096)
     whole = len(data) // FRAME * FRAME
     return np.frombuffer(data[:whole], "<f4").reshape(-1, 5)
@@ -194,11 +194,11 @@ def test_faults_come_through_the_handle(start: Callable[..., SimulatedRig]) -> N
     rig = start()
     drive = spindle(rig)
     rig.inject({"kind": "emergency_stop", "device": "drive"})
-    wait_for(lambda: drive.status().emergency_stop, "the emergency stop", 5.0)
+    wait_for(lambda: drive.status().emergency_stop, "the emergency stop")
     rig.clear("emergency_stop")
     rig.inject({"fault": "cable_pull", "device": "daq", "duration_s": 0.3})
     assert not Path(rig.urls["daq"]).exists()
-    wait_for(lambda: Path(rig.urls["daq"]).exists(), "the cable to be back", 5.0)
+    wait_for(lambda: Path(rig.urls["daq"]).exists(), "the cable to be back")
     with pytest.raises(UnusableInput, match="not in the rig"):
         rig.inject({"kind": "hang", "device": "nothing"})
     rig.hand("take_off_follower")
@@ -216,7 +216,7 @@ def test_fault_file_and_mechanism_of_a_test(
     )
     light = msgspec.structs.replace(parameters, spring=None)
     with start_simulated_rig(rig_file, speed=1.0, parameters=light, faults=faults) as rig:
-        wait_for(lambda: not Path(rig.urls["daq"]).exists(), "the cable to be pulled", 5.0)
+        wait_for(lambda: not Path(rig.urls["daq"]).exists(), "the cable to be pulled")
         assert rig.state()["joint_force_N"] == pytest.approx(0.0, abs=1e-9)
     assert not rig.alive()
 
@@ -229,13 +229,13 @@ def test_sockets_in_place_of_ptys(rig_file: Path) -> None:
     )
     assert process.stdout is not None
     assert process.stdin is not None
-    assert select.select([process.stdout], [], [], 30.0)[0]
+    assert select.select([process.stdout], [], [], 60.0)[0]
     urls = json.loads(process.stdout.readline())
     with serial.serial_for_url(urls["daq"], timeout=0.05) as host:
         host.write(b"S")
         assert np.ptp(read_stream(host, 100)[:, 0]) == 0.0
     process.stdin.close()
-    assert process.wait(15.0) == 0
+    assert process.wait(60.0) == 0
     process.stdout.close()
 
 
@@ -262,7 +262,7 @@ def test_outlives_its_parent_until_the_spindle_stands_still(rig_file: Path) -> N
     pid = int(started.stdout)
     died = time.monotonic()
     assert running(pid), "the rig must go on until its watchdog has stopped the spindle"
-    wait_for(lambda: not running(pid), "the orphaned rig to end", 20.0)
+    wait_for(lambda: not running(pid), "the orphaned rig to end")
     assert time.monotonic() - died > 0.3
 
 

@@ -229,7 +229,7 @@ def test_real_time_stream_loses_nothing(make: Callable[..., Bench]) -> None:
     shaft = np.concatenate([s.shaft_revolutions for s in bench.source.signals])
     assert samples == pytest.approx(1920, abs=25)
     expected = len(b"k") + FRAME * samples
-    deadline = time.monotonic() + 2.0
+    deadline = time.monotonic() + 60.0
     while bench.heard < expected and time.monotonic() < deadline:
         bench.heard += bench.take()
     assert bench.heard == expected

@@ -28,7 +28,8 @@ class ExpectedFault:
     ``data source`` / ``spindle`` for all of a kind. tells: names of error classes, ``flag NAME`` of
     a sample's quality, ``fault`` or ``warning`` in the drive's status, ``log`` (a warning of the
     driver), ``silence`` (no samples at all) or ``nothing`` (the fault is borne). words: a regular
-    expression for the text.
+    expression for the text. unnumbered: samples are lost without a number, so that the gap stands
+    where only the encoder's count shows it, and the report comes later.
     """
 
     kind: str
@@ -40,6 +41,7 @@ class ExpectedFault:
     value: float | None = None
     count: int | None = None
     title: str = ""
+    unnumbered: bool = False
     settings: dict[str, Any] = field(default_factory=dict)
 
     @property

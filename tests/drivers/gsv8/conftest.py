@@ -58,8 +58,8 @@ class Bench:
         for _ in range(10_000):
             if sum(block.values.shape[1] for block in blocks) >= samples:
                 return blocks
-            block = self.driver.read(5.0)
-            assert block is not None, "no block within 5 s"
+            block = self.driver.read(60.0)
+            assert block is not None, "no block within 60 s"
             blocks.append(block)
         raise AssertionError("too many small blocks")
 

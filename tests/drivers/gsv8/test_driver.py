@@ -239,7 +239,7 @@ def test_stop_from_another_thread_while_reading(bench: Any) -> None:
     b.driver.zero(["analog_1"])
     b.driver.stop()
     stopped.set()
-    reader.join(5.0)
+    reader.join(60.0)
     assert not reader.is_alive()
     assert failures == []
     assert not b.simulator.streaming

@@ -169,7 +169,7 @@ def test_the_reading_thread_hands_an_answer_to_its_command() -> None:
     port._script.append(_frames(1) + _ok(b"\x00\x02"))
     assert link.command(Command.GET_TX_MAPPING, u8(0), reply=2) == b"\x00\x02"
     stop.set()
-    reader.join(5.0)
+    reader.join(60.0)
     assert not reader.is_alive()
     assert len(link.take()) == 1
 
