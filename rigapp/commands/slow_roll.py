@@ -47,10 +47,16 @@ def take_roll(
     """
     if revolutions < 1:
         raise UnusableInput("--revolutions: take at least 1; 12 are good.")
+    from rigapp.service.records import with_records
     from rigapp.storage.compact import compact_test
     from rigapp.storage.errors import StorageFailed
 
     document = read_rig(rig)
+    if "run_out" in with_records(document).blocking:
+        raise UnusableInput(
+            f"{rig}: the map in use has expired, and an expired record forbids a start: take"
+            " run_out out of [probes] for the roll."
+        )
     name = f"{to.stem}.roll-{rpm:g}rpm"
     recipe, out = to.with_name(f"{name}.toml"), to.with_name(f"{name}.h5")
     for path in (recipe, out):

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from calibration.records import unseal
+from calibration.records import seal, unseal
 from rigapp.commands.run_out import calibrate_run_out, speeds_of
-from rigapp.commands.slow_roll import roll_text
+from rigapp.commands.slow_roll import roll_text, take_roll
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test, read_rig
 
@@ -90,3 +90,19 @@ def test_rig_and_files_together_are_refused(tmp_path: Path) -> None:
             orders=4,
             as_json=True,
         )
+
+
+def test_expired_map_is_to_be_taken_out_before_the_roll(tmp_path: Path) -> None:
+    old = {
+        "kind": "run-out map",
+        "calibrated_at": "2020-01-01T00:00:00Z",
+        "due_at": "2021-01-01T00:00:00Z",
+        "settings": {"pin": {"name": "pin"}},
+        "result": {"cos_um": [[1], [1]], "sin_um": [[0], [0]], "expanded_uncertainties_um": [1, 1]},
+    }
+    (tmp_path / "old.json").write_bytes(seal(old))
+    rig = tmp_path / "rig.toml"
+    rig.write_text(RIG.read_text().replace("[probes]\n", '[probes]\nrun_out = "old.json"\n'))
+    with pytest.raises(UnusableInput, match="take run_out out of"):
+        take_roll(rig, None, 3.0, 5, tmp_path / "map.json", "", print)
+    assert not list(tmp_path.glob("map*"))
