@@ -11,7 +11,8 @@ from GTC import reporting
 from numpy.typing import NDArray
 
 from calibration.cylinder import apparent_gap, sensitivity_gain
-from calibration.probe_checks import checks, robust_line, unusable
+from calibration.probe_checks import checks, unusable
+from calibration.probe_positions import robust_line
 from calibration.problems import Problem
 from calibration.readings import ProbeReadings
 from calibration.settings import ProbeSettings

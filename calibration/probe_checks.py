@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from calibration.probe_positions import Line, falling, place, positions, robust_line
 from calibration.problems import Problem
 from calibration.readings import ProbeReadings
 from calibration.settings import ProbeSettings
@@ -20,36 +20,12 @@ FEWEST_POSITIONS = 5
 GOOD_POSITIONS = 11
 LIMIT_OF_SPAN = 0.005
 """Part of the span that backlash and drift may be."""
-WRONG_POSITION = 0.01
 NONLINEAR = 0.01
 SENSITIVITY_OFF = 0.3
 UNIT_OFF = 100.0
 SHORT_SPAN = 5e-6
 OTHER_MOVES = 0.3
 """Part of its own voltage that a crooked pair may show on the other probe."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Line:
-    """A robust straight line through readings: slope (V/m), residual (V, n), noise (V)."""
-
-    slope: float
-    intercept: float
-    residual: Array
-    noise: float
-
-
-def robust_line(position: Array, signal: Array) -> Line:
-    """Fit a line that a few wrong readings do not bend (iteratively reweighted least squares)."""
-    weights = np.ones(len(position))
-    slope, intercept, noise = 0.0, 0.0, 0.0
-    for _ in range(20):
-        slope, intercept = np.polyfit(position, signal, 1, w=np.sqrt(weights))
-        residual = signal - intercept - slope * position
-        noise = max(1.4826 * float(np.median(np.abs(residual))), 1e-9)
-        weights = np.minimum(1.0, 2.0 * noise / np.maximum(np.abs(residual), 1e-30)) ** 2
-    residual = signal - intercept - slope * position
-    return Line(float(slope), float(intercept), residual, noise)
 
 
 def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Problem]:
@@ -61,7 +37,7 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
     if len(bad):
         yield Problem(
             "not_a_number",
-            f"The reading at {_place(readings, int(bad[0]))} is not a number; take it again.",
+            f"The reading at {place(readings, int(bad[0]))} is not a number; take it again.",
         )
         return
     count = len(np.unique(readings.position))
@@ -107,7 +83,7 @@ def checks(readings: ProbeReadings, settings: ProbeSettings, line: Line) -> Iter
         *_copies(readings),
     ]
     if not found:
-        found = list(_positions(readings, line))
+        found = list(positions(readings, line))
     if not found:
         found = [*_monotonic(readings, line), *_systematic(readings, line)]
     yield from found
@@ -185,86 +161,6 @@ def _rough(values: tuple[float, ...]) -> NDArray[np.bool_]:
     return np.asarray(np.abs(array * 1e3 - np.round(array * 1e3)) > 1e-6)
 
 
-def _positions(readings: ProbeReadings, line: Line) -> Iterator[Problem]:
-    """Yield a wrong, a skipped or a repeated position, or a wrong probe moved at one step."""
-    um = 1e6 * line.residual / line.slope
-    span = 1e6 * float(np.ptp(readings.position))
-    jumps = np.diff(um)
-    noise = 1.4826 * float(np.median(np.abs(jumps))) / math.sqrt(2.0)
-    limit = max(6.0 * noise, WRONG_POSITION * span)
-    down = falling(readings)
-    for at in np.flatnonzero(np.abs(jumps) > limit):
-        before, after = int(at), int(at) + 1
-        alone = after + 1 == len(um) or abs(um[after + 1] - um[after]) > 0.5 * abs(jumps[at])
-        if readings.series[before] != readings.series[after]:
-            if alone:
-                yield _wrong(readings, um, after)
-                return
-            continue
-        turns = down[before] != down[after]
-        if turns and not alone:
-            continue
-        step = 1e6 * (readings.position[after] - readings.position[before])
-        if after + 1 < len(um) and _swapped(um[before : after + 2], step):
-            yield Problem(
-                "swapped_steps",
-                f"At {_place(readings, after)} and the step after it each voltage belongs to the"
-                " other one's position: the two readings were exchanged.",
-            )
-            return
-        goes_back = after + 1 < len(um) and (
-            readings.series[after + 1] != readings.series[after]
-            or abs(um[after + 1] - um[before]) < 0.5 * abs(jumps[at])
-        )
-        if goes_back or step == 0.0 or not 0.5 < abs(jumps[at] / step) < 1.5:
-            wrong = after if abs(um[after]) >= abs(um[before]) else before
-            yield _other_or_wrong(readings, um, wrong)
-        elif jumps[at] / step > 0.0:
-            yield Problem(
-                "skipped_step",
-                f"From {_place(readings, after)} on every voltage belongs to the next position: a"
-                f" position was skipped. {1e6 * readings.position[after]:g} um is written, the"
-                f" voltage belongs to {1e6 * readings.position[after] + um[after]:.0f} um.",
-            )
-        else:
-            yield Problem(
-                "repeated_step",
-                f"At {_place(readings, after)} the micrometer was not turned on: the voltage is"
-                f" that of the step before. {1e6 * readings.position[after]:g} um is written.",
-            )
-        return
-
-
-def _swapped(um: Array, step: float) -> bool:
-    """Tell whether of three residuals (um) the last two are one step up and one step down."""
-    first, second = um[1] - um[0], um[2] - um[0]
-    return bool(abs(first - step) < 0.3 * abs(step) and abs(second + step) < 0.3 * abs(step))
-
-
-def _other_or_wrong(readings: ProbeReadings, um: Array, at: int) -> Problem:
-    other = readings.other
-    if other is not None:
-        rest = robust_line(readings.position, other)
-        moved = abs(rest.residual[at])
-        own = abs(robust_line(readings.position, readings.signal).residual[at])
-        if moved > max(6.0 * rest.noise, 0.3 * own):
-            return Problem(
-                "wrong_probe",
-                f"At {_place(readings, at)} the other probe moved by {moved:.3f} V and this one"
-                " stayed behind: the wrong micrometer was turned.",
-            )
-    return _wrong(readings, um, at)
-
-
-def _wrong(readings: ProbeReadings, um: Array, at: int) -> Problem:
-    written = 1e6 * readings.position[at]
-    return Problem(
-        "wrong_position",
-        f"At {_place(readings, at)} the voltage belongs to {written + um[at]:.1f} um, but"
-        f" {written:.1f} um is written; check the micrometer.",
-    )
-
-
 def _monotonic(readings: ProbeReadings, line: Line) -> Iterator[Problem]:
     for first, second in pairwise(range(len(line.residual))):
         step = readings.position[second] - readings.position[first]
@@ -338,24 +234,3 @@ def systematic(readings: ProbeReadings) -> tuple[float, float, float, float]:
     spread = math.sqrt(float(rest @ rest) / free) / abs(slope)
     offset = found[4] / slope if len(found) > 4 else 0.0
     return float(offset), float(found[2] / slope), float(found[3] / slope), spread
-
-
-def falling(readings: ProbeReadings) -> NDArray[np.bool_]:
-    """Tell which readings were reached coming back, within their series.
-
-    A position that is read twice in a row at the turning point belongs to both ways.
-    """
-    count = len(readings.position)
-    result = np.zeros(count, dtype=np.bool_)
-    for index in range(1, count):
-        if readings.series[index] != readings.series[index - 1]:
-            continue
-        step = readings.position[index] - readings.position[index - 1]
-        if step == 0.0 and index + 1 < count:
-            step = readings.position[index + 1] - readings.position[index]
-        result[index] = step < 0.0
-    return result
-
-
-def _place(readings: ProbeReadings, at: int) -> str:
-    return f"series {readings.series[at]}, step {readings.step[at]}"

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from calibration.alignment import PairCalibration, calibrate_pair, split_pair
 from calibration.live import Readiness, Verdict
 from calibration.probe import ProbeCalibration, calibrate_probe
-from calibration.probe_checks import robust_line
 from calibration.probe_live import ProbeWindow, assess_probe
+from calibration.probe_positions import robust_line
 from calibration.probe_procedure import (
     ProbePlan,
     ProbeProcedure,
