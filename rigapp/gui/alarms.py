@@ -90,6 +90,7 @@ class AlarmPanel(QWidget):
         self.table.itemSelectionChanged.connect(self._enable)
         self._build(prefix)
         self.dress(theme)
+        self._enable()
 
     def _build(self, prefix: str) -> None:
         self.empty = QLabel("No alarms.")

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from rigapp.gui.header import ElidedLabel
 from rigapp.gui.palette import Theme, line_pen
 from rigapp.gui.plotting import LegendEntry, LegendRow, QuietPlot
 from rigapp.gui.pyramid import polyline
@@ -87,9 +88,8 @@ class ComparePanel(QWidget):
         self._curves: list[Any] = [self.plot.curve(line_pen(theme.text)) for _ in range(MOST)]
         self.quantity = self._choice("compare_quantity", "Quantity to compare", QUANTITIES)
         self.axis = self._choice("compare_axis", "Axis to compare on", AXES)
-        self.message = QLabel("Choose one or more tests above and press Compare.")
-        self.message.setObjectName("compare_message")
-        self.message.setAccessibleName("State of the comparison")
+        self.message = ElidedLabel("compare_message", "State of the comparison")
+        self.message.show_text("Choose one or more tests above and press Compare.")
         self.legend = LegendRow("compare_legend")
         row = QHBoxLayout()
         for text, box in (("&Quantity", self.quantity), ("Against", self.axis)):
@@ -128,7 +128,7 @@ class ComparePanel(QWidget):
         """Read tests on the worker and draw them when they are there."""
         self._wanted = list(paths[:MOST])
         self._runs = []
-        self.message.setText(f"Reading {len(self._wanted)} …")
+        self.message.show_text(f"Reading {len(self._wanted)} …")
         for path in self._wanted:
             self._worker.submit(
                 lambda path=path: load_history(path),  # type: ignore[misc]
@@ -136,18 +136,18 @@ class ComparePanel(QWidget):
                 lambda error, path=path: self._failed(path, error),  # type: ignore[misc]
             )
         if len(paths) > MOST:
-            self.message.setText(f"Only the first {MOST} are compared.")
+            self.message.show_text(f"Only the first {MOST} are compared.")
 
     def _loaded(self, path: Path, history: History) -> None:
         if path in self._wanted and all(run.path != path for run in self._runs):
             self._runs.append(Run(path, history.data))
             self._runs.sort(key=lambda run: self._wanted.index(run.path))
             if len(self._runs) == len(self._wanted):
-                self.message.setText("")
+                self.message.show_text("")
             self._draw()
 
     def _failed(self, path: Path, error: Exception) -> None:
-        self.message.setText(f"{path.name} cannot be read: {error}")
+        self.message.show_text(f"{path.name} cannot be read: {error}")
 
     def _draw(self) -> None:
         quantity, axis = str(self.quantity.currentData()), str(self.axis.currentData())

@@ -106,7 +106,7 @@ class ControlRow(QWidget):
         self.text.setClearButtonEnabled(True)
         self.text.setMaxLength(500)
         self.text.returnPressed.connect(self.add_note)
-        caption = QLabel("Reason or &note (F8)")
+        caption = QLabel("&Note (F8)")
         caption.setBuddy(self.text)
         self.note = GuardedButton("&Add note")
         self.note.setObjectName("add_note")
@@ -163,7 +163,10 @@ class ControlRow(QWidget):
         self.send(verb, arguments)
 
     def send(self, verb: str, arguments: dict[str, Any]) -> None:
-        """Send a request and show the answer."""
+        """Send a request and show the answer; the text goes along where a reason may be needed."""
+        if verb == "resume_file" and self.text.text().strip():
+            arguments = {**arguments, "reason": self.text.text().strip()}
+            self.text.clear()
         label = verb.replace("_", " ")
         self.show_answer(f"{label} …", good=True)
         self._send(verb, arguments, partial(self._answered, label))

@@ -68,6 +68,7 @@ class FaultPanel(QWidget):
         self.kind.setObjectName("fault_kind")
         self.kind.setAccessibleName("Fault")
         self.kind.setMaxVisibleItems(30)
+        self.kind.setPlaceholderText("Looking for the faults of the devices …")
         self.kind.currentIndexChanged.connect(self._chosen)
         self.channel = QComboBox()
         self.channel.setObjectName("fault_channel")
@@ -127,6 +128,8 @@ class FaultPanel(QWidget):
 
     def _offer(self, choices: list[FaultChoice]) -> None:
         self._choices = choices
+        self.cause.setEnabled(bool(choices))
+        self.end.setEnabled(bool(choices))
         self.kind.clear()
         for choice in self._choices:
             self.kind.addItem(f"{choice.where}: {choice.kind.replace('_', ' ')}")

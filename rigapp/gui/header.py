@@ -26,6 +26,9 @@ from PySide6.QtWidgets import (
 from rigapp.gui.headline import Field, Headline, Level, Shape
 from rigapp.gui.palette import Theme
 
+SMALLEST = 0.5
+"""Of its font's size, the smallest to which a value shrinks before it is cut."""
+
 MARKS = {Level.NORMAL: "", Level.WARNING: "▲ ", Level.CRITICAL: "◆ "}
 
 
@@ -61,6 +64,29 @@ class ElidedLabel(QLabel):
         metrics = QFontMetrics(self.font())
         room = max(self.contentsRect().width(), 1)
         self.setText(metrics.elidedText(self._whole, Qt.TextElideMode.ElideRight, room))
+
+
+class FittedLabel(ElidedLabel):
+    """Show one line, smaller where it does not fit; cut only when half its size is too large."""
+
+    def __init__(self, name: str, spoken: str, font: QFont) -> None:
+        super().__init__(name, spoken)
+        self._largest = font
+        self.setFont(font)
+        self.setFixedHeight(QFontMetrics(font).height())
+
+    def _cut(self) -> None:
+        font = QFont(self._largest)
+        room = max(self.contentsRect().width(), 1)
+        smallest = SMALLEST * font.pointSizeF()
+        while (
+            QFontMetrics(font).horizontalAdvance(self._whole) > room
+            and font.pointSizeF() > smallest
+        ):
+            font.setPointSizeF(0.95 * font.pointSizeF())
+        if font != self.font():
+            self.setFont(font)
+        super()._cut()
 
 
 class ShapeMark(QWidget):
@@ -163,14 +189,15 @@ class Tile(QFrame):
         self.setAccessibleName(caption)
         self.caption = QLabel(caption)
         self.caption.setObjectName(f"{name}_caption")
-        self.value = ElidedLabel(f"{name}_value", caption)
-        self.value.setFont(scaled_font(self, factor, bold=True))
+        self.caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.value = FittedLabel(f"{name}_value", caption, scaled_font(self, factor, bold=True))
         self.detail = ElidedLabel(f"{name}_detail", f"{caption}, detail")
         self.column = QVBoxLayout(self)
         self.column.setContentsMargins(8, 2, 8, 2)
         self.column.setSpacing(0)
         for widget in (self.caption, self.value, self.detail):
             self.column.addWidget(widget)
+        self.column.addStretch(1)
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -286,7 +313,7 @@ class Header(QWidget):
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(4)
         for column, (tile, stretch) in enumerate(
-            zip(self._tiles(), (25, 34, 17, 13, 21, 20, 20), strict=True)
+            zip(self._tiles(), (30, 32, 16, 13, 20, 19, 20), strict=True)
         ):
             grid.addWidget(tile, 0, column)
             grid.setColumnStretch(column, stretch)

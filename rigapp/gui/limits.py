@@ -15,7 +15,9 @@ from rigapp.gui.headline import ACTIVE_STATES
 from rigapp.gui.rules import LEVELS
 
 FIXED = ("overload_N", "overspeed_rpm", "stale_data_s")
+REVOLUTIONS = "revolutions"
 WORDS = {
+    REVOLUTIONS: "the test ends after so many, more or fewer than planned",
     "overload_N": "overload: drive off above (N)",
     "overspeed_rpm": "overspeed: drive off above (rpm)",
     "stale_data_s": "no samples: drive off after (s)",
@@ -42,7 +44,7 @@ def limits_of(test: TestFile | None, changed: Mapping[str, float]) -> dict[str, 
 
 
 class LimitPanel(QGroupBox):
-    """Show the limits and change one; asks as ("set_limit", {name, value, reason})."""
+    """Show the limits and the length of the test, and change one; asks "set_limit" or "extend"."""
 
     wanted = Signal(str, dict)
 
@@ -88,17 +90,23 @@ class LimitPanel(QGroupBox):
         self._enable()
 
     def show_limits(
-        self, state: RunState | None, test: TestFile | None, changed: Mapping[str, float]
+        self,
+        state: RunState | None,
+        test: TestFile | None,
+        changed: Mapping[str, float],
+        planned: int = 0,
     ) -> None:
-        """Show the limits as they are now."""
+        """Show the limits as they are now; planned: revolutions of the complete test."""
         self._active = state in ACTIVE_STATES
         limits = limits_of(test, changed)
+        if planned > 0:
+            limits[REVOLUTIONS] = (float(planned), "test complete")
         if limits != self._shown:
             self._shown = limits
             self._names = list(limits)
             self.table.show_rows(
                 [
-                    (name, f"{value:g}", action, WORDS.get(name, name.replace("_", " ")))
+                    (name, _number(value), action, WORDS.get(name, name.replace("_", " ")))
                     for name, (value, action) in limits.items()
                 ]
             )
@@ -112,7 +120,7 @@ class LimitPanel(QGroupBox):
     def _chosen(self) -> None:
         name = self._name()
         if name is not None:
-            self.value.setText(f"{self._shown[name][0]:g}")
+            self.value.setText(_number(self._shown[name][0]))
         self._enable()
 
     def _number(self) -> float | None:
@@ -144,4 +152,11 @@ class LimitPanel(QGroupBox):
             return
         reason = self.reason.text().strip()
         self.reason.clear()
-        self.wanted.emit("set_limit", {"name": name, "value": number, "reason": reason})
+        if name == REVOLUTIONS:
+            self.wanted.emit("extend", {"revolutions": round(number), "reason": reason})
+        else:
+            self.wanted.emit("set_limit", {"name": name, "value": number, "reason": reason})
+
+
+def _number(value: float) -> str:
+    return f"{value:.9g}"

@@ -46,9 +46,8 @@ from rigapp.gui.tomltext import edited
 from rigapp.gui.unsaved import UnsavedBar
 
 COLUMNS = (
-    ("", "run", "metadata", "cycles", "prediction"),
-    ("limits", "stop", "model.spring", "model.joint"),
-    ("model.mechanism", "model.bushing", "model.pin"),
+    ("", "run", "metadata", "cycles", "prediction", "model.spring", "model.joint"),
+    ("limits", "stop", "model.mechanism", "model.bushing", "model.pin"),
 )
 TITLES = {
     "": "Test",
@@ -69,6 +68,7 @@ BESIDE = {
     "stop.wear_depth_revolutions": ("stop.wear_depth_um", "in a row"),
     "stop.force_revolutions": ("stop.force_N", "in a row"),
     "stop.wear_rate_window_revolutions": ("stop.wear_rate_um_per_1000_revolutions", "over"),
+    "stop.deviation_revolutions": ("stop.deviation_percent", "in a row"),
 }
 """Fields that stand in the row of the field they belong to, with the word before them."""
 

@@ -9,7 +9,7 @@ from typing import Protocol
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QSplitter, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QVBoxLayout, QWidget
 
 from rigapp.engine.messages import Status
 from rigapp.gui.alarms import AlarmPanel
@@ -32,6 +32,7 @@ from rigapp.gui.wearprofile import WearProfilePanel
 
 Drawing = Callable[[Status | None], None]
 
+PREPARE_INDEX = 4
 TURN_MS = 10
 """Between two parts of a long drawing, so that keys and the state bar come in between."""
 
@@ -125,9 +126,8 @@ class Tabs(QTabWidget):
             panel.show_alarms(status.alarms)
             panel.show_state(status.state)
         simulated = status.simulated and not self._link.is_replay
-        index = self.indexOf(self.faults)
-        if self.isTabVisible(index) != simulated:
-            self.setTabVisible(index, simulated)
+        if self.isTabVisible(self._fault_index) != simulated:
+            self.setTabVisible(self._fault_index, simulated)
 
     def draw_fast(self, status: Status | None) -> None:
         """Draw the newest revolution where it can be seen."""
@@ -181,7 +181,13 @@ class Tabs(QTabWidget):
 
     def _draw_limits(self, status: Status | None) -> None:
         state = status.state if status is not None else None
-        self.limits.show_limits(state, self._session.test, changed_limits(self.log.events))
+        planned = status.planned if status is not None else 0
+        changed = changed_limits(self.log.events)
+        self.limits.show_limits(state, self._session.test, changed, planned)
+
+    def show_prepare(self) -> None:
+        """Go to the tab that prepares a test."""
+        self.setCurrentIndex(PREPARE_INDEX)
 
     def open_tests(self, tests: list[Path]) -> None:
         """Offer the first test file in the form."""
@@ -222,9 +228,10 @@ class Tabs(QTabWidget):
         )
         for number, (page, text) in enumerate(pages, start=1):
             page.setAutoFillBackground(True)
-            self.addTab(page, f"{number} {text}")
+            self.addTab(_scrolling(page, text), f"{number} {text}")
             self.setTabToolTip(number - 1, f"{text} (Ctrl+{number})")
-        self.setTabVisible(self.indexOf(self.faults), False)
+        self._fault_index = self.count() - 1
+        self.setTabVisible(self._fault_index, False)
 
     def _split(self, name: str, orientation: Qt.Orientation, sizes: list[int]) -> QSplitter:
         splitter = SizedSplitter(orientation, sizes)
@@ -285,6 +292,17 @@ class Tabs(QTabWidget):
             self.cycle.no_revolution()
 
         self._session.ask_revolution(revolution, self.cycle.show_revolution, failed)
+
+
+def _scrolling(page: QWidget, text: str) -> QScrollArea:
+    """Return a page that scrolls on a screen too small for it; state and buttons stay in sight."""
+    area = QScrollArea()
+    area.setObjectName(f"page_{text.split()[-1].lower()}")
+    area.setAccessibleName(text)
+    area.setWidgetResizable(True)
+    area.setFrameShape(QScrollArea.Shape.NoFrame)
+    area.setWidget(page)
+    return area
 
 
 class SizedSplitter(QSplitter):

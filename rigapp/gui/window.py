@@ -264,7 +264,7 @@ class MainWindow(QMainWindow):
         recipe = self.tabs.prepare.recipe
         if self._discard or not self._timer.isActive() or not recipe.unsaved():
             return False
-        self.tabs.setCurrentWidget(self.tabs.prepare)
+        self.tabs.show_prepare()
         recipe.ask_before("closing the window", self._close_for_good)
         return True
 
@@ -351,7 +351,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(body)
         screen = QGuiApplication.primaryScreen()
         room = screen.availableGeometry() if screen is not None else None
-        if room is None or room.width() < 1000:
+        if room is None or QGuiApplication.platformName() == "offscreen":
             self.resize(1400, 900)
         else:
             self.resize(min(1400, room.width()), min(900, room.height() - FRAME_HEIGHT))

@@ -129,6 +129,15 @@ def test_limits_are_changed_with_a_reason_while_a_test_runs(
         )
     ]
     panel.show_limits(RunState.RUNNING, test, {"force_max.critical_above": 180.0})
+    panel.show_limits(RunState.RUNNING, test, {}, 21_377)
+    rows = panel.table.texts()
+    panel.table.selectRow([row[0] for row in rows].index("revolutions"))
+    assert panel.value.text() == "21377"
+    panel.value.setText("30000")
+    panel.reason.setText("the joint is still good")
+    panel.change.click()
+    assert asked[-1] == ("extend", {"revolutions": 30_000, "reason": "the joint is still good"})
+    panel.show_limits(RunState.RUNNING, test, {"force_max.critical_above": 180.0})
     assert limits_of(test, {"overload_N": 300.0})["overload_N"] == (300.0, "drive off")
     assert ["force_max.critical_above", "180"] in [row[:2] for row in panel.table.texts()]
 

@@ -168,7 +168,7 @@ def test_closing_the_window_asks_for_unsaved_changes(
     type_into(recipe, "run.speed_rpm", "45")
     window.close()
     assert window.isVisible()
-    assert window.tabs.currentWidget() is window.tabs.prepare
+    assert window.tabs.prepare.isVisible()
     assert "run.speed_rpm: 60 → 45" in recipe.unsaved_bar.text.text()
     recipe.unsaved_bar.discard.click()
     qtbot.waitUntil(lambda: not window.isVisible(), timeout=5000)

@@ -97,6 +97,18 @@ def test_the_reason_can_be_given_after_the_stop(
     assert arguments["text"] == "Reason why the test was stopped: smoke"
 
 
+def test_the_reason_for_going_on_with_a_file_goes_along(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="")
+    attach()
+    window.controls.text.setText("cell was calibrated again")
+    window.tabs.browser.wanted.emit("resume_file", {"file": "x.h5"})
+    arguments = wait_for_verb(window, engine, qtbot, "resume_file")
+    assert arguments == {"file": "x.h5", "reason": "cell was calibrated again"}
+    assert window.controls.text.text() == ""
+
+
 def test_a_note_takes_one_key(window: MainWindow, engine: Any, attach: Attach, qtbot: Any) -> None:
     engine.say(count=3)
     attach()
