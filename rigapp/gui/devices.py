@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QBrush, QColor
@@ -34,6 +34,7 @@ DEVICE_HEADINGS = (
     "Lost",
     "Errors",
     "Last error",
+    "Counted on the line",
 )
 CHANNEL_HEADINGS = ("Channel", "Raw signal", "Value", "Uncertainty", "Calibration")
 
@@ -169,6 +170,7 @@ class DevicePanel(QWidget):
                 str(device.lost_samples),
                 str(device.errors),
                 device.last_error,
+                _counted(device.counters),
             )
             for device in status.devices
         ]
@@ -247,6 +249,12 @@ class DevicePanel(QWidget):
         reason = self.reason.text().strip()
         self.reason.clear()
         self.wanted.emit("zero", {"what": ["load_cell"], "reason": reason})
+
+
+def _counted(counters: Mapping[str, int]) -> str:
+    """Return a driver's counters in words; a dash where it counts nothing."""
+    words = [f"{name.replace('_', ' ')} {count}" for name, count in counters.items()]
+    return ", ".join(words).replace("crc", "CRC") or "–"
 
 
 def _number(value: float, unit: str) -> str:

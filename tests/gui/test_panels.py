@@ -59,13 +59,17 @@ def test_devices_and_channels_show_raw_and_scaled_values(
 ) -> None:
     panel = DevicePanel(LIGHT, Watchdog())
     qtbot.addWidget(panel)
-    lost = DeviceView("daq", "gsv8", "COM3", False, "", 960.0, 12, 3, "no reply within 0.5 s")
+    counters = {"bytes_received": 4096, "crc_errors": 2, "retries": 0}
+    error = "no reply within 0.5 s"
+    lost = DeviceView("daq", "gsv8", "COM3", False, "", 960.0, 12, 3, error, counters)
     status = make_status()
     status = msgspec.structs.replace(status, devices=(lost, *status.devices[1:]))
     panel.show_status(status, 0.2)
     devices = panel.devices.texts()
     assert devices[0][1] == "▲ not connected"
-    assert devices[0][5:] == ["12", "3", "no reply within 0.5 s"]
+    assert devices[0][5:8] == ["12", "3", error]
+    assert devices[0][8] == "bytes received 4096, CRC errors 2, retries 0"
+    assert devices[1][8] == "–"
     channels = {row[0]: row[1:] for row in panel.channels.texts()}
     assert channels["force_1"] == ["-0.431 mV/V", "-86.20 N", "±2 N", "rig file"]
     assert channels["probe_1"][1:3] == ["121.00 µm", "not known"]
