@@ -13,9 +13,19 @@ from model.joints import continuous_contact, perfect_joint
 from model.parameters import Joint, Parameters
 from model.wear.front import Front
 from model.wear.impact_forces import SeparateBodies
-from model.wear.loads import CycleLoads, constant_load, loads_of_cycle
+from model.wear.loads import (
+    WIDE_SWING,
+    CycleLoads,
+    constant_load,
+    gathered,
+    loads_of_cycle,
+    swing,
+)
 
 Array = NDArray[np.float64]
+
+DENSE = 1440
+"""Crank angles from which positions are gathered where the force swings wide."""
 
 
 class ForceSource(Protocol):
@@ -103,19 +113,20 @@ class Constrained:
         self._speed = speed
         self._follows = follows_wear
         self._known: dict[int, CycleLoads] = {}
+        self._wide: bool | None = None
 
     def unworn(self, positions: int) -> CycleLoads:
         """Return the loads at equal crank angles of the unworn joint."""
         if positions not in self._known:
             gap = self._parameters.joint.clearance if self._follows else 0.0
-            self._known[positions] = self._loads(positions, gap)
+            self._known[positions] = self._sampled(positions, gap)
         return self._known[positions]
 
     def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
         """Return the loads at equal crank angles with the clearance of the worn surface."""
         if not self._follows:
             return self.unworn(positions)
-        return self._loads(positions, self.clearance(front))
+        return self._sampled(positions, self.clearance(front))
 
     def clearance(self, front: Front) -> float:
         """Return the clearance grown by the depth at the contact point, or 0."""
@@ -150,3 +161,14 @@ class Constrained:
         weight = np.abs(rate)
         slip = 2.0 * np.pi * joint.pin_radius * weight / weight.sum()
         return loads_of_cycle(motion.force_follower, slip, joint.friction_coefficient, rate)
+
+    def _sampled(self, positions: int, gap: float) -> CycleLoads:
+        """Return the loads at equal crank angles, or gathered where their direction swings wide.
+
+        A force that keeps its direction needs few crank angles, and equal ones are best by far.
+        """
+        if self._wide is None:
+            self._wide = swing(self._loads(DENSE, gap)) > WIDE_SWING
+        if self._wide:
+            return gathered(self._loads(DENSE, gap), positions)
+        return self._loads(positions, gap)

@@ -87,16 +87,50 @@ def loads_of_cycle(
     return CycleLoads(force, np.broadcast_to(np.asarray(slip, dtype=np.float64), fx.shape).copy())
 
 
+WIDE_SWING = 1.0
+"""Swing of the force's direction, rad, from which on equal crank angles do not serve."""
+
+
+def swing(loads: CycleLoads) -> float:
+    """Return the angle through which the force's direction swings in a revolution, rad."""
+    return float(np.ptp(np.unwrap(loads.direction))) if loads.slip.size else 0.0
+
+
+SWING_WEIGHT = 2.0
+"""A swing through an angle counts like so many times the same part of the revolution."""
+
+
+def _edges(loads: CycleLoads, positions: int) -> NDArray[np.int64]:
+    """Return the first sample of each part.
+
+    The parts are equal in a measure of time and of swing; the swing of a weak force, which wears
+    little wherever it points, counts less, with the root of its size.
+    """
+    count = len(loads.slip)
+    direction = loads.direction
+    swing = np.abs(np.angle(np.exp(1j * (np.roll(direction, -1) - direction))))
+    size = loads.magnitude / max(loads.mean_force, 1e-300)
+    weight = 2.0 * np.pi / count + SWING_WEIGHT * swing * np.sqrt(np.minimum(size, 1.0))
+    reached = np.cumsum(weight)
+    wanted = reached[-1] * np.arange(1, positions) / positions
+    edges = np.r_[0, np.searchsorted(reached, wanted * (1.0 - 1e-12), side="left") + 1]
+    # Each part has a sample of its own, from the front and from the back.
+    first = np.arange(positions)
+    edges = np.maximum.accumulate(np.maximum(edges - first, 0)) + first
+    return np.minimum(edges, count - positions + first)
+
+
 def gathered(loads: CycleLoads, positions: int) -> CycleLoads:
     """Return a densely sampled revolution as fewer positions, each the mean of its part.
 
-    The parts hold equally many samples. Size and direction are averaged apart, weighted with the
-    slip, so that the product of force and slip, which decides the worn volume, is kept.
+    The parts are shorter where the direction swings fast, so that no part presses in places far
+    apart. Size and direction are averaged apart, weighted with the slip, so that the product of
+    force and slip, which decides the worn volume, is kept.
     """
     count = len(loads.slip)
     if positions >= count:
         return loads
-    edges = np.linspace(0, count, positions + 1).round().astype(int)[:-1]
+    edges = _edges(loads, positions)
     slip = np.add.reduceat(loads.slip, edges)
     sums = np.add.reduceat(loads.force * loads.slip[:, None], edges, axis=0)
     work = np.add.reduceat(loads.magnitude * loads.slip, edges)

@@ -12,14 +12,15 @@ from model.bushing.ring import MOST_NODES, SECTORS, Ring, arc_nodes, sectors_at_
 from model.errors import ModelError
 from model.wear.archard import rigid_half_angle, rigid_wear
 from model.wear.front import ArcTooSmall, Front, WearProblem, implicit_step, wear_problem
-from model.wear.loads import CycleLoads
+from model.wear.loads import WIDE_SWING, CycleLoads, swing
 
 Array = NDArray[np.float64]
 LoadsOf = Callable[[int], CycleLoads]
 
-POSITIONS = (4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192)
+POSITIONS = (4, 6, 8, 12, 16, 24, 32, 48, 64, 96)
 _MESH_ERROR = 0.3
 _POSITION_SHARE = 0.15
+_WIDE_SHARE = 0.165
 # Early in a life, when the contact is narrow, the error may be so many times the tolerance.
 _EARLY = 5.0
 _EARLY_PART = 0.01
@@ -141,6 +142,7 @@ def _planned(
         return wear_problem(ring, sectors, width, wear_coefficient, loads, window)
 
     dense = loads_of(1 if single else 72).pressing()
+    wide = swing(dense) > WIDE_SWING
     first = ring.half_angle(float(dense.magnitude.max()) / width)
     most = _most_sectors(dense, window)
     coarse = min(sectors_at_least(np.pi / 2.0 * 4.0 / first), most)
@@ -160,11 +162,11 @@ def _planned(
     positions, early, late = 1, 0.0, 0.0
     if not single:
         for positions in POSITIONS:
-            early, late = (
-                _difference(a, b, ring.inner)
-                for a, b in zip(end(positions), end(2 * positions), strict=True)
-            )
-            if late <= _POSITION_SHARE * tolerance and early <= _EARLY * tolerance:
+            (first_one, last_one), (first_other, last_other) = end(positions), end(2 * positions)
+            early = _largest_difference(first_one, first_other, ring.inner)
+            late = (_difference if wide else _largest_difference)(last_one, last_other, ring.inner)
+            share = _WIDE_SHARE if wide else _POSITION_SHARE
+            if late <= share * tolerance and early <= _EARLY * tolerance:
                 break
     reached = end(positions)[-1]
     assert reached.touching is not None
@@ -178,12 +180,24 @@ def _planned(
     return Plan(positions, early, late, sectors, window, cycles)
 
 
-def _difference(one: Front, other: Front, inner: float) -> float:
+def _largest_difference(one: Front, other: Front, inner: float) -> float:
     """Return the largest difference of two fronts where they are deep, as a part of the depth."""
     a, b = one.depth(inner), other.depth(inner)
     deepest = float(b.max())
+    return float(np.abs(a - b)[b >= 0.5 * deepest].max()) / max(deepest, 1e-300)
+
+
+def _difference(one: Front, other: Front, inner: float) -> float:
+    """Return the difference of two fronts as a part of the depth.
+
+    The larger of that of their largest depths and of the root mean square where they are deep:
+    few positions press small pits, which make no depth.
+    """
+    a, b = one.depth(inner), other.depth(inner)
+    deepest = float(b.max())
     deep = b >= 0.5 * deepest
-    return float(np.abs(a - b)[deep].max()) / max(deepest, 1e-300)
+    spread = float(np.sqrt(np.mean(np.square(a - b)[deep])))
+    return max(abs(float(a.max()) - deepest), spread) / max(deepest, 1e-300)
 
 
 def _most_sectors(loads: CycleLoads, window: float) -> int:

@@ -125,8 +125,8 @@ class WearProfilePanel(QWidget):
             place = int(np.nanargmax(profile.measured))
             depth = f"{profile.measured[place]:.4f} ± {profile.uncertainty[place]:.4f} mm (k = 2)"
             extent = RECORDED_DEG[seen]
-            measured = f"measured {depth}, revolution {profile.revolution}"
-            words = f"seen from {extent[0]:.0f}° to {extent[-1]:.0f}°"
+            measured = f"measured {depth}"
+            words = f"seen {extent[0]:.0f}° to {extent[-1]:.0f}°, revolution {profile.revolution}"
         else:
             measured, words = f"measured: not known yet, revolution {profile.revolution}", ""
         deepest = np.nanmax(profile.predicted, initial=-1.0)

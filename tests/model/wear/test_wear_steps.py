@@ -21,7 +21,7 @@ from model.wear.front import (
     wear_problem,
     worn_area,
 )
-from model.wear.loads import CycleLoads, constant_load, gathered, loads_of_cycle
+from model.wear.loads import CycleLoads, constant_load, gathered, loads_of_cycle, swing
 
 WIDTH, K = 0.0131, 5.05e-13
 SLIP = 2.0 * np.pi * 0.0095
@@ -229,3 +229,20 @@ def test_pressing_force_is_against_the_force_on_the_follower_less_friction() -> 
 def test_impossible_loads_are_refused(make, word: str) -> None:
     with pytest.raises(ModelError, match=word):
         make()
+
+
+def test_gathered_parts_are_shorter_where_the_force_swings_fast() -> None:
+    angle = 2.0 * np.pi * np.arange(720) / 720
+    direction = np.where(angle < np.pi, 0.0, np.pi) + 0.5 * np.tanh((angle - np.pi) / 0.05)
+    force = 10.0 * np.stack([np.cos(direction), np.sin(direction)], axis=1)
+    dense = CycleLoads(force, np.full(720, 1e-4))
+    for positions in (2, 12, 48, 719):
+        found = gathered(dense, positions)
+        assert len(found.slip) == positions
+        assert found.slip.sum() == pytest.approx(dense.slip.sum())
+        assert found.slip @ found.magnitude == pytest.approx(dense.slip @ dense.magnitude)
+    assert gathered(dense, 48).slip.min() < 0.5 * gathered(dense, 48).slip.max()
+    still = CycleLoads(np.tile([10.0, 0.0], (720, 1)), np.full(720, 1e-4))
+    np.testing.assert_allclose(gathered(still, 12).slip, 60e-4)
+    assert swing(still) == 0.0
+    assert swing(dense) > 3.0
