@@ -33,6 +33,9 @@ from rigapp.engine.threads import BlockQueue, Worker
 
 SMALLEST_QUEUE = 16384
 
+ASLEEP_S = 0.5
+"""The drive's thread looks far more often; after a longer pause the whole program may have slept."""
+
 SILENT_SHARE = 0.6
 """A drive that has not answered for this share of its watchdog's time ends the test: before the
 watchdog does, so that the log names the cause and not what follows from it."""
@@ -83,6 +86,7 @@ class Connection:
         self._turning_blind_since: float | None = None
         self._drive_polled_s = 0.0
         self._unsupervised = False
+        self._looked_s = self._awake_since = time.monotonic()
         silence = timing.silence
         self.reader = Worker(f"read {devices.source.name}", self._read, self._died, silence)
         self.process = Worker("process", self._process, self._died, silence)
@@ -208,9 +212,16 @@ class Connection:
         self.drive.pause(timing.aim if busy else min(0.02, timing.poll))
 
     def _watch_the_supervisor(self) -> None:
-        """End the test when the thread that looks at all others hangs: nobody else would tell."""
-        supervise = self.supervise
-        hangs = supervise.silent_for() > supervise.silence_s
+        """End the test when the thread that looks at all others hangs: nobody else would tell.
+
+        A time for which this thread did not run either is not held against it.
+        """
+        supervise, now = self.supervise, time.monotonic()
+        if now - self._looked_s > ASLEEP_S:
+            self._awake_since = now
+        self._looked_s = now
+        silent_s = min(supervise.silent_for(), now - self._awake_since)
+        hangs = silent_s > supervise.silence_s
         if not hangs or supervise.halting or supervise.error is not None:
             self._unsupervised = False
         elif not self._unsupervised:
