@@ -11,10 +11,10 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 IMAGES = ROOT / "docs" / "images"
-DISPLAY = ":93"
 TABS = ("overview", "cycle", "trends", "alarms", "prepare", "devices", "log", "results", "faults")
 REVOLUTIONS = 150
 
@@ -22,14 +22,13 @@ REVOLUTIONS = 150
 def main() -> int:
     """Start a test in the window and take a picture of every tab while it runs."""
     with tempfile.TemporaryDirectory() as folder:
+        screen, display = _screen()
         os.environ.update(
-            DISPLAY=DISPLAY,
+            DISPLAY=display,
             QT_QPA_PLATFORM="xcb",
             RIGAPP_RUNTIME_DIR=f"{folder}/run",
             XDG_CONFIG_HOME=f"{folder}/config",
         )
-        screen = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", "1400x900x24", "-nolisten", "tcp"])
-        time.sleep(1.0)
         manager = subprocess.Popen(["openbox"])
         window = subprocess.Popen(
             [sys.executable, "-m", "rigapp", "gui", "--rig", ROOT / "examples/simulated.toml",
@@ -46,27 +45,69 @@ def main() -> int:
     return 0
 
 
+def _screen() -> tuple[subprocess.Popen[bytes], str]:
+    """Start a virtual screen on a display that nobody else has."""
+    read, write = os.pipe()
+    screen = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x900x24", "-nolisten", "tcp"],
+        pass_fds=(write,),
+    )
+    os.close(write)
+    with os.fdopen(read) as file:
+        return screen, f":{file.readline().strip()}"
+
+
 def _take_all() -> None:
     from rigapp.service.launch import attach
 
     found = subprocess.run(
         ["xdotool", "search", "--sync", "--onlyvisible", "--name", "rigapp"],
-        check=True, capture_output=True, text=True, timeout=60,
+        check=True, capture_output=True, text=True, timeout=200,
     )  # fmt: skip
     identity = found.stdout.split()[-1]
     client = attach(ROOT / "examples/simulated.toml")
-    deadline = time.monotonic() + 120.0
+    deadline = time.monotonic() + 400.0
     while client.request("status").result["revolution"] < REVOLUTIONS:
         if time.monotonic() > deadline:
-            raise TimeoutError(f"{REVOLUTIONS} revolutions were not made in 120 s")
+            raise TimeoutError(f"{REVOLUTIONS} revolutions were not made in 400 s")
         time.sleep(0.2)
     for number, name in enumerate(TABS, 1):
+        before = _tab_bar()
         subprocess.run(["xdotool", "key", "--window", identity, f"ctrl+{number}"], check=True)
-        time.sleep(1.5)
+        deadline = time.monotonic() + 60.0
+        while number > 1 and _tab_bar() == before and time.monotonic() < deadline:
+            time.sleep(0.1)
+        time.sleep(2.0)
         _shoot(f"guide-{name}.png")
     client.request("note", {"text": "picture for the guide"})
+    _viewer(identity)
     client.request("stop", {"reason": "pictures are taken"})
     client.close()
+
+
+def _tab_bar() -> bytes:
+    """Return how the row of tabs looks, to know when another one is in front."""
+    area = ["-crop", "800x30+0+175", "+repage", "-depth", "8", "rgb:-"]
+    return subprocess.run(["import", "-window", "root", *area], check=True, capture_output=True).stdout
+
+
+def _viewer(identity: str) -> None:
+    """Let a colleague take command, and look at what the window says then."""
+    client = attach_first()
+    client.request("take_command")
+    time.sleep(1.5)
+    subprocess.run(["xdotool", "key", "--window", identity, "ctrl+1"], check=True)
+    time.sleep(2.0)
+    _shoot("guide-viewer.png")
+    client.request("release_command")
+    client.close()
+
+
+def attach_first() -> Any:
+    """Return another viewer of the engine, as a colleague's window would be."""
+    from rigapp.service.launch import attach
+
+    return attach(ROOT / "examples/simulated.toml", "Ann")
 
 
 def _shoot(name: str) -> None:

@@ -249,6 +249,28 @@ def test_results_are_compared_and_replayed(
     assert len(panel.compare.legend._entries) == 2
 
 
+@pytest.mark.timeout(240)
+def test_the_report_is_written_beside_the_file(
+    qtbot: Any, qapp: Any, recorded: Path, worker: Worker
+) -> None:
+    panel = BrowserPanel(LIGHT, recorded.parent, worker)
+    qtbot.addWidget(panel)
+    said: list[tuple[str, bool]] = []
+    panel.said.connect(lambda text, good: said.append((text, good)))
+    panel._found_tests(list_tests(recorded.parent))
+    panel.table.selectRow(0)
+    panel.buttons["report"].click()
+
+    def answered() -> bool:
+        worker.deliver()
+        return len(said) == 2
+
+    qtbot.waitUntil(answered, timeout=180_000)
+    target = recorded.with_suffix(".html")
+    assert said[1] == (f"The report is in {target}", True)
+    assert "Quick test" in target.read_text(encoding="utf-8")
+
+
 def test_a_comparison_on_the_wear_axis_ascends(recorded: Path) -> None:
     data = load_history(recorded).data
     x, y = line_of(data, "force_max", "measured_wear_depth")
