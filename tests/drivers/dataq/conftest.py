@@ -116,7 +116,7 @@ def bench(wire: Any, clock: str) -> Iterator[Callable[..., Bench]]:
             "model": model,
             "clock": clock,
             "command_pause_s": 0.0,
-            "reply_timeout_s": 0.4,
+            "reply_timeout_s": 1.0,
             "silence_s": 0.25,
             "idle_check_s": 0.4,
         }

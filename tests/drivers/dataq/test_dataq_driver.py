@@ -324,7 +324,7 @@ def test_one_lost_reply_is_asked_for_again(bench: Callable[..., Any]) -> None:
 @pytest.mark.parametrize(
     ("fault", "error", "words"),
     [
-        ("no_reply", ReplyTimeout, "no answer to 'dec 1' within 0.4 s, 2 tries"),
+        ("no_reply", ReplyTimeout, "no answer to 'dec 1' within 1 s, 2 tries"),
         ("wrong_echo", ProtocolError, r"'dec 1' was answered with '\?dec 1'"),
     ],
 )

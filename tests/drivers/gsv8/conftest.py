@@ -80,7 +80,7 @@ def bench(wire: Any) -> Iterator[MakeBench]:
     ) -> Bench:
         simulator = Gsv8Simulator(**options)
         line, clock = wire.source(simulator, rig_signals, speed, tcp=tcp)
-        driver = Gsv8("daq", line.port, {"reply_timeout_s": 0.3, **(settings or {})})
+        driver = Gsv8("daq", line.port, {"reply_timeout_s": 2.0, **(settings or {})})
         drivers.append(driver)
         return Bench(simulator, line, clock, driver)
 

@@ -444,7 +444,7 @@ def test_unplugged_while_streaming(bench: Any) -> None:
 
 @pytest.mark.parametrize("fault", ["no_reply", "lost_command"])
 def test_a_lost_answer_is_asked_for_again(bench: Any, fault: str) -> None:
-    b = bench(settings={"reply_timeout_s": 0.1})
+    b = bench(settings={"reply_timeout_s": 0.5})
     b.driver.open()
     b.simulator.inject(fault, target=Command.READ_DATA_RATE, count=1)
     b.driver.configure(_request())
@@ -452,17 +452,18 @@ def test_a_lost_answer_is_asked_for_again(bench: Any, fault: str) -> None:
 
 
 def test_a_late_answer_is_not_taken_for_another(bench: Any) -> None:
-    b = bench(settings={"reply_timeout_s": 0.15})
+    b = bench(settings={"reply_timeout_s": 0.5})
     b.driver.open()
-    b.simulator.inject("slow_reply", target=Command.READ_USER_SCALE, count=1, value=0.2)
+    b.simulator.inject("slow_reply", target=Command.READ_USER_SCALE, count=1, value=0.6)
     setup = b.driver.configure(_request())
     assert setup.readback["analog_1.user_scale"] == 3.5
     assert setup.readback["analog_1.user_offset"] == 0.0
 
 
 def test_close_does_not_wait_long_for_a_device_that_hangs(bench: Any) -> None:
-    b = bench(settings={"reply_timeout_s": 0.1})
+    b = bench()
     b.stream()
+    b.driver._link.reply_timeout_s = 0.1
     b.simulator.inject("lost_command")
     b.driver.close()
     sent = bytes(b.wire.received)
@@ -481,7 +482,7 @@ def test_it_streams_over_a_socket(bench: Any) -> None:
 
 
 def test_a_device_that_falls_silent(bench: Any) -> None:
-    b = bench(settings={"reply_timeout_s": 0.05})
+    b = bench(settings={"reply_timeout_s": 0.3})
     b.driver.open()
     b.simulator.inject("lost_command")
     with pytest.raises(ReplyTimeout, match="no answer to get interface"):
@@ -651,8 +652,9 @@ def test_stored_faults_are_read_in_words(bench: Any) -> None:
 
 def test_a_device_that_streams_but_answers_no_more(bench: Any, monkeypatch: Any) -> None:
     monkeypatch.setattr("drivers.gsv8.watch._PATIENCE_S", 0.1)
-    b = bench(settings={"poll_interval_s": 0.1, "reply_timeout_s": 0.1})
+    b = bench(settings={"poll_interval_s": 0.1})
     b.stream()
+    b.driver._link.reply_timeout_s = 0.1
     b.simulator.inject("lost_command")
     with pytest.raises(ReplyTimeout, match="lost data would not be noticed"):
         b.blocks(100_000)

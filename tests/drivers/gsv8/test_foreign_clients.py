@@ -41,7 +41,7 @@ def _run(script: str, port: str) -> Any:
     """Run a client in a process of its own and return the JSON that it printed last."""
     code = PREAMBLE + textwrap.dedent(script)
     done = subprocess.run(
-        [sys.executable, "-c", code, port], capture_output=True, text=True, timeout=30, check=False
+        [sys.executable, "-c", code, port], capture_output=True, text=True, timeout=300, check=False
     )
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout.strip().splitlines()[-1])
