@@ -19,7 +19,7 @@ from calibration.evidence import SURE, Evidence, applied_forces, examine
 from calibration.problems import Problem
 from calibration.reading_checks import coarse, place_of
 from calibration.reading_faults import single_faults
-from calibration.two_axis import Terms, huber_fit
+from calibration.two_axis import Terms, fit, huber_fit
 
 Array = NDArray[np.float64]
 
@@ -29,9 +29,9 @@ NOTED_TURN = np.radians(2.0)
 
 def check_fit(evidence: Evidence) -> Iterator[Problem]:
     """Yield the mistakes that the fit shows, the most telling first."""
-    dead = list(_dead(evidence))
-    if dead:
-        yield from dead
+    wiring = list(_exchanged(evidence)) or list(_dead(evidence))
+    if wiring:
+        yield from wiring
         return
     yield from _axes(evidence)
     saturated = list(_saturated(evidence))
@@ -61,6 +61,45 @@ def _dead(evidence: Evidence) -> Iterator[Problem]:
             f"signal_{weak + 1} hardly follows the load ({100.0 * rows[weak] / rows[1 - weak]:.1f}"
             " % of the other signal): is the bridge connected and switched on?",
         )
+
+
+WIRINGS = (
+    ("axes_swapped", ((0.0, 1.0), (1.0, 0.0)), "the two signals are swapped: were the plugs"
+     " exchanged before it?"),
+    ("axis_reversed", ((-1.0, 0.0), (0.0, 1.0)), "signal_1 has the wrong sign: was its plug turned"
+     " before it?"),
+    ("axis_reversed", ((1.0, 0.0), (0.0, -1.0)), "signal_2 has the wrong sign: was its plug turned"
+     " before it?"),
+)  # fmt: skip
+
+
+def _exchanged(evidence: Evidence) -> Iterator[Problem]:
+    """Series that fit all others only with signals exchanged or turned: wiring changed between."""
+    readings, force = evidence.readings, applied_forces(evidence)
+    series = np.array(readings.series)
+    names = list(dict.fromkeys(readings.series))
+    if len(names) < 4:
+        return
+    for name in names:
+        here = series == name
+        if np.count_nonzero(here & (evidence.loads.applied > 0.0)) < 3:
+            continue
+        try:
+            others = fit(force[~here], readings.signal[~here], Terms())
+        except np.linalg.LinAlgError:
+            continue
+        size = float(np.sqrt(np.mean(force[here] ** 2)))
+        if others.residual_std > 0.02 * size:
+            continue  # The others do not agree among themselves.
+        for code, wiring, words in WIRINGS:
+            undone = readings.signal[here] @ np.array(wiring)
+            as_is, changed = (
+                float(np.sqrt(np.mean((others.force(one) - force[here]) ** 2)))
+                for one in (readings.signal[here], undone)
+            )
+            if as_is > 0.5 * size and changed < 0.1 * as_is:
+                yield Problem(code, f"In series {name} {words} Take it again.")
+                return
 
 
 def _axes(evidence: Evidence) -> Iterator[Problem]:

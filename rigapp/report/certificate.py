@@ -109,6 +109,7 @@ def _joined(*texts: str) -> str:
 def _identity(record: Record) -> Table:
     content = record.content
     paper = content["settings"]["paperwork"]
+    taken = content.get("taken") or {}
     rows = [
         ("Number", record.number),
         ("Item", _item(content)),
@@ -116,10 +117,15 @@ def _identity(record: Record) -> Table:
         ("Amplifier, cable", _joined(paper["amplifier"], paper["cable"])),
         ("Excitation, range, filter", _joined(paper["excitation"])),
         ("Laboratory, place", _joined(paper["laboratory"], paper["place"])),
-        ("Calibrated", content["calibrated_at"]),
+        ("Calibrated and issued", content["calibrated_at"]),
         ("Due", content["due_at"]),
         ("Standards used", _joined(paper["standards"])),
+        ("Operator", _joined(paper["operator"] or str(taken.get("operator") or ""))),
+        ("Reviewer", _joined(paper["reviewer"])),
     ]
+    if taken.get("rig"):
+        simulated = ", SIMULATED: for practice" if taken.get("simulated") else ""
+        rows.append(("Taken on the rig", f"{taken['rig']}{simulated}"))
     if paper["notes"]:
         rows.append(("Deviations, remarks", paper["notes"]))
     return Table("Identification", tuple(rows))
@@ -219,7 +225,19 @@ def _cell_tables(content: Mapping[str, Any]) -> list[Table]:
             ("expanded", f"{result['expanded_uncertainty_N']:.3f} N"),
         ),
     )
-    return [fit, zero, covariance, traits, budget]
+    return [fit, *_quadratic(result, unit), zero, covariance, traits, budget]
+
+
+def _quadratic(result: Mapping[str, Any], unit: str) -> list[Table]:
+    quadratic = result.get("quadratic_unit_per_N2")
+    if quadratic is None:
+        return []
+    rows: list[Row] = [
+        (f"signal {axis}", *(f"{value:.4e}" for value in row))
+        for axis, row in enumerate(quadratic, 1)
+    ]
+    title = f"Quadratic terms: signal - zero = inverse(K) f + Q (f1^2, f1 f2, f2^2); {unit} per N^2"
+    return [Table(title, tuple(rows), ("", "f1^2", "f1 f2", "f2^2"))]
 
 
 def _readings_table(content: Mapping[str, Any]) -> Table:

@@ -189,11 +189,14 @@ class EngineHost:
                 raise Refused("; ".join(self._records.blocking.values()))
             past = read_past(out) if resume else None
             self._make_ready(test.record)
-            notes: list[Remark] = []
+            notes = [
+                Remark("calibration", f"{section}: {words}", operator)
+                for section, words in self._records.remarks.items()
+            ]
             if past is not None:
                 found = self._compare(past)
                 examined(found)
-                notes = remarks(found, operator, reason)
+                notes += remarks(found, operator, reason)
                 self._take_up(past)
             self._start_twin(test.record, out, past)
             self.engine.start(test, out, operator=operator, resume=resume, remarks=notes)

@@ -247,6 +247,25 @@ def newtons(r: LoadCellReadings) -> LoadCellReadings:
     return changed(r, mass=9.81 * r.mass)
 
 
+def plugs_of_one_series(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[77:] = signal[77:, ::-1]
+    return changed(r, signal=signal)
+
+
+def plugs_of_one_of_four(r: LoadCellReadings) -> LoadCellReadings:
+    four = take(Cell(), np.random.default_rng(5), angles=4)
+    signal = four.signal.copy()
+    signal[33:] = signal[33:, ::-1]
+    return changed(four, signal=signal)
+
+
+def sign_of_one_series(r: LoadCellReadings) -> LoadCellReadings:
+    signal = r.signal.copy()
+    signal[22:33, 0] *= -1.0
+    return changed(r, signal=signal)
+
+
 MISTAKES: list[tuple[str, Plant]] = [
     ("wrong_weight", wrong_weight),
     ("swapped_steps", swapped_steps),
@@ -254,6 +273,9 @@ MISTAKES: list[tuple[str, Plant]] = [
     ("axes_swapped", swapped_axes),
     ("axis_reversed", reversed_axis),
     ("axes_reversed", reversed_both),
+    ("axes_swapped", plugs_of_one_series),
+    ("axes_swapped", plugs_of_one_of_four),
+    ("axis_reversed", sign_of_one_series),
     ("scatter", swinging),
     ("angle_off", angle_off),
     ("cable_loose", loose_cable),

@@ -70,6 +70,7 @@ def pump(wizard: CalibrationWizard, line: HostLine, until: Any, what: str, withi
         time.sleep(0.005)
 
 
+@pytest.mark.timeout(900)
 def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_tells_the_forces(
     qtbot: Any, line: HostLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

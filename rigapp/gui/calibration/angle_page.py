@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QPushButton, QVBoxLayout, QWizardPage
 
 from calibration.plans import StepKind
@@ -64,7 +65,7 @@ class AnglePage(QWizardPage):
         column.addWidget(self.live)
         column.addWidget(self.stability)
         column.addLayout(form)
-        column.addWidget(self.turn)
+        column.addWidget(self.turn, 0, Qt.AlignmentFlag.AlignLeft)
         column.addWidget(self.first)
         column.addStretch(1)
         column.addWidget(self.problem)

@@ -88,8 +88,9 @@ class ResultPage(QWizardPage):
         self.completeChanged.emit()
 
     def isComplete(self) -> bool:
-        """Tell whether the result is there."""
-        return self._bench.outcome is not None
+        """Tell whether there is a result to go on with: a refused calibration is not one."""
+        outcome = self._bench.outcome
+        return outcome is not None and (outcome.accepted or outcome.check is not None)
 
     def nextId(self) -> int:
         """Go to the certificate only when there is something to save."""
@@ -151,7 +152,7 @@ class ResultPage(QWizardPage):
         self.problems.setText("\n".join(notes))
         for widget in (self.target, self.target_label):
             widget.setVisible(outcome.accepted)
-        if found.fit is None:
+        if found.fit is None or not outcome.accepted:
             self.words.setText(found.classification)
             return
         unit = outcome.settings.cell.signal_unit
