@@ -34,7 +34,7 @@ from rigapp.engine.threads import BlockQueue, Worker
 SMALLEST_QUEUE = 16384
 
 ASLEEP_S = 0.5
-"""The drive's thread looks far more often; after a longer pause the whole program may have slept."""
+"""The drive's thread looks more often; after a longer pause the whole program may have slept."""
 
 SILENT_SHARE = 0.6
 """A drive that has not answered for this share of its watchdog's time ends the test: before the
