@@ -127,7 +127,7 @@ class MainWindow(QMainWindow):
         if snapshot is not None:
             self._take(snapshot)
         news = snapshot is not None or before is not self._link.state
-        if news or self._session.problem or self._ticks % STATE_EVERY == 0:
+        if news or self._session.problem or self._ticks % STATE_EVERY == 1:
             self._show_state()
         if not self.isMinimized():
             status = self._link.status

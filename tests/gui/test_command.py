@@ -200,7 +200,7 @@ def test_a_button_that_does_not_apply_says_why(
 ) -> None:
     one, _ = windows
     engine.state = RunState.READY
-    ticked(qtbot, one)(lambda: one.controls.buttons["start"].isEnabled())
+    ticked(qtbot, one)(lambda: one.header.state.value.whole == "Ready")
     tip = one.controls.buttons["pause"].toolTip()
     assert "Not now: the state is ready; it must be running or starting" in tip
     assert "(F5)" in one.controls.buttons["start"].toolTip()
