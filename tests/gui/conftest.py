@@ -336,7 +336,7 @@ def attach(window: MainWindow, engine: ScriptedEngine, qtbot: Any) -> Callable[[
             window.tick()
             return engine.clients > 0 and not engine.snapshots
 
-        qtbot.waitUntil(taken, timeout=5000)
+        qtbot.waitUntil(taken, timeout=90_000)
         window.draw_now()
 
     return ticks

@@ -107,7 +107,7 @@ def ticked(qtbot: Any, *windows: MainWindow) -> Callable[[Callable[[], bool]], N
                 window.tick()
             return condition()
 
-        qtbot.waitUntil(look, timeout=20_000)
+        qtbot.waitUntil(look, timeout=90_000)
 
     return until
 

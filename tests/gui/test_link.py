@@ -41,7 +41,7 @@ def pump_until(link: Link, clock: Clock, qtbot: Any) -> Callable[[Callable[[], b
             link.pump()
             return condition()
 
-        qtbot.waitUntil(step, timeout=5000)
+        qtbot.waitUntil(step, timeout=90_000)
 
     return until
 

@@ -167,7 +167,7 @@ def test_the_log_is_read_from_the_file_and_searched(
         worker.deliver()
         return bool(panel.events)
 
-    qtbot.waitUntil(read, timeout=5000)
+    qtbot.waitUntil(read, timeout=90_000)
     assert panel.table.texts()[0][1:4] == ["120", "note", "Ann"]
     panel.filter.setText("water")
     assert panel.table.texts() == []
@@ -188,7 +188,7 @@ def test_a_log_that_cannot_be_read_is_said(
         worker.deliver()
         return "cannot be read" in panel.count.text()
 
-    qtbot.waitUntil(said, timeout=5000)
+    qtbot.waitUntil(said, timeout=90_000)
 
 
 @pytest.fixture
@@ -219,7 +219,7 @@ def test_results_are_compared_and_replayed(
         worker.deliver()
         return panel.table.rowCount() == 3
 
-    qtbot.waitUntil(listed, timeout=5000)
+    qtbot.waitUntil(listed, timeout=90_000)
     names = [row[0] for row in panel.table.texts()]
     panel.table.selectRow(names.index("broken.h5"))
     assert not panel.buttons["replay"].isEnabled()
@@ -238,7 +238,7 @@ def test_results_are_compared_and_replayed(
         worker.deliver()
         return len(panel.compare.runs) == 2
 
-    qtbot.waitUntil(compared, timeout=5000)
+    qtbot.waitUntil(compared, timeout=90_000)
     x, y = panel.compare._curves[0].getData()
     assert len(x) == 300
     assert y[0] == pytest.approx(97.0, abs=2.0)
@@ -473,7 +473,7 @@ def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
         window.tick()
         return "Grey: revolution 40" in cycle.overlay.title.whole
 
-    qtbot.waitUntil(compared, timeout=5000)
+    qtbot.waitUntil(compared, timeout=90_000)
     assert cycle.stored.value() == 40
     assert len(cycle.overlay._references["force"].getData()[0]) > 100
     cycle.show_stored.setChecked(False)
@@ -569,10 +569,10 @@ def test_closing_asks_while_a_test_is_under_way(
     def asked() -> bool:
         return "stop" in engine.verbs
 
-    qtbot.waitUntil(asked, timeout=5000)
+    qtbot.waitUntil(asked, timeout=90_000)
     assert window.isVisible()
     engine.say(first=6, count=1, state=RunState.STOPPED)
-    qtbot.waitUntil(lambda: not window.isVisible(), timeout=5000)
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=90_000)
 
 
 def test_a_minimised_window_draws_nothing(
@@ -602,14 +602,14 @@ def test_a_replay_starts_again(recorded: Path, qtbot: Any, qapp: Any) -> None:
         window.tick()
         return len(window._session.data.rows) == count
 
-    qtbot.waitUntil(lambda: rows(300), timeout=10_000)
+    qtbot.waitUntil(lambda: rows(300), timeout=90_000)
     assert window.replay_bar.isVisible()
     assert not window.tabs.isTabVisible(8)
     client.request("replay", {"speed": 0.0})
     client.request("rewind")
-    qtbot.waitUntil(lambda: rows(0), timeout=10_000)
+    qtbot.waitUntil(lambda: rows(0), timeout=90_000)
     client.request("replay", {"speed": 3000.0})
-    qtbot.waitUntil(lambda: rows(300), timeout=20_000)
+    qtbot.waitUntil(lambda: rows(300), timeout=90_000)
     window.close()
 
 

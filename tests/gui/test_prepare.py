@@ -247,7 +247,7 @@ def test_the_list_follows_form_and_engine(
             for row in range(table.rowCount())
         }
 
-    qtbot.waitUntil(lambda: "Disk" in shown(), timeout=5000)
+    qtbot.waitUntil(lambda: "Disk" in shown(), timeout=90_000)
     assert "good" in shown()["Disk"]
     type_into(panel.recipe, "run.revolutions", "x")
     assert "blocks" in shown()["Test"]
@@ -285,7 +285,7 @@ def test_window_and_command_line_show_one_list(
             for row in range(table.rowCount())
         ]
 
-    qtbot.waitUntil(lambda: {"Disk", "Speed"} <= {row[1] for row in rows()}, timeout=20_000)
+    qtbot.waitUntil(lambda: {"Disk", "Speed"} <= {row[1] for row in rows()}, timeout=90_000)
     marks = {"good": "ok", "attention": "note", "blocks": "BLOCKS"}
     shown = rows()
     assert len(shown) == len(lines)
@@ -315,8 +315,8 @@ def test_a_rig_file_that_became_unusable_blocks(
         panel.show_status(ready(make_status))
         return {check.what for check in panel.checks.shown}
 
-    qtbot.waitUntil(lambda: "Speed" in what(), timeout=20_000)
+    qtbot.waitUntil(lambda: "Speed" in what(), timeout=90_000)
     rig.write_text(text.replace("[spindle]", "[spindel]"), encoding="utf-8")
     now[0] = 100.0
-    qtbot.waitUntil(lambda: "Rig file" in what(), timeout=20_000)
+    qtbot.waitUntil(lambda: "Rig file" in what(), timeout=90_000)
     worker.close()

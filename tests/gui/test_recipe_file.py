@@ -171,7 +171,7 @@ def test_closing_the_window_asks_for_unsaved_changes(
     assert window.tabs.prepare.isVisible()
     assert "run.speed_rpm: 60 → 45" in recipe.unsaved_bar.text.text()
     recipe.unsaved_bar.discard.click()
-    qtbot.waitUntil(lambda: not window.isVisible(), timeout=5000)
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=90_000)
     assert read_test(path).record.run.speed_rpm == 60.0
 
 

@@ -33,7 +33,7 @@ def wait_for_verb(window: MainWindow, engine: Any, qtbot: Any, verb: str) -> dic
         window.tick()
         return verb in engine.verbs
 
-    qtbot.waitUntil(asked, timeout=5000)
+    qtbot.waitUntil(asked, timeout=90_000)
     return dict(engine.requests)[verb]
 
 
@@ -152,7 +152,7 @@ def test_a_refusal_is_said_in_words(
         window.tick()
         return "emergency stop is pressed" in window.controls.answer.whole
 
-    qtbot.waitUntil(said, timeout=5000)
+    qtbot.waitUntil(said, timeout=90_000)
     assert "▲" in window.controls.answer.whole
 
 

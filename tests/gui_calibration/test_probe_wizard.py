@@ -258,7 +258,7 @@ def test_chooser_tells_what_was_chosen_by_key(qtbot: Any) -> None:
     chooser = CalibrationChooser()
     qtbot.addWidget(chooser)
     chooser.show()
-    with qtbot.waitSignal(chooser.chosen, timeout=10000) as heard:
+    with qtbot.waitSignal(chooser.chosen, timeout=90_000) as heard:
         qtbot.keyClick(chooser.buttons["both"], Qt.Key.Key_Space)
     assert heard.args == ["both"]
     assert not chooser.isVisible()
