@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QPushButton, QVBoxLayout, QWizardPage
 
 from calibration.plans import StepKind
+from rigapp.commands.practice import Mistake
 from rigapp.gui.calibration.bench import Bench
 from rigapp.gui.calibration.hands_panel import HandsPanel
 from rigapp.gui.calibration.parts import Stability, field, larger, named, number, prose
@@ -55,7 +56,7 @@ class AnglePage(QWizardPage):
         self.first = prose("angle_first", "The first angle")
         self._first_deg: float | None = None
         self.problem = prose("angle_problem", "What is wrong on this page")
-        self.hands = HandsPanel(bench)
+        self.hands = HandsPanel(bench, Mistake)
         form = QFormLayout()
         form.addRow(self.follow)
         field(form, "&Encoder shows", self.shown)

@@ -2,29 +2,60 @@
 
 from __future__ import annotations
 
+from enum import Enum
+from typing import Protocol, TypeVar
+
+from PySide6.QtCore import SignalInstance
 from PySide6.QtWidgets import QComboBox, QGroupBox, QHBoxLayout, QLabel, QPushButton
 
-from rigapp.commands.practice import Mistake
-from rigapp.gui.calibration.bench import Bench
 from rigapp.gui.calibration.parts import named
+
+M = TypeVar("M", bound=Enum)
+
+
+class Practice(Protocol[M]):
+    """What the panel needs of a bench whose hands make mistakes of kind ``M``."""
+
+    mistake: M
+    goes_ahead: bool
+    hands_busy: bool
+
+    @property
+    def looked(self) -> SignalInstance:
+        """Tell after each look at the signals."""
+        ...
+
+    def lend_a_hand(self) -> None:
+        """Let the simulated hands do what the step asks."""
+        ...
+
+    def plant(self, mistake: M, /) -> None:
+        """Let the simulated hands make a mistake."""
+        ...
 
 
 class HandsPanel(QGroupBox):
     """Do what the step asks, all by itself if wanted, with a mistake if wanted."""
 
-    def __init__(self, bench: Bench) -> None:
+    def __init__(
+        self,
+        bench: Practice[M],
+        mistakes: type[M],
+        name: str = "hands",
+        do: str = "&Do this step",
+    ) -> None:
         super().__init__("Simulated hands (practice: no waiting times)")
         self._bench = bench
-        named(self, "hands", "Simulated hands")
-        self.do = QPushButton("&Do this step")
-        named(self.do, "hands_do", "Let the simulated hands do this step")
+        named(self, name, "Simulated hands")
+        self.do = QPushButton(do)
+        named(self.do, f"{name}_do", "Let the simulated hands do this step")
         self.ahead = QPushButton("Go a&head")
         self.ahead.setCheckable(True)
-        named(self.ahead, "hands_ahead", "Do and record all further steps")
+        named(self.ahead, f"{name}_ahead", "Do and record all further steps")
         self.mistake = QComboBox()
-        for mistake in Mistake:
+        for mistake in mistakes:
             self.mistake.addItem(str(mistake), mistake)
-        named(self.mistake, "hands_mistake", "Mistake to practise")
+        named(self.mistake, f"{name}_mistake", "Mistake to practise")
         label = QLabel("&Mistake")
         label.setBuddy(self.mistake)
         row = QHBoxLayout(self)
@@ -35,14 +66,13 @@ class HandsPanel(QGroupBox):
         row.addWidget(self.mistake)
         self.do.clicked.connect(bench.lend_a_hand)
         self.ahead.toggled.connect(self._ahead)
-        self.mistake.currentIndexChanged.connect(self._plant)
+        self.mistake.currentIndexChanged.connect(
+            lambda _: bench.plant(mistakes(self.mistake.currentData()))
+        )
         bench.looked.connect(self._show)
 
     def _ahead(self, on: bool) -> None:
         self._bench.goes_ahead = on
-
-    def _plant(self) -> None:
-        self._bench.plant(Mistake(self.mistake.currentData()))
 
     def _show(self) -> None:
         if not self.isVisible():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
@@ -143,27 +145,53 @@ class Stability(QWidget):
         self.setAccessibleDescription(f"{WORDS[verdict]}: {words}")
 
 
+@dataclass(frozen=True, slots=True)
+class ScatterNames:
+    """Names of a residual plot: stem of the widgets' names, read aloud, unit, lower axis."""
+
+    stem: str
+    spoken: str
+    unit: str
+    bottom: str
+
+
+def residual_scatter(
+    on: QWidget, theme: Theme, names: ScatterNames, roles: tuple[str, str]
+) -> tuple[QuietPlot, list[pg.ScatterPlotItem], QLabel]:
+    """Lay a residual plot with words below out on a widget: circles for one role, then triangles.
+
+    Return the plot, the points of the two roles, and the label for the words.
+    """
+    plot = QuietPlot(f"{names.stem}_plot", names.spoken, theme)
+    plot.label("left", f"Residual ({names.unit})")
+    plot.label("bottom", names.bottom)
+    plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+    plot.guide(0.0, horizontal=True, theme=theme)
+    points = []
+    for role, symbol in zip(roles, ("o", "t"), strict=True):
+        colour = theme.curves[role]
+        item = pg.ScatterPlotItem(size=8, symbol=symbol, pen=line_pen(colour), brush=colour)
+        plot.addItem(item)
+        points.append(item)
+    words = prose(f"{names.stem}_words", "Residuals in words")
+    column = QVBoxLayout(on)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.addWidget(plot, 1)
+    column.addWidget(words)
+    return plot, points, words
+
+
 class ResidualPlot(QWidget):
     """Show what each reading differs from a fit of all readings so far, N, in the order taken."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
-        self.plot = QuietPlot("residual_plot", "Residuals of the readings so far, N", theme)
-        self.plot.label("left", "Residual (N)")
-        self.plot.label("bottom", "Reading")
-        self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.plot.guide(0.0, horizontal=True, theme=theme)
-        self._points = []
-        for role, symbol in (("force_1", "o"), ("force_2", "t")):
-            colour = theme.curves[role]
-            item = pg.ScatterPlotItem(size=8, symbol=symbol, pen=line_pen(colour), brush=colour)
-            self.plot.addItem(item)
-            self._points.append(item)
-        self.words = prose("residual_words", "Residuals in words")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.plot, 1)
-        column.addWidget(self.words)
+        self.plot, self._points, self.words = residual_scatter(
+            self,
+            theme,
+            ScatterNames("residual", "Residuals of the readings so far, N", "N", "Reading"),
+            ("force_1", "force_2"),
+        )
         self.clear()
 
     def clear(self) -> None:

@@ -22,9 +22,11 @@ from PySide6.QtWidgets import (
 
 from calibration.probe_procedure import ProbeStepKind, ProbeTaken
 from rigapp.commands.live_probes import LiveProbeSession
+from rigapp.commands.probe_practice import ProbeMistake
+from rigapp.gui.calibration.hands_panel import HandsPanel
 from rigapp.gui.calibration.parts import Stability, field, larger, named, number, prose
 from rigapp.gui.calibration.probe_bench import ProbeBench
-from rigapp.gui.calibration.probe_parts import ProbeHandsPanel, ProbeResidualPlot
+from rigapp.gui.calibration.probe_parts import ProbeResidualPlot
 from rigapp.gui.palette import Theme
 
 COLUMNS = ("Series", "Step", "Position (µm)", "Probe 1 (V)", "Probe 2 (V)", "State")
@@ -74,7 +76,7 @@ class ProbeReadingsPage(QWizardPage):
         self.reject_button = QPushButton("Re&ject and repeat its series")
         named(self.reject_button, "probe_reject", "Reject the selected reading, repeat its series")
         self.plot = ProbeResidualPlot(theme)
-        self.hands = ProbeHandsPanel(bench)
+        self.hands = HandsPanel(bench, ProbeMistake, "probe_hands", "T&urn the micrometer")
         self._build()
 
     def _build(self) -> None:

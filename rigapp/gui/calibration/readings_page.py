@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from calibration.plans import StepKind
+from rigapp.commands.practice import Mistake
 from rigapp.gui.calibration.bench import Bench
 from rigapp.gui.calibration.hands_panel import HandsPanel
 from rigapp.gui.calibration.parts import ResidualPlot, Stability, larger, named, prose
@@ -72,7 +73,7 @@ class ReadingsPage(QWizardPage):
         self.reject_button = QPushButton("Re&ject and repeat its series")
         named(self.reject_button, "reject", "Reject the selected reading and repeat its series")
         self.plot = ResidualPlot(theme)
-        self.hands = HandsPanel(bench)
+        self.hands = HandsPanel(bench, Mistake)
         self._build()
 
     def _build(self) -> None:
