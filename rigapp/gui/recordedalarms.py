@@ -15,6 +15,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitsSection
 from rigapp.engine import causes
 from rigapp.engine.causes import Cause
+from rigapp.engine.criteria import TITLES
 from rigapp.engine.limits import RuleMonitor, changed_limits
 from rigapp.engine.messages import Alarm, Event, Severity
 
@@ -142,9 +143,12 @@ def known_causes() -> Mapping[str, Cause]:
         if name.startswith("_") or any(str(p.annotation) not in DUMMIES for p in parameters):
             continue
         arguments = {p.name: DUMMIES[str(p.annotation)] for p in parameters}
-        cause = make(**arguments)
-        if isinstance(cause, Cause):
-            found[cause.title] = cause
+        # The stop criteria are the one closed list of names that a title is made of.
+        names = sorted(TITLES) if make is causes.criterion_blind else ("",)
+        for one in names:
+            cause = make(**arguments | ({"name": one} if one else {}))
+            if isinstance(cause, Cause):
+                found[cause.title] = cause
     return found
 
 
