@@ -24,7 +24,7 @@ from rigapp.storage.reader import open_test
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs Linux's /proc")
 
-KILLS = 10
+KILLS = 6
 SOAK_KILLS = int(os.environ.get("RIGAPP_SOAK_KILLS", "200"))
 
 VIEWER = """
