@@ -18,7 +18,11 @@ class Practice(Protocol[M]):
 
     mistake: M
     goes_ahead: bool
-    hands_busy: bool
+
+    @property
+    def hands_busy(self) -> bool:
+        """Tell whether the simulated hands are at work."""
+        ...
 
     @property
     def looked(self) -> SignalInstance:
