@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -14,7 +13,6 @@ from calibration.plans import StepKind
 from calibration.procedure import ProcedureError
 from rigapp.commands.live_calibration import LiveSession, Outcome, Rig, Wish, window_of
 from rigapp.commands.practice import (
-    Action,
     Mistake,
     mistake_actions,
     preparation,
@@ -24,22 +22,11 @@ from rigapp.commands.practice import (
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import Reply
+from rigapp.gui.calibration.hands_queue import HandsQueue, Line
 from rigapp.gui.tasks import Worker
 
 LOOK_MS = 150
 LISTEN_S = WINDOW_S + 1.0
-
-Ask = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
-
-
-class Line(Protocol):
-    """Ask the engine; the handler is called later on the screen's thread."""
-
-    def __call__(
-        self, verb: str, arguments: dict[str, Any], handler: Callable[[Reply], None], /
-    ) -> None:
-        """Ask."""
-        ...
 
 
 class Bench(QObject):
@@ -61,11 +48,9 @@ class Bench(QObject):
         self.rate_Hz = 1.0
         self.mistake = Mistake.NONE
         self.goes_ahead = False
-        self.hands_busy = False
-        self._prepared = False
         self._asked = False
         self._done_for = (-1, -1)
-        self._actions: deque[Action] = deque()
+        self._hands = HandsQueue(line, self._acted, self._failed)
         self._worker = Worker("calibration-fit", bound=4)
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_MS)
@@ -93,10 +78,7 @@ class Bench(QObject):
     def close(self) -> None:
         """Stop listening, put the simulated rig together again; what was recorded stays."""
         self._timer.stop()
-        if self._prepared:
-            for action in tidy_up():
-                self._line(action.verb, dict(action.arguments), lambda reply: None)
-            self._prepared = False
+        self._hands.tidy_up(tidy_up())
         self.close_session()
         self._worker.close()
 
@@ -177,23 +159,26 @@ class Bench(QObject):
 
     # --- simulated hands -------------------------------------------------------------------------
 
+    @property
+    def hands_busy(self) -> bool:
+        """Tell whether the simulated hands are at work."""
+        return self._hands.busy
+
     def plant(self, mistake: Mistake) -> None:
         """Let the simulated hands make a mistake from now on."""
         self.mistake = mistake
-        if self._prepared:
-            self._queue(*mistake_actions(mistake))
+        if self._hands.prepared:
+            self._hands.add(mistake_actions(mistake))
 
     def lend_a_hand(self) -> None:
         """Let the simulated hands do what the step asks."""
         session = self.session
         if session is None or session.procedure.done:
             return
-        if not self._prepared:
-            self._prepared = True
-            self._queue(*preparation(), *mistake_actions(self.mistake))
+        self._hands.prepare((*preparation(), *mistake_actions(self.mistake)))
         settings = session.settings
-        self._queue(
-            *step_actions(
+        self._hands.add(
+            step_actions(
                 session.procedure,
                 self.mistake,
                 settings.place.gravity,
@@ -213,26 +198,10 @@ class Bench(QObject):
         ):
             self.take()
 
-    def _queue(self, *actions: Action) -> None:
-        self._actions.extend(actions)
-        if not self.hands_busy:
-            self._next_action()
+    def _acted(self, after_sample: float) -> None:
+        if self.session is not None:
+            self.session.changed_at(after_sample / self.rate_Hz)
 
-    def _next_action(self) -> None:
-        if not self._actions:
-            self.hands_busy = False
-            return
-        self.hands_busy = True
-        action = self._actions.popleft()
-        self._line(action.verb, dict(action.arguments), self._acted)
-
-    def _acted(self, reply: Reply) -> None:
-        if not reply.ok:
-            self._actions.clear()
-            self.hands_busy = self.goes_ahead = False
-            self._prepared = False
-            self.said.emit(reply.sentence)
-            return
-        if self.session is not None and isinstance(reply.result, Mapping):
-            self.session.changed_at(float(reply.result["after_sample"]) / self.rate_Hz)
-        self._next_action()
+    def _failed(self, sentence: str) -> None:
+        self.goes_ahead = False
+        self.said.emit(sentence)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +14,6 @@ from calibration.probe_procedure import ProbePlan
 from calibration.procedure import ProcedureError
 from rigapp.commands.live_calibration import Rig
 from rigapp.commands.live_probes import LiveProbeSession, ProbeOutcome
-from rigapp.commands.practice import Action
 from rigapp.commands.probe_practice import (
     ProbeMistake,
     probe_actions,
@@ -25,7 +23,8 @@ from rigapp.commands.probe_practice import (
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import Reply
-from rigapp.gui.calibration.bench import LISTEN_S, LOOK_MS, Line
+from rigapp.gui.calibration.bench import LISTEN_S, LOOK_MS
+from rigapp.gui.calibration.hands_queue import HandsQueue, Line
 from rigapp.gui.tasks import Worker
 
 
@@ -49,12 +48,10 @@ class ProbeBench(QObject):
         self.rate_Hz = 1.0
         self.mistake = ProbeMistake.NONE
         self.goes_ahead = False
-        self.hands_busy = False
         self._since = 0
-        self._prepared = False
         self._asked = False
         self._done_for = (-1, -1)
-        self._actions: deque[Action] = deque()
+        self._hands = HandsQueue(line, self._acted, self._failed)
         self._worker = Worker("probe-fit", bound=4)
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_MS)
@@ -82,10 +79,7 @@ class ProbeBench(QObject):
     def close(self) -> None:
         """Stop listening, put the simulated rig together again; what was recorded stays."""
         self._timer.stop()
-        if self._prepared:
-            for action in probe_tidy_up():
-                self._line(action.verb, dict(action.arguments), lambda reply: None)
-            self._prepared = False
+        self._hands.tidy_up(probe_tidy_up())
         self.close_session()
         self._worker.close()
 
@@ -158,6 +152,11 @@ class ProbeBench(QObject):
 
     # --- simulated hands -------------------------------------------------------------------------
 
+    @property
+    def hands_busy(self) -> bool:
+        """Tell whether the simulated hands are at work."""
+        return self._hands.busy
+
     def plant(self, mistake: ProbeMistake) -> None:
         """Let the simulated hands make a mistake from the step under way on."""
         self.mistake = mistake
@@ -169,10 +168,8 @@ class ProbeBench(QObject):
         session = self.session
         if session is None or session.procedure.done:
             return
-        if not self._prepared:
-            self._prepared = True
-            self._queue(*probe_preparation())
-        self._queue(*probe_actions(session.procedure, self.mistake, self._since))
+        self._hands.prepare(probe_preparation())
+        self._hands.add(probe_actions(session.procedure, self.mistake, self._since))
 
     def _go_ahead(self, session: LiveProbeSession) -> None:
         if session.procedure.done:
@@ -184,26 +181,10 @@ class ProbeBench(QObject):
         elif self.readiness is not None and self.readiness.verdict is Verdict.STEADY:
             self.take()
 
-    def _queue(self, *actions: Action) -> None:
-        self._actions.extend(actions)
-        if not self.hands_busy:
-            self._next_action()
+    def _acted(self, after_sample: float) -> None:
+        if self.session is not None:
+            self.session.changed_at(after_sample / self.rate_Hz)
 
-    def _next_action(self) -> None:
-        if not self._actions:
-            self.hands_busy = False
-            return
-        self.hands_busy = True
-        action = self._actions.popleft()
-        self._line(action.verb, dict(action.arguments), self._acted)
-
-    def _acted(self, reply: Reply) -> None:
-        if not reply.ok:
-            self._actions.clear()
-            self.hands_busy = self.goes_ahead = False
-            self._prepared = False
-            self.said.emit(reply.sentence)
-            return
-        if self.session is not None and isinstance(reply.result, Mapping):
-            self.session.changed_at(float(reply.result["after_sample"]) / self.rate_Hz)
-        self._next_action()
+    def _failed(self, sentence: str) -> None:
+        self.goes_ahead = False
+        self.said.emit(sentence)

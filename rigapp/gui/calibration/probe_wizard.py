@@ -8,7 +8,7 @@ from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QWidget, QWizard
 
 from rigapp.commands.live_calibration import Rig
-from rigapp.gui.calibration.bench import Line
+from rigapp.gui.calibration.hands_queue import Line
 from rigapp.gui.calibration.probe_bench import ProbeBench
 from rigapp.gui.calibration.probe_plan_page import ProbePlanPage
 from rigapp.gui.calibration.probe_readings_page import ProbeReadingsPage

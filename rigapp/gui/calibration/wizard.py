@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QWidget, QWizard
 
 from rigapp.commands.live_calibration import Rig
 from rigapp.gui.calibration.angle_page import AnglePage
-from rigapp.gui.calibration.bench import Bench, Line
+from rigapp.gui.calibration.bench import Bench
+from rigapp.gui.calibration.hands_queue import Line
 from rigapp.gui.calibration.plan_page import PlanPage
 from rigapp.gui.calibration.readings_page import ReadingsPage
 from rigapp.gui.calibration.result_pages import CertificatePage, ResultPage
