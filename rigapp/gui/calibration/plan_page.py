@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import msgspec
 from PySide6.QtWidgets import (
     QComboBox,
-    QFileDialog,
     QFormLayout,
-    QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QVBoxLayout,
@@ -29,6 +25,12 @@ from rigapp.config.calibration_settings import (
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.calibration.bench import Bench
 from rigapp.gui.calibration.parts import field, named, number, prose
+from rigapp.gui.calibration.plan_parts import (
+    choose_settings,
+    chosen_journal,
+    offer_journals,
+    settings_row,
+)
 
 WORDS = {
     "daily": "Daily check: one weight at 4 pin angles",
@@ -37,6 +39,7 @@ WORDS = {
 }
 ROUNDED_GRAVITY = 9.81
 NEW = "Begin a new calibration"
+JOURNALS = "calibration"
 
 
 class PlanPage(QWizardPage):
@@ -82,12 +85,7 @@ class PlanPage(QWizardPage):
     def _build(self) -> None:
         form = QFormLayout()
         field(form, "&Begin or take up", self.begin)
-        row = QHBoxLayout()
-        row.addWidget(self.settings, 1)
-        row.addWidget(self.browse)
-        label = QLabel("&Settings file")
-        label.setBuddy(self.settings)
-        form.addRow(label, row)
+        settings_row(form, self.settings, self.browse)
         field(form, "&Load cell", self.cell)
         field(form, "&Plan", self.plan)
         field(form, "W&eights (kg)", self.weights)
@@ -109,11 +107,7 @@ class PlanPage(QWizardPage):
 
     def initializePage(self) -> None:
         """Offer what can be taken up."""
-        self.begin.clear()
-        self.begin.addItem(NEW, None)
-        for path in sorted(self._folder.glob("calibration-*.journal"), reverse=True):
-            if not path.with_suffix(".json").exists():
-                self.begin.addItem(f"Take up {path.stem}", str(path))
+        offer_journals(self.begin, NEW, self._folder, JOURNALS)
         self._summarise()
 
     def validatePage(self) -> bool:
@@ -121,7 +115,8 @@ class PlanPage(QWizardPage):
         for box in (self.hanger, self.gravity):
             box.interpretText()
         try:
-            self._bench.open(self._settings(), self._journal(), self._wish())
+            journal = chosen_journal(self.begin, self._folder, JOURNALS)
+            self._bench.open(self._settings(), journal, self._wish())
         except UnusableInput as error:
             self.problem.setText(str(error))
             self.weights.setFocus()
@@ -164,13 +159,6 @@ class PlanPage(QWizardPage):
             return None
         return Wish(PLANS[self.plan.currentData()], parse_pieces(self.weights.text()))
 
-    def _journal(self) -> Path:
-        chosen = self.begin.currentData()
-        if chosen:
-            return Path(chosen)
-        stamp = time.strftime("%Y%m%d-%H%M%S")
-        return self._folder / f"calibration-{stamp}.journal"
-
     def _summarise(self) -> None:
         anew = not self.begin.currentData()
         for widget in (self.plan, self.weights):
@@ -202,12 +190,7 @@ class PlanPage(QWizardPage):
         self.summary.setText(text)
 
     def _browse(self) -> None:
-        dialog = QFileDialog(self, "Choose settings", filter="Settings (*.toml)")
-        dialog.setObjectName("choose_calibration_settings")
-        dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
-        dialog.setModal(False)
-        dialog.fileSelected.connect(self._chosen)
-        dialog.show()
+        choose_settings(self, "choose_calibration_settings", self._chosen)
 
     def _chosen(self, name: str) -> None:
         self.settings.setText(name)

@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import math
-import time
 from pathlib import Path
 
 import msgspec
 from PySide6.QtWidgets import (
     QComboBox,
-    QFileDialog,
     QFormLayout,
-    QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QSpinBox,
@@ -26,6 +22,13 @@ from rigapp.commands.live_probes import PROBE_PLANS, PROBES, plan_of, usual_reac
 from rigapp.config.calibration_settings import ProbeFile, ProbeSection, read_probe_settings
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.calibration.parts import field, named, number, prose
+from rigapp.gui.calibration.plan_page import NEW
+from rigapp.gui.calibration.plan_parts import (
+    choose_settings,
+    chosen_journal,
+    offer_journals,
+    settings_row,
+)
 from rigapp.gui.calibration.probe_bench import ProbeBench
 
 PROBE_WORDS = {
@@ -34,7 +37,7 @@ PROBE_WORDS = {
     "both": "Both probes, and how they stand to each other",
 }
 PLAN_WORDS = {"routine": "Routine: once up and down", "full": "Full: three times up and down"}
-NEW = "Begin a new calibration"
+JOURNALS = "probes"
 
 
 class ProbePlanPage(QWizardPage):
@@ -93,12 +96,7 @@ class ProbePlanPage(QWizardPage):
     def _build(self) -> None:
         form = QFormLayout()
         field(form, "&Begin or take up", self.begin)
-        row = QHBoxLayout()
-        row.addWidget(self.settings, 1)
-        row.addWidget(self.browse)
-        label = QLabel("&Settings file")
-        label.setBuddy(self.settings)
-        form.addRow(label, row)
+        settings_row(form, self.settings, self.browse)
         field(form, "&Calibrate", self.probe)
         field(form, "N&ame", self.name)
         field(form, "&Plan", self.plan)
@@ -122,11 +120,7 @@ class ProbePlanPage(QWizardPage):
 
     def initializePage(self) -> None:
         """Offer what can be taken up."""
-        self.begin.clear()
-        self.begin.addItem(NEW, None)
-        for path in sorted(self._folder.glob("probes-*.journal"), reverse=True):
-            if not path.with_suffix(".json").exists():
-                self.begin.addItem(f"Take up {path.stem}", str(path))
+        offer_journals(self.begin, NEW, self._folder, JOURNALS)
         self._propose()
         self._summarise()
 
@@ -135,7 +129,8 @@ class ProbePlanPage(QWizardPage):
         for box in (self.positions, self.reach, self.micrometer):
             box.interpretText()
         try:
-            self._bench.open(self._settings(), self._journal(), self._wish())
+            journal = chosen_journal(self.begin, self._folder, JOURNALS)
+            self._bench.open(self._settings(), journal, self._wish())
         except UnusableInput as error:
             self.problem.setText(str(error))
             self.reach.setFocus()
@@ -180,13 +175,6 @@ class ProbePlanPage(QWizardPage):
             self.reach.value(),
         )
 
-    def _journal(self) -> Path:
-        chosen = self.begin.currentData()
-        if chosen:
-            return Path(chosen)
-        stamp = time.strftime("%Y%m%d-%H%M%S")
-        return self._folder / f"probes-{stamp}.journal"
-
     def _typed(self) -> None:
         self._reach_typed = self._reach_typed or self.reach.hasFocus()
 
@@ -225,12 +213,7 @@ class ProbePlanPage(QWizardPage):
         )
 
     def _browse(self) -> None:
-        dialog = QFileDialog(self, "Choose settings", filter="Settings (*.toml)")
-        dialog.setObjectName("choose_probe_settings")
-        dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
-        dialog.setModal(False)
-        dialog.fileSelected.connect(self._chosen)
-        dialog.show()
+        choose_settings(self, "choose_probe_settings", self._chosen)
 
     def _chosen(self, name: str) -> None:
         self.settings.setText(name)
