@@ -8,13 +8,13 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPushButton,
     QVBoxLayout,
     QWizardPage,
 )
 
 from rigapp.commands.probes import outcome_lines
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.calibration.certificate_writer import CertificateWriter
 from rigapp.gui.calibration.parts import larger, named, prose
 from rigapp.gui.calibration.probe_bench import ProbeBench
 from rigapp.gui.calibration.probe_parts import ProbeResidualPlot
@@ -124,23 +124,13 @@ class ProbeCertificatePage(QWizardPage):
         self.setSubTitle("The certificate is made from the record alone: the same bytes each time.")
         self.saved = prose("probe_saved", "Where the record is")
         larger(self.saved, 1.15)
-        self.pdf = QPushButton("Write the certificate as &PDF")
-        named(self.pdf, "probe_certificate_pdf", "Write the certificate as PDF")
-        self.html = QPushButton("Write the certificate as &HTML")
-        named(self.html, "probe_certificate_html", "Write the certificate as HTML")
-        self.words = prose("probe_certificate_words", "Where the certificate is")
-        row = QHBoxLayout()
-        row.addWidget(self.pdf)
-        row.addWidget(self.html)
-        row.addStretch(1)
+        writer = CertificateWriter(bench, "probe_", "Writing …")
+        self.pdf, self.html, self.words = writer.pdf, writer.html, writer.words
         column = QVBoxLayout(self)
         column.addWidget(self.saved)
-        column.addLayout(row)
+        column.addLayout(writer.row)
         column.addWidget(self.words)
         column.addStretch(1)
-        self.pdf.clicked.connect(lambda: self._write(".pdf"))
-        self.html.clicked.connect(lambda: self._write(".html"))
-        bench.said.connect(self.words.setText)
         self.setFinalPage(True)
 
     def initializePage(self) -> None:
@@ -160,16 +150,3 @@ class ProbeCertificatePage(QWizardPage):
         )
         self.words.clear()
         self.pdf.setFocus()
-
-    def _write(self, suffix: str) -> None:
-        outcome = self._bench.outcome
-        if outcome is None or outcome.saved is None:
-            return
-        from rigapp.commands.calibrate import write_certificate
-
-        record, target = outcome.saved, outcome.saved.with_suffix(suffix)
-        self.words.setText("Writing …")
-        self._bench.run(
-            lambda: write_certificate(record, target),
-            lambda _: self.words.setText(f"The certificate is {target}."),
-        )

@@ -21,6 +21,7 @@ from rigapp.commands.daily_history import STORE, History
 from rigapp.commands.live_calibration import Outcome
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.calibration.bench import Bench
+from rigapp.gui.calibration.certificate_writer import CertificateWriter
 from rigapp.gui.calibration.chart_plot import ChartPlot
 from rigapp.gui.calibration.parts import larger, named, prose
 from rigapp.gui.palette import Theme
@@ -181,27 +182,22 @@ class CertificatePage(QWizardPage):
         self.setSubTitle("The certificate is made from the record alone: the same bytes each time.")
         self.saved = prose("saved", "Where the record is")
         larger(self.saved, 1.15)
-        self.pdf = QPushButton("Write the certificate as &PDF")
-        named(self.pdf, "certificate_pdf", "Write the certificate as PDF")
-        self.html = QPushButton("Write the certificate as &HTML")
-        named(self.html, "certificate_html", "Write the certificate as HTML")
-        self.words = prose("certificate_words", "Where the certificate is")
+        writer = CertificateWriter(
+            bench, "", "Writing the certificate; the first one takes some seconds …"
+        )
+        self.pdf, self.html, self.words = writer.pdf, writer.html, writer.words
         self.use = QPushButton(USE)
         named(self.use, "use_record", "Write the name of the record into the rig file")
         self.no = QPushButton("N&o, leave it")
         named(self.no, "leave_rig_file", "Leave the rig file as it is")
         self.used = prose("use_words", "What happens to the rig file")
-        row = QHBoxLayout()
-        row.addWidget(self.pdf)
-        row.addWidget(self.html)
-        row.addStretch(1)
         rig = QHBoxLayout()
         rig.addWidget(self.use)
         rig.addWidget(self.no)
         rig.addStretch(1)
         column = QVBoxLayout(self)
         column.addWidget(self.saved)
-        column.addLayout(row)
+        column.addLayout(writer.row)
         column.addWidget(self.words)
         column.addSpacing(self.words.fontMetrics().height())
         column.addWidget(self.used)
@@ -210,9 +206,6 @@ class CertificatePage(QWizardPage):
         self._asked = False
         self.use.clicked.connect(self._use)
         self.no.clicked.connect(self._leave)
-        self.pdf.clicked.connect(lambda: self._write(".pdf"))
-        self.html.clicked.connect(lambda: self._write(".html"))
-        bench.said.connect(self.words.setText)
         self.setFinalPage(True)
 
     def initializePage(self) -> None:
@@ -266,19 +259,6 @@ class CertificatePage(QWizardPage):
         self.used.setText(
             f"{file.name} names the record now; the former file is {copy.name}. It counts when the"
             " engine is started again: close all windows of this rig, and open one after a minute."
-        )
-
-    def _write(self, suffix: str) -> None:
-        outcome = self._bench.outcome
-        if outcome is None or outcome.saved is None:
-            return
-        from rigapp.commands.calibrate import write_certificate
-
-        record, target = outcome.saved, outcome.saved.with_suffix(suffix)
-        self.words.setText("Writing the certificate; the first one takes some seconds …")
-        self._bench.run(
-            lambda: write_certificate(record, target),
-            lambda _: self.words.setText(f"The certificate is {target}."),
         )
 
 
