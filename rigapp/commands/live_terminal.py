@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 import os
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
-from calibration.live import WINDOW_S, Readiness, Window
+from calibration.live import Readiness, Window
 from calibration.plans import PlanKind, StepKind
 from calibration.procedure import ProcedureError
 from rigapp.commands.calibrate import cell_lines, refuse_existing, say_result
@@ -24,14 +23,11 @@ from rigapp.commands.live_calibration import (
     parse_pieces,
     window_of,
 )
-from rigapp.commands.practice import Action, Mistake, preparation, step_actions, tidy_up
+from rigapp.commands.practice import Mistake, preparation, step_actions, tidy_up
+from rigapp.commands.terminal_parts import LISTEN_S, act, ask_rejection, take_all, wait_ready
 from rigapp.config.calibration_settings import read_load_cell_settings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
-
-LISTEN_S = WINDOW_S + 1.0
-PATIENCE_S = 60.0
-LOOK_EVERY_S = 0.03
 
 
 class Terminal:
@@ -52,15 +48,7 @@ class Terminal:
     def run(self) -> bool:
         """Take every step; return False when the operator closes it to take it up again."""
         session = self._session
-        while not session.procedure.done:
-            procedure = session.procedure
-            self._say(f"\n[{procedure.progress}] {procedure.instruction}")
-            try:
-                if not self._step():
-                    return False
-            except ProcedureError as error:
-                self._say(f"  {error}")
-        return True
+        return take_all(lambda: session.procedure, self._step, self._say)
 
     def _step(self) -> bool:
         if self._hands is not None:
@@ -80,31 +68,22 @@ class Terminal:
 
     def _reject(self) -> None:
         taken = self._session.procedure.taken
-        for number, one in enumerate(taken, 1):
-            if not one.rejected:
-                self._say(f"  {number}: {one.mass:g} kg at {math.degrees(one.angle):.1f} degrees")
-        word = self._read("  number of the reading: ").strip()
-        if not word.isdigit():
-            self._say("  That is not a number; nothing was rejected.")
-            return
-        self._session.reject(int(word) - 1, self._read("  reason: "))
+        standing = [
+            f"{number}: {one.mass:g} kg at {math.degrees(one.angle):.1f} degrees"
+            for number, one in enumerate(taken, 1)
+            if not one.rejected
+        ]
+        ask_rejection(standing, self._session.reject, self._read, self._say)
 
     def _wait_ready(self) -> Window:
         """Return a window that is ready; raise ProcedureError when none comes in time."""
-        deadline = time.monotonic() + PATIENCE_S
-        said = ""
-        while True:
+        session = self._session
+
+        def listen() -> tuple[Window, Readiness]:
             window = window_of(self._ask("signals", {"window_s": LISTEN_S}))
-            found = self._session.look(window)
-            if found.ready:
-                return window
-            words = found.words.partition(";")[0]
-            if words != said and self._hands is None:
-                self._say(f"  {found.words} …")
-                said = words
-            if time.monotonic() > deadline + found.left:
-                raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {found.words}")
-            time.sleep(LOOK_EVERY_S)
+            return window, session.look(window)
+
+        return wait_ready(listen, self._say if self._hands is None else lambda _: None)
 
     def _take(self, window: Window) -> None:
         session = self._session
@@ -166,12 +145,12 @@ class Hands:
     def prepare(self) -> None:
         """Take the follower off and find the index."""
         for action in preparation():
-            self._do(action)
+            act(self._ask, action)
 
     def tidy_up(self) -> None:
         """Put the follower on."""
         for action in tidy_up():
-            self._do(action)
+            act(self._ask, action)
 
     def do(self, session: LiveSession) -> None:
         """Do what the step under way asks."""
@@ -181,12 +160,8 @@ class Hands:
         for action in step_actions(
             procedure, mistake, settings.place.gravity, settings.weights.hanger_mass
         ):
-            after = self._do(action)
+            after = act(self._ask, action)
             session.changed_at(after / view["sample_rate_Hz"])
-
-    def _do(self, action: Action) -> float:
-        result = self._ask(action.verb, dict(action.arguments))
-        return float(result["after_sample"]) if isinstance(result, dict) else 0.0
 
 
 def calibrate_live(

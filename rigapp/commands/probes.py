@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 from calibration.alignment import calibrate_pair, split_pair
-from calibration.live import WINDOW_S
+from calibration.live import Readiness
 from calibration.probe import calibrate_probe
 from calibration.probe_live import ProbeWindow
 from calibration.probe_procedure import ProbeStepKind
-from calibration.procedure import ProcedureError
 from calibration.readings import ReadingsError, parse_probe
 from rigapp.commands.calibrate import keep_record, read_text, refuse_existing, say_result
 from rigapp.commands.engine_line import Ask, engine_line
@@ -25,7 +23,6 @@ from rigapp.commands.live_probes import (
     plan_of,
     usual_reach_um,
 )
-from rigapp.commands.practice import Action
 from rigapp.commands.probe_practice import (
     ProbeMistake,
     probe_actions,
@@ -33,13 +30,10 @@ from rigapp.commands.probe_practice import (
     probe_tidy_up,
 )
 from rigapp.commands.probe_results import pair_lines, pair_result, probe_lines, probe_result
+from rigapp.commands.terminal_parts import LISTEN_S, act, ask_rejection, take_all, wait_ready
 from rigapp.config.calibration_settings import read_probe_settings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
-
-LISTEN_S = WINDOW_S + 1.0
-PATIENCE_S = 60.0
-LOOK_EVERY_S = 0.03
 
 
 def calibrate_probes(readings: Path, settings: Path, to: Path, *, probe: str, as_json: bool) -> int:
@@ -87,15 +81,7 @@ class ProbeTerminal:
     def run(self) -> bool:
         """Take every step; return False when the operator closes it to take it up again."""
         session = self._session
-        while not session.procedure.done:
-            procedure = session.procedure
-            self._say(f"\n[{procedure.progress}] {procedure.instruction}")
-            try:
-                if not self._step():
-                    return False
-            except ProcedureError as error:
-                self._say(f"  {error}")
-        return True
+        return take_all(lambda: session.procedure, self._step, self._say)
 
     def _step(self) -> bool:
         if self._hands is not None:
@@ -124,33 +110,22 @@ class ProbeTerminal:
 
     def _reject(self) -> None:
         procedure = self._session.procedure
-        for number, one in enumerate(procedure.taken, 1):
-            if not one.rejected:
-                series = procedure.steps[one.step].series
-                self._say(f"  {number}: series {series}, {1e6 * one.position:g} um")
-        word = self._read("  number of the reading: ").strip()
-        if not word.isdigit():
-            self._say("  That is not a number; nothing was rejected.")
-            return
-        self._session.reject(int(word) - 1, self._read("  reason: "))
+        standing = [
+            f"{number}: series {procedure.steps[one.step].series}, {1e6 * one.position:g} um"
+            for number, one in enumerate(procedure.taken, 1)
+            if not one.rejected
+        ]
+        ask_rejection(standing, self._session.reject, self._read, self._say)
 
     def _wait_ready(self) -> ProbeWindow:
         """Return a window that is ready; raise ProcedureError when none comes in time."""
         session = self._session
-        deadline = time.monotonic() + PATIENCE_S
-        said = ""
-        while True:
+
+        def listen() -> tuple[ProbeWindow, Readiness]:
             window = session.window_of(self._ask("signals", {"window_s": LISTEN_S}))
-            found = session.look(window)
-            if found.ready:
-                return window
-            words = found.words.partition(";")[0]
-            if words != said and self._hands is None:
-                self._say(f"  {found.words} …")
-                said = words
-            if time.monotonic() > deadline + found.left:
-                raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {found.words}")
-            time.sleep(LOOK_EVERY_S)
+            return window, session.look(window)
+
+        return wait_ready(listen, self._say if self._hands is None else lambda _: None)
 
     def _take(self, position: float | None) -> None:
         session = self._session
@@ -175,12 +150,12 @@ class ProbeHands:
     def prepare(self) -> None:
         """Take the follower off."""
         for action in probe_preparation():
-            self._do(action)
+            act(self._ask, action)
 
     def tidy_up(self) -> None:
         """Put the follower on."""
         for action in probe_tidy_up():
-            self._do(action)
+            act(self._ask, action)
 
     def do(self, session: LiveProbeSession) -> None:
         """Do what the step under way asks."""
@@ -188,11 +163,7 @@ class ProbeHands:
         mistake = self._mistake if procedure.position >= self._since else ProbeMistake.NONE
         view = self._ask("signals", {"window_s": LISTEN_S})
         for action in probe_actions(procedure, mistake, self._since):
-            session.changed_at(self._do(action) / view["sample_rate_Hz"])
-
-    def _do(self, action: Action) -> float:
-        result = self._ask(action.verb, dict(action.arguments))
-        return float(result["after_sample"]) if isinstance(result, dict) else 0.0
+            session.changed_at(act(self._ask, action) / view["sample_rate_Hz"])
 
 
 def calibrate_probes_live(
