@@ -13,7 +13,7 @@ from rigapp.gui.calibration.probe_bench import ProbeBench
 from rigapp.gui.calibration.probe_plan_page import ProbePlanPage
 from rigapp.gui.calibration.probe_readings_page import ProbeReadingsPage
 from rigapp.gui.calibration.probe_result_pages import ProbeCertificatePage, ProbeResultPage
-from rigapp.gui.calibration.wizard import BUTTONS
+from rigapp.gui.calibration.wizard import dress, name_buttons
 from rigapp.gui.palette import Theme
 
 
@@ -31,12 +31,7 @@ class ProbeWizard(QWizard):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.setObjectName("probe_wizard")
-        self.setWindowTitle("Calibrate the probes – rigapp")
-        self.setAccessibleName("Calibration of the probes")
-        self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
-        self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
-        self.setModal(False)
+        dress(self, "probe_wizard", "the probes")
         self.bench = ProbeBench(line, rig)
         self.plan = ProbePlanPage(self.bench, folder, probe, settings)
         self.plan.setCommitPage(True)
@@ -45,10 +40,6 @@ class ProbeWizard(QWizard):
         self.certificate = ProbeCertificatePage(self.bench)
         for page in (self.plan, self.readings, self.result_page, self.certificate):
             self.addPage(page)
-        for which, (text, spoken) in BUTTONS.items():
-            self.setButtonText(which, text)
-            button = self.button(which)
-            button.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
-            button.setAccessibleName(spoken)
+        name_buttons(self)
         self.finished.connect(lambda _: self.bench.close())
         self.resize(QSize(1040, 820))

@@ -25,6 +25,25 @@ BUTTONS = {
 }
 
 
+def dress(wizard: QWizard, name: str, what: str) -> None:
+    """Give a wizard for the calibration of something its name, title and style."""
+    wizard.setObjectName(name)
+    wizard.setWindowTitle(f"Calibrate {what} – rigapp")
+    wizard.setAccessibleName(f"Calibration of {what}")
+    wizard.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
+    wizard.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
+    wizard.setModal(False)
+
+
+def name_buttons(wizard: QWizard) -> None:
+    """Give the buttons of a wizard their words and names."""
+    for which, (text, spoken) in BUTTONS.items():
+        wizard.setButtonText(which, text)
+        button = wizard.button(which)
+        button.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
+        button.setAccessibleName(spoken)
+
+
 class CalibrationWizard(QWizard):
     """Guide through the calibration of the load cell. Closing loses no reading."""
 
@@ -38,12 +57,7 @@ class CalibrationWizard(QWizard):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.setObjectName("calibration_wizard")
-        self.setWindowTitle("Calibrate the load cell – rigapp")
-        self.setAccessibleName("Calibration of the load cell")
-        self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
-        self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
-        self.setModal(False)
+        dress(self, "calibration_wizard", "the load cell")
         self.bench = Bench(line, rig)
         self.plan = PlanPage(self.bench, folder, settings)
         self.angle = AnglePage(self.bench, theme)
@@ -58,10 +72,6 @@ class CalibrationWizard(QWizard):
             self.certificate,
         ):
             self.addPage(page)
-        for which, (text, spoken) in BUTTONS.items():
-            self.setButtonText(which, text)
-            button = self.button(which)
-            button.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
-            button.setAccessibleName(spoken)
+        name_buttons(self)
         self.finished.connect(lambda _: self.bench.close())
         self.resize(QSize(1040, 820))
