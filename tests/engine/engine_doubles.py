@@ -184,7 +184,7 @@ class FakeSource:
         return self.streaming and not (self.lost or self.silent or self.broken is not None)
 
     def zero(self, inputs: Sequence[str]) -> None:
-        raise NotImplementedError
+        raise NotImplementedError("the engine averages the samples for a zero itself")
 
     def stop(self) -> None:
         self.streaming = False

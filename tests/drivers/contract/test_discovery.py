@@ -187,7 +187,7 @@ def test_usual_baud_rates_are_tried_in_turn(monkeypatch: pytest.MonkeyPatch, dev
 
 def _info(probe: Probe) -> DriverInfo:
     def factory(name: str, port: str, settings: Any) -> Any:
-        raise NotImplementedError
+        raise NotImplementedError("discovery only probes, it opens no device")
 
     return DriverInfo("other", f"Another box {id(probe)}", DriverKind.SPINDLE, factory, probe=probe)
 
