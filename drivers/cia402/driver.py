@@ -256,7 +256,7 @@ class Cia402Drive:
             node.beat()
             readings = self._readings
             assert readings is not None
-            motion, late = readings.motion()
+            motion = readings.motion()
             self._judge_restart(setup)
             condition = readings.condition()
             faults = readings.faults(motion, condition, running=self._target is not None)
@@ -264,7 +264,7 @@ class Cia402Drive:
                 faults.insert(0, self._trip)
             elif faults and self._target is not None:
                 self._trip = faults[0]
-            warnings = readings.warnings(motion, late)
+            warnings = readings.warnings(motion)
             if self._rounding:
                 warnings.append(self._rounding)
             return self._drive_status(setup, motion, condition, faults, warnings)
@@ -284,6 +284,7 @@ class Cia402Drive:
             "frames_sent": node.frames_sent,
             "bad_frames": node.bad_frames,
             "retries": node.retries,
+            "late_pdos": 0 if self._readings is None else self._readings.late_pdos,
             "emergencies": self._monitor.emergencies,
         }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,6 +20,8 @@ from drivers.cia402.protocol import (
     describe_code,
     state_of,
 )
+
+_log = logging.getLogger(__name__)
 
 _HEARTBEATS_MISSED: Final = 3
 _HEARTBEAT_LEAST_S: Final = 0.5
@@ -48,9 +51,10 @@ class Readings:
         self._settings = settings
         self._polls = 0
         self._condition = Condition()
+        self.late_pdos = 0
 
-    def motion(self) -> tuple[Motion, bool]:
-        """Return the present motion, and whether its PDOs were late and had to be replaced."""
+    def motion(self) -> Motion:
+        """Return the present motion; PDOs that are late are counted, logged and replaced."""
         node, monitor = self._node, self._monitor
         expected = self._setup.synchronous and monitor.node_state == NodeState.OPERATIONAL
         if expected:
@@ -59,8 +63,14 @@ class Readings:
             timeout_s = float(self._settings["pdo_timeout_ms"]) * 1e-3
             motion = monitor.wait_for_motion(marks, timeout_s)
             if motion is not None:
-                return motion, False
-        return Motion(node.read(0x6041), node.read(0x606C), node.read(0x6064)), expected
+                return motion
+            self.late_pdos += 1
+            _log.warning(
+                "%s on %s: speed and position came late after SYNC and were asked for singly",
+                node.device,
+                node.port,
+            )
+        return Motion(node.read(0x6041), node.read(0x606C), node.read(0x6064))
 
     def condition(self) -> Condition:
         """Return the current, and in turn a new supply, temperature or safe torque off."""
@@ -109,11 +119,9 @@ class Readings:
             return [f"the node has left OPERATIONAL (state {node_state})"]
         return []
 
-    def warnings(self, motion: Motion, late: bool) -> list[str]:
+    def warnings(self, motion: Motion) -> list[str]:
         """Return what the operator should know, in words."""
         warnings = [f"came and went: {e.words}" for e in self._monitor.take_passed()]
-        if late:
-            warnings.append("speed and position came late after SYNC and were asked for singly")
         if motion.status_word & WARNING_BIT:
             warnings.append("the drive warns (bit 7 of the status word)")
         if motion.status_word & INTERNAL_LIMIT_BIT:

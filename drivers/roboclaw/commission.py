@@ -86,8 +86,7 @@ def _generation(link: Link, firmware: str, status_width: str) -> Generation:
             link.read(Command.STATUS)
         except (ProtocolError, ReplyTimeout):
             continue
-        link.take_events()
-        link.crc_errors = 0
+        link.crc_errors = link.retries = link.late_bytes = 0
         return link.generation
     raise WrongDevice(
         link.device,
@@ -159,8 +158,17 @@ def _set_watchdog(link: Link, units: int) -> None:
     def in_effect() -> bool:
         return link.read(Command.GET_TIMEOUT) == (units,)
 
-    link.write(Command.SET_TIMEOUT, units, in_effect=in_effect)
-    (found,) = link.read(Command.GET_TIMEOUT)
+    try:
+        link.write(Command.SET_TIMEOUT, units, in_effect=in_effect)
+        (found,) = link.read(Command.GET_TIMEOUT)
+    except ReplyTimeout as error:
+        link.read(Command.STATUS)  # a drive that answers this is not silent: it lacks the command
+        raise _refused(
+            link,
+            "this firmware has no watchdog: it does not answer SET_TIMEOUT and GET_TIMEOUT "
+            f"({Command.SET_TIMEOUT:d}, {Command.GET_TIMEOUT:d}), and the spindle must not turn "
+            "without one; update the drive's firmware.",
+        ) from error
     if found != units:
         raise _refused(
             link,

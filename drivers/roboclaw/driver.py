@@ -41,7 +41,7 @@ from drivers.roboclaw.protocol import (
 )
 from drivers.roboclaw.readings import Readings, StatusReader
 from drivers.roboclaw.settings import SETTINGS
-from drivers.roboclaw.status import describe_status
+from drivers.roboclaw.status import StatusWords, describe_status
 from drivers.transport import SerialPort, byte_counters
 
 _MAXIMUM_SPEED: Final = 2**31 - 1
@@ -217,25 +217,43 @@ class RoboClaw:
         link.write(self._of(Command.DUTY_M1, Command.DUTY_M2), 0, in_effect=in_effect)
 
     def reset_fault(self) -> None:
-        """Switch the motor off and release a latched emergency stop whose input is gone.
+        """Switch the motor off, forget the watchdog's stop and release a latched emergency stop.
 
-        Raises DeviceFault when the emergency stop stays, with what to do.
+        The drive is asked for a release only when it reports the stop: not every drive has that
+        command. Raises DeviceFault with what to do when a fault of the drive stays.
         """
         with self._lock:
             link = self._link()
             self._off(link)
-            link.write(Command.RESET_EMERGENCY_STOP)
             self._silence_s = 0.0
-            (state,) = link.read(Command.STATUS)
-            if not describe_status(state, link.generation.status_bits).emergency_stop:
-                return
+            words = self._words(link)
+            if words.emergency_stop:
+                remedy = self._release_stop(link)
+                words = self._words(link)
+        if words.emergency_stop:
+            sentence = f"the emergency stop stays: {remedy}."
+            raise DeviceFault(self.name, self.port, sentence)
+        if words.faults:
+            sentence = f"{', '.join(words.faults)}: remove the cause, then reset again."
+            raise DeviceFault(self.name, self.port, sentence)
+
+    def _words(self, link: Link) -> StatusWords:
+        (state,) = link.read(Command.STATUS)
+        return describe_status(state, link.generation.status_bits)
+
+    def _release_stop(self, link: Link) -> str:
+        """Ask the drive to release its emergency stop; return what to do when it stays."""
+        try:
+            link.write(Command.RESET_EMERGENCY_STOP)
             (lock,) = link.read(Command.EMERGENCY_STOP_LOCK)
-        remedy = (
-            "switch the drive off and on"
-            if lock == EmergencyStopLock.HARDWARE
-            else "release the emergency stop button first"
-        )
-        raise DeviceFault(self.name, self.port, f"the emergency stop stays: {remedy}.")
+        except (ReplyTimeout, ProtocolError):
+            return (
+                "release the emergency stop button; if it is released, a reset by command is not "
+                "available in this drive: switch the drive off and on, then connect again"
+            )
+        if lock == EmergencyStopLock.HARDWARE:
+            return "switch the drive off and on"
+        return "release the emergency stop button first"
 
     # --- reading ---------------------------------------------------------------------------------
 
@@ -266,6 +284,7 @@ class RoboClaw:
             **byte_counters(serial),
             "crc_errors": link.crc_errors,
             "retries": link.retries,
+            "late_bytes": link.late_bytes,
         }
 
     def _drive_status(self, link: Link, request: DriveRequest, read: Readings) -> DriveStatus:
@@ -287,7 +306,7 @@ class RoboClaw:
             enabled=self._target is not None and not faults,
             emergency_stop=words.emergency_stop,
             faults=faults,
-            warnings=words.warnings + link.take_events(),
+            warnings=words.warnings,
             crc_errors=link.crc_errors,
         )
 

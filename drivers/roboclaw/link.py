@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections.abc import Callable
@@ -28,7 +29,13 @@ LONGEST_REPLY: Final = 58
 BITS_PER_BYTE: Final = 10
 FLUSH_LIMIT: Final = 65536
 
+_UNACKNOWLEDGED: Final = "not acknowledged by FF"
+_REPEATED_BECAUSE: Final = {"crc": "wrong CRC"}
+_NO_REPLY: Final = "missing or short reply"
+
 _Reply = TypeVar("_Reply")
+
+_log = logging.getLogger(__name__)
 
 
 class Link:
@@ -36,6 +43,9 @@ class Link:
 
     Not thread-safe: the driver holds its lock around every call. ``hurry`` may be set by any
     thread; it ends the retries of a call under way, so that a stop need not wait for them.
+
+    What the line spoils is counted (``crc_errors``, ``retries``, ``late_bytes``), and a packet that
+    came through only when repeated goes to the log: neither says anything of the drive.
     """
 
     def __init__(
@@ -47,18 +57,12 @@ class Link:
         self.address = address
         self._byte_s = BITS_PER_BYTE / baud
         self._timeout_s = timeout_s
-        self._events: list[str] = []
         self.generation: Generation = NEWER
         self.hurry = threading.Event()
         self.crc_errors = 0
         self.retries = 0
+        self.late_bytes = 0
         self.last_sent_ns = time.monotonic_ns()
-
-    def take_events(self) -> tuple[str, ...]:
-        """Return what went wrong and was mended since the last call, each once."""
-        events = tuple(dict.fromkeys(self._events))
-        self._events.clear()
-        return events
 
     def read(self, command: int, tries: int = TRIES) -> tuple[int, ...]:
         """Return the numbers of a reply.
@@ -105,13 +109,15 @@ class Link:
                 self.retries += 1
                 self._wait_for_quiet()
                 if in_effect is not None and in_effect():
+                    self._tell_repeated(_UNACKNOWLEDGED)
                     return
             self._send(packet)
             answer = self._serial.read_some(1, self._reply_timeout(len(packet) + 1))
             if answer == ACKNOWLEDGE:
+                if failures:
+                    self._tell_repeated(_UNACKNOWLEDGED)
                 return
             failures.append(f"answered {answer.hex().upper()} instead of FF" if answer else "")
-            self._events.append("a command was repeated: not acknowledged by FF")
             if self.hurry.is_set():
                 break
         raise self._failure(command, failures)
@@ -120,25 +126,25 @@ class Link:
         self, command: int, exchange: Callable[[], _Reply | Rejected], tries: int
     ) -> _Reply:
         failures: list[str] = []
+        because: set[str] = set()
         for attempt in range(tries):
             if attempt:
                 self.retries += 1
                 self._wait_for_quiet()
             result = exchange()
             if not isinstance(result, Rejected):
+                for reason in sorted(because):
+                    self._tell_repeated(reason)
                 return result
             failures.append("" if result.sentence.startswith("0 ") else result.sentence)
-            self._count(result)
+            because.add(_REPEATED_BECAUSE.get(result.kind, _NO_REPLY))
+            self.crc_errors += result.kind == "crc"
             if self.hurry.is_set():
                 break
         raise self._failure(command, failures)
 
-    def _count(self, rejected: Rejected) -> None:
-        if rejected.kind == "crc":
-            self.crc_errors += 1
-            self._events.append("a reply with a wrong CRC was repeated")
-        else:
-            self._events.append("a missing or short reply was repeated")
+    def _tell_repeated(self, reason: str) -> None:
+        _log.warning("%s on %s: a packet was repeated: %s", self.device, self.port, reason)
 
     def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
         name = Command(command).name
@@ -161,8 +167,7 @@ class Link:
         return self._timeout_s + wire_bytes * self._byte_s
 
     def _send(self, packet: bytes) -> None:
-        if self._serial.read_some(FLUSH_LIMIT, 0.0):
-            self._events.append("late or repeated reply bytes were discarded")
+        self.late_bytes += len(self._serial.read_some(FLUSH_LIMIT, 0.0))
         self._serial.write(packet)
         self.last_sent_ns = time.monotonic_ns()
 
@@ -181,7 +186,7 @@ class Link:
     def _wait_for_quiet(self) -> None:
         """Wait until the line is silent for longer than the drive's own packet time-out."""
         deadline = time.monotonic() + self._reply_timeout(LONGEST_REPLY)
-        while self._serial.read_some(LONGEST_REPLY, QUIET_S):
-            self._events.append("late or repeated reply bytes were discarded")
+        while late := self._serial.read_some(LONGEST_REPLY, QUIET_S):
+            self.late_bytes += len(late)
             if time.monotonic() > deadline:
                 return

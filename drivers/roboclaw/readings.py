@@ -33,7 +33,6 @@ def can_combine(link: Link) -> bool:
     try:
         link.read(Command.COMBINED_STATUS, tries=2)
     except (ReplyTimeout, ProtocolError):
-        link.take_events()
         return False
     return True
 

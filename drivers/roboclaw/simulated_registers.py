@@ -71,7 +71,7 @@ class Registers:
         motor: int,
         saved: Memory,
         logic_V: float,
-        combined_status: bool,
+        unknown: frozenset[int],
         plan: RoboClawFaults,
     ) -> None:
         self.generation = generation
@@ -81,9 +81,10 @@ class Registers:
         self._plan = plan
         self._state = MotorState(0, 0.0, 0.0)
         self._readers = self._board_readers() | self._motor_readers(0) | self._motor_readers(1)
-        if not combined_status:
-            del self._readers[Command.COMBINED_STATUS]
         self._writers = self._board_writers() | self._motor_writers(0) | self._motor_writers(1)
+        for command in unknown:
+            self._readers.pop(command, None)
+            self._writers.pop(command, None)
         self.power_on(0.0)
 
     def power_on(self, time_s: float) -> None:
@@ -116,8 +117,8 @@ class Registers:
         return driven
 
     def knows(self, command: int) -> bool:
-        """Tell whether a command is a read that this drive answers."""
-        return command in self._readers
+        """Tell whether a command is one that this drive answers."""
+        return command in self._readers or command in self._writers
 
     def read(self, command: int, time_s: float) -> bytes:
         """Return the data of a reply, without its CRC."""
@@ -141,8 +142,8 @@ class Registers:
             self.power_off()
 
     def _releases_itself(self, modes: int) -> bool:
-        if modes == 3:
-            return self.memory.pin_modes[0] not in _LATCHING_MODES[3]
+        if modes == 3 or Command.SET_EMERGENCY_STOP_LOCK not in self._writers:
+            return self.memory.pin_modes[0] not in _LATCHING_MODES[modes]
         return self.memory.stop_lock == EmergencyStopLock.AUTOMATIC
 
     # --- conditions ------------------------------------------------------------------------------

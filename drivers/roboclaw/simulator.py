@@ -37,8 +37,9 @@ class RoboClawSimulator:
     layouts follow from it unless status_width, pin_modes, voltage_offset or combined_status say
     otherwise. inter_byte_timeout_s: a longer gap inside a packet discards it; 0.01 on the real
     drive, longer by default because a busy host pauses inside a packet. serial_timeout: watchdog
-    at power-on in units of 0.1 s. qpps: speed limit of both motors in counts/s. faults: ``Fault``
-    records or tables of their fields.
+    at power-on in units of 0.1 s. qpps: speed limit of both motors in counts/s. unknown_commands:
+    numbers that this firmware lacks and is silent to (200 to 202 are not in every manual). faults:
+    ``Fault`` records or tables of their fields.
     """
 
     def __init__(
@@ -56,6 +57,7 @@ class RoboClawSimulator:
         serial_timeout: int = 0,
         qpps: int = 44000,
         logic_V: float = 12.1,
+        unknown_commands: Iterable[int] = (),
         faults: Iterable[Fault[FaultKind] | Mapping[str, Any]] = (),
     ) -> None:
         generation = _generation(firmware, status_width, pin_modes, voltage_offset)
@@ -69,7 +71,10 @@ class RoboClawSimulator:
         self.generation = generation
         self.watchdog_tripped = False
         self._plan = FaultPlan(FaultKind, faults)
-        self._registers = Registers(generation, motor, saved, logic_V, combined_status, self._plan)
+        unknown = frozenset(unknown_commands)
+        if not combined_status:
+            unknown |= {Command.COMBINED_STATUS}
+        self._registers = Registers(generation, motor, saved, logic_V, unknown, self._plan)
         self._address = address
         self._any_address = any_address
         self._firmware = firmware
@@ -162,8 +167,7 @@ class RoboClawSimulator:
         address, command = self._buffer[:2]
         mine = 0x80 <= address <= 0x87 if self._any_address else address == self._address
         layout = write_format(command, self._registers.generation)
-        readable = command == Command.VERSION or self._registers.knows(command)
-        if not mine or (layout is None and not readable):
+        if not mine or not (command == Command.VERSION or self._registers.knows(command)):
             self._buffer = b""
             return None
         length = 2 if layout is None else 4 + struct.calcsize(layout)

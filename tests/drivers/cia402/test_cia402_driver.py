@@ -534,7 +534,11 @@ def test_quick_stop_is_the_drives_own(drive_rig: Any, connect: Any, wait_until: 
 
 @pytest.mark.parametrize("fault", ["late_tpdo", "no_tpdo"])
 def test_late_and_missing_pdos_are_told_and_replaced(
-    drive_rig: Any, connect: Any, wait_until: Any, fault: str
+    drive_rig: Any,
+    connect: Any,
+    wait_until: Any,
+    caplog: pytest.LogCaptureFixture,
+    fault: str,
 ) -> None:
     rig = drive_rig()
     drive = connect(rig, pdo_timeout_ms=20.0)
@@ -542,10 +546,17 @@ def test_late_and_missing_pdos_are_told_and_replaced(
     wait_until(lambda: rig.speed_rpm == 60, "the speed")
     rig.simulator.inject(fault)
     status = drive.status()
-    assert any("late after SYNC" in warning for warning in status.warnings)
+    assert "late after SYNC" in caplog.text
+    assert drive.counters()["late_pdos"] > 0
+    assert not status.warnings, "the bus is no warning of the drive"
     assert status.speed_rev_per_s == pytest.approx(1.0)
     rig.simulator.clear(fault)
-    wait_until(lambda: not drive.status().warnings, "the PDOs to be in time again")
+
+    def in_time() -> bool:
+        before = drive.counters()["late_pdos"]
+        return not drive.status().faults and drive.counters()["late_pdos"] == before
+
+    wait_until(in_time, "the PDOs to be in time again")
 
 
 def test_an_abort_in_a_run_names_the_object(drive_rig: Any, connect: Any) -> None:

@@ -23,6 +23,8 @@ from drivers.api import (
 Make = Callable[..., SpindleBench]
 SAFE_S = WATCHDOG_S + 1.5
 PATIENT_S = 5.0
+BORNE = ("nothing", "warning", "log")
+"""What is told when the spindle goes on turning."""
 
 
 def test_open_configure_turn_stop_close_reopen_twice(spindle: Contract, bench: Make) -> None:
@@ -106,22 +108,22 @@ def test_a_silent_host_stops_the_motor(spindle: Contract, bench: Make) -> None:
 
 
 def test_fault_is_told_in_time_and_the_spindle_is_safe(
-    spindle_fault: tuple[Contract, ExpectedFault], bench: Make
+    spindle_fault: tuple[Contract, ExpectedFault], bench: Make, caplog: pytest.LogCaptureFixture
 ) -> None:
     spindle, fault = spindle_fault
     b = bench(spindle, **fault.settings)
     b.connect()
     b.turn()
     b.port.start_fault(fault)
-    told, words = _poll_until_told(b, fault)
+    told, words = _poll_until_told(b, fault, caplog)
     assert told in fault.tells, f"{fault.name}: told {told}: {words}"
     assert re.search(fault.words, words), words
-    if told not in ("nothing", "warning"):
+    if told not in BORNE:
         with contextlib.suppress(DeviceError):
             b.driver.drive_off()
         b.stops_within(SAFE_S, b.port.time_s, "the spindle to be safe")
     b.port.stop_fault(fault)
-    if told in ("nothing", "warning"):
+    if told in BORNE:
         b.turn(1.0)
     elif told == "fault":
         _resets(b)
@@ -144,7 +146,9 @@ def test_a_cut_can_frame_is_counted_and_not_taken(bench: Make) -> None:
     _is_true(b, status)
 
 
-def _poll_until_told(b: SpindleBench, fault: ExpectedFault) -> tuple[str, str]:
+def _poll_until_told(
+    b: SpindleBench, fault: ExpectedFault, log: pytest.LogCaptureFixture
+) -> tuple[str, str]:
     """Poll as the engine does; return what was told and in which words. Values must be true."""
     patience = 1.0 if "nothing" in fault.tells else PATIENCE
     deadline = b.port.time_s + patience * fault.within_s
@@ -161,6 +165,8 @@ def _poll_until_told(b: SpindleBench, fault: ExpectedFault) -> tuple[str, str]:
                 return told
             continue
         _is_true(b, status)
+        if "log" in fault.tells and log.text and re.search(fault.words, log.text):
+            return "log", log.text
         if status.warnings and "warning" in fault.tells:
             return "warning", "; ".join(status.warnings)
         time.sleep(0.01)

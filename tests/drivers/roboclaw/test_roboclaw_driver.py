@@ -417,6 +417,82 @@ def test_a_hardware_locked_stop_asks_for_the_switch(
         drive.reset_fault()
 
 
+STOP_COMMANDS = (
+    Command.RESET_EMERGENCY_STOP,
+    Command.SET_EMERGENCY_STOP_LOCK,
+    Command.EMERGENCY_STOP_LOCK,
+)
+
+
+def test_a_board_without_a_reset_of_the_stop_says_to_switch_it_off_and_on(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig(unknown_commands=STOP_COMMANDS)
+    drive = connect(rig, reply_timeout_ms=50.0)
+    rig.simulator.inject("emergency_stop")
+    wait_until(lambda: drive.status().emergency_stop, "the emergency stop")
+    rig.simulator.clear("emergency_stop")
+    with pytest.raises(DeviceFault, match=r"not available.*switch the drive off and on"):
+        drive.reset_fault()
+    rig.simulator.inject("reset", value=0.0)
+    drive.close()
+    again = connect(rig, reply_timeout_ms=50.0)
+    again.reset_fault()
+    assert not again.status().faults
+
+
+@pytest.mark.parametrize("unknown", [(), STOP_COMMANDS])
+def test_nothing_is_asked_of_the_stop_while_it_is_not_reported(
+    drive_rig: Any, connect: Any, wait_until: Any, unknown: tuple[Command, ...]
+) -> None:
+    rig = drive_rig(unknown_commands=unknown)
+    drive = connect(rig, watchdog_s=0.5, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.simulator.watchdog_tripped, "the drive's watchdog")
+    assert any("watchdog" in fault for fault in drive.status().faults)
+    sent = len(rig.wire.received)
+    drive.reset_fault()
+    assert write_packet(0x80, Command.RESET_EMERGENCY_STOP) not in bytes(rig.wire.received[sent:])
+    assert not drive.status().faults
+
+
+def test_the_watchdogs_fault_goes_although_the_emergency_stop_stays(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, watchdog_s=0.5, **PATIENT)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.simulator.watchdog_tripped, "the drive's watchdog")
+    rig.simulator.inject("emergency_stop")
+    wait_until(lambda: len(drive.status().faults) == 2, "both faults")
+    with pytest.raises(DeviceFault, match="release the emergency stop button"):
+        drive.reset_fault()
+    assert drive.status().faults == ("emergency stop",)
+
+
+def test_a_fault_whose_cause_is_still_there_is_named_by_the_reset(
+    drive_rig: Any, connect: Any, wait_until: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    rig.simulator.inject("driver_fault")
+    wait_until(lambda: drive.status().faults != (), "the fault")
+    with pytest.raises(DeviceFault, match="driver fault M1: remove the cause"):
+        drive.reset_fault()
+
+
+def test_firmware_without_a_serial_time_out_has_no_watchdog(
+    drive_rig: Any, request_for: Any
+) -> None:
+    for unknown in ((Command.GET_TIMEOUT,), (Command.GET_TIMEOUT, Command.SET_TIMEOUT)):
+        rig = drive_rig(unknown_commands=unknown)
+        drive = RoboClaw("drive", rig.port, {"reply_timeout_ms": 50.0})
+        drive.open()
+        with pytest.raises(SettingRefused, match=r"no watchdog.*GET_TIMEOUT"):
+            drive.configure(request_for())
+        drive.close()
+
+
 @pytest.mark.parametrize("settings", [{}, {"combined_status": "never"}])
 def test_a_restart_of_the_drive_is_noticed(
     drive_rig: Any, connect: Any, settings: dict[str, Any]
@@ -448,14 +524,17 @@ def test_a_restart_with_a_long_silence_is_a_missing_reply(drive_rig: Any, connec
 # --- the link -------------------------------------------------------------------------------------
 
 
-def test_a_wrong_crc_is_counted_and_repeated(drive_rig: Any, connect: Any) -> None:
+def test_a_wrong_crc_is_counted_and_repeated(
+    drive_rig: Any, connect: Any, caplog: pytest.LogCaptureFixture
+) -> None:
     rig = drive_rig()
     drive = connect(rig, **PATIENT)
     rig.simulator.inject("wrong_crc", count=2)
     status = drive.status()
-    assert status.crc_errors == 2
-    assert any("CRC" in warning for warning in status.warnings)
-    assert not drive.status().warnings
+    assert status.crc_errors == drive.counters()["crc_errors"] == 2
+    assert drive.counters()["retries"] == 2
+    assert not status.warnings, "the line is no warning of the drive"
+    assert f"drive on {rig.port}: a packet was repeated: wrong CRC" in caplog.text
 
 
 def test_only_wrong_crcs_are_an_error_with_what_was_seen(drive_rig: Any, connect: Any) -> None:
@@ -466,11 +545,14 @@ def test_only_wrong_crcs_are_an_error_with_what_was_seen(drive_rig: Any, connect
         drive.status()
 
 
-def test_a_missing_reply_is_repeated_and_told(drive_rig: Any, connect: Any) -> None:
+def test_a_missing_reply_is_repeated_and_told(
+    drive_rig: Any, connect: Any, caplog: pytest.LogCaptureFixture
+) -> None:
     rig = drive_rig()
     drive = connect(rig, reply_timeout_ms=100.0)
     rig.simulator.inject("no_reply", count=1)
-    assert any("missing" in warning for warning in drive.status().warnings)
+    assert not drive.status().warnings
+    assert "a packet was repeated: missing or short reply" in caplog.text
 
 
 @pytest.mark.parametrize("fault", ["slow_reply", "duplicated_reply"])
@@ -486,22 +568,28 @@ def test_late_and_repeated_replies_do_not_become_wrong_values(
         status = drive.status()
         assert status.speed_rev_per_s == 0.0
         assert status.supply_V == pytest.approx(48.0)
-        return any("late or repeated" in warning for warning in status.warnings)
+        assert not status.warnings, "the line is no warning of the drive"
+        return bool(drive.counters()["late_bytes"] > 0)
 
-    wait_until(told, "the warning")
+    wait_until(told, "the late bytes to be counted")
 
 
 @pytest.mark.parametrize("fault", ["wrong_acknowledge", "no_reply", "lost_command"])
 @pytest.mark.parametrize("settings", [{}, {"combined_status": "never"}])
 def test_a_write_is_obeyed_once_although_its_answer_failed(
-    drive_rig: Any, connect: Any, wait_until: Any, fault: str, settings: dict[str, Any]
+    drive_rig: Any,
+    connect: Any,
+    wait_until: Any,
+    caplog: pytest.LogCaptureFixture,
+    fault: str,
+    settings: dict[str, Any],
 ) -> None:
     rig = drive_rig()
     drive = connect(rig, reply_timeout_ms=100.0, **settings)
     rig.simulator.inject(fault, count=1, target=int(Command.RAMP_SPEED_M1))
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
-    assert any("not acknowledged by FF" in warning for warning in drive.status().warnings)
+    assert "a packet was repeated: not acknowledged by FF" in caplog.text
 
 
 def test_a_command_that_never_arrives_is_an_error(drive_rig: Any, connect: Any) -> None:
