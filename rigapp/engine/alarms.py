@@ -14,13 +14,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from rigapp.engine.causes import Cause
+from rigapp.engine.loglines import AlarmChange, What
 from rigapp.engine.messages import Alarm, Severity
 from rigapp.engine.run import Refused
 
 LONGEST_SHELF_S = 12 * 3600.0
 
-Changed = Callable[[Alarm, str, str], None]
-"""Told of every change: the alarm, what happened, and who or what did it."""
+Changed = Callable[[Alarm, AlarmChange, str], None]
+"""Told of every change: the alarm after it, what happened, and who or what did it."""
 
 
 @dataclass(slots=True)
@@ -108,7 +109,7 @@ class AlarmBook:
                 fresh.shelved_until = entry.shelved_until
             self._entries[cause.key] = fresh
             alarm = fresh.alarm(now)
-        self._on_change(alarm, "raised, first out" if first else "raised", "engine")
+        self._tell("raised", alarm, "engine", first_out=first)
         return True
 
     def clear(self, key: str) -> None:
@@ -122,7 +123,7 @@ class AlarmBook:
             alarm = entry.alarm(now)
             if entry.acknowledged and not entry.cause.latched and entry.shelved_until <= now:
                 del self._entries[key]
-        self._on_change(alarm, "cleared", "engine")
+        self._tell("cleared", alarm, "engine")
 
     def acknowledge(self, key: str, operator: str) -> Alarm:
         """Acknowledge an alarm; raise Refused when there is none of that key."""
@@ -133,7 +134,7 @@ class AlarmBook:
             alarm = entry.alarm(now)
             if not entry.active and not entry.cause.latched:
                 del self._entries[key]
-        self._on_change(alarm, "acknowledged", operator)
+        self._tell("acknowledged", alarm, operator)
         return alarm
 
     def shelve(self, key: str, reason: str, seconds: float, operator: str) -> Alarm:
@@ -151,7 +152,7 @@ class AlarmBook:
             entry.shelved_until = now + seconds
             self._shelved = True
             alarm = entry.alarm(now)
-        self._on_change(alarm, f"shelved for {seconds:g} s: {reason.strip()}", operator)
+        self._tell("shelved", alarm, operator, reason=reason.strip(), seconds=seconds)
         return alarm
 
     def look(self) -> None:
@@ -172,7 +173,7 @@ class AlarmBook:
             self._shelved = any(entry.shelved_until > 0.0 for entry in self._entries.values())
             back = [entry.alarm(now) for _, entry in over]
         for alarm in back:
-            self._on_change(alarm, "no longer shelved", "engine")
+            self._tell("unshelved", alarm, "engine")
 
     def reset(self, operator: str) -> None:
         """Take latched and returned alarms off the list; raise Refused while one is active
@@ -191,7 +192,7 @@ class AlarmBook:
             self._first_out_given = False
             self._claimed = ""
         for alarm in gone:
-            self._on_change(alarm, "reset", operator)
+            self._tell("reset", alarm, operator)
 
     def blocking(self) -> Alarm | None:
         """Return a critical alarm that forbids a start, or None."""
@@ -216,6 +217,34 @@ class AlarmBook:
         return tuple(
             sorted(found, key=lambda one: (one.severity is not Severity.CRITICAL, one.raised_at))
         )
+
+    def _tell(
+        self,
+        what: What,
+        alarm: Alarm,
+        who: str,
+        *,
+        first_out: bool = False,
+        reason: str = "",
+        seconds: float = 0.0,
+    ) -> None:
+        raised = what == "raised"
+        with self._lock:
+            listed = what != "reset" and alarm.key in self._entries
+        change = AlarmChange(
+            what=what,
+            title=alarm.title,
+            listed=listed,
+            active=alarm.active,
+            acknowledged=alarm.acknowledged,
+            first_out=first_out,
+            cause=alarm.cause if raised else "",
+            consequence=alarm.consequence if raised else "",
+            action=alarm.action if raised else "",
+            reason=reason,
+            seconds=seconds,
+        )
+        self._on_change(alarm, change, who)
 
     def _find(self, key: str) -> _Entry:
         entry = self._entries.get(key)

@@ -11,6 +11,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import msgspec
+
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection, TestFile
 from rigapp.config.rig import RigFile
@@ -19,6 +21,7 @@ from rigapp.engine.alarms import AlarmBook
 from rigapp.engine.causes import Cause
 from rigapp.engine.columns import prediction_columns, revolution_columns
 from rigapp.engine.driving import SpindleControl
+from rigapp.engine.loglines import AlarmChange, alarm_line
 from rigapp.engine.messages import Alarm, Event, FinishReason, Prediction, RunState, Severity
 from rigapp.engine.publish import (
     AlarmChanged,
@@ -180,14 +183,35 @@ class Core:
         """Return the limits in force: those of the test, or the defaults without one."""
         return self.session.limits if self.session is not None else self._no_limits
 
-    def event(self, kind: str, source: str, text: str, before: str = "", after: str = "") -> None:
-        """Write to the log of the test under way and show it to every viewer."""
-        event = Event(time.time(), self.revolution, kind, source, text, before, after)
+    def event(
+        self,
+        kind: str,
+        source: str,
+        text: str,
+        before: str = "",
+        after: str = "",
+        *,
+        key: str = "",
+        data: msgspec.Struct | None = None,
+    ) -> None:
+        """Write to the log of the test under way and show it to every viewer.
+
+        key: what the line is about. data: what programs read of it.
+        """
+        details = msgspec.to_builtins(data) if data is not None else {}
+        self._write(
+            Event(
+                time.time(), self.revolution, kind, source, text, before, after,
+                key=key, data=details,
+            )
+        )  # fmt: skip
+
+    def _write(self, event: Event) -> None:
         session = self.session
         if session is not None:
             try:
                 session.recorder.event(event)
-                if kind in TRIGGERS:
+                if event.kind in TRIGGERS:
                     session.recorder.trigger(critical=False)
             except Exception as error:
                 self.storage_failed(error)
@@ -200,11 +224,12 @@ class Core:
             self.session.recorder.gap(event)
         self.publisher.event(event)
 
-    def _alarm_changed(self, alarm: Alarm, what: str, who: str) -> None:
+    def _alarm_changed(self, alarm: Alarm, change: AlarmChange, who: str) -> None:
         self.publisher.notice(AlarmChanged(alarm))
-        if what.startswith("raised") and self.session is not None and alarm.key not in NO_TRIGGERS:
+        raised = change.what == "raised"
+        if raised and self.session is not None and alarm.key not in NO_TRIGGERS:
             self.session.recorder.trigger(critical=alarm.severity is Severity.CRITICAL)
-        self.event("alarm", who, f"{alarm.title}: {what}. {alarm.cause}", after=alarm.state)
+        self._write(alarm_line(time.time(), self.revolution, who, alarm, change))
 
     def warn(self, cause: Cause) -> None:
         """Raise an alarm that does nothing else."""

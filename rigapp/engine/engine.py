@@ -30,6 +30,7 @@ from rigapp.engine.devices import LoadDriver, make_devices
 from rigapp.engine.driving import Ramp
 from rigapp.engine.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
+from rigapp.engine.loglines import LIMIT_CHANGED, LimitChange
 from rigapp.engine.messages import (
     FinishReason,
     Prediction,
@@ -359,11 +360,13 @@ class Engine:
             session.limits = limits
             why = f": {reason.strip()}" if reason.strip() else ""
             self._core.event(
-                "limit_changed",
+                LIMIT_CHANGED,
                 operator or "operator",
                 f"limit {name} changed{why}",
                 before=f"{before:g}" if before is not None else "none",
                 after=f"{value:g}",
+                key=name,
+                data=LimitChange(before, float(value)),
             )
 
     def extend(self, revolutions: int, operator: str = "", reason: str = "") -> None:

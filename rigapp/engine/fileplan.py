@@ -40,6 +40,7 @@ def file_plan(
         samples_per_cycle=samples,
         prediction=test.prediction.enabled,
         cycle_reason=True,
+        event_details=True,
         unfinished_samples=UNFINISHED * cut_off,
         profiles=profile_rows(revolutions) if test.prediction.enabled else 0,
     )

@@ -240,7 +240,11 @@ class Snapshot(msgspec.Struct, frozen=True):
 
 
 class Event(msgspec.Struct, frozen=True):
-    """One line of the append-only log: who did what, with values before and after."""
+    """One line of the append-only log: who did what, with values before and after.
+
+    text: for people. key: what it is about, of an alarm or a limit its key. level: how bad it is.
+    data: what programs read, see ``rigapp.engine.loglines``.
+    """
 
     time: float
     revolution: int
@@ -249,6 +253,9 @@ class Event(msgspec.Struct, frozen=True):
     text: str
     before: str = ""
     after: str = ""
+    key: str = ""
+    level: str = "information"
+    data: dict[str, Any] = {}
 
 
 class Request(msgspec.Struct, frozen=True):

@@ -9,12 +9,10 @@ from numpy.typing import NDArray
 
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
+from rigapp.engine.loglines import REST, RestSignals
 from rigapp.engine.messages import RunState
 
 Array = NDArray[np.float64]
-
-REST_EVENT = "rest"
-"""Kind of the event that holds the signals at rest before a start: "force_1, force_2" in mV/V."""
 
 REST_SHARE = 0.4
 """The signals at rest are averaged over this share of the time for a zero."""
@@ -70,13 +68,4 @@ def note_rest(core: Core, rest: tuple[float, float] | None) -> None:
         return
     shown = f"{rest[0]:.6f}, {rest[1]:.6f}"
     text = f"the load cell shows {shown} mV/V at rest before the start"
-    core.event(REST_EVENT, "engine", text, after=shown)
-
-
-def parse_rest(text: str) -> tuple[float, float] | None:
-    """Return the signals that ``note_rest`` wrote, None when the text is another."""
-    try:
-        first, second = (float(part) for part in text.split(","))
-    except ValueError:
-        return None
-    return first, second
+    core.event(REST, "engine", text, after=shown, data=RestSignals(*rest))

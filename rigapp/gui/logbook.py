@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 import time
-from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
@@ -18,21 +16,6 @@ HEADINGS = ("Time", "Cycle", "What", "Who", "Before", "After", "Text")
 READ_EVERY_S = 2.0
 SHOWN = 2000
 """Newest lines shown; all of them are in the file."""
-
-_CHANGED = re.compile(r"limit (\S+?) changed")
-
-
-def changed_limits(events: Sequence[Event]) -> dict[str, float]:
-    """Return the newest value of every limit that was changed during the test."""
-    found = {}
-    for event in events:
-        name = _CHANGED.match(event.text)
-        if event.kind == "limit_changed" and name is not None:
-            try:
-                found[name[1]] = float(event.after)
-            except ValueError:
-                continue
-    return found
 
 
 class LogPanel(QWidget):

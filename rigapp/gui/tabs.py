@@ -11,6 +11,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QVBoxLayout, QWidget
 
+from rigapp.engine.loglines import newest_limits
 from rigapp.engine.messages import Status
 from rigapp.gui.alarms import AlarmPanel
 from rigapp.gui.browser import BrowserPanel
@@ -20,7 +21,7 @@ from rigapp.gui.faults import FaultPanel
 from rigapp.gui.headline import is_stale
 from rigapp.gui.limits import LimitPanel
 from rigapp.gui.link import Link
-from rigapp.gui.logbook import LogPanel, changed_limits
+from rigapp.gui.logbook import LogPanel
 from rigapp.gui.overlay import OverlayPanel
 from rigapp.gui.palette import Theme
 from rigapp.gui.prepare import PreparePanel
@@ -182,7 +183,7 @@ class Tabs(QTabWidget):
     def _draw_limits(self, status: Status | None) -> None:
         state = status.state if status is not None else None
         planned = status.planned if status is not None else 0
-        changed = changed_limits(self.log.events)
+        changed = newest_limits(self.log.events)
         self.limits.show_limits(state, self._session.test, changed, planned)
 
     def show_prepare(self) -> None:

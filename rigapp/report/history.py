@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from rigapp.config.recipe import LimitsSection
+from rigapp.engine.loglines import (
+    ALARM,
+    LIMIT_CHANGED,
+    AlarmChange,
+    alarm_change,
+    newest_limits,
+)
 from rigapp.engine.messages import Event
 
-_ALARM = re.compile(
-    r"(?P<title>.+?): (?P<what>raised|raised, first out|cleared|acknowledged|reset|"
-    r"no longer shelved|shelved for [^:]*:.*?)\. "
-    r"(?P<cause>.*)",
-    re.DOTALL,
-)
-_CHANGED = re.compile(r"limit (\S+?) changed")
-
-CHANGES = ("note", "limit_changed", "zero", "extended")
-LEFT_OUT = ("alarm", *CHANGES)
+CHANGES = ("note", LIMIT_CHANGED, "zero", "extended")
+LEFT_OUT = (ALARM, *CHANGES)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,31 +56,32 @@ def alarms_of(events: Sequence[Event], reason: str) -> list[AlarmRecord]:
     found: list[AlarmRecord] = []
     place: dict[str, int] = {}
     for event in events:
-        match = _ALARM.fullmatch(event.text) if event.kind == "alarm" else None
-        if match is None:
+        change = alarm_change(event)
+        if change is None:
             continue
-        title, what, cause = match["title"], match["what"], match["cause"]
-        if what.startswith("raised"):
-            place[title] = len(found)
-            first_out = what != "raised"
+        if change.what == "raised":
+            place[event.key] = len(found)
             found.append(
-                AlarmRecord(title, cause, event.time, event.revolution, first_out=first_out)
-            )
-        elif title in place:
-            found[place[title]] = _continued(found[place[title]], event, what)
+                AlarmRecord(
+                    change.title, change.cause, event.time, event.revolution,
+                    first_out=change.first_out,
+                )
+            )  # fmt: skip
+        elif event.key in place:
+            found[place[event.key]] = _continued(found[place[event.key]], event, change)
     first = next((i for i, one in enumerate(found) if one.cause and one.cause in reason), None)
     if first is not None and not any(one.first_out for one in found):
         found[first] = replace(found[first], first_out=True)
     return found
 
 
-def _continued(record: AlarmRecord, event: Event, what: str) -> AlarmRecord:
-    if what == "cleared":
+def _continued(record: AlarmRecord, event: Event, change: AlarmChange) -> AlarmRecord:
+    if change.what == "cleared":
         return replace(record, cleared_at=event.time)
-    if what == "acknowledged":
+    if change.what == "acknowledged":
         return replace(record, acknowledged=event.source)
-    if what.startswith("shelved"):
-        words = f"{what}, by {event.source}"
+    if change.what == "shelved":
+        words = f"{change.words}, by {event.source}"
         return replace(record, acknowledged=f"{record.acknowledged}; {words}".lstrip("; "))
     return record
 
@@ -107,7 +106,7 @@ def limits_of(test_text: str, events: Iterable[Event]) -> list[Limit]:
     if "run" not in document or not isinstance(section, Mapping):
         return []
     defaults = LimitsSection()
-    changed = _changed(events)
+    changed = newest_limits(events)
     fixed = (
         ("overload_N", "force_max", "N", "drive off"),
         ("overspeed_rpm", "speed_max", "rpm", "drive off"),
@@ -144,16 +143,6 @@ def _rule_limits(rule: Any, changed: Mapping[str, float]) -> list[Limit]:
         found.append(
             Limit(name, quantity, side == "above", "", start, changed.get(name, start), action)
         )
-    return found
-
-
-def _changed(events: Iterable[Event]) -> dict[str, float]:
-    found = {}
-    for event in events:
-        match = _CHANGED.match(event.text)
-        if event.kind == "limit_changed" and match is not None:
-            for value in _number(event.after):
-                found[match[1]] = value
     return found
 
 

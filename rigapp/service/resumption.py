@@ -24,7 +24,7 @@ from rigapp.config.loading import parse_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.calibrate import Calibration
 from rigapp.engine.engine import Remark
-from rigapp.engine.resting import REST_EVENT, parse_rest
+from rigapp.engine.loglines import rest_signals
 from rigapp.engine.run import Refused
 from rigapp.engine.store import calibration_record
 
@@ -127,7 +127,7 @@ def read_past(path: Path) -> Past:
             rig = parse_rig(reader.configuration()["rig"], f"{path} (its rig)")
         except (KeyError, UnusableInput):
             rig = None
-        rests = [parse_rest(one.after) for one in reader.events() if one.kind == REST_EVENT]
+        rests = [one for one in map(rest_signals, reader.events()) if one is not None]
         new = _new_position(reader)
         return Past(
             path=path,
@@ -137,7 +137,7 @@ def read_past(path: Path) -> Past:
             last_at=float(reader.column("host_time", rows - 1)[0]) if rows else 0.0,
             calibration=reader.calibration(),
             rig=rig,
-            rest=rests[0] if rests else None,
+            rest=(rests[0].force_1_mV_per_V, rests[0].force_2_mV_per_V) if rests else None,
             new_position_um=new,
             wear_depth_um=_depth(reader, rows),
         )

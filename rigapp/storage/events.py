@@ -7,30 +7,38 @@ import struct
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.messages import Event
-from rigapp.storage.layout import EVENT_FIELDS
+from rigapp.storage.layout import Field
 
-TEXTS = ("text", "before", "after")
-_WIDTH = {one.name: int(one.dtype[1:]) for one in EVENT_FIELDS if one.dtype.startswith("S")}
+CODES = ("kind", "source", "key", "level")
+"""Texts of one row; one that is too long is cut."""
+
+TEXTS = ("text", "before", "after", "data")
+"""Texts that go on in the next row."""
+
+_HASHED = ("kind", "source", "text", "before", "after", "key", "level", "data")
 
 
-def rows_of(event: Event, digest: bytes) -> list[dict[str, Any]]:
+def rows_of(event: Event, digest: bytes, fields: Sequence[Field]) -> list[dict[str, Any]]:
     """Return an event as rows; a text longer than its column goes on in the next row.
 
     digest: hexadecimal digest of the row before, of the file's identifier for the first row.
     """
-    parts = {name: _parts(getattr(event, name), _WIDTH[name]) for name in TEXTS}
+    width = {one.name: int(one.dtype[1:]) for one in fields if one.dtype.startswith("S")}
+    texts = {**msgspec.structs.asdict(event), "data": _encoded(event.data)}
+    parts = {name: _parts(texts[name], width[name]) for name in TEXTS if name in width}
+    codes = {name: _parts(texts[name], width[name])[0] for name in CODES if name in width}
     number = max(map(len, parts.values()))
     rows: list[dict[str, Any]] = []
     for i in range(number):
         row: dict[str, Any] = {
             "time": event.time,
             "revolution": event.revolution,
-            "kind": _parts(event.kind, _WIDTH["kind"])[0],
-            "source": _parts(event.source, _WIDTH["source"])[0],
+            **codes,
             **{name: cut[i] if i < len(cut) else b"" for name, cut in parts.items()},
             "continued": int(i < number - 1),
         }
@@ -43,10 +51,11 @@ def digest_of(row: Mapping[str, Any], before: bytes) -> bytes:
     """Return the hexadecimal SHA-256 of a row and the digest before it.
 
     Hashed are: the digest before (ASCII), time (little-endian float64), revolution (int64),
-    continued (int32), then kind, source, text, before, after, each as UTF-8 and a zero byte.
+    continued (int32), then kind, source, text, before, after, and key, level and data where the
+    file has them, each as UTF-8 and a zero byte.
     """
     numbers = struct.pack("<dqi", row["time"], row["revolution"], row["continued"])
-    texts = b"".join(row[name] + b"\0" for name in ("kind", "source", *TEXTS))
+    texts = b"".join(row[name] + b"\0" for name in _HASHED if name in row)
     return hashlib.sha256(before + numbers + texts).hexdigest().encode()
 
 
@@ -58,15 +67,17 @@ def seed_of(identifier: str) -> bytes:
 def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
     """Return the events that columns of rows hold, the continued ones joined."""
     found: list[Event] = []
-    open_texts = dict.fromkeys(TEXTS, b"")
+    open_texts: dict[str, bytes] = {}
     for row in table_rows(columns):
-        open_texts = {name: open_texts[name] + row[name] for name in TEXTS}
+        for name in TEXTS:
+            open_texts[name] = open_texts.get(name, b"") + row.get(name, b"")
         if row["continued"]:
             continue
-        texts = {name: value.decode(errors="replace") for name, value in open_texts.items()}
-        kind, source = row["kind"].decode(errors="replace"), row["source"].decode(errors="replace")
-        found.append(Event(row["time"], row["revolution"], kind, source, **texts))
-        open_texts = dict.fromkeys(TEXTS, b"")
+        codes = {name: row[name] for name in CODES if name in row}
+        texts = {k: v.decode(errors="replace") for k, v in (codes | open_texts).items()}
+        data = _decoded(texts.pop("data"))
+        found.append(Event(row["time"], row["revolution"], data=data, **texts))
+        open_texts = {}
     return found
 
 
@@ -82,14 +93,27 @@ def first_broken_link(columns: Mapping[str, NDArray[Any]], identifier: str) -> i
 
 def table_rows(columns: Mapping[str, NDArray[Any]]) -> Iterable[dict[str, Any]]:
     """Yield the rows of a table given by columns, as plain Python values."""
-    names = [one.name for one in EVENT_FIELDS]
-    for values in zip(*(columns[name].tolist() for name in names), strict=True):
-        yield dict(zip(names, values, strict=True))
+    for values in zip(*(one.tolist() for one in columns.values()), strict=True):
+        yield dict(zip(columns, values, strict=True))
 
 
-def columns_of(rows: Sequence[Mapping[str, Any]]) -> dict[str, NDArray[Any]]:
+def columns_of(
+    rows: Sequence[Mapping[str, Any]], fields: Sequence[Field]
+) -> dict[str, NDArray[Any]]:
     """Return rows as one array a column."""
-    return {one.name: np.array([row[one.name] for row in rows], one.dtype) for one in EVENT_FIELDS}
+    return {one.name: np.array([row[one.name] for row in rows], one.dtype) for one in fields}
+
+
+def _encoded(data: Mapping[str, Any]) -> str:
+    return msgspec.json.encode(data).decode() if data else ""
+
+
+def _decoded(text: str) -> dict[str, Any]:
+    try:
+        found = msgspec.json.decode(text) if text else {}
+    except msgspec.DecodeError:
+        return {}
+    return found if isinstance(found, dict) else {}
 
 
 def _parts(text: str, width: int) -> list[bytes]:

@@ -108,7 +108,8 @@ class FilePlan:
 
     revolutions: rows of statistics. cycles: whole cycles kept. samples_per_cycle: samples expected
     in one of them at the test's speed. events: rows of the log. prediction: whether a twin runs.
-    cycle_reason: whether each cycle says why it is kept, and its quality. unfinished_samples:
+    cycle_reason: whether each cycle says why it is kept, and its quality. event_details: whether
+    events carry key, level and data. unfinished_samples:
     samples reserved for revolutions cut off by the end of a test; 0 keeps none. profiles: worn
     profiles kept, and with them the twin's checkpoints; 0 keeps neither.
     """
@@ -125,11 +126,12 @@ class FilePlan:
     prediction_points: int = PREDICTION_POINTS
     predicted_curves: tuple[str, ...] = PREDICTED_CURVES
     cycle_reason: bool = False
+    event_details: bool = False
     unfinished_samples: int = 0
     profiles: int = 0
 
 
-EVENT_FIELDS = (
+_EVENT_FIELDS = (
     Field("time", "<f8", "s", "UTC seconds since 1970-01-01"),
     Field("revolution", "<i8", "1", "revolution at which it happened"),
     Field("kind", "S32", "", "what happened, as a code"),
@@ -137,9 +139,21 @@ EVENT_FIELDS = (
     Field("text", "S256", "", "what happened, as a sentence"),
     Field("before", "S128", "", "value before"),
     Field("after", "S128", "", "value after"),
+)
+_EVENT_DETAILS = (
+    Field("key", "S128", "", "what it is about, of an alarm or a limit its key"),
+    Field("level", "S16", "", "how bad it is: information, warning or critical"),
+    Field("data", "S256", "", "what programs read of it, as JSON; empty when there is nothing"),
+)
+_EVENT_CHAIN = (
     Field("continued", "<i4", "1", "1: the texts go on in the next row"),
     Field("digest", "S64", "", "SHA-256 over the digest before and this row, see file-format.md"),
 )
+
+
+def event_fields(details: bool) -> tuple[Field, ...]:
+    """Return the columns of the log, with or without key, level and data."""
+    return (*_EVENT_FIELDS, *(_EVENT_DETAILS if details else ()), *_EVENT_CHAIN)
 
 
 INDEX_FIELDS = (
@@ -195,7 +209,7 @@ def streams_of(plan: FilePlan) -> dict[str, Stream]:
             curves, all_curves,
         ),
         Stream(
-            "events", "/entry/events", "event", "committed", EVENT_FIELDS,
+            "events", "/entry/events", "event", "committed", event_fields(plan.event_details),
             plan.events, _rounded(plan.events),
         ),
     )  # fmt: skip

@@ -38,6 +38,7 @@ from rigapp.storage.layout import (
     streams_of,
 )
 from rigapp.storage.locks import writer_is_alive
+from rigapp.storage.oldlog import translated
 from rigapp.storage.resample import Method, resample_channels
 
 Columns = dict[str, NDArray[Any]]
@@ -302,8 +303,9 @@ class TestReader:
         return found
 
     def events(self) -> list[Event]:
-        """Return the committed events in order."""
-        return events_of(self._table("events", 0))
+        """Return the committed events in order, those of older files as newer ones have them."""
+        found = events_of(self._table("events", 0))
+        return found if self.plan.event_details else translated(found)
 
     def first_altered_event(self) -> int | None:
         """Return the first row of the log whose digest does not hold, None when all do."""

@@ -431,13 +431,14 @@ class TestWriter:
 
     def _append_event(self, event: Event, kept_back: int) -> bool:
         with self._event_lock:
-            rows = rows_of(event, self._digest)
+            fields = self._streams["events"].fields
+            rows = rows_of(event, self._digest, fields)
             first = self._counts.events
             if first + len(rows) + kept_back > self._streams["events"].planned:
                 with self._count_lock:
                     self._counts.events_refused += 1
                 return False
-            self._records["events"].place(first, len(rows), columns_of(rows).__getitem__)
+            self._records["events"].place(first, len(rows), columns_of(rows, fields).__getitem__)
             self._digest = rows[-1]["digest"]
             with self._count_lock:
                 self._counts.events = first + len(rows)

@@ -15,6 +15,7 @@ from rigapp.config.recipe import CyclesSection, LimitRule, LimitsSection
 from rigapp.engine import causes
 from rigapp.engine.alarms import AlarmBook
 from rigapp.engine.limits import RuleMonitor, changed_limits, check_rules
+from rigapp.engine.loglines import AlarmChange
 from rigapp.engine.messages import Alarm, FinishReason, RunState, Severity
 from rigapp.engine.run import ACTIVE, ENDED, TABLE, Ending, Refused, Trigger, allowed, transition
 from rigapp.engine.schedule import Schedule, logarithmic
@@ -128,8 +129,8 @@ class Book:
         self.changes: list[tuple[str, str, str]] = []
         self.book = AlarmBook(lambda: self.now, self.changed)
 
-    def changed(self, alarm: Alarm, what: str, who: str) -> None:
-        self.changes.append((alarm.key, what, who))
+    def changed(self, alarm: Alarm, change: AlarmChange, who: str) -> None:
+        self.changes.append((alarm.key, change.words, who))
 
     def states(self) -> dict[str, str]:
         return {alarm.key: alarm.state for alarm in self.book.alarms()}

@@ -14,6 +14,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from rigapp.config.loading import parse_test
+from rigapp.engine.loglines import newest_limits
 from rigapp.engine.messages import DeviceView, DriveView, Event, RunState, Status
 from rigapp.gui.alarms import AlarmPanel
 from rigapp.gui.browser import BrowserPanel, list_tests
@@ -21,13 +22,14 @@ from rigapp.gui.compare import line_of
 from rigapp.gui.devices import DevicePanel
 from rigapp.gui.faults import FaultPanel, fault_choices
 from rigapp.gui.limits import LimitPanel, limits_of
-from rigapp.gui.logbook import LogPanel, changed_limits
+from rigapp.gui.logbook import LogPanel
 from rigapp.gui.notice import NoticeBar
 from rigapp.gui.palette import DARK, LIGHT
 from rigapp.gui.recording import load_history
 from rigapp.gui.tasks import Worker
 from rigapp.gui.watchdog import STALL_S, Watchdog
 from rigapp.gui.wearprofile import ANGLES_DEG, WearProfilePanel, worn_profile
+from rigapp.storage.oldlog import translated
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RULE = (
@@ -153,7 +155,7 @@ def test_changed_limits_are_read_from_the_log() -> None:
         Event(3.0, 9, "note", "Ann", "limit speed changed", "1", "2"),
         Event(4.0, 9, "limit_changed", "Ann", "limit f.x changed", "1", "none"),
     ]
-    assert changed_limits(events) == {"overload_N": 340.0}
+    assert newest_limits(translated(events)) == {"overload_N": 340.0}
 
 
 def test_the_log_is_read_from_the_file_and_searched(

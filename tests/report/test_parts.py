@@ -12,12 +12,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from report_samples import TEST_TEXT, event
 
+from rigapp.engine.messages import Event
 from rigapp.report.document import Document, Listing, Section, Table, Text, is_number
 from rigapp.report.envelope import BUCKETS, envelope
-from rigapp.report.history import alarms_of, limits_of
+from rigapp.report.history import AlarmRecord, alarms_of, limits_of
 from rigapp.report.html import as_html
 from rigapp.report.pdf import as_pdf
 from rigapp.report.wording import count, duration, flags, number, quantity, settings, size, stamp
+from rigapp.storage.oldlog import translated
 
 
 @given(st.integers(0, 6000), st.integers(0, 2**32 - 1))
@@ -71,12 +73,16 @@ def test_flags_and_settings_in_words() -> None:
     assert rows == [("joint, pin radius", "9.5 mm"), ("latency", "[1, 2.5] ms"), ("record", "none")]
 
 
+def older_alarms(events: list[Event], reason: str) -> list[AlarmRecord]:
+    return alarms_of(translated(events), reason)
+
+
 def test_first_out_is_the_alarm_that_the_reason_names() -> None:
-    def told(title: str, what: str, cause: str, source: str = "engine") -> object:
+    def told(title: str, what: str, cause: str, source: str = "engine") -> Event:
         return event(1, "alarm", source, f"{title}: {what}. {cause}")
 
     cause = "The joint force reached 391.0 N; the limit is 380 N."
-    found = alarms_of(
+    found = older_alarms(
         [
             told("Samples lost", "raised", "3 samples of daq were lost in all."),
             told("Samples lost", "shelved for 600 s: known. cable", "3 samples were lost.", "Ann"),
@@ -91,12 +97,12 @@ def test_first_out_is_the_alarm_that_the_reason_names() -> None:
     ]  # fmt: skip
     assert found[0].cleared_at is not None
     assert "shelved for 600 s" in found[0].acknowledged
-    assert not any(one.first_out for one in alarms_of([told("Overload", "raised", cause)], ""))
+    assert not any(one.first_out for one in older_alarms([told("Overload", "raised", cause)], ""))
 
 
 def test_the_log_says_what_was_first_out() -> None:
     cause = "The joint force reached 391.0 N; the limit is 380 N."
-    found = alarms_of(
+    found = older_alarms(
         [
             event(1, "alarm", "engine", "Drive silent: raised, first out. No answer in 0.3 s."),
             event(1, "alarm", "engine", f"Overload: raised. {cause}"),
@@ -110,7 +116,7 @@ def test_limits_that_are_not_given_are_the_defaults() -> None:
     found = {one.name: one for one in limits_of("[run]\nrevolutions = 3\n", [])}
     assert found["overload_N"].start == 380.0
     added = event(5, "limit_changed", "Ann", "limit force_max.warning_below changed", "none", "30")
-    rules = {one.name: one for one in limits_of(TEST_TEXT, [added])}
+    rules = {one.name: one for one in limits_of(TEST_TEXT, translated([added]))}
     assert math.isnan(rules["force_max.warning_below"].start)
     assert rules["force_max.warning_below"].now == 30.0
     assert limits_of("no = [toml", []) == []

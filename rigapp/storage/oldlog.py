@@ -1,0 +1,131 @@
+"""Logs of files from before events had key, level and data: read from their sentences, once.
+
+The sentences of that form are "TITLE: WHAT. CAUSE" for alarms and "limit NAME changed" for limits;
+they never change any more.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+import msgspec
+
+from rigapp.engine.causes import KINDS, Kind
+from rigapp.engine.criteria import TITLES
+from rigapp.engine.loglines import (
+    ALARM,
+    LIMIT_CHANGED,
+    REST,
+    AlarmChange,
+    LimitChange,
+    RestSignals,
+    What,
+)
+from rigapp.engine.messages import Event, Severity
+
+NOT_RECORDED = "The log does not tell."
+
+_ALARM = re.compile(
+    r"(?P<title>.+?): (?P<what>raised, first out|raised|cleared|acknowledged|reset|"
+    r"no longer shelved|shelved for (?P<seconds>\S+) s: (?P<reason>.*?))\. (?P<cause>.*)",
+    re.DOTALL,
+)
+_LIMIT = re.compile(r"limit (\S+?) changed")
+_RULE = re.compile(r"(?P<quantity>\S+) (?P<side>above|below) limit")
+_WHAT: Mapping[str, What] = {
+    "raised, first out": "raised",
+    "raised": "raised",
+    "cleared": "cleared",
+    "acknowledged": "acknowledged",
+    "reset": "reset",
+    "no longer shelved": "unshelved",
+}
+_CRITERIA = {title: name for name, title in TITLES.items()}
+_TITLES = [
+    (re.compile(re.escape(kind.title).replace(r"\{\}", "(.+)")), key, kind)
+    for key, kind in sorted(KINDS.items(), key=lambda one: "{}" in one[1].title)
+]
+"""How a title looks, and of what kind it is; the whole ones first."""
+
+
+def translated(events: Iterable[Event]) -> list[Event]:
+    """Return the events of an old log with key, level and data, as the engine writes them now."""
+    known: dict[str, tuple[str, Severity, AlarmChange]] = {}
+    return [
+        _alarm(one, known) if one.kind == ALARM else _limit(one) if one.kind == LIMIT_CHANGED
+        else _rest(one) if one.kind == REST else one
+        for one in events
+    ]  # fmt: skip
+
+
+def _alarm(event: Event, known: dict[str, tuple[str, Severity, AlarmChange]]) -> Event:
+    """Translate a line about an alarm; ``known`` holds how each one was, by its title."""
+    match = _ALARM.fullmatch(event.text)
+    if match is None:
+        return event
+    title, words = match["title"], match["what"]
+    what = _WHAT.get(words, "shelved")
+    if what == "raised":
+        first_out = words != "raised"
+        key, severity, kind = _kind(title, match["cause"], first_out)
+        change = AlarmChange(
+            what, title, first_out=first_out, cause=match["cause"],
+            consequence=kind.consequence, action=kind.action,
+        )  # fmt: skip
+    elif title in known:
+        key, severity, before = known[title]
+        active = before.active and what != "cleared"
+        acknowledged = before.acknowledged or what == "acknowledged"
+        kept = active or not acknowledged or event.after in ("latched", "shelved")
+        change = AlarmChange(
+            what, title, listed=kept and what != "reset", active=active,
+            acknowledged=acknowledged,
+            reason=match["reason"] or "", seconds=_number(match["seconds"]) or 0.0,
+        )  # fmt: skip
+    else:
+        return event
+    known[title] = key, severity, change
+    return msgspec.structs.replace(
+        event, key=key, level=severity.value, data=msgspec.to_builtins(change)
+    )
+
+
+def _kind(title: str, cause: str, first_out: bool) -> tuple[str, Severity, Kind]:
+    """Return key, severity and words of an alarm by its title; the title as key when unknown."""
+    rule = _RULE.fullmatch(title)
+    if rule is not None:
+        severity = Severity.CRITICAL if " critical limit" in cause else Severity.WARNING
+        key = f"rule:{rule['quantity']}:{severity.value}:{rule['side']}"
+        action = "Look at the trend of this quantity."
+        return key, severity, Kind(severity, title, NOT_RECORDED, action)
+    for pattern, key, kind in _TITLES:
+        match = pattern.fullmatch(title)
+        if match is not None:
+            names = (_CRITERIA.get(one, one) for one in match.groups())
+            return ":".join((key, *names)), kind.severity, kind
+    severity = Severity.CRITICAL if first_out else Severity.WARNING
+    return title, severity, Kind(severity, title, NOT_RECORDED, NOT_RECORDED)
+
+
+def _limit(event: Event) -> Event:
+    match, after = _LIMIT.match(event.text), _number(event.after)
+    if match is None or after is None:
+        return event
+    data = msgspec.to_builtins(LimitChange(_number(event.before), after))
+    return msgspec.structs.replace(event, key=match[1], data=data)
+
+
+def _rest(event: Event) -> Event:
+    signals = [_number(part) for part in event.after.split(",")]
+    if len(signals) != 2 or signals[0] is None or signals[1] is None:
+        return event
+    data = msgspec.to_builtins(RestSignals(signals[0], signals[1]))
+    return msgspec.structs.replace(event, data=data)
+
+
+def _number(text: str | None) -> float | None:
+    try:
+        return float(text) if text else None
+    except ValueError:
+        return None
