@@ -38,3 +38,7 @@ def require_not_negative(quantity: str, value: Any, unit: str = "") -> None:
     require_finite(quantity, value, unit)
     if value < 0.0:
         raise ModelError(quantity, value, "it must not be negative", unit)
+
+
+class OutOfTime(Exception):
+    """Say that who waits wants no more: raised by a caller's ``progress``, between steps."""

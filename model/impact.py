@@ -175,9 +175,7 @@ def integrate_contact(
 def _check(status: int, time: float, state: Array) -> None:
     """Raise ModelError when the integration did not reach its end."""
     if status == kernel.TOO_MANY_STEPS:
-        raise ModelError(
-            "steps", MOST_STEPS, f"too many by {time:g} s; raise the tolerance or the speed floor"
-        )
+        raise ModelError("steps", MOST_STEPS, f"too many by {time:g} s; raise the tolerance")
     if status == kernel.STEP_TOO_SMALL or not np.isfinite(state).all():
         raise ModelError(
             "step",

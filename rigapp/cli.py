@@ -198,6 +198,11 @@ JointOption = Annotated[
     str, typer.Option("--joint", help="perfect, continuous or contact (paper: 3.1, 3.2).")
 ]
 
+TimeLimitOption = Annotated[
+    float | None,
+    typer.Option("--time-limit-s", help="Write what was reached by then and end with status 1."),
+]
+
 
 @model_app.command("forces")
 def model_forces(
@@ -235,11 +240,14 @@ def model_wear(
     profile: Annotated[
         Path | None, typer.Option("--profile", help="CSV of the worn profile at the end.")
     ] = None,
+    time_limit_s: TimeLimitOption = None,
 ) -> None:
     """Write the life of the bushing as CSV."""
     from rigapp.commands.model_wear import write_wear
 
-    raise typer.Exit(write_wear(params, rpm, cycles, joint, force_n, tolerance, to, profile))
+    raise typer.Exit(
+        write_wear(params, rpm, cycles, joint, force_n, tolerance, to, profile, time_limit_s)
+    )
 
 
 @model_app.command("pressure")

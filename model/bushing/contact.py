@@ -99,9 +99,7 @@ _REASONS = {
     active_set.ONE_SIDED: "no part of the bushing lies where the force points, so nothing can "
     "carry it",
 }
-_BEYOND_ARC = (
-    "the contact reaches beyond the arc that was given; lower the force or give a larger arc"
-)
+_BEYOND_ARC = "the contact reaches beyond the arc of nodes that may touch; lower the force"
 
 
 def first_guess(

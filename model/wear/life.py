@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from model.bushing.compliance import surface_angles
 from model.bushing.contact import refuse_beyond_elasticity
 from model.bushing.ring import Ring, ring_of
-from model.errors import ModelError, require_finite, require_positive
+from model.errors import ModelError, OutOfTime, require_finite, require_positive
 from model.parameters import Parameters
 from model.wear.forces import ForceSource, constant_source, force_source
 from model.wear.front import ArcTooSmall, Front, WearProblem, wear_problem
@@ -34,11 +34,13 @@ class Life:
 
     Columns: ``cycles``; ``max_depth`` (m); ``worn_area`` (m^2); ``worn_mass`` (kg);
     ``peak_pressure`` (Pa); ``mean_force`` (N, over the slip); ``peak_force`` (N);
-    ``clearance`` (m): R2 - R1 as the mechanism sees it; ``estimated_error`` (m) of the depth:
-    steps, crank positions, mesh and coupling together, not less than the true one.
+    ``clearance`` (m): R2 - R1 as the mechanism sees it; ``estimated_error`` (m) of the depth and
+    ``area_error`` (m^2), ``mass_error`` (kg): steps, crank positions, mesh, coupling and sampled
+    forces together, not less than the true ones.
     Profile: ``angle`` (rad) from -pi in the follower frame, 0 at the initial contact point;
     ``depth`` (m). ``positions``, ``sectors``, ``steps``: what it took. ``notes``: sentences that
     the user must read. ``tolerance_met``: whether the error at the end is within the tolerance.
+    ``complete``: whether the last row is the end asked for, not where time ran out.
     """
 
     technique: Technique
@@ -51,6 +53,8 @@ class Life:
     peak_force: Array
     clearance: Array
     estimated_error: Array
+    area_error: Array
+    mass_error: Array
     angle: Array
     depth: Array
     positions: int
@@ -58,6 +62,7 @@ class Life:
     steps: int
     notes: tuple[str, ...]
     tolerance_met: bool
+    complete: bool
 
 
 def life(
@@ -75,7 +80,8 @@ def life(
     follower grow by the wear at the contact point, "contact" takes the forces from pin and bushing
     as separate bodies; tolerance: of the depth at the end, as a part of it; force: a constant
     force along the follower, N, instead of the mechanism's; progress: called with the part done.
-    Raises ModelError, ContactError or WornThrough naming what is wrong.
+    It may raise OutOfTime: the life then ends with the last row reached, or goes on raising when
+    there is none. Raises ModelError, ContactError or WornThrough naming what is wrong.
     """
     require_positive("cycles", cycles)
     require_finite("speed", speed, "rad/s")
@@ -89,9 +95,19 @@ def life(
         else constant_source(force, parameters.joint)
     )
     width, coefficient = parameters.joint.bushing_width, parameters.bushing.wear_coefficient
-    plan = plan_life(ring, width, coefficient, source.unworn, cycles, tolerance, source.single)
-    moments = _moments(parameters, ring, source, plan, cycles, tolerance, progress)
-    return _life(parameters, ring, source, plan, moments, technique, tolerance)
+    tell = progress or (lambda part: None)
+    plan = plan_life(
+        ring,
+        width,
+        coefficient,
+        source.unworn,
+        cycles,
+        tolerance,
+        source.single,
+        lambda: tell(0.0),
+    )
+    moments = _moments(parameters, ring, source, plan, cycles, tolerance, tell)
+    return _life(parameters, ring, source, plan, moments, technique, tolerance, cycles)
 
 
 def _moments(
@@ -101,9 +117,12 @@ def _moments(
     plan: Plan,
     cycles: float,
     tolerance: float,
-    progress: Callable[[float], None] | None,
+    tell: Callable[[float], None],
 ) -> list[Moment]:
-    """Run the life on its plan, again on a larger arc when the contact outgrows it."""
+    """Run the life on its plan, again on a larger arc when the contact outgrows it.
+
+    Where ``tell`` raises OutOfTime after the first step, what was reached is returned.
+    """
     window = plan.half_angle
     while True:
         problem = wear_problem(
@@ -125,8 +144,11 @@ def _moments(
                 if not moments:
                     _refuse_overload(problem, moment)
                 moments.append(moment)
-                if progress is not None:
-                    progress(moment.cycles / cycles)
+                tell(moment.cycles / cycles)
+        except OutOfTime:
+            if len(moments) < 2:
+                raise
+            return moments
         except ArcTooSmall:
             if window >= np.pi:
                 raise
@@ -163,31 +185,32 @@ def _life(
     moments: list[Moment],
     technique: Technique,
     tolerance: float,
+    cycles: float,
 ) -> Life:
     """Return the record of a run's moments."""
-    bushing, width = parameters.bushing, parameters.joint.bushing_width
-    angle = np.append(surface_angles(plan.sectors), np.pi)
     fronts = [Front(m.surface) for m in moments]
     depth = np.array([f.depth(ring.inner).max() for f in fronts])
-    inside = np.array([0.5 * m.nodes_in_contact for m in moments])
     done = np.array([m.cycles for m in moments])
-    parts = {
-        "time steps": np.array([m.time_error for m in moments]),
-        "crank positions": plan.position_error(done) * depth,
-        "mesh": (mesh_error(inside) + _SOLUTION_ERROR) * depth,
-        "forces kept while the surface wears": np.array(
-            [source.coupling_error(m.cycles) for m in moments]
-        ),
-    }
-    error = _SAFETY * sum(parts.values(), np.zeros(len(moments)))
     area = np.array([m.area for m in moments])
+    mean_force = np.array([m.mean_force for m in moments])
+    by_depth, by_area = _errors(source, plan, moments, depth, area)
+    error, area_error = (
+        _SAFETY * sum(parts.values(), np.zeros(len(moments))) for parts in (by_depth, by_area)
+    )
+    mass_per_area = parameters.joint.bushing_width * parameters.bushing.density
     met = bool(error[-1] <= tolerance * depth[-1] or depth[-1] == 0.0)
     notes = list(source.notes(moments[-1].front))
     if not met:
-        worst = max(parts, key=lambda name: float(parts[name][-1]))
+        worst = max(by_depth, key=lambda name: float(by_depth[name][-1]))
         notes.append(
             f"The estimated error of the depth, {error[-1] / depth[-1]:.2g} of it, exceeds the"
             f" tolerance of {tolerance:g}; most of it is by the {worst}."
+        )
+    notes += below_archard(area[-1], area_error[-1], _least_area(parameters, done, mean_force))
+    if done[-1] < cycles:
+        notes.append(
+            f"Time ran out after {done[-1]:.6g} of {cycles:.0f} cycles; the last row is not the end"
+            " of the life."
         )
     ends = profile(moments[-1].surface, ring)
     return Life(
@@ -195,17 +218,70 @@ def _life(
         cycles=done,
         max_depth=depth,
         worn_area=area,
-        worn_mass=area * width * bushing.density,
+        worn_mass=area * mass_per_area,
         peak_pressure=np.array([m.peak_pressure for m in moments]),
-        mean_force=np.array([m.mean_force for m in moments]),
+        mean_force=mean_force,
         peak_force=np.array([m.peak_force for m in moments]),
         clearance=np.array([source.clearance(f) for f in fronts]),
         estimated_error=error,
-        angle=angle,
+        area_error=area_error,
+        mass_error=area_error * mass_per_area,
+        angle=np.append(surface_angles(plan.sectors), np.pi),
         depth=np.append(ends, ends[0]),
         positions=plan.positions,
         sectors=plan.sectors,
         steps=7 * (len(moments) - 1),
         notes=tuple(notes),
         tolerance_met=met,
+        complete=bool(done[-1] >= cycles),
     )
+
+
+def _errors(
+    source: ForceSource, plan: Plan, moments: list[Moment], depth: Array, area: Array
+) -> tuple[dict[str, Array], dict[str, Array]]:
+    """Return the parts of the error of the depth (m) and of the worn area (m^2), by their causes.
+
+    The mesh's bound is that of the depth for both: the area converges faster. What a force is off
+    by, the area is off by, and the depth by no more.
+    """
+    done = np.array([m.cycles for m in moments])
+    mesh = mesh_error(np.array([0.5 * m.nodes_in_contact for m in moments])) + _SOLUTION_ERROR
+    kept = np.array([source.coupling_error(m.cycles) for m in moments])
+    of_depth = {
+        "time steps": np.array([m.time_error for m in moments]),
+        "crank positions": plan.depth_error.after(done) * depth,
+        "mesh": mesh * depth,
+        "forces kept while the surface wears": kept,
+    }
+    of_area = {
+        "time steps": np.array([m.area_error for m in moments]),
+        "crank positions": plan.area_error.after(done) * area,
+        "mesh": mesh * area,
+        "forces kept while the surface wears": area * kept / np.maximum(depth, 1e-300),
+    }
+    return of_depth, of_area
+
+
+def _least_area(parameters: Parameters, cycles: Array, mean_force: Array) -> float:
+    """Return the worn area (m^2) of Archard's law with the force itself for the pressure's sum."""
+    weaker = np.minimum(mean_force[1:], mean_force[:-1])
+    joint = parameters.joint
+    slip = 2.0 * np.pi * joint.pin_radius
+    rate = parameters.bushing.wear_coefficient * slip / joint.bushing_width
+    return float(rate * (weaker @ np.diff(cycles)))
+
+
+def below_archard(area: float, error: float, least: float) -> list[str]:
+    """Return a sentence when a worn area (m^2) with its error is less than physics allows.
+
+    Pressures on both sides of a contact push against each other, so that their sum is never less
+    than the force.
+    """
+    if area + error >= least:
+        return []
+    return [
+        f"The worn area, {area / least:.4f} of what Archard's law makes of the force itself, is"
+        " less than possible even with its stated error: do not use this result; give a smaller"
+        " tolerance."
+    ]

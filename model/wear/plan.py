@@ -11,7 +11,14 @@ from numpy.typing import NDArray
 from model.bushing.ring import MOST_NODES, SECTORS, Ring, arc_nodes, sectors_at_least
 from model.errors import ModelError
 from model.wear.archard import rigid_half_angle, rigid_wear
-from model.wear.front import ArcTooSmall, Front, WearProblem, implicit_step, wear_problem
+from model.wear.front import (
+    ArcTooSmall,
+    Front,
+    WearProblem,
+    implicit_step,
+    wear_problem,
+    worn_area,
+)
 from model.wear.loads import WIDE_SWING, CycleLoads, swing
 
 Array = NDArray[np.float64]
@@ -29,32 +36,43 @@ TIME_SHARE = 0.22
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
-    """Hold what a life is computed with.
+class PositionError:
+    """Hold what the number of crank positions costs, as a part of a depth or of an area.
 
-    ``positions``: of the crank; ``early_error``, ``late_error``: of the depth as a part of it after
-    a hundredth and at the end of the life, from comparing with twice as many; ``sectors`` of the
-    mesh; ``half_angle`` (rad) of the arc of nodes; ``cycles`` of the life.
+    ``early``, ``late``: after a hundredth and at the end of a life of ``cycles``, from comparing
+    with twice as many positions.
     """
 
-    positions: int
-    early_error: float
-    late_error: float
-    sectors: int
-    half_angle: float
+    early: float
+    late: float
     cycles: float
 
-    def position_error(self, cycles: Array) -> Array:
-        """Return a bound of the relative error by the number of positions after some cycles.
+    def after(self, cycles: Array) -> Array:
+        """Return a bound of the relative error after some cycles.
 
         Between the two known ones it follows a power law; before the early one it grows with the
         inverse root of the cycles, as the contact was narrower.
         """
         part = np.maximum(cycles / self.cycles, 1e-12)
-        early, late = max(self.early_error, 1e-12), max(self.late_error, 1e-12)
+        early, late = max(self.early, 1e-12), max(self.late, 1e-12)
         power = np.log(late / early) / np.log(1.0 / _EARLY_PART)
         before = early * np.sqrt(_EARLY_PART / part)
         return 1.5 * np.where(part < _EARLY_PART, before, early * (part / _EARLY_PART) ** power)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """Hold what a life is computed with.
+
+    ``positions``: of the crank, and what their number costs in depth and in worn area;
+    ``sectors`` of the mesh; ``half_angle`` (rad) of the arc of nodes.
+    """
+
+    positions: int
+    depth_error: PositionError
+    area_error: PositionError
+    sectors: int
+    half_angle: float
 
 
 def plan_life(
@@ -65,11 +83,13 @@ def plan_life(
     cycles: float,
     tolerance: float,
     single: bool = False,
+    alive: Callable[[], None] = lambda: None,
 ) -> Plan:
     """Choose crank positions and mesh by single steps over the whole life on a coarse mesh.
 
     loads_of: the loads of a revolution for a number of positions; single: they are the same for
-    any number, one force. Raises ContactError when the bushing cannot carry the force.
+    any number, one force; alive: called between steps, and may raise. Raises ContactError when the
+    bushing cannot carry the force.
     """
     loads = loads_of(1 if single else 72).pressing()
     if not loads.slip.size:
@@ -79,7 +99,7 @@ def plan_life(
     while True:
         try:
             return _planned(
-                ring, width, wear_coefficient, loads_of, cycles, tolerance, single, window
+                ring, width, wear_coefficient, loads_of, cycles, tolerance, single, window, alive
             )
         except ArcTooSmall:
             if window >= np.pi:
@@ -135,6 +155,7 @@ def _planned(
     tolerance: float,
     single: bool,
     window: float,
+    alive: Callable[[], None],
 ) -> Plan:
     """Return the plan for an arc of nodes; raise ArcTooSmall when the contact leaves it."""
 
@@ -143,41 +164,57 @@ def _planned(
 
     dense = loads_of(1 if single else 72).pressing()
     wide = swing(dense) > WIDE_SWING
-    first = ring.half_angle(float(dense.magnitude.max()) / width)
+    unworn_half = ring.half_angle(float(dense.magnitude.max()) / width)
     most = _most_sectors(dense, window)
-    coarse = min(sectors_at_least(np.pi / 2.0 * 4.0 / first), most)
-    ends: dict[int, tuple[Front, ...]] = {}
+    coarse = min(sectors_at_least(np.pi / 2.0 * 4.0 / unworn_half), most)
+    ends: dict[int, tuple[tuple[Front, float], ...]] = {}
 
-    def end(positions: int) -> tuple[Front, ...]:
-        """Return the fronts after a hundredth and after the whole life, in three steps."""
+    def end(positions: int) -> tuple[tuple[Front, float], ...]:
+        """Return fronts and areas after a hundredth and after the whole life, in three steps."""
         if positions not in ends:
+            alive()
             loads = loads_of(positions).pressing()
             setting = problem(coarse, loads)
             early = implicit_step(setting, setting.unworn(), loads, _EARLY_PART * cycles)
             middle = implicit_step(setting, early, loads, 0.2 * cycles)
             late = implicit_step(setting, middle, loads, (0.8 - _EARLY_PART) * cycles)
-            ends[positions] = (early, late)
+            ends[positions] = tuple((f, worn_area(setting, f.surface)) for f in (early, late))
         return ends[positions]
 
     positions, early, late = 1, 0.0, 0.0
+    areas = (0.0, 0.0)
+    compared = _difference if wide else _largest_difference
     if not single:
         for positions in POSITIONS:
-            (first_one, last_one), (first_other, last_other) = end(positions), end(2 * positions)
-            early = _largest_difference(first_one, first_other, ring.inner)
-            late = (_difference if wide else _largest_difference)(last_one, last_other, ring.inner)
+            (first, first_area), (last, last_area) = end(positions)
+            (other_first, other_first_area), (other_last, other_last_area) = end(2 * positions)
+            early = _largest_difference(first, other_first, ring.inner)
+            late = compared(last, other_last, ring.inner)
+            areas = (_part(first_area, other_first_area), _part(last_area, other_last_area))
             share = _WIDE_SHARE if wide else _POSITION_SHARE
             if late <= share * tolerance and early <= _EARLY * tolerance:
                 break
-    reached = end(positions)[-1]
+    reached = end(positions)[-1][0]
     assert reached.touching is not None
-    last = 0.5 * (float(reached.touching.sum(axis=1).max()) - 1.0) * np.pi / coarse
+    worn_half = 0.5 * (float(reached.touching.sum(axis=1).max()) - 1.0) * np.pi / coarse
     wanted = max(
-        nodes_for(_MESH_SHARE * tolerance) / max(last, first),
-        nodes_for(8.0 * tolerance) / first,
-        3.0 / first,
+        nodes_for(_MESH_SHARE * tolerance) / max(worn_half, unworn_half),
+        nodes_for(8.0 * tolerance) / unworn_half,
+        3.0 / unworn_half,
     )
     sectors = min(sectors_at_least(wanted * np.pi), most)
-    return Plan(positions, early, late, sectors, window, cycles)
+    return Plan(
+        positions,
+        PositionError(early, late, cycles),
+        PositionError(*areas, cycles),
+        sectors,
+        window,
+    )
+
+
+def _part(one: float, other: float) -> float:
+    """Return the difference of two areas as a part of the second."""
+    return abs(one - other) / max(abs(other), 1e-300)
 
 
 def _largest_difference(one: Front, other: Front, inner: float) -> float:

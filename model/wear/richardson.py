@@ -34,7 +34,8 @@ class Moment:
     """Hold the wear after so many cycles.
 
     ``surface`` (2 x sectors, 2), m, extrapolated to second order; ``area`` (m^2) likewise;
-    ``time_error``: bound of the depth's error by the steps, m; ``peak_pressure``, Pa;
+    ``time_error``, ``area_error``: bounds of the depth's (m) and the area's (m^2) error by the
+    steps; ``peak_pressure``, Pa;
     ``mean_force`` and ``peak_force``, N; ``nodes_in_contact``: of the widest contact;
     ``front``: of the run with the finest steps.
     """
@@ -43,6 +44,7 @@ class Moment:
     surface: Array
     area: float
     time_error: float
+    area_error: float
     peak_pressure: float
     mean_force: float
     peak_force: float
@@ -129,13 +131,15 @@ def _moment(
     depth = fine.depth(problem.ring.inner)
     # Where the contact's edge passes, steps on a mesh are never smooth; the depth is made inside.
     deep = depth >= 0.5 * depth.max()
-    areas = [worn_area(problem, run.surface) for run in (middle, fine)]
+    areas = [worn_area(problem, run.surface) for run in runs]
+    area = 2.0 * areas[2] - areas[1]
     assert fine.touching is not None
     return Moment(
         cycles=cycles,
         surface=better,
-        area=2.0 * areas[1] - areas[0],
+        area=area,
         time_error=float(np.hypot(difference[deep, 0], difference[deep, 1]).max()),
+        area_error=abs(area - (2.0 * areas[1] - areas[0])),
         peak_pressure=float(contact_pressure(problem, fine).max()),
         mean_force=loads.mean_force,
         peak_force=float(loads.magnitude.max()),

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
+from rigapp.commands.model_progress import check_time_limit, watched
 from rigapp.commands.tables import check_target, write_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import MM, MPA, read_parameters
@@ -34,28 +35,39 @@ def write_wear(
     tolerance: float,
     target: Path,
     profile: Path | None,
+    time_limit_s: float | None = None,
 ) -> int:
     """Write the life of the bushing as CSV, and its worn profile if a name is given.
 
     joint: perfect, continuous or contact; force_N: a constant force along the follower, positive
     in tension, instead of the mechanism's; tolerance: largest relative error of the depth at the
-    end. What the user must know about the result goes to stderr. Returns the exit status 0; raises
-    UnusableInput naming what cannot be used.
+    end; time_limit_s: after it what was reached is written. What the user must know about the
+    result goes to stderr. Returns the exit status: 0, or 1 when the tolerance was missed or time
+    ran out. Raises UnusableInput naming what cannot be used.
     """
+    from model.errors import OutOfTime
     from model.wear.life import life
 
     _check_wear(params_path, rpm, cycles, joint, force_N, tolerance, target, profile)
+    check_time_limit(time_limit_s)
     parameters = read_parameters(params_path)
-    with _progress() as report, _plain(params_path, force_N):
-        result = life(
-            parameters,
-            rpm * np.pi / 30.0,
-            float(cycles),
-            cast(Literal["perfect", "continuous", "contact"], joint),
-            tolerance,
-            force_N,
-            report,
+    try:
+        with watched("wear", time_limit_s) as tell, _plain(params_path, force_N):
+            result = life(
+                parameters,
+                rpm * np.pi / 30.0,
+                float(cycles),
+                cast(Literal["perfect", "continuous", "contact"], joint),
+                tolerance,
+                force_N,
+                tell,
+            )
+    except OutOfTime:
+        print(
+            f"--time-limit-s {time_limit_s:g}: over before the first row; {target} is not written.",
+            file=sys.stderr,
         )
+        return 1
     write_table("--to", target, _wear_columns(result))
     if profile is not None:
         columns = {"angle_deg": np.degrees(result.angle), "depth_mm": result.depth / MM}
@@ -63,7 +75,7 @@ def write_wear(
     print(_summary(target, result, joint, force_N))
     for note in result.notes:
         print(note, file=sys.stderr)
-    return 0
+    return 0 if result.tolerance_met and result.complete else 1
 
 
 def write_pressure(params_path: Path, force_N: float, target: Path) -> int:
@@ -135,6 +147,8 @@ def _wear_columns(result: Life) -> dict[str, Any]:
         "peak_pressure_MPa": result.peak_pressure / MPA,
         "mean_force_N": result.mean_force,
         "estimated_error_mm": result.estimated_error / MM,
+        "worn_area_error_mm2": result.area_error / MM2,
+        "worn_mass_error_g": result.mass_error / GRAM,
     }
 
 
@@ -144,7 +158,8 @@ def _summary(target: Path, result: Life, joint: str, force_N: float | None) -> s
     return (
         f"{target}: {len(result.cycles)} rows, {kind}; after {result.cycles[-1]:.0f} cycles"
         f" {result.max_depth[-1] / MM:.6g} mm deep (error at most"
-        f" {result.estimated_error[-1] / MM:.2g} mm), {result.worn_mass[-1] / GRAM:.6g} g worn."
+        f" {result.estimated_error[-1] / MM:.2g} mm), {result.worn_mass[-1] / GRAM:.6g} g worn"
+        f" (error at most {result.mass_error[-1] / GRAM:.2g} g)."
     )
 
 
@@ -160,17 +175,3 @@ def _plain(params_path: Path, force_N: float | None) -> Iterator[None]:
         raise UnusableInput(f"{params_path}: {load}: {error.remedy}.") from error
     except ValueError as error:
         raise UnusableInput(f"{params_path}: {error}.") from error
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[float], None] | None]:
-    """Show a progress bar on a terminal, nothing on a pipe."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("wear", total=1.0)
-        yield lambda part: bar.update(task, completed=part)

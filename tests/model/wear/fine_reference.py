@@ -6,11 +6,11 @@ import numpy as np
 
 from model.bushing.ring import ring_of
 from model.wear.forces import constant_source, force_source
-from model.wear.front import implicit_step, wear_problem
+from model.wear.front import implicit_step, wear_problem, worn_area
 
 
-def fine_depths(parameters, speed, rows, technique, force, sectors, positions, steps, half_angle):
-    """Return the depth (m) at each of the increasing cycles ``rows``.
+def fine_life(parameters, speed, rows, technique, force, sectors, positions, steps, half_angle):
+    """Return depth (m) and worn area (m^2), (2, rows), at each of the increasing cycles ``rows``.
 
     Between rows ``steps`` and twice as many implicit steps are taken, and extrapolated.
     """
@@ -31,12 +31,13 @@ def fine_depths(parameters, speed, rows, technique, force, sectors, positions, s
     )
     runs = []
     for number in (steps, 2 * steps):
-        front, done, depths = problem.unworn(), 0.0, []
+        front, done, found = problem.unworn(), 0.0, []
         for row in rows:
             for _ in range(number):
                 now = source.at(front, done, positions)
                 front = implicit_step(problem, front, now, (row - done) / number)
             done = row
-            depths.append(float(front.depth(ring.inner).max()))
-        runs.append(np.array(depths))
+            depth = float(front.depth(ring.inner).max())
+            found.append((depth, worn_area(problem, front.surface)))
+        runs.append(np.array(found).T)
     return 2.0 * runs[1] - runs[0]

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from model.bushing.contact import ContactError
-from model.errors import ModelError
+from model.errors import ModelError, OutOfTime
 from model.joints import continuous_contact
 from model.parameters import Bushing, Joint, Material, Parameters, Spring
 from model.wear.front import WornThrough
-from model.wear.life import life, row_cycles
+from model.wear.life import below_archard, life, row_cycles
 from model.wear.state import unworn_state
 
 _SPEC = importlib.util.spec_from_file_location(
@@ -38,6 +38,8 @@ def test_constant_force_follows_the_reference(parameters, wear_reference) -> Non
     assert found.worn_mass[-1] == pytest.approx(found.worn_area[-1] * 0.0131 * 2200.0)
     assert found.estimated_error[-1] <= 1e-3 * found.max_depth[-1]
     assert found.tolerance_met
+    assert found.complete
+    np.testing.assert_allclose(found.mass_error, found.area_error * 0.0131 * 2200.0, rtol=1e-12)
     assert found.notes == ()
     assert np.all(np.diff(found.max_depth) > 0.0)
     assert np.all(np.diff(found.peak_pressure) < 0.0)
@@ -87,13 +89,14 @@ def test_error_reported_is_not_below_the_true_one(parameters, case: str) -> None
     change, cycles, technique, force, fine = CASES[case]
     chosen = change(parameters) if change else parameters
     rows = row_cycles(cycles)
-    exact = fine_reference.fine_depths(chosen, RPM30, rows, technique, force, *fine)
+    depth, area = fine_reference.fine_life(chosen, RPM30, rows, technique, force, *fine)
     for tolerance in (1e-2, 2e-3):
         found = life(chosen, RPM30, cycles, technique, tolerance, force)
         at = np.searchsorted(found.cycles, rows)
         assert found.cycles[at] == pytest.approx(rows)
-        true = np.abs(found.max_depth[at] - exact)
+        true = np.abs(found.max_depth[at] - depth)
         assert np.all(true <= found.estimated_error[at]), case
+        assert np.all(np.abs(found.worn_area[at] - area) <= found.area_error[at]), case
         assert found.estimated_error[-1] <= tolerance * found.max_depth[-1]
         assert found.tolerance_met
 
@@ -163,6 +166,44 @@ def test_rows_are_round_and_end_with_the_life() -> None:
     assert list(row_cycles(21377)) == [10, 30, 100, 300, 1000, 3000, 10000, 21377]
     assert list(row_cycles(1)) == [1]
     assert list(row_cycles(10)) == [1, 3, 10]
+
+
+@pytest.mark.parametrize("cycles", [3, 30, 300])
+def test_coarse_lives_wear_no_less_than_the_force_alone(parameters, cycles: int) -> None:
+    found = life(parameters, RPM30, cycles, tolerance=0.1, force=110.0)
+    slip = 2.0 * np.pi * parameters.joint.pin_radius
+    least = 5.05e-13 * slip * cycles * 110.0 / parameters.joint.bushing_width
+    assert found.worn_area[-1] > least
+    fine = life(parameters, RPM30, cycles, tolerance=1e-3, force=110.0)
+    assert abs(found.worn_area[-1] - fine.worn_area[-1]) <= found.area_error[-1]
+    assert found.worn_area[-1] == pytest.approx(fine.worn_area[-1], rel=1e-3)
+
+
+def test_less_wear_than_possible_is_said() -> None:
+    assert below_archard(1.0, 0.02, 1.01) == []
+    (sentence,) = below_archard(0.974, 0.01, 1.0)
+    assert "0.9740 of what Archard's law makes of the force" in sentence
+    assert "smaller tolerance" in sentence
+
+
+def test_a_life_ends_where_time_runs_out(parameters) -> None:
+    def tell(part: float) -> None:
+        if part > 0.2:
+            raise OutOfTime
+
+    whole = life(parameters, RPM30, 500, tolerance=1e-2, force=110.0)
+    found = life(parameters, RPM30, 500, tolerance=1e-2, force=110.0, progress=tell)
+    assert not found.complete
+    assert 100.0 < found.cycles[-1] < 500.0
+    rows = len(found.cycles)
+    np.testing.assert_array_equal(found.max_depth, whole.max_depth[:rows])
+    assert f"Time ran out after {found.cycles[-1]:.6g} of 500 cycles" in found.notes[-1]
+
+    def at_once(part: float) -> None:
+        raise OutOfTime
+
+    with pytest.raises(OutOfTime):
+        life(parameters, RPM30, 500, tolerance=1e-2, force=110.0, progress=at_once)
 
 
 def test_progress_is_told(parameters) -> None:

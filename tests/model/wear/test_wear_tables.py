@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import csv
+import io
+import itertools
+import re
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from rigapp.commands import model_progress
 from rigapp.commands.model_wear import write_pressure, write_wear
 from rigapp.config.errors import UnusableInput
 
@@ -69,8 +74,13 @@ def test_wear_has_the_promised_columns_and_ends_with_the_life(
         "peak_pressure_MPa",
         "mean_force_N",
         "estimated_error_mm",
+        "worn_area_error_mm2",
+        "worn_mass_error_g",
     ]
     assert rows[0, :4].tolist() == [0.0, 0.0, 0.0, 0.0]
+    assert np.all(rows[1:, 7] > 0.0)
+    assert rows[-1, 7] < 1e-3 * rows[-1, 2]
+    assert rows[:, 8] == pytest.approx(rows[:, 7] * 13.1 * 2.2e-3)
     last = rows[-1]
     assert last[0] == 21377
     assert last[1:3] == pytest.approx(wear_reference[-1, 1:3], rel=1e-3)
@@ -97,6 +107,47 @@ def test_mechanisms_forces_and_their_warning(source, tmp_path, capsys) -> None:
     source.write_text(text)
     write_wear(source, 30.0, 300, "continuous", None, 5e-2, table, None)
     assert "Continuous contact does not hold" in capsys.readouterr().err
+
+
+def test_a_missed_tolerance_is_exit_status_1(source, tmp_path, capsys) -> None:
+    table = tmp_path / "wear.csv"
+    # The finest mesh of the steps' arc does not reach so far.
+    assert write_wear(source, 30.0, 30, "perfect", 110.0, 1e-5, table, None) == 1
+    _, rows = read(table)
+    assert rows[-1, 0] == 30
+    printed = capsys.readouterr().err
+    assert re.search(r"error of the depth, [\d.e-]+ of it, exceeds the tolerance of 1e-05", printed)
+
+
+def test_a_time_limit_leaves_what_was_reached(source, tmp_path, capsys, monkeypatch) -> None:
+    table = tmp_path / "wear.csv"
+    # Each look at the clock finds a second gone.
+    clock = itertools.count()
+    monkeypatch.setattr(model_progress, "monotonic", lambda: float(next(clock)))
+    assert write_wear(source, 30.0, 21377, "perfect", 110.0, 1e-3, table, None, 5.0) == 1
+    _, rows = read(table)
+    assert 1 < len(rows) < 7
+    printed = capsys.readouterr()
+    assert "Time ran out after" in printed.err
+    other = tmp_path / "none.csv"
+    assert write_wear(source, 30.0, 21377, "perfect", 110.0, 1e-3, other, None, 0.5) == 1
+    assert "--time-limit-s 0.5: over before the first row" in capsys.readouterr().err
+    assert not other.exists()
+    with pytest.raises(UnusableInput, match="--time-limit-s 0: give a finite time above 0"):
+        write_wear(source, 30.0, 100, "perfect", 110.0, 1e-2, table, None, 0.0)
+
+
+def test_a_terminal_sees_a_bar_and_a_pipe_does_not(monkeypatch, capsys) -> None:
+    with model_progress.watched("wear", None) as tell:
+        tell(0.5)
+    assert capsys.readouterr().err == ""
+    screen = io.StringIO()
+    monkeypatch.setattr(screen, "isatty", lambda: True)
+    monkeypatch.setattr(sys, "stderr", screen)
+    with model_progress.watched("wear", None) as tell:
+        tell(0.5)
+    assert "wear" in screen.getvalue()
+    assert "50%" in screen.getvalue()
 
 
 def test_pressure_has_the_promised_columns_and_prints_the_pin(
