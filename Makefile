@@ -1,5 +1,6 @@
 # make run    the operator's window on the simulated rig (without a display: the same test, headless)
 # make test   everything: style, types, import rules, tests
+# make search random search for what breaks a property; it prints its seed, SEED=N repeats it
 # make bench  performance as ratios, measured side by side in one run
 # make soak   the long tests: hours
 PYTHON ?= $(shell for p in python3.11 python3.12 python3.13 python3; do \
@@ -8,10 +9,11 @@ VENV := .venv
 BIN := $(VENV)/bin
 RUN_READY := $(VENV)/ready-run
 TEST_READY := $(VENV)/ready-test
+SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: run test lint bench soak lock clean
+.PHONY: run test lint search bench soak lock clean
 
 run: $(RUN_READY)
 	@$(BIN)/python -m rigapp.start
@@ -24,6 +26,10 @@ lint: $(TEST_READY)
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+search: $(TEST_READY)
+	@echo "make search SEED=$(SEED) repeats this search"
+	$(BIN)/python -m pytest -n 2 -m "hypothesis and not soak" --hypothesis-profile search --hypothesis-seed $(SEED)
 
 bench: $(TEST_READY)
 	$(BIN)/python -m benchmarks

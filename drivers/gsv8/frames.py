@@ -222,21 +222,40 @@ class StreamParser:
                 layout = self.layout
                 assert layout is not None
                 fits = third & _TYPE_MASK == layout.third
-                return layout.length(self._sequences[head]) if fits else self._foreign(head, third)
-            return self._foreign(head, third)
+                if fits:
+                    return layout.length(self._sequences[head])
+            return self._foreign(buffer, position)
         if kind == 0x50 and count != _LONG_FORM and (self._in_step or self.response_expected):
             if third and count:
                 return 0
             return 4 + count + checksum
         return 0
 
-    def _foreign(self, head: int, third: int) -> int:
+    def _foreign(self, buffer: bytes, position: int) -> int:
         """Return the length of a measured-value frame of another layout, 0 when there is none."""
+        head, third = buffer[position + 1], buffer[position + 2]
         type_code = third >> 4 & 7
         plausible = third & 0x80 and type_code in (1, 2, 3)
         if not plausible or not (self._in_step or self.layout is None):
             return 0
-        return 4 + ((head & 0x0F) + 1) * (type_code + 1) + (2 if head & 0x20 else 0)
+        length = 4 + ((head & 0x0F) + 1) * (type_code + 1) + (2 if head & 0x20 else 0)
+        return 0 if self._hides_own_frame(buffer, position, length) else length
+
+    def _hides_own_frame(self, buffer: bytes, position: int, length: int) -> bool:
+        """Tell whether an own frame starts inside where an own frame that began here would end.
+
+        Then it is an own frame with a damaged head, and its false length would swallow good ones.
+        """
+        layout = self.layout
+        if layout is None:
+            return False
+        heads = tuple(bytes((PREFIX, head)) for head in self._sequences)
+        starts = (position + layout.length(count) for count in self._sequences.values())
+        return any(
+            buffer.startswith(heads, start) and buffer[start + 2] & _TYPE_MASK == layout.third
+            for start in starts
+            if start + 3 <= min(position + length, len(buffer))
+        )
 
     def _take_samples(
         self, buffer: bytes, octets: NDArray[np.uint8], start: int, length: int, parsed: Parsed

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from drivers.api import Quality
@@ -112,6 +112,10 @@ def _frames_by_bytes(data: bytes, layout: FrameLayout) -> Iterator[bytes]:
             elif head & 0xD0 == 0x10 and third & 0x80 and third >> 4 & 7 in (1, 2, 3) and in_step:
                 width = (third >> 4 & 7) + 1
                 length = 4 + ((head & 15) + 1) * width + (2 if head & 0x20 else 0)
+                for own in lengths.values():
+                    begun = data[position + own : position + length][:3]
+                    if len(begun) == 3 and begun[0] == 0xAA and begun[1] in lengths:
+                        length = length if begun[2] & 0xF0 != layout.third else 0
             elif head & 0xF0 == 0x50 and head != 0x5F and in_step and not (third and head & 15):
                 length = 4 + (head & 15)
         if length and position + length > len(data):
@@ -175,6 +179,9 @@ def test_any_bytes_give_what_the_literal_rule_gives(
     ),
     st.lists(st.integers(0, 10000), max_size=5),
 )
+@example(FrameLayout(2, DataType.INT24), 4, 0, ("flip", (1, 10)), [])
+@example(FrameLayout(2, DataType.INT24), 4, 0, ("flip", (1, 14)), [])
+@example(FrameLayout(5), 3, 0, ("flip", (1, 0x0E)), [7])
 def test_in_step_again_within_two_frames(
     layout: FrameLayout, count: int, where: int, damage: tuple[str, object], cuts: list[int]
 ) -> None:
@@ -204,6 +211,20 @@ def test_in_step_again_within_two_frames(
     assert delivered[len(delivered) - len(rest) :] == rest
     if parser.tally.dropped_bytes and len(delivered) > where:
         assert np.any(quality & Quality.RESYNCHRONISED) or not rest
+
+
+@pytest.mark.parametrize("layout", LAYOUTS[:4])
+def test_no_damaged_head_hides_the_frames_behind_it(layout: FrameLayout) -> None:
+    """A damaged head can be that of a longer frame which ends where a good one does."""
+    values = _samples(layout, 6, seed=1)
+    frames = encode_frames(values, layout)
+    for place, bits in product(range(3), range(1, 256)):
+        broken = frames.copy()
+        broken[1, place] ^= bits
+        parser = StreamParser(layout)
+        got, _, lost = _joined(parser.feed(broken.tobytes()), layout)
+        assert got[:, -3:].tolist() == values[:, -3:].tolist(), (place, bits)
+        assert got.shape[1] + lost == 6, (place, bits)
 
 
 def test_a_cut_frame_is_one_lost_sample() -> None:
