@@ -135,7 +135,7 @@ class Clock:
     def __init__(self, simulator: Any, signals: Callable[[Any], Any], speed: float = 1.0) -> None:
         self._simulator, self._signals, self._speed = simulator, signals, speed
         self._last: float | None = None
-        self._due = 0.0
+        self._due = 1.0  # whoever asks finds a device that has converted a sample
         self.samples = 0
 
     def __call__(self, now_s: float) -> bytes:

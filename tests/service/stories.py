@@ -7,7 +7,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.messages import Event
+from rigapp.service.client import Client
+from rigapp.service.launch import find_engine
 from rigapp.storage.reader import open_test
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -38,12 +40,46 @@ def recipe(folder: Path, revolutions: int, *, twin: bool, every: int = 10) -> Pa
     return path
 
 
+NEVER_OVER = 5000
+"""More revolutions than a simulated rig makes while a test waits for something."""
+
+
 def until(condition: Callable[[], Any], what: str, seconds: float = 60.0) -> None:
     """Wait for a condition with a deadline."""
     deadline = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < deadline, f"not within {seconds:g} s: {what}"
         time.sleep(0.02)
+
+
+def end_soon(rig: Path) -> int:
+    """Let the test of a rig, which must be running, end soon; return its last revolution."""
+    entry = find_engine(rig)
+    assert entry is not None
+    client = Client(entry, "Ada", look=False)
+    planned = 0
+
+    def shortened() -> bool:
+        nonlocal planned
+        planned = client.request("status", timeout_s=30.0).result["revolution"] + 40
+        return client.request("extend", {"revolutions": planned}, timeout_s=30.0).ok
+
+    try:
+        until(shortened, "the test is told to end soon")
+    finally:
+        client.close()
+    return planned
+
+
+def with_ports(folder: Path, rig: Path, urls: Mapping[str, str]) -> Path:
+    """Write a rig file whose devices are behind these ports."""
+    text = rig.read_text(encoding="utf-8")
+    for name, url in urls.items():
+        head, tail = text.split(f"[devices.{name}]", 1)
+        text = f"{head}[devices.{name}]" + tail.replace('"simulated"', f'"{url}"', 1)
+    path = folder / "rig.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
 
 
 class Running:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -14,12 +15,25 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from stories import RIG, Running, children, log, numbers, recipe, summary, until
+from stories import (
+    NEVER_OVER,
+    RIG,
+    Running,
+    children,
+    end_soon,
+    log,
+    numbers,
+    recipe,
+    summary,
+    until,
+    with_ports,
+)
 
 from rigapp.config.loading import read_rig
 from rigapp.engine.run import ENDED
 from rigapp.service.host import EngineHost, read_test
 from rigapp.service.simulated import parse_speed
+from rigapp.simulation.handle import start_simulated_rig
 from rigapp.storage.reader import open_test
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs Linux's /proc")
@@ -67,7 +81,7 @@ def test_frozen_and_killed_viewer_costs_no_revolution(
     tmp_path: Path, running: Callable[..., Running]
 ) -> None:
     out = tmp_path / "t.h5"
-    plan = recipe(tmp_path, 110, twin=False)
+    plan = recipe(tmp_path, NEVER_OVER, twin=False)
     test = running("run", plan, "--rig", RIG, "--out", out, "--speed", "8")
     test.wait_for(lambda: "running" in test.states(), "the test runs")
     viewer = subprocess.Popen(
@@ -90,9 +104,10 @@ def test_frozen_and_killed_viewer_costs_no_revolution(
     finally:
         viewer.kill()
         viewer.communicate()
+    planned = end_soon(RIG)
     end = test.end()
     assert end["reason"] == "complete", end
-    assert np.array_equal(numbers(out), np.arange(1, 111))
+    assert np.array_equal(numbers(out), np.arange(1, planned + 1))
     assert summary(out)["gaps"] == 0
     assert [event.after for event in log(out) if event.kind == "command"][:1] == ["Ada"]
 
@@ -101,7 +116,7 @@ def test_killed_and_stalled_twin_costs_no_revolution(
     tmp_path: Path, running: Callable[..., Running]
 ) -> None:
     out = tmp_path / "t.h5"
-    plan = recipe(tmp_path, 160, twin=True)
+    plan = recipe(tmp_path, NEVER_OVER, twin=True)
     test = running("run", plan, "--rig", RIG, "--out", out, "--speed", "8")
     test.wait_for(lambda: test.committed > 10, "the test runs")
     (first,) = children(test.process.pid, "rigapp.twin.worker")
@@ -123,9 +138,10 @@ def test_killed_and_stalled_twin_costs_no_revolution(
     os.kill(second, signal.SIGSTOP)
     stalled_at = test.committed
     test.wait_for(lambda: test.committed > stalled_at + 15, "the test goes on beside it")
+    planned = end_soon(RIG)
     end = test.end()
     assert end["reason"] == "complete", end
-    assert np.array_equal(numbers(out), np.arange(1, 161))
+    assert np.array_equal(numbers(out), np.arange(1, planned + 1))
     assert summary(out)["gaps"] == 0
     until(lambda: not Path(f"/proc/{second}").exists(), "the stalled twin has ended")
 
@@ -145,8 +161,8 @@ def test_disk_delayed_by_two_seconds_costs_no_revolution(
         real(descriptor)
 
     try:
-        host.start(read_test(recipe(tmp_path, 90, twin=False)), out, "Ada", resume=False)
         monkeypatch.setattr(os, "fdatasync", slow)
+        host.start(read_test(recipe(tmp_path, 90, twin=False)), out, "Ada", resume=False)
         host.engine.wait(ENDED, 120.0)
     finally:
         host.close()
@@ -164,14 +180,19 @@ def test_suspended_engine_is_recorded_and_never_silent(
 ) -> None:
     """In real time: the drive's watchdog stops the spindle, the engine says why when it wakes."""
     out = tmp_path / "t.h5"
-    plan = recipe(tmp_path, 200, twin=False)
-    test = running("run", plan, "--rig", RIG, "--out", out, "--speed", "1")
-    test.wait_for(lambda: test.committed >= 2, "the test runs")
-    before = test.committed
-    test.process.send_signal(signal.SIGSTOP)
-    time.sleep(3.0)  # the fault itself
-    test.process.send_signal(signal.SIGCONT)
-    end = test.end()
+    plan = recipe(tmp_path, NEVER_OVER, twin=False)
+    with start_simulated_rig(RIG, speed=1.0, parameters=None) as simulated:
+        rig = with_ports(tmp_path, RIG, simulated.urls)
+        test = running("run", plan, "--rig", rig, "--out", out)
+        test.wait_for(lambda: test.committed >= 2, "the test runs")
+        before, stopped_at = test.committed, time.monotonic()
+        test.process.send_signal(signal.SIGSTOP)
+        until(
+            lambda: simulated.state()["watchdog_tripped"] and time.monotonic() - stopped_at > 3.0,
+            "the drive's watchdog fires",
+        )
+        test.process.send_signal(signal.SIGCONT)
+        end = test.end()
     assert end["reason"] == "device"
     assert "watchdog" in end["sentence"]
     found = numbers(out)
@@ -187,19 +208,20 @@ def test_suspended_engine_is_recorded_and_never_silent(
 def kill_again_and_again(folder: Path, kills: int, chance: random.Random) -> None:
     """Kill a test and go on with it, so many times, then let it come to its end."""
     folder.mkdir()
-    out = folder / "t.h5"
-    planned = 60 + 40 * kills
-    plan = recipe(folder, planned, twin=False)
+    out, rig = folder / "t.h5", folder / "rig.toml"
+    shutil.copy(RIG, rig)
+    plan = recipe(folder, NEVER_OVER * (1 + kills // 5), twin=False, every=1000)
     announced = 0
     for number in range(kills + 1):
         verb = ("resume", out) if out.exists() else ("run", plan, "--out", out)
-        test = Running(*verb, "--rig", RIG, "--speed", "max")
+        test = Running(*verb, "--rig", rig, "--speed", "max")
         try:
+            test.wait_for(lambda t=test: "starting" in t.states(), "it turns")  # type: ignore[misc]
             if number == kills:
+                planned = end_soon(rig)
                 end = test.end()
                 assert end["reason"] == "complete", end
                 break
-            test.wait_for(lambda t=test: "starting" in t.states(), "it turns")  # type: ignore[misc]
             time.sleep(chance.uniform(0.0, 0.4))
             test.kill()
             announced = max(announced, test.committed)

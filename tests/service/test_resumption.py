@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from msgspec import structs
-from stories import RIG, log, numbers, recipe, summary, until
+from stories import NEVER_OVER, RIG, end_soon, log, numbers, recipe, summary, until
 
 from drivers.api import ChannelSpec, StreamSetup
 from rigapp.config.errors import UnusableInput
@@ -196,7 +196,7 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     host: EngineHost, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = tmp_path / "t.h5"
-    test = read_test(recipe(tmp_path, 120, twin=False))
+    test = read_test(recipe(tmp_path, NEVER_OVER, twin=False, every=1000))
     host.connect(test.record)
     zeroed = host.engine.zero(operator="Ada", reason="as the daily check says")["load_cell"]
     assert math.hypot(*zeroed) > 0.01
@@ -229,10 +229,11 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     assert done.ok, done.sentence
     assert host.engine._connection is not None
     assert host.engine._connection.processor.calibration.tare == pytest.approx(zeroed)
+    planned = end_soon(RIG)
     host.engine.wait(ENDED, 90.0)
 
     assert summary(out)["status"] == "complete"
-    assert np.array_equal(numbers(out), np.arange(1, 121))
+    assert np.array_equal(numbers(out), np.arange(1, planned + 1))
     told = [one for one in log(out) if one.kind == "resumed"]
     assert "until Monday" in told[0].text
     assert told[1].text.endswith("accepted: new certificate")
@@ -245,4 +246,4 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     assert before - way[3:8].mean() > 1.5  # um of wear, which a new bushing would not have
     assert abs(after - before) < 1.5
     with pytest.raises(UnusableInput, match="complete"):
-        host.start(read_test(recipe(tmp_path, 120, twin=False)), out, "Ada", resume=True)
+        host.start(test, out, "Ada", resume=True)
