@@ -382,6 +382,8 @@ class DriverInfo:
     simulator: "package.module:Class" of its byte-level simulator, loaded by the simulated rig only.
     usb_ids: vendor and product (None: any of that vendor) of devices with a USB id of their own.
     probe: how ``rigapp doctor`` asks for the device; None: it is recognised by its USB id only.
+    check: raises ValueError with one sentence for a request (``DataRequest`` or ``DriveRequest``)
+    that no such device can follow, before a port is opened; None: only the device knows.
     """
 
     name: str
@@ -392,6 +394,7 @@ class DriverInfo:
     simulator: str | None = None
     usb_ids: tuple[tuple[int, int | None], ...] = ()
     probe: Probe | None = None
+    check: Callable[[Any], object] | None = None
 
 
 # --- what the simulated rig sees of a simulated device ------------------------------------------

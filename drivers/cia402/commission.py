@@ -64,6 +64,14 @@ class Setup:
     readback: Mapping[str, str | float | int]
 
 
+def check_watchdog(request: DriveRequest) -> None:
+    """Raise ValueError for a time-out that the heartbeat cannot carry."""
+    if not 0.05 <= request.watchdog_timeout_s <= _LONGEST_HEARTBEAT_MS * 1e-3:
+        raise ValueError(
+            f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.05 to 65 s."
+        )
+
+
 class Commissioning:
     """Do the steps of one set-up; each raises SettingRefused where the drive does not take it."""
 
@@ -124,10 +132,10 @@ class Commissioning:
                     f"{key} = {value} differs from {self._settings[key]}, with which the port was "
                     "opened; open it again."
                 )
-        if not 0.05 <= request.watchdog_timeout_s <= _LONGEST_HEARTBEAT_MS * 1e-3:
-            raise self._refused(
-                f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.05 to 65 s."
-            )
+        try:
+            check_watchdog(request)
+        except ValueError as error:
+            raise self._refused(str(error)) from error
 
     # --- supervision -----------------------------------------------------------------------------
 

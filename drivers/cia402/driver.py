@@ -25,7 +25,7 @@ from drivers.api import (
     Identity,
     SettingRefused,
 )
-from drivers.cia402.commission import Commissioning, Setup
+from drivers.cia402.commission import Commissioning, Setup, check_watchdog
 from drivers.cia402.control import DriveControl
 from drivers.cia402.identify import identify
 from drivers.cia402.monitor import Motion, NodeMonitor
@@ -361,4 +361,5 @@ DRIVER: Final = DriverInfo(
     settings=SETTINGS,
     simulator="drivers.cia402.simulator:Cia402Simulator",
     probe=PROBE,
+    check=check_watchdog,
 )

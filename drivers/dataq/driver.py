@@ -272,6 +272,11 @@ def _version(hundredths: int) -> str:
     return f"{hundredths // 100}.{hundredths % 100:02d}"
 
 
+def check(request: DataRequest) -> None:
+    """Raise Unplannable for what no such device can do; nothing is opened."""
+    make_plan(request, {**defaults(), **request.settings})
+
+
 DRIVER = DriverInfo(
     name="dataq",
     title="DATAQ DI-2108 or DI-4108 data acquisition",
@@ -281,4 +286,5 @@ DRIVER = DriverInfo(
     simulator="drivers.dataq.simulator:DataqSimulator",
     usb_ids=((_USB_VENDOR, None),),
     probe=PROBE,
+    check=check,
 )

@@ -339,6 +339,11 @@ def make(name: str, port: str, settings: Mapping[str, Any]) -> Gsv8:
     return Gsv8(name, port, settings)
 
 
+def check(request: DataRequest) -> None:
+    """Raise Unplannable for what no such device can do; nothing is opened."""
+    make_plan(request, {**defaults(), **request.settings})
+
+
 DRIVER = DriverInfo(
     name="gsv8",
     title="ME-Systeme GSV-8 measuring amplifier",
@@ -347,4 +352,5 @@ DRIVER = DriverInfo(
     settings=SETTINGS,
     simulator="drivers.gsv8.simulator:Gsv8Simulator",
     probe=PROBE,
+    check=check,
 )

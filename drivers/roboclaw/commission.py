@@ -109,11 +109,10 @@ def check_request(link: Link, request: DriveRequest, settings: Mapping[str, Any]
                 f"{key} = {value} differs from {settings[key]}, with which the port was opened; "
                 "open it again.",
             )
-    if not 1 <= _watchdog_units(request) <= _MAXIMUM_TIMEOUT:
-        raise _refused(
-            link,
-            f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.1 to 25.5 s.",
-        )
+    try:
+        check_watchdog(request)
+    except ValueError as error:
+        raise _refused(link, str(error)) from error
 
 
 def commission(link: Link, request: DriveRequest, motor: int, combined: bool) -> Setup:
@@ -147,6 +146,14 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
         "speed_limit_rev_per_s": pid.qpps / request.counts_per_revolution,
     }
     return Setup(request, units, combined, pid.qpps, readback)
+
+
+def check_watchdog(request: DriveRequest) -> None:
+    """Raise ValueError for a time-out that no RoboClaw can keep."""
+    if not 1 <= _watchdog_units(request) <= _MAXIMUM_TIMEOUT:
+        raise ValueError(
+            f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.1 to 25.5 s."
+        )
 
 
 def _watchdog_units(request: DriveRequest) -> int:

@@ -27,7 +27,7 @@ from drivers.api import (
     ReplyTimeout,
     SettingRefused,
 )
-from drivers.roboclaw.commission import Setup, check_request, commission, identify
+from drivers.roboclaw.commission import Setup, check_request, check_watchdog, commission, identify
 from drivers.roboclaw.link import Link
 from drivers.roboclaw.probe import PROBE
 from drivers.roboclaw.protocol import (
@@ -385,4 +385,5 @@ DRIVER: Final = DriverInfo(
     simulator="drivers.roboclaw.simulator:RoboClawSimulator",
     usb_ids=((0x03EB, 0x2404),),
     probe=PROBE,
+    check=check_watchdog,
 )

@@ -16,7 +16,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.engine.devices import LoadDriver, make_devices
+from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
 from rigapp.engine.messages import Status
 from rigapp.service.preflight import Check, Verdict, blocked, disk_facts, preflight
 from rigapp.service.records import RigRecords, with_records
@@ -33,6 +33,7 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
     from rich.table import Table
 
     records = with_records(read_rig(rig_path))
+    plan_devices(records.rig.record, str(rig_path))
     test = read_test(test_path).record
     status, found = look(records, test)
     rate = _rate(status) or _configured_rate(records.rig.record)

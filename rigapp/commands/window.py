@@ -25,7 +25,9 @@ def examples_folder() -> Path:
 def open_window(rig: Path | None, test: Path | None, *, start: bool) -> int:
     """Show the operator's window until it is closed; return the exit status."""
     rig_path = (rig or examples_folder() / "simulated.toml").resolve()
-    read_rig(rig_path)
+    from rigapp.engine.devices import plan_devices
+
+    plan_devices(read_rig(rig_path).record, str(rig_path))
     tests = _tests(rig_path, test)
     results = Path.cwd() / "results"
     results.mkdir(exist_ok=True)

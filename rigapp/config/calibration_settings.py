@@ -1,10 +1,13 @@
-"""The settings file of a calibration: the text side, with the units in the keys."""
+"""The settings file of a calibration: the text side, with the units in the keys.
+
+What its numbers may be stands in ``rigapp.config.ranges``.
+"""
 
 from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Literal
 
 import msgspec
 
@@ -12,9 +15,6 @@ from calibration.settings import CellSettings, LoadCellSettings, ProbeSettings
 from calibration.weights import Place, WeightSet, normal_gravity
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
-
-Positive = Annotated[float, msgspec.Meta(gt=0)]
-NotNegative = Annotated[float, msgspec.Meta(ge=0)]
 
 LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
@@ -25,8 +25,8 @@ class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[cell]: the load cell."""
 
     name: str
-    full_scale_N: Positive = 400.0
-    resolution_N: Positive = 2.0
+    full_scale_N: float = 400.0
+    resolution_N: float = 2.0
     signal_unit: str = "mV/V"
 
 
@@ -34,21 +34,21 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[weights]: how their mass is stated, density, uncertainty, hanger."""
 
     mass_kind: Literal["conventional", "true"] = "conventional"
-    density_kg_per_m3: Positive = 8000.0
-    density_standard_uncertainty_kg_per_m3: NotNegative = 100.0
-    relative_standard_uncertainty: NotNegative = 5e-5
-    hanger_mass_kg: NotNegative = 0.0
+    density_kg_per_m3: float = 8000.0
+    density_standard_uncertainty_kg_per_m3: float = 100.0
+    relative_standard_uncertainty: float = 5e-5
+    hanger_mass_kg: float = 0.0
 
 
 class PlaceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[place]: gravity, or latitude and height; the air."""
 
-    gravity_m_s2: Positive | None = None
-    latitude_deg: Annotated[float, msgspec.Meta(ge=-90, le=90)] | None = None
+    gravity_m_s2: float | None = None
+    latitude_deg: float | None = None
     height_m: float = 0.0
-    gravity_relative_standard_uncertainty: NotNegative | None = None
-    air_density_kg_per_m3: NotNegative = 1.2
-    air_density_standard_uncertainty_kg_per_m3: NotNegative = 0.05
+    gravity_relative_standard_uncertainty: float | None = None
+    air_density_kg_per_m3: float = 1.2
+    air_density_standard_uncertainty_kg_per_m3: float = 0.05
     temperature_degC: float | None = None
     humidity_percent: float | None = None
     pressure_hPa: float | None = None
@@ -62,8 +62,8 @@ class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     offset_deg: float = 0.0
-    standard_uncertainty_deg: NotNegative = 0.05
-    setting_standard_uncertainty_deg: NotNegative = 0.02
+    standard_uncertainty_deg: float = 0.05
+    setting_standard_uncertainty_deg: float = 0.02
     level_readings_deg: tuple[float, ...] = ()
 
 
@@ -80,7 +80,7 @@ class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     excitation: str = ""
     standards: str = ""
     notes: str = ""
-    valid_days: Annotated[int, msgspec.Meta(ge=1)] = 365
+    valid_days: int = 365
 
 
 class LoadCellFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -102,15 +102,15 @@ class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     name: str
-    range_V: Positive = 10.0
-    resolution_V: NotNegative = 0.0
-    micrometer_standard_uncertainty_um: NotNegative = 0.5
-    target_radius_mm: Positive | None = None
-    sensor_radius_mm: Positive | None = None
-    gap_at_zero_um: Positive | None = None
+    range_V: float = 10.0
+    resolution_V: float = 0.0
+    micrometer_standard_uncertainty_um: float = 0.5
+    target_radius_mm: float | None = None
+    sensor_radius_mm: float | None = None
+    gap_at_zero_um: float | None = None
     nominal_sensitivity_um_per_V: float | None = None
-    off_axis_um: NotNegative = 0.0
-    alignment_standard_uncertainty_deg: NotNegative = 0.2
+    off_axis_um: float = 0.0
+    alignment_standard_uncertainty_deg: float = 0.2
 
 
 class ProbeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-import math
+import itertools
 import re
 import typing
 from collections.abc import Iterator, Mapping
@@ -13,8 +13,10 @@ from typing import Any, Generic, Literal, TypeVar
 
 import msgspec
 
+from rigapp.config.consistency import faults
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
+from rigapp.config.ranges import refusals
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 
@@ -34,16 +36,12 @@ class Document(Generic[Record]):
 
 def read_rig(path: Path) -> Document[RigFile]:
     """Read a rig file; raise UnusableInput."""
-    document = read_document(path, RigFile)
-    _check_references(path, document.record)
-    return document
+    return read_document(path, RigFile)
 
 
 def read_test(path: Path) -> Document[TestFile]:
     """Read a test file; raise UnusableInput."""
-    document = read_document(path, TestFile)
-    _check_test(path, document.record)
-    return document
+    return read_document(path, TestFile)
 
 
 def read_parameter_file(path: Path) -> Document[ParameterFile]:
@@ -51,20 +49,17 @@ def read_parameter_file(path: Path) -> Document[ParameterFile]:
     return read_document(path, ParameterFile)
 
 
-def parse_test(text: str, name: str) -> TestFile:
-    """Read a test from text (for example out of a recorded file); raise UnusableInput."""
-    path = Path(name)
-    test = _decode(path, text, TestFile)
-    _check_test(path, test)
-    return test
+def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:
+    """Read a test from text; raise UnusableInput.
+
+    recorded: it has run already, and is only shown; what was allowed then is not judged again.
+    """
+    return _record(Path(name), text, TestFile, recorded=recorded)
 
 
-def parse_rig(text: str, name: str) -> RigFile:
-    """Read a rig from text (for example out of a recorded file); raise UnusableInput."""
-    path = Path(name)
-    rig = _decode(path, text, RigFile)
-    _check_references(path, rig)
-    return rig
+def parse_rig(text: str, name: str, *, recorded: bool = False) -> RigFile:
+    """Read a rig from text, recorded as in ``parse_test``; raise UnusableInput."""
+    return _record(Path(name), text, RigFile, recorded=recorded)
 
 
 def read_document(path: Path, record: type[Record]) -> Document[Record]:
@@ -75,7 +70,15 @@ def read_document(path: Path, record: type[Record]) -> Document[Record]:
         raise UnusableInput(f"{path}: there is no such file; check the name.") from error
     except (OSError, UnicodeDecodeError) as error:
         raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
-    return Document(path, text, _decode(path, text, record))
+    return Document(path, text, _record(path, text, record))
+
+
+def _record(path: Path, text: str, kind: type[Record], *, recorded: bool = False) -> Record:
+    record = _decode(path, text, kind)
+    if not recorded:
+        for wrong in itertools.chain(refusals(record), faults(record)):
+            raise UnusableInput(f"{path}: {wrong.rstrip('.')}.")
+    return record
 
 
 def _decode(path: Path, text: str, record: type[Record]) -> Record:
@@ -185,50 +188,3 @@ def _choices(record: Any, where: str) -> tuple[Any, ...]:
         if typing.get_origin(part) is Literal
         for choice in typing.get_args(part)
     )
-
-
-def _check_references(path: Path, rig: RigFile) -> None:
-    for section in ("spindle", "encoder", "load_cell", "probes"):
-        device = getattr(rig, section).device
-        if device not in rig.devices:
-            known = ", ".join(rig.devices) or "none"
-            raise UnusableInput(
-                f"{path}: {section}.device = {device!r} is not among the devices ({known})."
-            )
-    sources = {rig.encoder.device, rig.load_cell.device, rig.probes.device}
-    if len(sources) > 1:
-        raise UnusableInput(
-            f"{path}: encoder, load_cell and probes must come from one device, so that their"
-            f" samples are taken together; they name {', '.join(sorted(sources))}."
-        )
-    if rig.simulation is None:
-        for name, device in rig.devices.items():
-            if device.port == "simulated":
-                raise UnusableInput(
-                    f"{path}: devices.{name}.port is 'simulated' but there is no [simulation];"
-                    " name the port or add the section."
-                )
-
-
-def _check_test(path: Path, test: TestFile) -> None:
-    if test.limits.overspeed_rpm <= test.run.speed_rpm:
-        raise UnusableInput(
-            f"{path}: limits.overspeed_rpm = {test.limits.overspeed_rpm:g} is not above"
-            f" run.speed_rpm = {test.run.speed_rpm:g}; the test would trip at once."
-        )
-    stop, limits = test.stop, test.limits
-    if stop.force_N is not None and stop.force_N >= limits.overload_N:
-        raise UnusableInput(
-            f"{path}: stop.force_N = {stop.force_N:g} can never be met, because limits.overload_N ="
-            f" {limits.overload_N:g} switches the drive off before; lower stop.force_N."
-        )
-    for name in ("deviation_N", "deviation_percent"):
-        if getattr(stop, name) is not None and not test.prediction.enabled:
-            raise UnusableInput(
-                f"{path}: stop.{name} compares with the model, but prediction.enabled is false;"
-                " enable the prediction or leave the criterion out."
-            )
-    for name in stop.__struct_fields__:
-        value = getattr(stop, name)
-        if value is not None and not math.isfinite(value):
-            raise UnusableInput(f"{path}: stop.{name} = {value} is not a finite number.")

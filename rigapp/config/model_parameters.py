@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_parameter_file
 from rigapp.config.parameters import ParameterFile
 
 if TYPE_CHECKING:
@@ -21,13 +20,13 @@ MM3_PER_NM = 1e-9
 
 def read_parameters(path: Path) -> Parameters:
     """Read a parameter file into the model's records; raise UnusableInput naming file and key."""
+    from rigapp.config.loading import read_parameter_file
+
     path = Path(path)
     return to_parameters(read_parameter_file(path).record, source=str(path))
 
 
-def to_parameters(
-    file: ParameterFile, source: str = "the model's parameters", section: str = ""
-) -> Parameters:
+def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> Parameters:
     """Turn a parameter file's record into the model's records in SI.
 
     ``source`` and ``section`` (for example "model" for the [model] part of a test) only serve the
@@ -35,7 +34,7 @@ def to_parameters(
     """
     from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
 
-    prefix = f"{section}." if section else ""
+    prefix = (f"{source}: " if source else "") + (f"{section}." if section else "")
     m, s, j, b, p = file.mechanism, file.spring, file.joint, file.bushing, file.pin
 
     def build(
@@ -53,9 +52,7 @@ def to_parameters(
             quantity = getattr(error, "quantity", "")
             remedy = getattr(error, "remedy", str(error))
             key = next((key for key in values if field_of(key) == quantity), quantity)
-            raise UnusableInput(
-                f"{source}: {prefix}{table}.{key} = {values.get(key)}: {remedy}."
-            ) from error
+            raise UnusableInput(f"{prefix}{table}.{key} = {values.get(key)}: {remedy}.") from error
 
     spring = s and build(Spring, "spring", s, {"stiffness_N_per_m": 1.0, "free_position_mm": MM})
     mechanism = build(

@@ -1,17 +1,15 @@
-"""The test file (recipe): how long, how fast, what to keep, when to stop, what to compare with."""
+"""The test file (recipe): how long, how fast, what to keep, when to stop, what to compare with.
+
+What its numbers may be stands in ``rigapp.config.ranges``.
+"""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Literal
 
 import msgspec
 
 from rigapp.config.parameters import ParameterFile
-
-Positive = Annotated[float, msgspec.Meta(gt=0)]
-PositiveCount = Annotated[int, msgspec.Meta(ge=1)]
-Count = Annotated[int, msgspec.Meta(ge=0)]
-WindowCount = Annotated[int, msgspec.Meta(ge=20)]
 
 Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
@@ -19,10 +17,10 @@ Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 class RunSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[run]: revolutions, speed and ramp; pause_angle_deg is the safe angle."""
 
-    revolutions: PositiveCount
-    speed_rpm: Positive
-    acceleration_rpm_per_s: Positive = 60.0
-    pause_angle_deg: Annotated[float, msgspec.Meta(ge=0, lt=360)] = 90.0
+    revolutions: int
+    speed_rpm: float
+    acceleration_rpm_per_s: float = 60.0
+    pause_angle_deg: float = 90.0
 
 
 class MetadataSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -42,10 +40,10 @@ class CyclesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     schedule: Literal["every", "logarithmic", "none"] = "every"
-    every_revolutions: PositiveCount = 100
-    per_decade: PositiveCount = 20
-    before_alarm: Annotated[int, msgspec.Meta(ge=0, le=1000)] = 5
-    after_alarm: Annotated[int, msgspec.Meta(ge=0, le=1000)] = 5
+    every_revolutions: int = 100
+    per_decade: int = 20
+    before_alarm: int = 5
+    after_alarm: int = 5
 
 
 class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -57,7 +55,7 @@ class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     warning_below: float | None = None
     critical_below: float | None = None
     hysteresis: float = 0.0
-    delay_revolutions: PositiveCount = 1
+    delay_revolutions: int = 1
     action_warning: Action = "warn"
     action_critical: Action = "stop"
 
@@ -65,9 +63,9 @@ class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[limits]: what is always watched, and rules of one's own."""
 
-    overload_N: Positive = 380.0
-    overspeed_rpm: Positive = 700.0
-    stale_data_s: Positive = 2.0
+    overload_N: float = 380.0
+    overspeed_rpm: float = 700.0
+    stale_data_s: float = 2.0
     rule: tuple[LimitRule, ...] = ()
 
 
@@ -79,18 +77,18 @@ class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     A level must be passed in so many judged revolutions in a row as the key beside it says.
     """
 
-    elapsed_time_h: Positive | None = None
-    running_time_h: Positive | None = None
-    wear_depth_um: Positive | None = None
-    wear_depth_revolutions: PositiveCount = 20
-    force_N: Positive | None = None
-    force_revolutions: PositiveCount = 10
-    wear_rate_um_per_1000_revolutions: Positive | None = None
-    wear_rate_window_revolutions: WindowCount = 1000
-    deviation_N: Positive | None = None
-    deviation_percent: Positive | None = None
-    deviation_revolutions: PositiveCount = 20
-    hold_off_revolutions: Count = 0
+    elapsed_time_h: float | None = None
+    running_time_h: float | None = None
+    wear_depth_um: float | None = None
+    wear_depth_revolutions: int = 20
+    force_N: float | None = None
+    force_revolutions: int = 10
+    wear_rate_um_per_1000_revolutions: float | None = None
+    wear_rate_window_revolutions: int = 1000
+    deviation_N: float | None = None
+    deviation_percent: float | None = None
+    deviation_revolutions: int = 20
+    hold_off_revolutions: int = 0
 
 
 class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -1,14 +1,13 @@
-"""The rig file: devices, which of their inputs carries what, and the linear calibration."""
+"""The rig file: devices, which of their inputs carries what, and the linear calibration.
+
+What its numbers may be stands in ``rigapp.config.ranges``.
+"""
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
 import msgspec
-
-Positive = Annotated[float, msgspec.Meta(gt=0)]
-NotNegative = Annotated[float, msgspec.Meta(ge=0)]
-PositiveCount = Annotated[int, msgspec.Meta(ge=1)]
 
 Pair = tuple[float, float]
 Triple = tuple[float, float, float]
@@ -18,20 +17,20 @@ Matrix = tuple[Pair, Pair]
 class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[simulation.plant]: how the simulated rig differs from the model, each by how much."""
 
-    slider_mass_factor: Positive = 1.01
-    spring_stiffness_factor: Positive = 0.985
-    joint_friction_coefficient: NotNegative = 0.05
-    wear_coefficient_factor: NotNegative = 1.1
-    motor_torque_limit_Nm: Positive = 6.0
-    speed_ripple_percent: NotNegative = 0.5
-    cross_talk_percent: NotNegative = 1.5
-    force_noise_N: NotNegative = 0.7
-    force_resolution_N: NotNegative = 2.0
+    slider_mass_factor: float = 1.01
+    spring_stiffness_factor: float = 0.985
+    joint_friction_coefficient: float = 0.05
+    wear_coefficient_factor: float = 1.1
+    motor_torque_limit_Nm: float = 6.0
+    speed_ripple_percent: float = 0.5
+    cross_talk_percent: float = 1.5
+    force_noise_N: float = 0.7
+    force_resolution_N: float = 2.0
     force_drift_N_per_hour: float = 0.2
-    pin_run_out_um: NotNegative = 3.0
-    probe_noise_um: NotNegative = 0.2
-    filter_delay_ms: NotNegative = 1.0
-    outboard_mass_factor: NotNegative = 1.0
+    pin_run_out_um: float = 3.0
+    probe_noise_um: float = 0.2
+    filter_delay_ms: float = 1.0
+    outboard_mass_factor: float = 1.0
     probe_misalignment_deg: Pair = (0.0, 0.0)
     probe_sensitivity_error_percent: Pair = (0.0, 0.0)
 
@@ -40,7 +39,7 @@ class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
     """[simulation]: present only in a simulated rig."""
 
     seed: int = 1
-    speed: Positive | Literal["max"] = 1.0
+    speed: float | Literal["max"] = 1.0
     plant: PlantSection = PlantSection()
 
 
@@ -56,10 +55,10 @@ class SpindleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[spindle]: the drive that turns the crank."""
 
     device: str
-    encoder_counts_per_revolution: PositiveCount
-    maximum_speed_rpm: Positive
+    encoder_counts_per_revolution: int
+    maximum_speed_rpm: float
     direction: Literal[1, -1] = 1
-    watchdog_timeout_s: Positive = 0.5
+    watchdog_timeout_s: float = 0.5
 
 
 class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -67,7 +66,7 @@ class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     device: str
     input: str
-    counts_per_revolution: PositiveCount = 3600
+    counts_per_revolution: int = 3600
     quadrature: Literal["after", "before"] = "after"
     direction: Literal[1, -1] = 1
     restarts_at_index: bool = True
@@ -91,13 +90,13 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     matrix_N_per_mV_per_V: Matrix
     zero_mV_per_V: Pair = (0.0, 0.0)
     quadratic_mV_per_V_per_N2: tuple[Triple, Triple] | None = None
-    range_mV_per_V: Positive = 3.5
-    full_scale_N: Positive = 400.0
-    resolution_N: Positive = 2.0
+    range_mV_per_V: float = 3.5
+    full_scale_N: float = 400.0
+    resolution_N: float = 2.0
     latency_ms: Pair = (0.0, 0.0)
     uncertainty_N: Pair | None = None
-    outboard_mass_kg: NotNegative = 0.0
-    outboard_radius_mm: Positive = 76.2
+    outboard_mass_kg: float = 0.0
+    outboard_radius_mm: float = 76.2
     calibration: str = ""
     calibration_override: str = ""
 
@@ -116,7 +115,7 @@ class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     input_2: str
     sensitivity_um_per_V: Pair
     offset_V: Pair = (0.0, 0.0)
-    range_V: Positive = 10.0
+    range_V: float = 10.0
     latency_ms: Pair = (0.0, 0.0)
     calibration: str | tuple[str, str] = ""
     calibration_override: str = ""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from typing import cast
+from dataclasses import dataclass, field, replace
+from typing import Any, cast
 
 from drivers.api import (
     DataRequest,
@@ -17,8 +17,9 @@ from drivers.api import (
     StreamSetup,
 )
 from drivers.registry import DriverNotFound, SettingsError, check_settings, load_driver
+from rigapp.config.consistency import INPUTS
 from rigapp.config.errors import UnusableInput
-from rigapp.config.rig import DeviceSection, RigFile
+from rigapp.config.rig import RigFile
 
 LoadDriver = Callable[[str], DriverInfo]
 
@@ -54,81 +55,150 @@ class Devices:
         self.source.close()
 
 
-def make_devices(rig: RigFile, ports: Mapping[str, str], load: LoadDriver = load_driver) -> Devices:
-    """Make the drivers of a rig file without touching a port; raise UnusableInput.
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What the devices of a rig file will be asked for: names, drivers, settings, requests."""
 
-    ports: device name -> port, in place of the rig file's.
+    source: str
+    source_driver: DriverInfo
+    data_request: DataRequest
+    spindle: str
+    spindle_driver: DriverInfo
+    drive_request: DriveRequest
+
+
+def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_driver) -> Plan:
+    """Return what the devices will be asked for; raise UnusableInput where one cannot do it.
+
+    Nothing is opened. where: the file, for the sentence.
     """
     sources = {key: getattr(rig, key).device for key in ("encoder", "load_cell", "probes")}
     if len(set(sources.values())) != 1:
         named = ", ".join(f"{key}.device = {name!r}" for key, name in sources.items())
         raise UnusableInput(
-            f"rig file: {named}; all three must name one device, whose samples are simultaneous"
+            f"{where}: {named}; all three must name one device, whose samples are simultaneous"
         )
-    name = rig.encoder.device
-    source, settings = _make(rig, name, DriverKind.DATA_SOURCE, ports, load)
+    name, drive = rig.encoder.device, rig.spindle.device
+    info, settings = _driver(rig, name, DriverKind.DATA_SOURCE, where, load)
     rate = settings.get("sample_rate_Hz")
     if not isinstance(rate, int | float):
         raise UnusableInput(
-            f"rig file: devices.{name}.settings.sample_rate_Hz is missing; give the sample rate"
+            f"{where}: devices.{name}.settings.sample_rate_Hz is missing; give the sample rate"
         )
-    spindle, drive_settings = _make(rig, rig.spindle.device, DriverKind.SPINDLE, ports, load)
+    drive_info, drive_settings = _driver(rig, drive, DriverKind.SPINDLE, where, load)
+    data = DataRequest(float(rate), _inputs(rig), settings)
+    wanted = DriveRequest(
+        counts_per_revolution=rig.spindle.encoder_counts_per_revolution,
+        direction=rig.spindle.direction,
+        maximum_speed_rev_per_s=rig.spindle.maximum_speed_rpm / 60.0,
+        watchdog_timeout_s=rig.spindle.watchdog_timeout_s,
+        settings=drive_settings,
+        simulated=rig.simulation is not None,
+    )
+    _check_inputs(rig, info, data, where)
+    if drive_info.check is not None:
+        try:
+            drive_info.check(wanted)
+        except ValueError as error:
+            raise UnusableInput(f"{where}: [spindle] on devices.{drive}: {error}") from error
+    return Plan(name, info, data, drive, drive_info, wanted)
+
+
+def _inputs(rig: RigFile) -> dict[str, tuple[str, float]]:
     lines = 4 if rig.encoder.quadrature == "before" else 1
     cell, probes = rig.load_cell, rig.probes
+    return {
+        cell.input_1: ("bridge", cell.range_mV_per_V),
+        cell.input_2: ("bridge", cell.range_mV_per_V),
+        probes.input_1: ("voltage", probes.range_V),
+        probes.input_2: ("voltage", probes.range_V),
+        rig.encoder.input: ("counter", float(rig.encoder.counts_per_revolution * lines)),
+    }
+
+
+def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: str) -> None:
+    """Refuse what the data source cannot do, with the key of the input where one is at fault."""
+    wrong = _objection(info, request)
+    if not wrong:
+        return
+    keys = {getattr(getattr(rig, one), key): f"{one}.{key}" for one, key in INPUTS}
+    alone = {
+        name: _objection(info, replace(request, inputs={name: kind}))
+        for name, kind in request.inputs.items()
+    }
+    faulty = [name for name, words in alone.items() if words]
+    if 0 < len(faulty) < len(alone):
+        name = faulty[0]
+        raise UnusableInput(f"{where}: {keys[name]} = {name!r}: {alone[name]}")
+    raise UnusableInput(f"{where}: [devices.{rig.encoder.device}.settings]: {wrong}")
+
+
+def _objection(info: DriverInfo, request: DataRequest) -> str:
+    if info.check is not None:
+        try:
+            info.check(request)
+        except ValueError as error:
+            return str(error)
+    return ""
+
+
+def make_devices(
+    rig: RigFile,
+    ports: Mapping[str, str],
+    load: LoadDriver = load_driver,
+    where: str = "rig file",
+) -> Devices:
+    """Make the drivers of a rig file without touching a port; raise UnusableInput.
+
+    ports: device name -> port, in place of the rig file's.
+    """
+    plan = plan_devices(rig, where, load)
+    source = _made(rig, plan.source, plan.source_driver, plan.data_request.settings, ports, where)
+    spindle = _made(
+        rig, plan.spindle, plan.spindle_driver, plan.drive_request.settings, ports, where
+    )
     return Devices(
         source=cast(DataSource, source),
         spindle=cast(Spindle, spindle),
-        data_request=DataRequest(
-            sample_rate_Hz=float(rate),
-            inputs={
-                cell.input_1: ("bridge", cell.range_mV_per_V),
-                cell.input_2: ("bridge", cell.range_mV_per_V),
-                probes.input_1: ("voltage", probes.range_V),
-                probes.input_2: ("voltage", probes.range_V),
-                rig.encoder.input: ("counter", float(rig.encoder.counts_per_revolution * lines)),
-            },
-            settings=settings,
-        ),
-        drive_request=DriveRequest(
-            counts_per_revolution=rig.spindle.encoder_counts_per_revolution,
-            direction=rig.spindle.direction,
-            maximum_speed_rev_per_s=rig.spindle.maximum_speed_rpm / 60.0,
-            watchdog_timeout_s=rig.spindle.watchdog_timeout_s,
-            settings=drive_settings,
-            simulated=rig.simulation is not None,
-        ),
-        drivers={
-            name: rig.devices[name].driver,
-            rig.spindle.device: _section(rig, rig.spindle.device).driver,
-        },
+        data_request=plan.data_request,
+        drive_request=plan.drive_request,
+        drivers={name: rig.devices[name].driver for name in (plan.source, plan.spindle)},
     )
 
 
-def _section(rig: RigFile, name: str) -> DeviceSection:
+def _driver(
+    rig: RigFile, name: str, kind: DriverKind, where: str, load: LoadDriver
+) -> tuple[DriverInfo, dict[str, Any]]:
     section = rig.devices.get(name)
     if section is None:
         known = ", ".join(rig.devices) or "none"
-        raise UnusableInput(f"rig file: there is no device {name!r}; there are: {known}")
-    return section
-
-
-def _make(
-    rig: RigFile, name: str, kind: DriverKind, ports: Mapping[str, str], load: LoadDriver
-) -> tuple[DataSource | Spindle, dict[str, object]]:
-    section = _section(rig, name)
-    port = ports.get(name, section.port)
-    if port == "simulated":
-        raise UnusableInput(
-            f"rig file: devices.{name}.port is 'simulated', and no simulated device runs for it"
-        )
+        raise UnusableInput(f"{where}: there is no device {name!r}; there are: {known}")
     try:
         info = load(section.driver)
-        settings = check_settings(info, section.settings, f"rig file [devices.{name}.settings]")
-    except (DriverNotFound, SettingsError) as error:
+        settings = check_settings(info, section.settings, f"{where}: [devices.{name}.settings]")
+    except DriverNotFound as error:
+        raise UnusableInput(f"{where}: devices.{name}.driver: {error}") from error
+    except SettingsError as error:
         raise UnusableInput(str(error)) from error
     if info.kind is not kind:
         raise UnusableInput(
-            f"rig file: devices.{name}.driver = {section.driver!r} is a {info.kind.value}, "
+            f"{where}: devices.{name}.driver = {section.driver!r} is a {info.kind.value}, "
             f"a {kind.value} is needed"
         )
-    return info.factory(name, port, settings), settings
+    return info, settings
+
+
+def _made(
+    rig: RigFile,
+    name: str,
+    info: DriverInfo,
+    settings: Mapping[str, Any],
+    ports: Mapping[str, str],
+    where: str,
+) -> DataSource | Spindle:
+    port = ports.get(name, rig.devices[name].port)
+    if port == "simulated":
+        raise UnusableInput(
+            f"{where}: devices.{name}.port is 'simulated', and no simulated device runs for it"
+        )
+    return info.factory(name, port, dict(settings))

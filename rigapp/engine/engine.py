@@ -20,6 +20,7 @@ from drivers.api import DeviceError
 from drivers.registry import load_driver
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
+from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine import causes
@@ -42,7 +43,7 @@ from rigapp.engine.messages import (
 from rigapp.engine.publish import Finished, NoticeStream, Subscription
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
 from rigapp.engine.run import ACTIVE, ENDED, Ending, Refused, Trigger, transition
-from rigapp.engine.starting import check_start, open_session, start_deadline_s
+from rigapp.engine.starting import check_overload, check_start, open_session, start_deadline_s
 from rigapp.engine.store import OpenStore, open_file
 from rigapp.engine.timing import Timing
 from rigapp.engine.views import build_status
@@ -129,7 +130,7 @@ class Engine:
 
     def _open(self) -> Connection:
         core = self._core
-        devices = make_devices(core.rig.record, self._ports, self._load)
+        devices = make_devices(core.rig.record, self._ports, self._load, str(core.rig.path))
         setup = devices.open()
         try:
             calibration = calibration_of(core.rig.record, setup)
@@ -197,7 +198,7 @@ class Engine:
             if connection is None:
                 raise Refused("no devices are connected; connect first")
             self._operator = operator
-            monitor = check_start(core, connection, test.record)
+            monitor = check_start(core, connection, test)
             rest = signals_at_rest(core, connection)
             session = open_session(
                 core,
@@ -350,12 +351,13 @@ class Engine:
             session = self._core.session
             if session is None or self._core.state not in ACTIVE:
                 raise Refused("limits are changed in the test file while no test is under way")
-            before, limits = changed_limits(session.limits, name, float(value))
+            before, limits = changed_limits(session.limits, name, value)
             if limits.overspeed_rpm <= session.target_rpm:
                 raise UnusableInput(
                     f"overspeed_rpm = {limits.overspeed_rpm:g} must be above the set speed "
                     f"{session.target_rpm:g} rpm"
                 )
+            check_overload(self._core.rig.record, limits.overload_N)
             session.run.monitor.replace(limits.rule)
             session.limits = limits
             why = f": {reason.strip()}" if reason.strip() else ""
@@ -380,6 +382,9 @@ class Engine:
             if session is None or core.state not in EXTENDABLE or session.run.complete:
                 raise Refused("the number of revolutions is changed while a test runs or is paused")
             run = session.run
+            wrong = refusal("run.revolutions", revolutions)
+            if wrong:
+                raise UnusableInput(wrong)
             core.require(
                 revolutions > run.number + 1,
                 f"revolution {run.number} is made already; the test can end after a later one than"

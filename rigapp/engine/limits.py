@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -10,59 +9,10 @@ from dataclasses import dataclass
 import msgspec
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.ranges import refusal
 from rigapp.config.recipe import Action, LimitRule, LimitsSection
-from rigapp.engine.columns import prediction_columns, revolution_columns
+from rigapp.config.rules import BOUNDS, check_rules, level_refusal
 from rigapp.engine.messages import Severity
-
-_NOT_LIMITED = {"revolution", "time", "host_time"}
-
-_MEASURED = tuple(column.name for column in revolution_columns())
-
-QUANTITIES = tuple(
-    name
-    for name in dict.fromkeys((*_MEASURED, *(column.name for column in prediction_columns())))
-    if name not in _NOT_LIMITED
-)
-"""What a rule can be about: the statistics of a revolution, and the twin's residuals and wear.
-
-A name that both have (``force_max``) means what was measured.
-"""
-
-BOUNDS = ("critical_above", "critical_below", "warning_above", "warning_below")
-
-
-def check_rules(rules: Iterable[LimitRule]) -> None:
-    """Raise UnusableInput when a rule names no quantity, has no level, or contradicts itself."""
-    for number, rule in enumerate(rules, start=1):
-        where = f"limits.rule {number} ({rule.quantity})"
-        if rule.quantity not in QUANTITIES:
-            near = difflib.get_close_matches(rule.quantity, QUANTITIES, n=1, cutoff=0.0)
-            raise UnusableInput(f"{where}: there is no such quantity; did you mean {near[0]}?")
-        bounds = {name: getattr(rule, name) for name in BOUNDS}
-        if all(value is None for value in bounds.values()):
-            raise UnusableInput(f"{where}: no level is given; give one of {', '.join(BOUNDS)}")
-        for name, value in bounds.items():
-            if value is not None and not math.isfinite(value):
-                raise UnusableInput(f"{where}: {name} = {value} is not a finite number")
-        if not (math.isfinite(rule.hysteresis) and rule.hysteresis >= 0):
-            raise UnusableInput(f"{where}: hysteresis = {rule.hysteresis} must be 0 or more")
-        _check_order(where, "above", rule.warning_above, rule.critical_above, 1)
-        _check_order(where, "below", rule.warning_below, rule.critical_below, -1)
-        lows = [v for v in (rule.warning_below, rule.critical_below) if v is not None]
-        highs = [v for v in (rule.warning_above, rule.critical_above) if v is not None]
-        if lows and highs and max(lows) >= min(highs):
-            raise UnusableInput(
-                f"{where}: no value lies above {max(lows):g} and below {min(highs):g}"
-            )
-
-
-def _check_order(
-    where: str, side: str, warning: float | None, critical: float | None, sign: int
-) -> None:
-    if warning is not None and critical is not None and sign * (critical - warning) <= 0:
-        raise UnusableInput(
-            f"{where}: critical_{side} = {critical:g} must lie beyond warning_{side} = {warning:g}"
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,30 +149,46 @@ class RuleMonitor:
         return worst, name
 
 
+ALWAYS = ("overload_N", "overspeed_rpm", "stale_data_s")
+"""What is always watched, beside the rules."""
+
+
+def limit_refusal(name: str, value: object) -> str:
+    """Return what is wrong with the value of a limit or level of that name; empty when right."""
+    if name in ALWAYS:
+        return refusal(f"limits.{name}", value)
+    quantity, _, level = name.partition(".")
+    wrong = level_refusal(quantity, level, value)
+    return f"{quantity}.{wrong}" if wrong else ""
+
+
 def changed_limits(
     limits: LimitsSection, name: str, value: float
 ) -> tuple[float | None, LimitsSection]:
     """Return the former value and the limits with one changed; raise UnusableInput."""
-    if not math.isfinite(value):
-        raise UnusableInput(f"limit {name} = {value} is not a finite number")
-    plain = ("overload_N", "overspeed_rpm", "stale_data_s")
-    if name in plain:
-        if value <= 0:
-            raise UnusableInput(f"limit {name} = {value:g} must be positive")
-        return getattr(limits, name), msgspec.structs.replace(limits, **{name: value})
     quantity, _, level = name.partition(".")
-    for place, rule in enumerate(limits.rule):
-        if rule.quantity == quantity and getattr(rule, level, None) is not None:
-            before = getattr(rule, level)
-            if not isinstance(before, float | int) or isinstance(before, bool):
-                break
-            changed = msgspec.structs.replace(rule, **{level: value})
-            rules = (*limits.rule[:place], changed, *limits.rule[place + 1 :])
-            return float(before), msgspec.structs.replace(limits, rule=rules)
-    known = [
-        f"{rule.quantity}.{level}"
-        for rule in limits.rule
-        for level in ("warning_above", "critical_above", "warning_below", "critical_below")
-        if getattr(rule, level) is not None
+    places = [
+        place
+        for place, rule in enumerate(limits.rule)
+        if rule.quantity == quantity and level in BOUNDS and getattr(rule, level) is not None
     ]
-    raise UnusableInput(f"there is no limit {name!r}; there are: {', '.join((*plain, *known))}")
+    if name not in ALWAYS and not places:
+        known = [
+            f"{rule.quantity}.{level}"
+            for rule in limits.rule
+            for level in BOUNDS
+            if getattr(rule, level) is not None
+        ]
+        raise UnusableInput(
+            f"there is no limit {name!r}; there are: {', '.join((*ALWAYS, *known))}"
+        )
+    wrong = limit_refusal(name, value)
+    if wrong:
+        raise UnusableInput(wrong)
+    if name in ALWAYS:
+        return getattr(limits, name), msgspec.structs.replace(limits, **{name: value})
+    place = places[0]
+    rule = limits.rule[place]
+    changed = msgspec.structs.replace(rule, **{level: value})
+    rules = (*limits.rule[:place], changed, *limits.rule[place + 1 :])
+    return getattr(rule, level), msgspec.structs.replace(limits, rule=rules)

@@ -10,6 +10,8 @@ from drivers.api import SampleClock
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
+from rigapp.config.rig import RigFile
+from rigapp.config.rules import check_rules
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
 from rigapp.engine.criteria import StopMonitor
@@ -22,8 +24,10 @@ from rigapp.engine.store import Opened, OpenRequest, OpenStore
 from rigapp.engine.testrun import TestRun
 
 
-def check_start(core: Core, connection: Connection, test: TestFile) -> RuleMonitor:
+def check_start(core: Core, connection: Connection, document: Document[TestFile]) -> RuleMonitor:
     """Return the monitor of a test that may start; raise Refused or UnusableInput."""
+    check_fit(core.rig.record, document)
+    test = document.record
     run = test.run
     blocking = core.alarms.blocking()
     if blocking is not None:
@@ -34,24 +38,6 @@ def check_start(core: Core, connection: Connection, test: TestFile) -> RuleMonit
     )
     status = connection.control.status
     core.require(status is not None and connection.control.answering, "the drive does not answer")
-    fastest = core.rig.record.spindle.maximum_speed_rpm
-    if run.speed_rpm > fastest:
-        raise UnusableInput(
-            f"run.speed_rpm = {run.speed_rpm:g} is above the rig's spindle.maximum_speed_rpm "
-            f"= {fastest:g}"
-        )
-    if test.limits.overspeed_rpm <= run.speed_rpm:
-        raise UnusableInput(
-            f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
-            f"run.speed_rpm = {run.speed_rpm:g}"
-        )
-    reach = load_cell_reach_N(core.rig.record)
-    if test.limits.overload_N > reach:
-        raise UnusableInput(
-            f"limits.overload_N = {test.limits.overload_N:g} can never be seen: the input of "
-            f"the load cell is full at {reach:.0f} N; lower the limit or raise "
-            "load_cell.range_mV_per_V"
-        )
     samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
     calibration = connection.processor.calibration
     if calibration.clock is SampleClock.ENCODER:
@@ -63,6 +49,35 @@ def check_start(core: Core, connection: Connection, test: TestFile) -> RuleMonit
             "raise the sample rate"
         )
     return RuleMonitor(test.limits.rule)
+
+
+def check_fit(rig: RigFile, document: Document[TestFile]) -> None:
+    """Refuse what a rig cannot do or see, before any device is opened; raise UnusableInput."""
+    test, where = document.record, document.path
+    run, fastest = test.run, rig.spindle.maximum_speed_rpm
+    if run.speed_rpm > fastest:
+        raise UnusableInput(
+            f"{where}: run.speed_rpm = {run.speed_rpm:g} is above the rig's "
+            f"spindle.maximum_speed_rpm = {fastest:g}"
+        )
+    if test.limits.overspeed_rpm <= run.speed_rpm:
+        raise UnusableInput(
+            f"{where}: limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
+            f"run.speed_rpm = {run.speed_rpm:g}"
+        )
+    check_rules(test.limits.rule)
+    check_overload(rig, test.limits.overload_N, f"{where}: ")
+
+
+def check_overload(rig: RigFile, overload_N: float, where: str = "") -> None:
+    """Refuse an overload that the load cell's inputs cannot show; raise UnusableInput."""
+    reach = load_cell_reach_N(rig)
+    if overload_N > reach:
+        raise UnusableInput(
+            f"{where}limits.overload_N = {overload_N:g} can never be seen: the input of "
+            f"the load cell is full at {reach:.0f} N; lower the limit or raise "
+            "load_cell.range_mV_per_V"
+        )
 
 
 def open_session(

@@ -11,66 +11,17 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 
+from rigapp.config.ranges import RANGES, UNITS, refusal, unit_of
 from rigapp.config.recipe import TestFile
 
-UNITS = (
-    ("_um_per_1000_revolutions", "µm per 1000 rev"),
-    ("_mm3_per_Nm", "mm³/(N m)"),
-    ("_g_per_cm3", "g/cm³"),
-    ("_rpm_per_s", "rpm/s"),
-    ("_N_per_m", "N/m"),
-    ("_kg_m2", "kg m²"),
-    ("_m_s2", "m/s²"),
-    ("_MPa", "MPa"),
-    ("_rpm", "rpm"),
-    ("_revolutions", "rev"),
-    ("_deg", "deg"),
-    ("_kg", "kg"),
-    ("_mm", "mm"),
-    ("_um", "µm"),
-    ("_percent", "%"),
-    ("_h", "h"),
-    ("_N", "N"),
-    ("_s", "s"),
+NICE = (
+    ("um per 1000 revolutions", "µm per 1000 rev"),
+    ("revolutions", "rev"),
+    ("^2", "²"),
+    ("^3", "³"),
+    ("um", "µm"),
 )
-
-UNITS_OF = {"cycles.before_alarm": "rev", "cycles.after_alarm": "rev"}
-"""Units of keys that do not name theirs."""
-
-RANGES: Mapping[str, tuple[float, float]] = {
-    "run.revolutions": (1, 100_000_000),
-    "run.speed_rpm": (0.1, 3000),
-    "run.acceleration_rpm_per_s": (0.1, 10_000),
-    "run.pause_angle_deg": (0, 360),
-    "cycles.every_revolutions": (1, 1_000_000),
-    "cycles.per_decade": (1, 1000),
-    "cycles.before_alarm": (0, 1000),
-    "cycles.after_alarm": (0, 1000),
-    "stop.elapsed_time_h": (0.001, 100_000),
-    "stop.running_time_h": (0.001, 100_000),
-    "stop.wear_depth_um": (0.1, 20_000),
-    "stop.force_N": (1, 10_000),
-    "stop.wear_rate_um_per_1000_revolutions": (0.001, 10_000),
-    "stop.deviation_N": (0.1, 10_000),
-    "stop.deviation_percent": (0.1, 1000),
-    "stop.hold_off_revolutions": (0, 100_000_000),
-    "limits.overload_N": (1, 10_000),
-    "limits.overspeed_rpm": (0.1, 5000),
-    "limits.stale_data_s": (0.05, 60),
-    "model.mechanism.crank_radius_mm": (1, 1000),
-    "model.mechanism.follower_length_mm": (1, 5000),
-    "model.joint.pin_radius_mm": (0.5, 500),
-    "model.joint.bushing_radius_mm": (0.5, 500),
-    "model.joint.bushing_outer_radius_mm": (1, 1000),
-    "model.joint.bushing_width_mm": (0.5, 1000),
-    "model.joint.friction_coefficient": (0, 2),
-    "model.bushing.poissons_ratio": (0, 0.499),
-    "model.pin.poissons_ratio": (0, 0.499),
-    "model.bushing.youngs_modulus_MPa": (0.1, 1e6),
-    "model.pin.youngs_modulus_MPa": (0.1, 1e6),
-    "model.bushing.wear_coefficient_mm3_per_Nm": (0, 1),
-}
-"""What is sensible for a rig of this kind; a value outside is refused by the form."""
+"""How the window writes units."""
 
 HIDDEN = frozenset({"schema", "model.schema", "limits.rule"})
 """Keys that the form keeps as they are or shows in a table of their own."""
@@ -103,8 +54,10 @@ class FieldSpec:
     @property
     def unit(self) -> str:
         """Return the unit that the key names, empty when none."""
-        known = next((unit for ending, unit in UNITS if self.key.endswith(ending)), "")
-        return known or UNITS_OF.get(self.path, "")
+        text = unit_of(self.path)
+        for plain, nice in NICE:
+            text = text.replace(plain, nice)
+        return text
 
     @property
     def label(self) -> str:
@@ -117,11 +70,9 @@ class FieldSpec:
 
     @property
     def range(self) -> tuple[float, float] | None:
-        """Return the sensible range, None when any number will do."""
+        """Return what the number may be, None when any will do."""
         known = RANGES.get(self.path)
-        if known is None and self.key.endswith(("_kg", "_kg_m2", "_g_per_cm3", "_N_per_m")):
-            return (0.0, 1e6)
-        return known
+        return None if known is None else (known.low, known.high)
 
     @property
     def hint(self) -> str:
@@ -190,12 +141,10 @@ def parse_value(field: FieldSpec, text: str) -> Any:
     except ValueError:
         wanted = {"int": "a whole number", "float": "a number", "pair": "two numbers"}[field.kind]
         raise ValueError(f"{where} must be {wanted}, not {text!r}") from None
-    limits = field.range
-    if limits is not None and field.kind != "pair" and not limits[0] <= value <= limits[1]:
-        unit = f" {field.unit}" if field.unit else ""
-        raise ValueError(
-            f"{where} = {value:g}{unit} is outside {limits[0]:g} to {limits[1]:g}{unit}"
-        )
+    for one in value if field.kind == "pair" else (value,):
+        wrong = refusal(field.path, one)
+        if wrong:
+            raise ValueError(f"{where}: {wrong}")
     return value
 
 

@@ -7,14 +7,15 @@ from collections.abc import Mapping
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout
 
+from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
+from rigapp.engine.limits import ALWAYS, limit_refusal
 from rigapp.engine.messages import RunState
 from rigapp.gui.devices import PlainTable
 from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.headline import ACTIVE_STATES
 from rigapp.gui.rules import LEVELS
 
-FIXED = ("overload_N", "overspeed_rpm", "stale_data_s")
 REVOLUTIONS = "revolutions"
 WORDS = {
     REVOLUTIONS: "the test ends after so many, more or fewer than planned",
@@ -29,7 +30,7 @@ def limits_of(test: TestFile | None, changed: Mapping[str, float]) -> dict[str, 
     if test is None:
         return {}
     found: dict[str, tuple[float, str]] = {}
-    for name in FIXED:
+    for name in ALWAYS:
         found[name] = (float(getattr(test.limits, name)), "drive off")
     for rule in test.limits.rule:
         for level in LEVELS:
@@ -142,7 +143,7 @@ class LimitPanel(QGroupBox):
         elif not self.reason.text().strip():
             problem = "Give the reason."
         else:
-            problem = ""
+            problem = _refusal(name, number)
         self.problem.setText(problem)
         self.change.setEnabled(not problem)
 
@@ -156,6 +157,12 @@ class LimitPanel(QGroupBox):
             self.wanted.emit("extend", {"revolutions": round(number), "reason": reason})
         else:
             self.wanted.emit("set_limit", {"name": name, "value": number, "reason": reason})
+
+
+def _refusal(name: str, number: float) -> str:
+    if name == REVOLUTIONS:
+        return refusal("run.revolutions", number)
+    return limit_refusal(name, number)
 
 
 def _number(value: float) -> str:

@@ -29,7 +29,6 @@ from PySide6.QtWidgets import (
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.recipe import TestFile
-from rigapp.engine.limits import check_rules
 from rigapp.gui.fields import (
     FieldSpec,
     changes,
@@ -335,7 +334,6 @@ class RecipePanel(QWidget):
             tree = self.tree()
             name = self._path.name if self._path else "test"
             test = parse_test(tomli_w.dumps(tree), name)
-            check_rules(test.limits.rule)
         except (ValueError, UnusableInput) as error:
             self._say(f"Not usable yet. {error}", good=False)
         else:

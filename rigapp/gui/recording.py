@@ -122,6 +122,6 @@ def recipe_of(test: TestReader) -> TestFile | None:
     from rigapp.config.loading import parse_test
 
     try:
-        return parse_test(str(test.configuration()["test"]), test.path.name)
+        return parse_test(str(test.configuration()["test"]), test.path.name, recorded=True)
     except (UnusableInput, KeyError):
         return None

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.config.recipe import Action
-from rigapp.engine.limits import QUANTITIES
+from rigapp.config.rules import QUANTITIES
 from rigapp.gui.fields import show_value
 
 LEVELS = ("warning_below", "warning_above", "critical_below", "critical_above")
@@ -115,7 +115,9 @@ class RuleTable(QGroupBox):
     def _append(self, rule: dict[str, Any]) -> None:
         row = self.table.rowCount()
         self.table.insertRow(row)
-        quantity = self._choice(QUANTITIES, rule.pop("quantity", "force_max"), row, "Quantity")
+        quantity = self._choice(
+            tuple(QUANTITIES), rule.pop("quantity", "force_max"), row, "Quantity"
+        )
         actions = typing.get_args(Action)
         action = self._choice(actions, rule.pop("action_critical", "stop"), row, "Action")
         self.table.setCellWidget(row, 0, quantity)

@@ -22,6 +22,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, Remark
 from rigapp.engine.messages import (
     PROTOCOL_VERSION,
@@ -34,6 +35,7 @@ from rigapp.engine.messages import (
 )
 from rigapp.engine.publish import Finished
 from rigapp.engine.run import ACTIVE, Refused
+from rigapp.engine.starting import check_fit
 from rigapp.service.command import Command
 from rigapp.service.records import with_records
 from rigapp.service.registry import (
@@ -103,6 +105,7 @@ class EngineHost:
 
         bind: where to listen in place of this computer's sockets. Raises UnusableInput.
         """
+        plan_devices(rig.record, str(rig.path))
         self._simulated = SimulatedDevices(rig, speed)
         self._twin: TwinLink | None = None
         self._records = with_records(rig)
@@ -187,6 +190,7 @@ class EngineHost:
         with self._starting:
             if self._records.blocking:
                 raise Refused("; ".join(self._records.blocking.values()))
+            check_fit(self._records.rig.record, test)
             past = read_past(out) if resume else None
             self._make_ready(test.record)
             notes = [
@@ -333,7 +337,7 @@ class EngineHost:
             "acknowledge": lambda a, who: engine.acknowledge(a.get("key", ""), who),
             "shelve": lambda a, who: engine.shelve(a["key"], a["reason"], a["minutes"], who),
             "note": lambda a, who: engine.note(a["text"], who),
-            "extend": lambda a, who: engine.extend(int(a["revolutions"]), who, a.get("reason", "")),
+            "extend": lambda a, who: engine.extend(a["revolutions"], who, a.get("reason", "")),
             "set_limit": lambda a, who: engine.set_limit(
                 a["name"], a["value"], who, a.get("reason", "")
             ),

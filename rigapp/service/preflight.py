@@ -12,11 +12,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.criteria import described
-from rigapp.engine.limits import check_rules
 from rigapp.engine.messages import DeviceView, RunState, Severity, Status
 from rigapp.engine.reach import FEWEST_SAMPLES, load_cell_reach_N
 from rigapp.service.records import RigRecords
@@ -166,11 +164,6 @@ def _of_rig_limits(test: TestFile, rig: RigFile) -> Iterator[Check]:
 
 
 def _of_rules(test: TestFile) -> Iterator[Check]:
-    try:
-        check_rules(test.limits.rule)
-    except UnusableInput as error:
-        yield Check("Limits", Verdict.BLOCKS, str(error), "Correct the limit")
-        return
     rules = len(test.limits.rule)
     yield Check(
         "Limits",

@@ -124,7 +124,7 @@ def read_past(path: Path) -> Past:
             raise UnusableInput(f"{path}: this test is running; stop it first")
         rows = reader.committed()
         try:
-            rig = parse_rig(reader.configuration()["rig"], f"{path} (its rig)")
+            rig = parse_rig(reader.configuration()["rig"], f"{path} (its rig)", recorded=True)
         except (KeyError, UnusableInput):
             rig = None
         rests = [one for one in map(rest_signals, reader.events()) if one is not None]

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+import typing
+from collections.abc import Iterator
 from pathlib import Path
 
+import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rigapp.config.calibration_settings import LoadCellFile, ProbeFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig, parse_test, read_rig, read_test
+from rigapp.config.parameters import ParameterFile
+from rigapp.config.ranges import RANGES
+from rigapp.config.recipe import TestFile
+from rigapp.config.rig import RigFile
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -32,7 +40,7 @@ def test_shipped_rig_is_readable() -> None:
 MISTAKES = [
     ("speed_rpm = 60.0", "speed_rps = 60.0", "run.speed_rps", "did you mean speed_rpm"),
     ("overload_N = 380.0", "overload_kN = 0.38", "limits.overload_kN", "did you mean overload_N"),
-    ("revolutions = 500", "revolutions = 0", "run.revolutions", ">= 1"),
+    ("revolutions = 500", "revolutions = 0", "run.revolutions", "outside 1 to"),
     ("revolutions = 500", 'revolutions = "500"', "run.revolutions", "a whole number, got text"),
     ("[cycles]", "[cylces]", "cylces", "did you mean cycles"),
     ('schedule = "every"', 'schedule = "often"', "cycles.schedule", "every, logarithmic, none"),
@@ -82,3 +90,33 @@ def test_any_text_is_refused_in_one_sentence(text: str) -> None:
     with pytest.raises(UnusableInput) as caught:
         parse_test(text, "any.toml")
     assert str(caught.value).startswith("any.toml: ")
+
+
+def numbers(kind: type[msgspec.Struct], prefix: str = "") -> Iterator[str]:
+    """Yield the dotted path of every key of a file that takes a number."""
+    for name, hint in typing.get_type_hints(kind).items():
+        if hint in (int, float) or {int, float} & {*parts(hint)}:
+            yield f"{prefix}{name}"
+        for part in (hint, *parts(hint)):
+            if isinstance(part, type) and issubclass(part, msgspec.Struct):
+                yield from numbers(part, f"{prefix}{name}.")
+
+
+def parts(hint: object) -> Iterator[object]:
+    if typing.get_origin(hint) is typing.Literal:
+        return
+    for part in typing.get_args(hint):
+        yield part
+        yield from parts(part)
+
+
+@pytest.mark.parametrize("kind", [TestFile, RigFile, ParameterFile, LoadCellFile, ProbeFile])
+def test_every_number_of_a_file_has_a_range(kind: type[msgspec.Struct]) -> None:
+    missing = {key for key in numbers(kind) if not key.endswith("schema") and key not in RANGES}
+    assert missing == set()
+
+
+def test_every_range_belongs_to_a_number() -> None:
+    kinds = (TestFile, RigFile, ParameterFile, LoadCellFile, ProbeFile)
+    known = {key for kind in kinds for key in numbers(kind)}
+    assert {key for key in RANGES if key not in known} == set()

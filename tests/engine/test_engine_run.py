@@ -208,6 +208,10 @@ def test_limits_change_with_an_entry_in_the_log(rig: MemoryRig) -> None:
         rig.engine.set_limit("force_max.nonsense", 1.0)
     with pytest.raises(UnusableInput, match="set speed"):
         rig.engine.set_limit("overspeed_rpm", 100.0)
+    with pytest.raises(UnusableInput, match=r"overload_N = true is not a number; allowed is 1 to"):
+        rig.engine.set_limit("overload_N", True)
+    with pytest.raises(UnusableInput, match=r"overload_N = 9000 can never be seen"):
+        rig.engine.set_limit("overload_N", 9000.0)
     rig.engine.set_limit("force_max.critical_above", 40.0, "Ada", "try it")
     rig.engine.wait(ENDED, 20.0)
     assert rig.engine.outcome is not None
@@ -221,6 +225,8 @@ def test_the_number_of_revolutions_is_changed_while_the_test_runs(rig: MemoryRig
         rig.engine.extend(30)
     rig.start(a_test(LONG))
     recorded(rig, 5)
+    with pytest.raises(UnusableInput, match=r"run\.revolutions = true is not a number"):
+        rig.engine.extend(True, "Ada")
     with pytest.raises(UnusableInput, match="room for"):
         rig.engine.extend(2 * LONG, "Ada")
     assert rig.engine.status().planned == LONG

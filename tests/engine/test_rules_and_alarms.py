@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections import Counter
 
 import pytest
@@ -113,6 +114,17 @@ def test_one_limit_is_changed_at_a_time() -> None:
     for name, value in (("overlod_N", 1.0), ("overload_N", -1.0), ("overload_N", float("nan"))):
         with pytest.raises(UnusableInput, match=name):
             changed_limits(limits, name, value)
+
+
+@pytest.mark.parametrize("name", ["overload_N", "overspeed_rpm", "stale_data_s"])
+@pytest.mark.parametrize("value", [1e300, math.inf, math.nan, True, 0.0, 10**400])
+def test_a_limit_cannot_be_switched_off_in_a_running_test(name: str, value: float) -> None:
+    limits = LimitsSection(rule=(LimitRule("force_max", critical_above=20.0),))
+    with pytest.raises(UnusableInput, match=rf"limits\.{name} = .* (allowed is|outside) "):
+        changed_limits(limits, name, value)
+    if value:
+        with pytest.raises(UnusableInput, match=r"force_max\.critical_above = .* to 10000 N"):
+            changed_limits(limits, "force_max.critical_above", value)
 
 
 # --- alarms --------------------------------------------------------------------------------------

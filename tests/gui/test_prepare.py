@@ -158,7 +158,7 @@ def test_a_file_that_is_no_test_is_said(panel: RecipePanel, tmp_path: Path) -> N
     assert panel.path != path
 
 
-@given(st.floats(allow_nan=False, allow_infinity=False, min_value=-1e12, max_value=1e12))
+@given(st.floats(allow_nan=False, allow_infinity=False, min_value=-1e4, max_value=1e4))
 def test_numbers_survive_the_form(value: float) -> None:
     field = next(f for f in form_fields() if f.path == "model.spring.free_position_mm")
     assert parse_value(field, show_value(value)) == pytest.approx(value, rel=1e-9, abs=1e-12)

@@ -1,0 +1,144 @@
+"""What does not fit together within one file, each as a sentence without the file's name."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.model_parameters import to_parameters
+from rigapp.config.parameters import ParameterFile
+from rigapp.config.recipe import TestFile
+from rigapp.config.rig import Matrix, RigFile
+from rigapp.config.rules import check_rules
+
+SECTIONS = ("spindle", "encoder", "load_cell", "probes")
+INPUTS = (
+    ("encoder", "input"),
+    ("load_cell", "input_1"),
+    ("load_cell", "input_2"),
+    ("probes", "input_1"),
+    ("probes", "input_2"),
+)
+"""Keys of a rig file that name an input of the data source."""
+
+SINGULAR = 1e-9
+"""A matrix with a smaller determinant, against the product of its rows' lengths, has no inverse."""
+
+
+def faults(record: msgspec.Struct) -> Iterator[str]:
+    """Yield what does not fit together in a rig, test or parameter file."""
+    if isinstance(record, RigFile):
+        yield from _of_rig(record)
+    elif isinstance(record, TestFile):
+        yield from _of_test(record)
+    elif isinstance(record, ParameterFile):
+        yield from _of_parameters(record, "")
+
+
+def _of_rig(rig: RigFile) -> Iterator[str]:
+    for section in SECTIONS:
+        device = getattr(rig, section).device
+        if device not in rig.devices:
+            known = ", ".join(rig.devices) or "none"
+            yield f"{section}.device = {device!r} is not among the devices ({known})"
+    sources = {rig.encoder.device, rig.load_cell.device, rig.probes.device}
+    if len(sources) > 1:
+        yield (
+            "encoder, load_cell and probes must come from one device, so that their samples are"
+            f" taken together; they name {', '.join(sorted(sources))}"
+        )
+    if rig.simulation is None:
+        for name, device in rig.devices.items():
+            if device.port == "simulated":
+                yield (
+                    f"devices.{name}.port is 'simulated' but there is no [simulation]; name the"
+                    " port or add the section"
+                )
+    yield from _of_inputs(rig)
+    yield from _of_numbers(rig)
+
+
+def _of_inputs(rig: RigFile) -> Iterator[str]:
+    named = {f"{section}.{key}": getattr(getattr(rig, section), key) for section, key in INPUTS}
+    for one, count in Counter(named.values()).items():
+        if count > 1:
+            keys = " and ".join(key for key, value in named.items() if value == one)
+            yield f"{keys} both name {one!r}; each needs an input of its own"
+
+
+def _of_numbers(rig: RigFile) -> Iterator[str]:
+    cell, probes = rig.load_cell, rig.probes
+    for key, matrix in (
+        ("load_cell.matrix_N_per_mV_per_V", cell.matrix_N_per_mV_per_V),
+        ("probes.alignment", probes.alignment),
+    ):
+        if _singular(matrix):
+            yield f"{key} = {_listed(matrix)} cannot be inverted; two rows say the same, or nothing"
+    for place, zero in enumerate(cell.zero_mV_per_V, 1):
+        if abs(zero) >= cell.range_mV_per_V:
+            yield (
+                f"load_cell.zero_mV_per_V {place} = {zero:g} is not within"
+                f" load_cell.range_mV_per_V = {cell.range_mV_per_V:g}"
+            )
+    if cell.resolution_N >= cell.full_scale_N:
+        yield (
+            f"load_cell.resolution_N = {cell.resolution_N:g} is not below load_cell.full_scale_N"
+            f" = {cell.full_scale_N:g}"
+        )
+    for place, (cosines, sines) in enumerate(
+        zip(probes.run_out_cos_um, probes.run_out_sin_um, strict=True), 1
+    ):
+        if len(cosines) != len(sines):
+            yield (
+                f"probes.run_out_cos_um {place} has {len(cosines)} orders and"
+                f" probes.run_out_sin_um {place} has {len(sines)}; give as many"
+            )
+
+
+def _singular(matrix: Matrix) -> bool:
+    (a, b), (c, d) = matrix
+    size = math.hypot(a, b) * math.hypot(c, d)
+    return abs(a * d - b * c) <= SINGULAR * size
+
+
+def _listed(matrix: Matrix) -> str:
+    return str([list(row) for row in matrix])
+
+
+def _of_test(test: TestFile) -> Iterator[str]:
+    if test.limits.overspeed_rpm <= test.run.speed_rpm:
+        yield (
+            f"limits.overspeed_rpm = {test.limits.overspeed_rpm:g} is not above"
+            f" run.speed_rpm = {test.run.speed_rpm:g}; the test would trip at once"
+        )
+    stop, limits = test.stop, test.limits
+    if stop.force_N is not None and stop.force_N >= limits.overload_N:
+        yield (
+            f"stop.force_N = {stop.force_N:g} can never be met, because limits.overload_N ="
+            f" {limits.overload_N:g} switches the drive off before; lower stop.force_N"
+        )
+    for name in ("deviation_N", "deviation_percent"):
+        if getattr(stop, name) is not None and not test.prediction.enabled:
+            yield (
+                f"stop.{name} compares with the model, but prediction.enabled is false; enable the"
+                " prediction or leave the criterion out"
+            )
+    try:
+        check_rules(limits.rule)
+    except UnusableInput as error:
+        yield str(error)
+    yield from _of_parameters(test.model, "model")
+
+
+def _of_parameters(parameters: ParameterFile, section: str) -> Iterator[str]:
+    if parameters.schema != 1:
+        key = f"{section}.schema" if section else "schema"
+        yield f"{key} = {parameters.schema} is not readable; write 1"
+    try:
+        to_parameters(parameters, section=section)
+    except UnusableInput as error:
+        yield str(error).rstrip(".")

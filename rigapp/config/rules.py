@@ -1,0 +1,71 @@
+"""The rules of ``[[limits.rule]]``: what they can be about, and when they contradict themselves."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Iterator
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.ranges import LEVELS, OTHER_LEVEL, RANGES, refusal
+from rigapp.config.recipe import LimitRule
+from rigapp.engine.columns import prediction_columns, revolution_columns
+
+_NOT_LIMITED = {"revolution", "time", "host_time"}
+
+QUANTITIES = {
+    column.name: column.unit
+    for column in (*prediction_columns(), *revolution_columns())
+    if column.name not in _NOT_LIMITED
+}
+"""What a rule can be about, with its unit: statistics of a revolution, the twin's residuals, wear.
+
+A name that both have (``force_max``) means what was measured.
+"""
+
+BOUNDS = ("critical_above", "critical_below", "warning_above", "warning_below")
+
+
+def check_rules(rules: Iterable[LimitRule]) -> None:
+    """Raise UnusableInput when a rule names no quantity, has no level, or contradicts itself."""
+    for number, rule in enumerate(rules, start=1):
+        for fault in _faults(rule):
+            raise UnusableInput(f"limits.rule {number} ({rule.quantity}): {fault}")
+
+
+def level_refusal(quantity: str, level: str, value: object) -> str:
+    """Return what is wrong with a level of a rule on a quantity; empty when it is right."""
+    unit = QUANTITIES.get(quantity, "")
+    allowed = LEVELS.get(unit, OTHER_LEVEL)
+    return refusal(level, value, allowed, "" if unit == "1" else unit)
+
+
+def _faults(rule: LimitRule) -> Iterator[str]:
+    if rule.quantity not in QUANTITIES:
+        near = difflib.get_close_matches(rule.quantity, QUANTITIES, n=1, cutoff=0.0)
+        yield f"there is no such quantity; did you mean {near[0]}?"
+    bounds = {name: value for name in BOUNDS if (value := getattr(rule, name)) is not None}
+    if not bounds:
+        yield f"no level is given; give one of {', '.join(BOUNDS)}"
+    for name, value in bounds.items():
+        yield from filter(None, [level_refusal(rule.quantity, name, value)])
+    for name in ("hysteresis", "delay_revolutions"):
+        value, allowed = getattr(rule, name), RANGES[f"limits.rule.{name}"]
+        yield from filter(None, [refusal(name, value, allowed)])
+    yield from _disorder("above", rule.warning_above, rule.critical_above, 1)
+    yield from _disorder("below", rule.warning_below, rule.critical_below, -1)
+    lows = [v for v in (rule.warning_below, rule.critical_below) if v is not None]
+    highs = [v for v in (rule.warning_above, rule.critical_above) if v is not None]
+    if lows and highs and max(lows) >= min(highs):
+        yield f"no value lies above {max(lows):g} and below {min(highs):g}"
+    critical = [name for name in bounds if name.startswith("critical")]
+    if critical and rule.action_critical == "none":
+        yield (
+            f"action_critical = 'none' would do nothing at {critical[0]} ="
+            f" {bounds[critical[0]]:g}; choose warn, pause, stop or drive_off, or give a warning"
+            " level in its place"
+        )
+
+
+def _disorder(side: str, warning: float | None, critical: float | None, sign: int) -> Iterator[str]:
+    if warning is not None and critical is not None and sign * (critical - warning) <= 0:
+        yield f"critical_{side} = {critical:g} must lie beyond warning_{side} = {warning:g}"
