@@ -69,6 +69,11 @@ KINDS: Mapping[str, Kind] = {
         "The crank angle is unknown, so the drive was switched off.",
         "Check the encoder's cable, its supply and its coupling; then reset.",
     ),
+    "senses_differ": _critical(
+        "Direction wrong",
+        "Every angle would be mirrored, or the motor run away, so the test was stopped.",
+        "Set it right, connect again, and watch the first turn.",
+    ),
     "index_missed": _critical(
         "Encoder index missing",
         "Revolutions cannot be cut at the index, so the test was stopped.",
@@ -254,6 +259,32 @@ def encoder_lost(drive_rpm: float) -> Cause:
         "encoder_lost",
         f"The drive reports {drive_rpm:.1f} rpm, but the crank encoder does not move.",
     )
+
+
+def senses_differ(encoder_back: bool, drive_back: bool, directions: tuple[int, int]) -> Cause:
+    """Encoder or drive show the crank turning backwards in the first quarter turn of a test.
+
+    directions: present values of encoder.direction and spindle.direction.
+    """
+    encoder, spindle = directions
+    if encoder_back and drive_back:
+        words = (
+            "Encoder and drive show the crank turning backwards, though forwards was commanded: "
+            "check the motor's leads, and A and B of the drive's encoder."
+        )
+    elif encoder_back:
+        words = (
+            "The encoder shows the crank turning backwards, while the drive turns forwards. If the "
+            "crank turned counter-clockwise, exchange A and B of the crank encoder or set "
+            f"encoder.direction = {-encoder} in the rig file; if it did not, set "
+            f"spindle.direction = {-spindle}."
+        )
+    else:
+        words = (
+            "The drive reports that it turns backwards, while the encoder shows forwards: exchange "
+            "A and B of the drive's own encoder."
+        )
+    return _cause("senses_differ", words)
 
 
 def index_missed(revolutions: float) -> Cause:

@@ -45,6 +45,7 @@ OVER_WITH_THE_TEST = frozenset(
     {
         "overspeed",
         "encoder_lost",
+        "senses_differ",
         "index_missed",
         "count_mismatch",
         "lost_samples",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -39,6 +40,14 @@ MISSED_INDEX_LIMIT = 2
 
 INDEX_SEARCH_REVOLUTIONS = 2.5
 
+SENSE_TURN = 0.125
+QUARTER_TURN = 0.25
+"""Between these turns of the encoder since the start its sense is compared with the drive's; later
+only while the drive has not answered since."""
+
+BACKWARDS_RPM = -1.0
+"""A drive that reports less than this turns backwards."""
+
 CALM_REVOLUTIONS = 20
 
 CALMING = {
@@ -66,6 +75,8 @@ class Guard:
         self._connection = connection
         self._on_measured = on_measured
         self._missed = 0
+        self._start_count: int | None = None
+        self._turning_s = 0.0
         self._calm = False
         self._sound: dict[str, int] = {}
         self._blind: set[str] = set()
@@ -75,6 +86,7 @@ class Guard:
     def begun(self, sample: int) -> None:
         """Start the test's time."""
         session = self._core.session
+        self._start_count = self._connection.processor.assembler.motion.travel[1]
         self._missed = 0
         self._blind = set()
         if session is not None:
@@ -129,6 +141,8 @@ class Guard:
                 session.steady_from = None
             return
         assembler = self._connection.processor.assembler
+        if self._start_count is not None and self._senses_differ(self._start_count):
+            return
         lost = assembler.motion.turned_without_index
         if lost > INDEX_SEARCH_REVOLUTIONS:
             self._no_index(lost)
@@ -139,6 +153,33 @@ class Guard:
                 core.fire_if(Trigger.AT_SPEED, only=(RunState.STARTING,))
         elif session.steady_from is None:
             session.steady_from = assembler.ordinal + 1
+
+    def _senses_differ(self, start_count: int) -> bool:
+        """End a test in whose first quarter turn encoder or drive show the crank going backwards.
+
+        Tests turn forwards only; a pause may swing the crank later, so nothing is compared then.
+        """
+        core, control = self._core, self._connection.control
+        assembler = self._connection.processor.assembler
+        counts = assembler.motion.travel[1] - start_count
+        turned = counts / assembler.encoder.counts_per_revolution
+        if abs(turned) < SENSE_TURN:
+            self._turning_s = time.monotonic()
+            return False
+        status = control.status
+        answered = status is not None and control.answered_s > self._turning_s
+        if not answered and turned > -QUARTER_TURN:
+            return False
+        drive_back = status is not None and status.speed_rev_per_s * 60.0 < BACKWARDS_RPM
+        if turned > 0 and not drive_back:
+            if turned >= QUARTER_TURN:
+                self._start_count = None
+            return False
+        rig = core.rig.record
+        directions = rig.encoder.direction, rig.spindle.direction
+        cause = causes.senses_differ(turned < 0, drive_back, directions)
+        core.trip(Ending(FinishReason.DEVICE, cause.cause, off=drive_back), cause)
+        return True
 
     def lost(self, samples: int) -> None:
         """Warn of lost samples."""

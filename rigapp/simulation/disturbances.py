@@ -32,6 +32,7 @@ class SignalFault(enum.StrEnum):
     SWAPPED_BRIDGES = "swapped_bridges"  # the two bridges' plugs are exchanged
     SWINGING_WEIGHT = "swinging_weight"  # share of the signal by which it goes to and fro
     JAM = "jam"  # N m of dry friction on the shaft
+    REVERSED_ENCODER = "reversed_encoder"  # lines A and B of the crank encoder are exchanged
 
 
 class Disturbances:
@@ -43,11 +44,15 @@ class Disturbances:
         self._stuck: dict[str, float] = {}
         self._spike_rate = 0.0
         self.jam_Nm = 0.0
+        self._reversed = False
 
     def start(self, fault: SignalFault, channel: str, value: float | None, rate: float) -> None:
         """Let a fault begin; channel: force_1, force_2, probe_1 or probe_2, "" for both forces."""
         if fault is SignalFault.JAM:
             self.jam_Nm = 1e3 if value is None else value
+            return
+        if fault is SignalFault.REVERSED_ENCODER:
+            self._reversed = True
             return
         default = 1.0
         if fault is SignalFault.SLIP_RING_SPIKES:
@@ -63,15 +68,20 @@ class Disturbances:
         if fault is SignalFault.JAM:
             self.jam_Nm = 0.0
             return
+        if fault is SignalFault.REVERSED_ENCODER:
+            self._reversed = False
+            return
         for name in _terminals(channel):
             self._channels.pop((fault, name), None)
             self._stuck.pop(name, None)
 
     def apply(self, samples: Samples, sample_rate_Hz: float) -> Samples:
         """Return the samples with the faults in them."""
-        if not self._channels or samples.shaft_revolutions.size == 0:
-            return samples
         changed: dict[str, Array] = {}
+        if samples.shaft_revolutions.size == 0 or not (self._channels or self._reversed):
+            return samples
+        if self._reversed:
+            changed["shaft_revolutions"] = -samples.shaft_revolutions
         for (fault, name), value in self._channels.items():
             if fault is SignalFault.SWAPPED_BRIDGES:
                 changed[name] = getattr(samples, _OTHER.get(name, name))

@@ -3,7 +3,8 @@
 The mailbox holds ``MAILBOX`` revolutions and drops the oldest: the twin predicts every revolution
 that it can keep up with, and never delays the engine. A worker that dies or does not answer within
 ``ANSWER_S`` is started again with the newest checkpoint, so that its bushings are worn as they
-were; the revolution that it failed on is asked once more. What is never predicted is reported.
+were; the revolution that it failed on is asked once more. What is never predicted is reported, and
+after ``ATTEMPTS`` workers that predicted nothing no other is started.
 """
 
 from __future__ import annotations
@@ -22,14 +23,16 @@ import msgspec
 import zmq
 
 from rigapp.engine.messages import Prediction, RevolutionMeasured
-from rigapp.twin.worker import TwinSetup
+from rigapp.twin.worker import Answer, TwinSetup
 
 MAILBOX = 64
 START_S = 60.0
 ANSWER_S = 10.0
 RESTART_PAUSE_S = 1.0
+ATTEMPTS = 5
 REPORT_PAUSE_S = 60.0
 """Gaps in the predictions are reported together, no more often than this."""
+TOO_SLOW = "the twin could not keep up"
 
 
 @dataclass(slots=True)
@@ -39,9 +42,11 @@ class Missed:
     first: int = 0
     last: int = 0
     count: int = 0
+    why: str = TOO_SLOW
 
-    def add(self, revolution: int) -> None:
-        """Add a revolution."""
+    def add(self, revolution: int, why: str = TOO_SLOW) -> None:
+        """Add a revolution; the newest reason stands for all."""
+        self.why = why
         self.first = revolution if not self.count else min(self.first, revolution)
         self.last = max(self.last, revolution)
         self.count += 1
@@ -50,8 +55,8 @@ class Missed:
         """Say which ones they are."""
         span = f"revolutions {self.first} to {self.last}" if self.count > 1 else ""
         return (
-            f"{span or f'revolution {self.first}'}: {self.count} not predicted, the twin could not "
-            "keep up; their wear is made up for with the forces of later ones"
+            f"{span or f'revolution {self.first}'}: {self.count} not predicted, {self.why}; "
+            "their wear is made up for with the forces of later ones"
         )
 
 
@@ -88,6 +93,8 @@ class TwinLink:
         self._stop = threading.Event()
         self.dropped = 0
         self.restarts = -1
+        self.given_up = False
+        self._barren = 0
         self.last_failure = ""
         self._worker: subprocess.Popen[bytes] | None = None
         self._thread = threading.Thread(target=self._run, name="twin", daemon=True)
@@ -95,6 +102,8 @@ class TwinLink:
 
     def offer(self, measured: RevolutionMeasured) -> None:
         """Put a revolution into the mailbox; never blocks, drops the oldest when full."""
+        if self.given_up:
+            return
         with self._missed_lock:
             if len(self._mailbox) == MAILBOX:
                 self._missed.add(self._mailbox.popleft().revolution)
@@ -116,8 +125,8 @@ class TwinLink:
         self._report(missed.sentence())
 
     def wait_ready(self, timeout_s: float) -> bool:
-        """Wait until the worker can predict; False when it cannot within the time."""
-        return self._ready.wait(timeout_s)
+        """Wait until the worker can predict; False when it cannot, or not within the time."""
+        return self._ready.wait(timeout_s) and not self.given_up
 
     @property
     def worker_pid(self) -> int:
@@ -139,12 +148,19 @@ class TwinLink:
         context = zmq.Context()
         try:
             while not self._stop.is_set():
+                self._barren += 1
                 self._serve_one_worker(context)
-                if not self._stop.is_set():
-                    self._report(
-                        f"{self.last_failure}, after revolution {self._newest}; it is started again"
-                        " and goes on from there"
-                    )
+                self.given_up |= self._barren >= ATTEMPTS
+                if self._stop.is_set():
+                    return
+                if self.given_up:
+                    self._report(f"{self.last_failure}: nothing more is predicted in this test")
+                    self._ready.set()
+                    return
+                self._report(
+                    f"{self.last_failure}, after revolution {self._newest}; it is started again"
+                    " and goes on from there"
+                )
                 self._stop.wait(RESTART_PAUSE_S)
         finally:
             context.destroy(linger=0)
@@ -159,6 +175,7 @@ class TwinLink:
         self._worker = subprocess.Popen(
             [sys.executable, "-m", "rigapp.twin.worker", endpoint, str(os.getpid())],
             stdin=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,  # what matters comes in its answers
             start_new_session=True,  # Ctrl-C is for the engine, which ends the twin itself
         )
         try:
@@ -193,7 +210,8 @@ class TwinLink:
                 return False
         setup = msgspec.structs.replace(self._setup, checkpoint=self._checkpoint)
         socket.send(msgspec.msgpack.encode(setup))
-        if self._answer(socket, START_S) is None:
+        answer = self._answer(socket, START_S)
+        if answer is None or answer.failed:
             return False
         self._ready.set()
         return True
@@ -204,13 +222,18 @@ class TwinLink:
             measured = self._mailbox.popleft()
         socket.send(msgspec.msgpack.encode(measured))
         answer = self._answer(socket, ANSWER_S)
-        if answer is None:
+        if answer is None or answer.failed:
             self._ask_again(measured)
             return False
-        prediction = msgspec.msgpack.decode(answer, type=Prediction)
-        self._checkpoint = prediction.checkpoint or self._checkpoint
-        self._newest = prediction.revolution
-        self._on_prediction(prediction)
+        self._barren = 0
+        prediction = answer.prediction
+        if prediction is None:
+            with self._missed_lock:
+                self._missed.add(measured.revolution, answer.refused)
+        else:
+            self._checkpoint = prediction.checkpoint or self._checkpoint
+            self._newest = prediction.revolution
+            self._on_prediction(prediction)
         self._report_missed()
         return True
 
@@ -218,20 +241,30 @@ class TwinLink:
         """Keep a revolution for the next worker, unless two have failed on it."""
         with self._missed_lock:
             if self._asked_again == measured.revolution or len(self._mailbox) == MAILBOX:
-                self._missed.add(measured.revolution)
+                self._missed.add(measured.revolution, self.last_failure)
                 self.dropped += 1
             else:
                 self._asked_again = measured.revolution
                 self._mailbox.appendleft(measured)
 
-    def _answer(self, socket: zmq.Socket[bytes], patience: float) -> bytes | None:
+    def _answer(self, socket: zmq.Socket[bytes], patience: float) -> Answer | None:
         """Return what the worker says next; None when it died, is late, or nobody waits."""
         deadline = time.monotonic() + patience
         while time.monotonic() < deadline and not self._stop.is_set():
+            gone = self._worker is None or self._worker.poll() is not None
             if socket.poll(100):
-                return socket.recv()
-            if self._worker is None or self._worker.poll() is not None:
+                return self._heard(msgspec.msgpack.decode(socket.recv(), type=Answer))
+            if gone:
                 self.last_failure = "the twin died"
                 return None
         self.last_failure = f"the twin did not answer within {patience:g} s"
         return None
+
+    def _heard(self, answer: Answer) -> Answer:
+        """Pass on what a worker has to say besides its prediction."""
+        for text in answer.said:
+            self._report(text)
+        if answer.failed:
+            self.given_up |= answer.hopeless
+            self.last_failure = answer.failed
+        return answer

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from model.dynamics import Motion
-from model.history import motion_from_history
+from model.history import FEWEST_SAMPLES, motion_from_history
 from model.joints import continuous_contact, perfect_joint
 from model.parameters import Parameters
 from rigapp.engine.columns import PREDICTION_POINTS
@@ -17,6 +17,10 @@ from rigapp.engine.messages import Prediction, RevolutionMeasured, as_array
 Array = NDArray[np.float64]
 
 GRID = np.arange(PREDICTION_POINTS) * (2.0 * np.pi / PREDICTION_POINTS)
+
+
+class Unpredictable(ValueError):
+    """Say why a revolution cannot be predicted, without a full stop."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,16 +50,24 @@ class Wear:
 
 
 def unpack(message: RevolutionMeasured) -> Measured:
-    """Turn a message into arrays in SI; samples that do not advance the crank are left out."""
+    """Turn a message into arrays in SI; samples that do not advance the crank are left out.
+
+    Raises Unpredictable for a crank that stood or turned backwards, and for what is no number.
+    """
     time, angle = as_array(message.time_s, "<f8"), as_array(message.angle_rad, "<f8")
-    forward = np.concatenate(([True], np.diff(np.maximum.accumulate(angle)) > 0.0))
+    force_1, force_2 = as_array(message.force_1, "<f8"), as_array(message.force_2, "<f8")
+    if not all(np.isfinite(values).all() for values in (time, angle, force_1, force_2)):
+        raise Unpredictable("its angles, times or forces are not all numbers")
+    forward = np.diff(np.maximum.accumulate(angle), prepend=-np.inf) > 0.0
+    if np.count_nonzero(forward) < FEWEST_SAMPLES:
+        raise Unpredictable("the crank did not turn forward in it")
     um = 1e-6
     return Measured(
         revolution=message.revolution,
         time=time[forward],
         angle=angle[forward],
-        force_1=as_array(message.force_1, "<f8")[forward],
-        force_2=as_array(message.force_2, "<f8")[forward],
+        force_1=force_1[forward],
+        force_2=force_2[forward],
         probe_1=um * as_array(message.probe_1, "<f8")[forward],
         probe_2=um * as_array(message.probe_2, "<f8")[forward],
     )

@@ -1,27 +1,32 @@
-"""The twin's process: setup first, then one prediction for each measured revolution.
+"""The twin's process: setup first, then one answer for each measured revolution.
 
 Started by ``rigapp.twin.link`` as ``python -m rigapp.twin.worker ADDRESS ENGINE_PID``; ends when
-the engine's process is gone or asks for it with an empty message.
+the engine's process is gone or asks for it with an empty message. What goes wrong is said in an
+``Answer``, for the log of the test: nobody reads what this process would print.
 """
 
 from __future__ import annotations
 
+import logging
 import os
 import sys
+from collections import deque
 
 import msgspec
 import zmq
 
+from model.errors import ModelError
+from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import to_parameters
 from rigapp.config.parameters import ParameterFile
 from rigapp.engine.messages import Prediction, RevolutionMeasured
 from rigapp.twin.checkpoint import packed, restore
-from rigapp.twin.predict import unpack
+from rigapp.twin.predict import Unpredictable, unpack
 from rigapp.twin.twin import Twin
 
 WAIT_MS = 500
-READY = b""
-"""What the worker says once it can predict."""
+LINGER_MS = 2000
+SAID_AT_ONCE = 8
 
 
 class TwinSetup(msgspec.Struct, frozen=True):
@@ -38,6 +43,39 @@ class TwinSetup(msgspec.Struct, frozen=True):
     checkpoint: bytes = b""
 
 
+class Answer(msgspec.Struct, frozen=True):
+    """Say what became of the setup or of a revolution.
+
+    refused: why there is no prediction of this revolution; the next one may have one. failed: why
+    this process ends and another must take over. hopeless: no other would do better. said: what
+    the operator should read besides.
+    """
+
+    prediction: Prediction | None = None
+    refused: str = ""
+    failed: str = ""
+    hopeless: bool = False
+    said: tuple[str, ...] = ()
+
+
+class Remarks(logging.Handler):
+    """Gather the warnings of the model and the twin for the next answer, the newest few."""
+
+    def __init__(self) -> None:
+        super().__init__(logging.WARNING)
+        self._texts: deque[str] = deque(maxlen=SAID_AT_ONCE)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Keep a warning."""
+        self._texts.append(record.getMessage())
+
+    def take(self) -> tuple[str, ...]:
+        """Return what came since the last call, each once."""
+        texts = tuple(dict.fromkeys(self._texts))
+        self._texts.clear()
+        return texts
+
+
 def new_twin(setup: TwinSetup) -> Twin:
     """Return the twin of a setup, as its checkpoint left it where there is one that fits."""
     twin = Twin(to_parameters(setup.parameters), setup.joint)
@@ -47,12 +85,40 @@ def new_twin(setup: TwinSetup) -> Twin:
     return twin
 
 
-def answer(twin: Twin, measured: RevolutionMeasured) -> Prediction:
-    """Return the prediction for a revolution, with a checkpoint where it is a new one."""
-    prediction = twin.predict(unpack(measured))
-    if not twin.changed:
-        return prediction
-    return msgspec.structs.replace(prediction, checkpoint=packed(twin))
+def answer(twin: Twin, measured: RevolutionMeasured) -> Answer:
+    """Return the prediction for a revolution, with a checkpoint where it is a new one.
+
+    A revolution of which the model can make nothing is refused.
+    """
+    try:
+        prediction = twin.predict(unpack(measured))
+    except (Unpredictable, ModelError, ArithmeticError) as error:
+        return Answer(refused=str(error))
+    if twin.changed:
+        prediction = msgspec.structs.replace(prediction, checkpoint=packed(twin))
+    return Answer(prediction)
+
+
+def set_up(body: bytes) -> tuple[Twin | None, Answer]:
+    """Return the twin that a message asks for, or why there is none."""
+    try:
+        return new_twin(msgspec.msgpack.decode(body, type=TwinSetup)), Answer()
+    except Exception as error:
+        return None, Answer(failed=_failure(error), hopeless=True)
+
+
+def serve(twin: Twin, body: bytes) -> Answer:
+    """Return the answer to a message; whatever goes wrong in the model becomes a sentence."""
+    try:
+        return answer(twin, msgspec.msgpack.decode(body, type=RevolutionMeasured))
+    except Exception as error:
+        return Answer(failed=_failure(error))
+
+
+def _failure(error: Exception) -> str:
+    if isinstance(error, UnusableInput):
+        return str(error).rstrip(".")
+    return f"the twin failed ({type(error).__name__}: {error})"
 
 
 def main(arguments: list[str]) -> int:
@@ -62,20 +128,23 @@ def main(arguments: list[str]) -> int:
     socket = context.socket(zmq.PAIR)
     socket.setsockopt(zmq.LINGER, 0)
     socket.connect(arguments[0])
-    setup: TwinSetup | None = None
+    remarks = Remarks()
+    logging.getLogger().addHandler(remarks)
+    twin: Twin | None = None
     while os.getppid() == engine:
         if not socket.poll(WAIT_MS):
             continue
         body = socket.recv()
         if not body:
             break
-        if setup is None:
-            setup = msgspec.msgpack.decode(body, type=TwinSetup)
-            twin = new_twin(setup)
-            socket.send(READY)
-            continue
-        measured = msgspec.msgpack.decode(body, type=RevolutionMeasured)
-        socket.send(msgspec.msgpack.encode(answer(twin, measured)))
+        if twin is None:
+            twin, reply = set_up(body)
+        else:
+            reply = serve(twin, body)
+        socket.send(msgspec.msgpack.encode(msgspec.structs.replace(reply, said=remarks.take())))
+        if reply.failed:
+            context.destroy(linger=LINGER_MS)
+            return 1
     context.destroy(linger=0)
     return 0
 

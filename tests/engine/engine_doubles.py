@@ -104,6 +104,7 @@ class FakeSource:
         self.silent = False
         self.broken: BaseException | None = None
         self.encoder_dead = False
+        self.encoder_back = False
         self.index_dead = False
         self.lose_samples = 0
         self.opened = False
@@ -155,7 +156,8 @@ class FakeSource:
         values[1] = -self.force_N / GAIN * np.sin(angle)
         values[2] = 0.1 * np.cos(angle)
         values[3] = 0.1 * np.sin(angle)
-        count = np.floor(turns * COUNTS + 1e-9)
+        seen = -turns if self.encoder_back else turns
+        count = np.floor(seen * COUNTS + 1e-9)
         values[4] = count if self.index_dead else count % COUNTS
         if self.encoder_dead:
             values[4] = self._dead_count
@@ -207,6 +209,7 @@ class FakeSpindle:
         self.warnings: tuple[str, ...] = ()
         self.emergency_stop = False
         self.commands: list[tuple[str, float]] = []
+        self.tells_back = False
         self.off_at: float | None = None
         self.polls = 0
 
@@ -251,7 +254,7 @@ class FakeSpindle:
             self.crank.turn(BLOCK)  # nobody reads; time goes on
         return DriveStatus(
             host_time_ns=time.monotonic_ns(),
-            speed_rev_per_s=self.crank.speed,
+            speed_rev_per_s=-self.crank.speed if self.tells_back else self.crank.speed,
             setpoint_rev_per_s=self.crank.target,
             position_count=round(self.crank.position_rev * COUNTS),
             current_A=1.0,

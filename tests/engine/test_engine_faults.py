@@ -119,6 +119,39 @@ def test_a_lost_encoder_takes_the_power_off(rig: MemoryRig) -> None:
     assert rig.stands
 
 
+@pytest.mark.parametrize(
+    ("encoder", "drive", "words"),
+    [
+        (True, False, ("encoder shows the crank turning backwards",)),
+        (False, True, ("drive reports that it turns backwards",)),
+        (True, True, ("backwards",)),
+    ],
+)
+def test_a_wrong_sense_ends_the_test_in_the_first_quarter_turn(
+    encoder: bool, drive: bool, words: tuple[str, ...]
+) -> None:
+    memory = MemoryRig()
+    memory.source.encoder_back, memory.spindle.tells_back = encoder, drive
+    memory.engine.connect()
+    try:
+        begun = memory.crank.position_rev
+        memory.start(a_test(LONG))
+        ended(memory, FinishReason.DEVICE, *words)
+        assert memory.stands
+        if encoder:  # what the drive says comes with its next answer
+            turned = memory.crank.position_rev - begun
+            assert turned < 1.0, "a quarter turn, and the ramp down"
+            assert memory.store.rows == []
+        assert memory.engine.outcome is not None
+        advice = memory.engine.outcome.sentence
+        assert any(a.key == "senses_differ" for a in memory.engine.status().alarms)
+        named = "encoder.direction = -1" in advice and "spindle.direction = -1" in advice
+        if not (encoder and drive):  # the drive's answer may come after the encoder's quarter turn
+            assert named == encoder
+    finally:
+        memory.engine.shutdown(20.0)
+
+
 def test_a_missing_index_ends_the_test(rig: MemoryRig) -> None:
     rig.source.index_dead = True
     ended(rig, FinishReason.DEVICE, "index")

@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from stories import recipe
 
 from rigapp.config.loading import read_rig
-from rigapp.engine.messages import Request, RunState
-from rigapp.service.host import EngineHost
+from rigapp.engine.messages import FinishReason, Request, RunState
+from rigapp.engine.run import ENDED
+from rigapp.service.host import EngineHost, read_test
 from rigapp.service.simulated import parse_speed
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -36,3 +38,24 @@ def test_fault_is_injected_on_request(host: EngineHost) -> None:
     assert done.ok, done.sentence
     assert host.engine.wait((RunState.FAULT,), 30.0) is RunState.FAULT
     assert "daq" in host.engine.status().reason
+
+
+def test_a_reversed_encoder_ends_the_test_in_its_first_turn_and_names_the_key(
+    host: EngineHost, tmp_path: Path
+) -> None:
+    plan = read_test(recipe(tmp_path, 5, twin=False))
+    host.connect(plan.record)
+    done = host.handle(
+        Request(verb="inject_fault", arguments={"kind": "reversed_encoder", "at_s": 0.0})
+    )
+    assert done.ok, done.sentence
+    out = tmp_path / "reversed.h5"
+    host.start(plan, out, "Ada", resume=False)
+    state = host.engine.wait(ENDED, 60.0)
+    outcome = host.engine.outcome
+    assert state is RunState.FAULT, outcome
+    assert outcome is not None
+    assert outcome.reason is FinishReason.DEVICE
+    assert outcome.revolutions == 0
+    assert "exchange A and B" in outcome.sentence
+    assert "encoder.direction = -1" in outcome.sentence

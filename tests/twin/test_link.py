@@ -29,10 +29,10 @@ SETUP = TwinSetup(
 DEPTH = [one.name for one in prediction_columns()].index("wear_depth")
 
 
-def revolution(number: int) -> RevolutionMeasured:
+def revolution(number: int, speed: float = np.pi, force_N: float = 0.0) -> RevolutionMeasured:
     time_s = np.linspace(0.0, 2.0, 500, endpoint=False)
     zeros = np.zeros(500)
-    arrays = (time_s, np.pi * time_s, zeros, zeros, zeros, zeros)
+    arrays = (time_s, speed * time_s, zeros + force_N, zeros, zeros, zeros)
     return RevolutionMeasured(number, *(a.astype("<f8").tobytes() for a in arrays))
 
 
@@ -133,3 +133,44 @@ def test_stalled_worker_drops_the_oldest_and_blocks_nobody(
     os.kill(link.worker_pid, signal.SIGCONT)
     inbox.wait(lambda: MAILBOX + 29 in inbox.numbers)
     assert any(text.startswith("revolutions ") and "not predicted" in text for text in reports)
+
+
+def test_revolutions_that_cannot_be_predicted_are_told_and_nobody_dies(
+    link: TwinLink, inbox: Inbox, reports: list[str], capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert link.wait_ready(60.0)
+    link.offer(revolution(1))
+    for number, speed in ((2, -np.pi), (3, 0.0), (4, np.nan), (5, -np.nan)):
+        link.offer(revolution(number, speed=speed))
+    link.offer(revolution(6, force_N=np.nan))
+    link.offer(revolution(7))
+    inbox.wait(lambda: 7 in inbox.numbers)
+    link.close()
+    assert inbox.numbers == [1, 7]
+    assert link.restarts == 0
+    assert any(
+        "revolution 2: 1 not predicted, the crank did not turn forward" in r for r in reports
+    )
+    assert any(
+        "revolutions 3 to 6: 4 not predicted" in r and "not all numbers" in r for r in reports
+    )
+    assert capfd.readouterr().err == ""
+
+
+def test_a_model_that_no_twin_can_use_is_told_once(
+    inbox: Inbox, reports: list[str], tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    joint = msgspec.structs.replace(SETUP.parameters.joint, bushing_outer_radius_mm=1.0)
+    parameters = msgspec.structs.replace(SETUP.parameters, joint=joint)
+    link = TwinLink(
+        msgspec.structs.replace(SETUP, parameters=parameters), inbox, tmp_path, reports.append
+    )
+    try:
+        assert not link.wait_ready(60.0)
+        link.offer(revolution(1))
+    finally:
+        link.close()
+    assert len(reports) == 1, reports
+    assert "joint.bushing_outer_radius_mm = 1.0" in reports[0]
+    assert reports[0].endswith("nothing more is predicted in this test")
+    assert capfd.readouterr().err == ""

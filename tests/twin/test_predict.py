@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -14,7 +16,17 @@ from rigapp.config.loading import read_parameter_file
 from rigapp.config.model_parameters import to_parameters
 from rigapp.engine.columns import prediction_columns
 from rigapp.engine.messages import RevolutionMeasured, as_array
-from rigapp.twin.predict import GRID, Wear, compare, phase_shift, predict_motion, unpack
+from rigapp.twin.predict import (
+    GRID,
+    Unpredictable,
+    Wear,
+    compare,
+    phase_shift,
+    predict_motion,
+    unpack,
+)
+from rigapp.twin.twin import Twin
+from rigapp.twin.worker import serve
 
 PARAMETERS = to_parameters(
     read_parameter_file(Path(__file__).parents[2] / "examples" / "parameters.toml").record
@@ -94,3 +106,37 @@ def test_phase_shift_is_the_lag_of_the_measurement(degrees: float) -> None:
     lag = np.radians(degrees)
     late = 50.0 + 30.0 * np.cos(GRID - lag) + 8.0 * np.sin(2.0 * (GRID - lag))
     assert np.degrees(phase_shift(late, curve)) == pytest.approx(degrees, abs=0.02)
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        (lambda a: a.update(angle=-a["angle"]), "did not turn forward"),
+        (lambda a: a.update(angle=0.0 * a["angle"]), "did not turn forward"),
+        (lambda a: a.update(angle=np.nan * a["angle"]), "not all numbers"),
+        (lambda a: a["time"].__setitem__(5, np.inf), "not all numbers"),
+        (lambda a: a["force_2"].__setitem__(3, np.nan), "not all numbers"),
+    ],
+)
+def test_what_is_no_forward_revolution_is_named(change: Any, why: str) -> None:
+    time = np.arange(360) * (2.0 / 360)
+    arrays = {"time": time, "angle": np.pi * time}
+    arrays |= {name: np.zeros(360) for name in ("force_1", "force_2", "probe_1", "probe_2")}
+    change(arrays)
+    with pytest.raises(Unpredictable, match=why):
+        unpack(RevolutionMeasured(7, *(a.astype("<f8").tobytes() for a in arrays.values())))
+
+
+ANY = st.one_of(st.floats(), st.floats(-10.0, 10.0))
+
+
+@given(
+    st.integers(0, 40).flatmap(lambda n: st.tuples(*[st.lists(ANY, min_size=n, max_size=n)] * 6)),
+    st.integers(-5, 2**40),
+)
+def test_no_history_makes_the_twin_fail(columns: tuple[list[float], ...], number: int) -> None:
+    message = RevolutionMeasured(number, *(np.array(c, "<f8").tobytes() for c in columns))
+    with np.errstate(all="ignore"):
+        reply = serve(Twin(PARAMETERS, "continuous"), msgspec.msgpack.encode(message))
+    assert not reply.failed, reply.failed
+    assert (reply.prediction is None) == bool(reply.refused)
