@@ -26,6 +26,7 @@ from rigapp.config.calibration_settings import (
     read_load_cell_settings,
 )
 from rigapp.config.errors import UnusableInput
+from rigapp.config.reading import read_text
 
 
 def calibrate_cell(readings: Path, settings: Path, to: Path, *, as_json: bool) -> int:
@@ -99,15 +100,6 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
 
 def _problems(problems: Sequence[Problem]) -> list[dict[str, Any]]:
     return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
-
-
-def read_text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except FileNotFoundError as error:
-        raise UnusableInput(f"{path}: there is no such file; check the name.") from error
-    except (OSError, UnicodeDecodeError) as error:
-        raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
 
 
 def refuse_existing(to: Path) -> None:

@@ -13,7 +13,7 @@ from calibration.probe import calibrate_probe
 from calibration.probe_live import ProbeWindow
 from calibration.probe_procedure import ProbeStepKind
 from calibration.readings import ReadingsError, parse_probe
-from rigapp.commands.calibrate import keep_record, read_text, refuse_existing, say_result
+from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
 from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.commands.live_calibration import Rig
 from rigapp.commands.live_probes import (
@@ -34,6 +34,7 @@ from rigapp.commands.terminal_parts import LISTEN_S, act, ask_rejection, take_al
 from rigapp.config.calibration_settings import read_probe_settings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.config.reading import read_text
 
 
 def calibrate_probes(readings: Path, settings: Path, to: Path, *, probe: str, as_json: bool) -> int:

@@ -17,10 +17,12 @@ from rigapp.config.consistency import faults
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.ranges import refusals
+from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 
 SCHEMA = 1
+LARGEST_SETTINGS_BYTES = 1 << 20
 
 Record = TypeVar("Record", bound=msgspec.Struct)
 
@@ -64,12 +66,7 @@ def parse_rig(text: str, name: str, *, recorded: bool = False) -> RigFile:
 
 def read_document(path: Path, record: type[Record]) -> Document[Record]:
     """Read a TOML file as a record that has a ``schema``; raise UnusableInput."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except FileNotFoundError as error:
-        raise UnusableInput(f"{path}: there is no such file; check the name.") from error
-    except (OSError, UnicodeDecodeError) as error:
-        raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
+    text = read_text(path, LARGEST_SETTINGS_BYTES)
     return Document(path, text, _record(path, text, record))
 
 

@@ -194,29 +194,31 @@ class Core:
         *,
         key: str = "",
         data: msgspec.Struct | None = None,
-    ) -> None:
+    ) -> bool:
         """Write to the log of the test under way and show it to every viewer.
 
-        key: what the line is about. data: what programs read of it.
+        key: what the line is about. data: what programs read of it. False when the log has no room
+        for it.
         """
         details = msgspec.to_builtins(data) if data is not None else {}
-        self._write(
+        return self._write(
             Event(
                 time.time(), self.revolution, kind, source, text, before, after,
                 key=key, data=details,
             )
         )  # fmt: skip
 
-    def _write(self, event: Event) -> None:
-        session = self.session
+    def _write(self, event: Event) -> bool:
+        session, kept = self.session, True
         if session is not None:
             try:
-                session.recorder.event(event)
+                kept = session.recorder.event(event)
                 if event.kind in TRIGGERS:
                     session.recorder.trigger(critical=False)
             except Exception as error:
                 self.storage_failed(error)
         self.publisher.event(event)
+        return kept
 
     def gap(self, text: str) -> None:
         """Write an interruption of the data to the log, and count it."""

@@ -16,7 +16,7 @@ class DeviceLog(logging.Handler):
     tell: takes the driver's name and the sentence.
     """
 
-    def __init__(self, tell: Callable[[str, str], None]) -> None:
+    def __init__(self, tell: Callable[[str, str], object]) -> None:
         super().__init__(logging.WARNING)
         self._tell = tell
         self._told: dict[str, float] = {}

@@ -7,7 +7,6 @@ one with unusable words raises ``UnusableInput``; one that a device fails raises
 
 from __future__ import annotations
 
-import threading
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -42,11 +41,15 @@ from rigapp.engine.messages import (
 )
 from rigapp.engine.publish import Finished, NoticeStream, Subscription
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
-from rigapp.engine.run import ACTIVE, ENDED, Ending, Refused, Trigger, transition
+from rigapp.engine.run import ACTIVE, ENDED, Ending, Refused, Trigger, refuse_long, transition
 from rigapp.engine.starting import check_overload, check_start, open_session, start_deadline_s
 from rigapp.engine.store import OpenStore, open_file
+from rigapp.engine.threads import Turn
 from rigapp.engine.timing import Timing
 from rigapp.engine.views import build_status
+
+COMMAND_WAIT_S = 10.0
+"""A command waits so long for the one before it; stopping waits for none."""
 
 EXTENDABLE = frozenset({RunState.STARTING, RunState.RUNNING, RunState.PAUSING, RunState.PAUSED})
 
@@ -97,7 +100,7 @@ class Engine:
         self._open_store = open_store
         self._on_measured = on_measured
         self._connection: Connection | None = None
-        self._command = threading.Lock()
+        self._command = Turn(COMMAND_WAIT_S)
         self._operator = ""
 
     # --- connection ------------------------------------------------------------------------------
@@ -171,9 +174,12 @@ class Engine:
             except TimeoutError as error:
                 self._core.will_not_stop(f"The engine was shut down, but {error}.")
                 self._core.finish()
-        with self._command:
-            self._release()
-            self._core.fire_if(Trigger.DISCONNECT)
+        try:
+            with self._command:
+                self._release()
+                self._core.fire_if(Trigger.DISCONNECT)
+        except Refused as error:
+            self._core.event("device", "engine", f"the devices are not released: {error}")
 
     # --- a test ----------------------------------------------------------------------------------
 
@@ -272,8 +278,8 @@ class Engine:
             connection = self._connection
             if connection is None:
                 raise Refused("no drive is connected")
-            self._note_command("drive_off", operator, reason)
             connection.control.stop_now(off=True)
+            self._note_command("drive_off", operator, reason)
             return
         self._end(operator, reason, off=True)
 
@@ -284,8 +290,15 @@ class Engine:
         what = "switched the drive off" if off else "stopped the test"
         sentence = f"{who} {what}" + (f": {reason.strip()}" if reason.strip() else ".")
         sentence = sentence[0].upper() + sentence[1:]
-        self._note_command("drive_off" if off else "stop", operator, reason)
-        self._core.trip(Ending(FinishReason.OPERATOR, sentence, off=off))
+        session = self._core.session
+        waits = session is not None and session.finishing.acquire(blocking=False)
+        # The drive first: the log may have to wait for the disk. The file is not finished before.
+        try:
+            self._core.trip(Ending(FinishReason.OPERATOR, sentence, off=off))
+            self._note_command("drive_off" if off else "stop", operator, reason)
+        finally:
+            if session is not None and waits:
+                session.finishing.release()
 
     def reset(self, operator: str = "") -> None:
         """Go from stopped or fault back to ready: the deliberate action before another start.
@@ -331,7 +344,9 @@ class Engine:
         """Write an operator's note to the log of the test."""
         if not text.strip():
             raise Refused("the note is empty")
-        self._core.event("note", operator or "operator", text.strip())
+        refuse_long("note", text)
+        if not self._core.event("note", operator or "operator", text.strip()):
+            raise Refused("the log of this test has no room left for notes; alarms are still kept")
 
     def log(self, kind: str, text: str, who: str, before: str = "", after: str = "") -> None:
         """Write an event to the log of the test, with what was before and after it."""

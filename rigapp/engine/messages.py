@@ -14,6 +14,9 @@ from numpy.typing import NDArray
 
 PROTOCOL_VERSION = 1
 
+NOTE_CHARACTERS = 2000
+"""The longest note, and the longest reason of a command."""
+
 
 class RunState(enum.StrEnum):
     """The states of a run; every way through them ends with the spindle stopped and a reason."""

@@ -207,11 +207,10 @@ class Recorder:
         curves = {name: as_array(getattr(profile, name)) for name in PROFILE_CURVES}
         self._store.append_profile(as_array(profile.values, "<f8"), curves)
 
-    def event(self, event: Event) -> None:
-        """Write an event."""
+    def event(self, event: Event) -> bool:
+        """Write an event; False when the log has no room for it."""
         with self._lock:
-            if not self._closed:
-                self._store.append_event(event)
+            return self._closed or self._store.append_event(event)
 
     def gap(self, event: Event) -> None:
         """Write and count an interruption of the data."""

@@ -18,7 +18,7 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass
 
-from rigapp.engine.messages import FinishReason, RunState
+from rigapp.engine.messages import NOTE_CHARACTERS, FinishReason, RunState
 
 
 class Trigger(enum.StrEnum):
@@ -89,6 +89,12 @@ FAULTS = frozenset({FinishReason.DEVICE, FinishReason.STORAGE, FinishReason.INTE
 
 class Refused(Exception):
     """Say in one sentence why a command cannot be carried out now, and what to do."""
+
+
+def refuse_long(what: str, text: str, most: int = NOTE_CHARACTERS) -> None:
+    """Raise Refused when a text is longer than what is stored and shown."""
+    if len(text) > most:
+        raise Refused(f"the {what} has {len(text):,} characters; shorten it to {most:,}")
 
 
 def transition(state: RunState, trigger: Trigger) -> RunState:

@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Callable
 
 from drivers.api import Block
+from rigapp.engine.run import Refused
 
 
 class Worker:
@@ -85,6 +86,28 @@ class Worker:
             self._on_death(self, error)
         finally:
             self.ended = True
+
+
+class Turn:
+    """Let one command after the other in, none for longer than it can be waited for."""
+
+    def __init__(self, wait_s: float) -> None:
+        self._wait_s = wait_s
+        self._lock = threading.Lock()
+        self._since = 0.0
+
+    def __enter__(self) -> None:
+        """Wait for the command before; raise Refused when it takes too long."""
+        if not self._lock.acquire(timeout=self._wait_s):
+            since = time.monotonic() - self._since
+            raise Refused(
+                f"the engine has been busy with another command for {since:.0f} s (connecting or "
+                "starting, perhaps); wait for it, or stop"
+            )
+        self._since = time.monotonic()
+
+    def __exit__(self, *_: object) -> None:
+        self._lock.release()
 
 
 class BlockQueue:

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.engine.messages import Alarm, RunState, Severity
+from rigapp.engine.messages import NOTE_CHARACTERS, Alarm, RunState, Severity
 from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.palette import Theme
 
@@ -100,6 +100,7 @@ class AlarmPanel(QWidget):
         self.acknowledge.setAccessibleName("Acknowledge the chosen alarm")
         self.acknowledge.clicked.connect(self._acknowledge)
         self.reason = QLineEdit()
+        self.reason.setMaxLength(NOTE_CHARACTERS)
         self.reason.setObjectName(f"{prefix}_shelve_reason")
         self.reason.setAccessibleName("Reason for shelving")
         self.reason.setPlaceholderText("reason for shelving")

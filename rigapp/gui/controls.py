@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.engine.messages import Reply, RunState, Status
+from rigapp.engine.messages import NOTE_CHARACTERS, Reply, RunState, Status
 from rigapp.gui.command import CommandLine
 from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.header import ElidedLabel
@@ -104,7 +104,7 @@ class ControlRow(QWidget):
         self.text.setObjectName("reason_or_note")
         self.text.setAccessibleName("Reason or note")
         self.text.setClearButtonEnabled(True)
-        self.text.setMaxLength(500)
+        self.text.setMaxLength(NOTE_CHARACTERS)
         self.text.returnPressed.connect(self.add_note)
         caption = QLabel("&Note (F8)")
         caption.setBuddy(self.text)
@@ -199,7 +199,7 @@ class ControlRow(QWidget):
             return
         if self._asked_why:
             text = f"Reason why the test was {self._asked_why}: {text}"
-        self.send("note", {"text": text})
+        self.send("note", {"text": text[:NOTE_CHARACTERS]})
         self.text.clear()
         self._ask_nothing()
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLa
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.engine.limits import ALWAYS, limit_refusal
-from rigapp.engine.messages import RunState
+from rigapp.engine.messages import NOTE_CHARACTERS, RunState
 from rigapp.gui.devices import PlainTable
 from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.headline import ACTIVE_STATES
@@ -62,6 +62,7 @@ class LimitPanel(QGroupBox):
         self.value.setObjectName("limit_value")
         self.value.setAccessibleName("New value of the chosen limit")
         self.reason = QLineEdit()
+        self.reason.setMaxLength(NOTE_CHARACTERS)
         self.reason.setObjectName("limit_reason")
         self.reason.setAccessibleName("Reason for the new limit")
         self.reason.setPlaceholderText("reason, goes into the log")

@@ -12,6 +12,7 @@ from typing import Any, Protocol
 from rigapp.engine.messages import Reply, Snapshot, Status
 from rigapp.gui.command import CommandWatch, Holder
 from rigapp.gui.tasks import Worker
+from rigapp.service.verbs import SAFETY_VERBS, verb_of
 
 log = logging.getLogger(__name__)
 
@@ -19,17 +20,9 @@ SILENT_AFTER_S = 2.0
 LOST_AFTER_S = 5.0
 FIRST_SNAPSHOT_S = 10.0
 RETRY_S = (0.5, 1.0, 2.0, 5.0)
-TIMEOUTS_S = {
-    "connect": 90.0,
-    "reconnect": 90.0,
-    "start": 120.0,
-    "resume_file": 120.0,
-    "zero": 60.0,
-}
-TIMEOUT_S = 10.0
 RELEASE_S = 1.0
 PRESENT_S = 2.0
-URGENT_VERBS = frozenset({"stop", "drive_off", "pause"})
+URGENT_VERBS = frozenset({*SAFETY_VERBS, "pause"})
 
 
 class EngineClient(Protocol):
@@ -150,7 +143,7 @@ class Link:
             return
         worker = self._urgent if verb in URGENT_VERBS else self._requests
         accepted = worker.submit(
-            lambda: client.request(verb, arguments, TIMEOUTS_S.get(verb, TIMEOUT_S)),
+            lambda: client.request(verb, arguments, verb_of(verb).timeout_s),
             handler,
             lambda error: handler(Reply(ok=False, sentence=str(error) or type(error).__name__)),
         )

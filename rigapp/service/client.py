@@ -18,6 +18,7 @@ import zmq
 from rigapp.engine.columns import revolution_columns
 from rigapp.engine.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
 from rigapp.service.registry import EngineEntry, other_version, runtime_folder
+from rigapp.service.verbs import verb_of
 
 if TYPE_CHECKING:
     from rigapp.service.security import KeyPair
@@ -90,10 +91,13 @@ class Client:
         return msgspec.msgpack.decode(body, type=Snapshot)
 
     def request(
-        self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0
+        self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float | None = None
     ) -> Reply:
-        """Ask the engine and wait for the answer; raise EngineUnreachable after timeout_s."""
-        reply = self._request(verb, arguments, timeout_s)
+        """Ask the engine and wait for the answer; raise EngineUnreachable after timeout_s.
+
+        timeout_s: that of ``VERBS`` if None.
+        """
+        reply = self._request(verb, arguments, timeout_s or verb_of(verb).timeout_s)
         if verb == "take_command" and reply.ok:
             self._stay_present()
         if verb == "release_command" and reply.ok:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from rigapp.engine.messages import Request
 from rigapp.engine.run import Refused
+from rigapp.service.verbs import verb_of
 
 GONE_AFTER_S = 10.0
 """Command is free again when its holder has not been heard of for so long."""
@@ -20,10 +21,6 @@ GONE_AFTER_S = 10.0
 ASLEEP_S = 2.0
 """A longer pause between two looks is this process's own; it is not held against the holder."""
 
-FOR_EVERYBODY = frozenset({"stop", "drive_off", "acknowledge"})
-LOOKING = frozenset(
-    {"hello", "status", "signals", "simulation_state", "take_command", "release_command", "present"}
-)
 
 Log = Callable[[str, str, str, str], None]
 """Takes the text of an event, who did it, who was in command before and who is after."""
@@ -78,7 +75,7 @@ class Command:
             if request.client == holder.client:
                 self._heard = self._clock()
                 return
-        if request.verb in FOR_EVERYBODY or request.verb in LOOKING:
+        if verb_of(request.verb).everybody:
             return
         raise Refused(
             f"{holder.name} is in command of this rig, so {request.verb!r} is refused; take command"

@@ -36,6 +36,7 @@ from rigapp.engine.messages import (
 from rigapp.engine.publish import Finished
 from rigapp.engine.run import ACTIVE, Refused
 from rigapp.engine.starting import check_fit
+from rigapp.service.bounds import refusal
 from rigapp.service.command import Command
 from rigapp.service.records import with_records
 from rigapp.service.registry import (
@@ -307,16 +308,14 @@ class EngineHost:
         verb = verbs.get(request.verb)
         if verb is None:
             known = ", ".join(sorted(verbs))
-            return Reply(ok=False, sentence=f"There is no command {request.verb!r}: {known}.")
+            return refusal(f"There is no command {request.verb!r}: {known}.")
         try:
             self._command.judge(request)
             result = verb(request)
         except EXPECTED as error:
-            return Reply(ok=False, sentence=_capital(str(error)))
+            return refusal(str(error))
         except (KeyError, TypeError, ValueError) as error:
-            return Reply(
-                ok=False, sentence=f"The arguments of {request.verb!r} are not usable: {error}."
-            )
+            return refusal(f"The arguments of {request.verb!r} are not usable: {error}.")
         return Reply(ok=True, result=result)
 
     def _table(self) -> dict[str, Callable[[dict[str, Any], str], Any]]:
@@ -460,8 +459,3 @@ def _without_none(tree: Any) -> Any:
     if isinstance(tree, list | tuple):
         return [_without_none(value) for value in tree]
     return tree
-
-
-def _capital(sentence: str) -> str:
-    text = sentence[:1].upper() + sentence[1:]
-    return text if text.endswith((".", "?", "!")) else text + "."

@@ -14,6 +14,7 @@ import msgspec
 from calibration.records import Record, RecordError, unseal
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
+from rigapp.config.reading import read_bytes
 from rigapp.config.rig import RigFile
 from rigapp.service.probe_records import probe_records
 
@@ -67,7 +68,7 @@ def _read(
         path = rig.path.parent / path
     where = f"{rig.path}: {key} = {name!r}"
     try:
-        data = path.read_bytes()
+        data = read_bytes(path)
         record = unseal(data)
     except OSError as error:
         raise UnusableInput(f"{where}: the record cannot be read ({error}).") from error

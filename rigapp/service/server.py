@@ -1,9 +1,10 @@
 """Serve an engine over ZeroMQ: commands with a reply, and a stream of snapshots.
 
-Commands arrive on a ROUTER socket and are answered in the order in which they finish; a slow one
-(connect, start) never delays another (stop). At most ``PENDING`` are under way; further ones are
-answered "busy". Snapshots leave on an XPUB socket with a short queue: a viewer that lags loses the
-oldest, and sees the gap in ``Snapshot.first_row``; ``Server.watched`` tells whether anyone looks.
+Commands arrive on a ROUTER socket and are answered in the order in which they finish; each safety
+verb has threads of its own (``verbs``, ``lanes``), so that no number of slow ones delays it. What
+is too much at once is answered "busy", what cannot be read is answered and survived. Snapshots
+leave on an XPUB socket with a short queue: a viewer that lags loses the oldest, and sees the gap in
+``Snapshot.first_row``; ``Server.watched`` tells whether anyone looks.
 With keys, a viewer whose key is not authorised reaches neither.
 """
 
@@ -13,7 +14,6 @@ import queue
 import threading
 import time
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import msgspec
@@ -21,11 +21,15 @@ import zmq
 
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
+from rigapp.engine.run import Refused
+from rigapp.service.bounds import MESSAGE_BYTES, bounded, refusal
+from rigapp.service.lanes import Lanes
 from rigapp.service.registry import other_version
 from rigapp.service.security import Guard
 
-PENDING = 16
 SNAPSHOT_QUEUE = 4
+EVERY_SNAPSHOT = b""
+"""What a viewer subscribes to."""
 PUBLISH_PERIOD_S = 0.05
 POLL_MS = 10
 
@@ -71,6 +75,7 @@ class Server:
         self._publisher = self._context.socket(zmq.XPUB)
         for socket in (self._router, self._publisher):
             socket.setsockopt(zmq.LINGER, 200)
+            socket.setsockopt(zmq.MAXMSGSIZE, MESSAGE_BYTES)
             socket.setsockopt(zmq.SNDHWM, SNAPSHOT_QUEUE if socket is self._publisher else 100)
             if self._guard is not None:
                 self._guard.protect(socket)
@@ -79,9 +84,8 @@ class Server:
         self.commands = self._router.getsockopt_string(zmq.LAST_ENDPOINT)
         self.stream = self._publisher.getsockopt_string(zmq.LAST_ENDPOINT)
         self._replies: queue.Queue[tuple[bytes, bytes]] = queue.Queue()
-        self._under_way = 0
+        self._lanes = Lanes()
         self._stop = threading.Event()
-        self._workers = ThreadPoolExecutor(max_workers=PENDING, thread_name_prefix="request")
         self._thread = threading.Thread(target=self._serve, name="service", daemon=True)
         self.watched = False
         self.failure: BaseException | None = None
@@ -100,7 +104,6 @@ class Server:
         self._stop.set()
         if self._thread.is_alive():
             self._thread.join(timeout=5.0)
-        self._workers.shutdown(wait=False, cancel_futures=True)
         self._release()
 
     def _bind(self, socket: zmq.Socket[bytes], address: str) -> None:
@@ -133,7 +136,7 @@ class Server:
                 if self._router in ready:
                     self._accept()
                 if self._publisher in ready:
-                    self._look_who_watches(self._publisher.recv()[:1] == b"\x01")
+                    self._hear_viewers(self._publisher.recv())
                 self._send_replies()
                 if clock.due():
                     self._publish()
@@ -144,41 +147,50 @@ class Server:
             self._on_failure(f"The part that serves windows has died: {_named(error)}")
             raise
 
-    def _look_who_watches(self, watched: bool) -> None:
+    def _hear_viewers(self, message: bytes) -> None:
+        """Take note of the first viewer and the last; whatever else somebody sends is nothing."""
+        kind, topic = message[:1], message[1:]
+        if topic != EVERY_SNAPSHOT or kind not in (b"\x00", b"\x01"):
+            return
+        watched = kind == b"\x01"
         if watched != self.watched:
             self.watched = watched
-            self._on_viewers(watched)
+            try:
+                self._on_viewers(watched)
+            except Exception as error:
+                self._on_failure(f"A viewer could not be taken note of: {_named(error)}")
 
     def _accept(self) -> None:
-        frames = self._router.recv_multipart()
+        try:
+            frames = self._router.recv_multipart(zmq.NOBLOCK)
+        except zmq.Again:
+            return
         sender, body = frames[0], frames[-1]
+        identifier = 0
+        # Any error at all: what a stranger sends must never end the thread that hears "stop".
         try:
             head = msgspec.msgpack.decode(body, type=_Head)
+            identifier = head.identifier
             if head.version != PROTOCOL_VERSION:
-                self._answer_other_version(sender, head)
-                return
-            request = msgspec.msgpack.decode(body, type=Request)
-        except (msgspec.DecodeError, msgspec.ValidationError) as error:
-            self._answer(sender, Reply(ok=False, sentence=f"The request is not readable: {error}."))
-            return
-        if self._under_way >= PENDING:
-            sentence = f"The engine is busy with {PENDING} requests; ask again."
-            self._answer(sender, Reply(ok=False, sentence=sentence, identifier=request.identifier))
-            return
-        self._under_way += 1
-        self._workers.submit(self._work, sender, request)
-
-    def _answer_other_version(self, sender: bytes, head: _Head) -> None:
-        sentence = other_version(PROTOCOL_VERSION, head.version)
-        self._answer(sender, Reply(ok=False, sentence=sentence, identifier=head.identifier))
+                raise Refused(other_version(PROTOCOL_VERSION, head.version))
+            request = bounded(msgspec.msgpack.decode(body, type=Request))
+            why_not = self._lanes.submit(request.verb, lambda: self._work(sender, request))
+        except Refused as error:
+            why_not = str(error)
+        except Exception as error:
+            why_not = f"The request is not readable: {error}."
+        if why_not:
+            body = msgspec.msgpack.encode(refusal(why_not, identifier))
+            self._router.send_multipart([sender, b"", body])
 
     def _work(self, sender: bytes, request: Request) -> None:
         try:
             reply = self._handler(request)
+            reply = msgspec.structs.replace(reply, identifier=request.identifier)
+            body = msgspec.msgpack.encode(reply)
         except Exception as error:
-            reply = Reply(ok=False, sentence=f"{type(error).__name__}: {error}")
-        reply = msgspec.structs.replace(reply, identifier=request.identifier)
-        self._replies.put((sender, msgspec.msgpack.encode(reply)))
+            body = msgspec.msgpack.encode(refusal(_named(error), request.identifier))
+        self._replies.put((sender, body))
 
     def _send_replies(self) -> None:
         while True:
@@ -186,11 +198,7 @@ class Server:
                 sender, body = self._replies.get_nowait()
             except queue.Empty:
                 return
-            self._under_way -= 1
             self._router.send_multipart([sender, b"", body])
-
-    def _answer(self, sender: bytes, reply: Reply) -> None:
-        self._router.send_multipart([sender, b"", msgspec.msgpack.encode(reply)])
 
     def _publish(self) -> None:
         try:

@@ -23,6 +23,16 @@ TEXTS = ("text", "before", "after", "data")
 _HASHED = ("kind", "source", "text", "before", "after", "key", "level", "data")
 
 
+ASKED_KINDS = frozenset({"note", "command", "limit_changed", "zero", "viewer"})
+OWN_ALARMS = "engine"
+"""The source of an alarm that nobody asked for."""
+
+
+def asked_for(event: Event) -> bool:
+    """Tell whether an event is there because somebody asked the engine for something."""
+    return event.kind in ASKED_KINDS or (event.kind == "alarm" and event.source != OWN_ALARMS)
+
+
 def rows_of(event: Event, digest: bytes, fields: Sequence[Field]) -> list[dict[str, Any]]:
     """Return an event as rows; a text longer than its column goes on in the next row.
 

@@ -24,6 +24,7 @@ from rigapp.engine.messages import (
     as_array,
 )
 from rigapp.service.client import Client, EngineUnreachable
+from rigapp.service.lanes import UNDER_WAY
 from rigapp.service.registry import (
     EngineEntry,
     announce,
@@ -31,7 +32,8 @@ from rigapp.service.registry import (
     running_engines,
     withdraw,
 )
-from rigapp.service.server import PENDING, Server
+from rigapp.service.server import Server
+from rigapp.service.verbs import Lane
 
 
 def status(revolution: int = 0) -> Status:
@@ -61,6 +63,7 @@ def status(revolution: int = 0) -> Status:
     )
 
 
+PENDING = UNDER_WAY[Lane.WORK]
 COLUMNS = len(revolution_columns())
 
 

@@ -1,0 +1,103 @@
+"""Read a small file that somebody named, whatever it turns out to be: bounded in size and time."""
+
+from __future__ import annotations
+
+import os
+import select
+import stat
+import threading
+import time
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+
+LARGEST_BYTES = 16 << 20
+PATIENCE_S = 5.0
+HANGING_READS = 8
+"""Reads that may hang at once, in a folder that does not answer, before more are refused."""
+
+_PIECE = 1 << 16
+_hanging = threading.BoundedSemaphore(HANGING_READS)
+
+
+def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
+    """Return the bytes of a file or of a pipe that somebody writes into.
+
+    Raises UnusableInput for what is neither, is larger than ``largest`` or does not come within
+    PATIENCE_S; OSError as ``open`` does.
+    """
+    return _in_time(path, largest)
+
+
+def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
+    """Return the text of a file, its lines ended by a newline alone; raise UnusableInput."""
+    try:
+        text = read_bytes(path, largest).decode("utf-8")
+    except FileNotFoundError as error:
+        raise UnusableInput(f"{path}: there is no such file; check the name.") from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _in_time(path: Path, largest: int) -> bytes:
+    """Read in a thread of its own: a folder that is not reachable hangs whoever looks at it."""
+    found: list[bytes | BaseException] = []
+
+    def run() -> None:
+        try:
+            found.append(_read(path, largest))
+        except BaseException as error:
+            found.append(error)
+        finally:
+            _hanging.release()
+
+    if not _hanging.acquire(timeout=PATIENCE_S):
+        raise UnusableInput(f"{path}: cannot be read now, {HANGING_READS} other files hang.")
+    thread = threading.Thread(target=run, name="read file", daemon=True)
+    thread.start()
+    thread.join(2.0 * PATIENCE_S)
+    if not found:
+        raise UnusableInput(
+            f"{path}: could not be read within {2.0 * PATIENCE_S:g} s; is its folder reachable?"
+        )
+    if isinstance(found[0], BaseException):
+        raise found[0]
+    return found[0]
+
+
+def _read(path: Path, largest: int) -> bytes:
+    """Read without ever waiting for somebody to open the other end."""
+    descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+    try:
+        mode = os.fstat(descriptor).st_mode
+        if stat.S_ISDIR(mode):
+            raise IsADirectoryError(f"{path} is a folder")
+        if not (stat.S_ISREG(mode) or stat.S_ISFIFO(mode)):
+            raise UnusableInput(f"{path}: is a device or a socket; name a file.")
+        return _all_of(path, descriptor, largest, pipe=stat.S_ISFIFO(mode))
+    finally:
+        os.close(descriptor)
+
+
+def _all_of(path: Path, descriptor: int, largest: int, *, pipe: bool) -> bytes:
+    deadline = time.monotonic() + PATIENCE_S
+    data = bytearray()
+    while len(data) <= largest:
+        left = deadline - time.monotonic()
+        if pipe and (left <= 0.0 or not _something_comes(descriptor, left)):
+            raise UnusableInput(
+                f"{path}: is a pipe into which nobody wrote within {PATIENCE_S:g} s; name a file."
+            )
+        part = os.read(descriptor, _PIECE)
+        if not part:
+            return bytes(data)
+        data += part
+    raise UnusableInput(f"{path}: is larger than {largest / 1e6:.0f} MB; name another file.")
+
+
+def _something_comes(descriptor: int, seconds: float) -> bool:
+    """Wait for bytes or for the end of a pipe; a pipe without a writer yet brings neither."""
+    watch = select.poll()
+    watch.register(descriptor, select.POLLIN)
+    return bool(watch.poll(1000.0 * seconds))

@@ -1,0 +1,321 @@
+"""Requests that no viewer of ours sends: whatever comes, it is answered and Stop works after it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import random
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import pytest
+import zmq
+from stories import RIG, recipe, until
+
+from rigapp.config.loading import read_rig
+from rigapp.engine.messages import NOTE_CHARACTERS, Event, Reply, Request, RunState
+from rigapp.engine.run import ACTIVE, ENDED
+from rigapp.service.bounds import DEEPEST, MESSAGE_BYTES
+from rigapp.service.client import Client, EngineUnreachable
+from rigapp.service.host import EngineHost
+from rigapp.service.registry import running_engines
+from rigapp.service.verbs import SAFETY_VERBS, VERBS
+
+BATCH = 40
+NOT_SENT = frozenset({"shutdown", "inject_fault", "hand"})
+"""Verbs that may end the engine or break the simulated rig, as they should."""
+
+
+@pytest.fixture
+def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[EngineHost]:
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+    host = EngineHost(read_rig(RIG), 1.0)
+    yield host
+    host.close()
+
+
+@pytest.fixture
+def client(host: EngineHost) -> Iterator[Client]:
+    client = Client(running_engines()[-1], "Ada", look=False)
+    yield client
+    client.close()
+
+
+class Stranger:
+    """A viewer that sends bytes of its own making."""
+
+    def __init__(self, client: Client) -> None:
+        self._context = zmq.Context()
+        self._socket = self._context.socket(zmq.DEALER)
+        self._socket.setsockopt(zmq.LINGER, 0)
+        self._socket.connect(client.entry.commands)
+
+    def send(self, *bodies: bytes) -> list[Reply]:
+        """Send messages and return the reply to each, in the order in which they come."""
+        for body in bodies:
+            self._socket.send_multipart([b"", body])
+        return [self._receive() for _ in bodies]
+
+    def _receive(self) -> Reply:
+        assert self._socket.poll(60_000), "a message was not answered"
+        return msgspec.msgpack.decode(self._socket.recv_multipart()[-1], type=Reply)
+
+    def __enter__(self) -> Stranger:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._context.destroy(linger=0)
+
+
+def packed(verb: str, **arguments: Any) -> bytes:
+    return msgspec.msgpack.encode(Request(verb, arguments, "Ada", client="c"))
+
+
+HEAD = b"\x82\xa4verb\xa4note\xa9arguments\x81\xa4text"
+BAD = {
+    "text that is not UTF-8": b"\x81\xa4verb\xa4\xff\xfe\xff\xfe",
+    "key that is not UTF-8": b"\x81\xa4\xff\xfe\xff\xfe\xc0",
+    "2,000 deep": HEAD + b"\x91" * 2000 + b"\xc0",
+    "60,000 deep": HEAD + b"\x91" * 60_000 + b"\xc0",
+    "as deep as can be decoded": HEAD + b"\x91" * 900 + b"\xc0",
+    "array of 4 billion": HEAD + b"\xdd\xff\xff\xff\xff",
+    "map of 4 billion": HEAD + b"\xdf\xff\xff\xff\xff",
+    "time out of range": HEAD + b"\xc7\x0c\xff" + b"\xff" * 12,
+    "unknown extension": HEAD + b"\xd4\x2a\x00",
+    "key that cannot be one": b"\x82\xa4verb\xa4note\xa9arguments\x81\x91\xc0\xc0",
+    "not a map": b"\x93\x01\x02\x03",
+    "nothing": b"",
+    "number for a text": HEAD + b"\x07",
+    "verb without end": b"\x81\xa4verb\xda\xea\x60" + b"v" * 60_000,
+}
+
+
+@pytest.mark.parametrize("body", BAD.values(), ids=BAD.keys())
+def test_what_cannot_be_read_is_answered_and_survived(
+    host: EngineHost, client: Client, body: bytes
+) -> None:
+    with Stranger(client) as stranger:
+        (reply,) = stranger.send(body)
+    assert not reply.ok
+    assert reply.sentence.endswith(".")
+    assert len(reply.sentence) < 3000
+    assert "not possible while idle" in client.request("stop").sentence
+    assert host._server.failure is None
+
+
+def test_verbs_of_the_table_are_those_of_the_engine(host: EngineHost) -> None:
+    assert set(host._verbs) == set(VERBS)
+    assert {"stop", "drive_off", "acknowledge", "reset"} == SAFETY_VERBS
+
+
+def test_starts_that_hang_on_a_pipe_keep_nothing_that_makes_safe_waiting(
+    host: EngineHost, client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("rigapp.config.reading.PATIENCE_S", 300.0)
+    pipe = tmp_path / "test.toml"
+    os.mkfifo(pipe)
+    replies: list[Reply] = []
+    arguments = {"test": str(pipe), "out": str(tmp_path / "out.h5")}
+    threads = [
+        threading.Thread(
+            target=lambda: replies.append(client.request("start", arguments, 120.0)), daemon=True
+        )
+        for _ in range(18)
+    ]
+    for thread in threads:
+        thread.start()
+    until(lambda: len(replies) == 2, "the requests beyond sixteen are told busy")
+    assert all("busy" in reply.sentence for reply in replies)
+    for verb in SAFETY_VERBS:
+        assert "busy" not in client.request(verb, timeout_s=30.0).sentence
+    assert client.request("status").ok
+    assert len(replies) == 2
+    until(lambda: end_pipe(pipe) and len(replies) == 18, "the pipe has ended and all are answered")
+
+
+def end_pipe(pipe: Path) -> bool:
+    """Write nothing into a pipe, so that whoever reads it has read all of it."""
+    with contextlib.suppress(OSError):  # nobody reads it any more
+        os.close(os.open(pipe, os.O_WRONLY | os.O_NONBLOCK))
+    return True
+
+
+def test_a_pipe_into_which_nobody_writes_is_refused_in_time(
+    client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("rigapp.config.reading.PATIENCE_S", 0.1)
+    pipe = tmp_path / "test.toml"
+    os.mkfifo(pipe)
+    out = str(tmp_path / "out.h5")
+    reply = client.request("start", {"test": str(pipe), "out": out}, 60.0)
+    assert "test.toml: is a pipe into which nobody wrote" in reply.sentence
+    for device, words in (("/dev/zero", "is a device"), (str(tmp_path), "cannot be read")):
+        reply = client.request("start", {"test": device, "out": out}, 60.0)
+        assert words in reply.sentence
+    huge = tmp_path / "huge.toml"
+    with huge.open("wb") as file:
+        file.truncate(1 << 34)
+    reply = client.request("start", {"test": str(huge), "out": out}, 60.0)
+    assert "huge.toml: is larger than" in reply.sentence
+    assert "folder" in client.request("resume_file", {"file": str(tmp_path)}).sentence
+    assert "empty" in client.request("examine_file", {"file": "/dev/zero"}).sentence
+
+
+def test_a_note_has_a_bounded_length(client: Client) -> None:
+    assert client.request("note", {"text": "n" * NOTE_CHARACTERS}).ok
+    reply = client.request("note", {"text": "n" * (NOTE_CHARACTERS + 1)})
+    assert reply.sentence == "The note has 2,001 characters; shorten it to 2,000."
+    reply = client.request("extend", {"revolutions": 5, "reason": "r" * 2001})
+    assert reply.sentence == "The reason has 2,001 characters; shorten it to 2,000."
+    assert "not a text" in client.request("note", {"text": 7}).sentence
+    deep: Any = 0
+    for _ in range(DEEPEST + 1):
+        deep = [deep]
+    assert "nested" in client.request("zero", {"what": deep}).sentence
+
+
+def test_a_message_of_megabytes_reaches_nobody(client: Client) -> None:
+    with pytest.raises(EngineUnreachable):
+        client.request("note", {"text": "n" * 10_000_000}, 0.3)
+    with pytest.raises(EngineUnreachable):
+        client.request("note", {"text": "n" * MESSAGE_BYTES}, 0.3)
+    assert "not possible while idle" in client.request("stop").sentence
+
+
+def test_stop_with_too_long_a_reason_is_obeyed(client: Client) -> None:
+    reply = client.request("stop", {"reason": "r" * 60_000, "other": [[[]]]})
+    assert "not possible while idle" in reply.sentence
+
+
+def test_what_a_viewer_sends_to_the_stream_makes_it_no_viewer(client: Client) -> None:
+    context = zmq.Context()
+    socket = context.socket(zmq.XSUB)
+    socket.setsockopt(zmq.LINGER, 0)
+    try:
+        socket.connect(client.entry.snapshots)
+        for junk in (b"\x02", b"\xff" * 100, b"", b"\x01topic", b"\x00topic", b"\x01"):
+            socket.send(junk)
+        assert socket.poll(60_000), "no snapshot came"
+        assert client.request("status").ok
+    finally:
+        context.destroy(linger=0)
+
+
+def test_notes_of_one_client_do_not_fill_the_log(tmp_path: Path) -> None:
+    from rigapp.engine.columns import cycle_columns, prediction_columns, revolution_columns
+    from rigapp.storage import FilePlan, TestMetadata, create_test, open_test
+
+    plan = FilePlan(
+        revolutions=10,
+        cycles=1,
+        samples_per_cycle=10,
+        events=400,
+        revolution_columns=revolution_columns()[:2],
+        cycle_columns=cycle_columns()[:2],
+        prediction_columns=prediction_columns()[:2],
+        prediction_points=4,
+    )
+    writer = create_test(tmp_path / "t.h5", plan, TestMetadata("t", "rig", "test"))
+    kept = 0
+    while writer.append_event(Event(1.0, 1, "note", "Eve", f"note {kept}")):
+        kept += 1
+    assert kept == 200
+    assert not writer.append_event(Event(1.0, 1, "alarm", "Eve", "shelved"))
+    for number in range(100):
+        assert writer.append_event(Event(2.0, 2, "alarm", "engine", f"alarm {number}"))
+    writer.finish("stopped", "operator", "done")
+    writer.close()
+    with open_test(tmp_path / "t.h5") as reader:
+        assert reader.first_altered_event() is None
+        assert sum(event.kind == "alarm" for event in reader.events()) == 100
+
+
+# ------------------------------------------------------------------------------------ mutated bytes
+
+
+def honest_messages(folder: Path) -> list[bytes]:
+    """Return one well-formed message of each verb that may be sent here."""
+    words: dict[str, Any] = {
+        "test": str(folder / "none.toml"), "out": str(folder / "none.h5"), "file": "none.h5",
+        "reason": "worn", "text": "oiled", "key": "overload", "name": "overload_N",
+        "value": 300.0, "revolutions": 40, "minutes": 1.0, "window_s": 0.5, "kind": "none",
+        "what": ["load_cell"], "force": True,
+    }  # fmt: skip
+    return [packed(verb, **words) for verb in sorted(set(VERBS) - NOT_SENT)]
+
+
+def mutated(message: bytes, chance: random.Random) -> bytes:
+    """Return a message with a few bytes changed, left out, doubled or added."""
+    data = bytearray(message)
+    for _ in range(chance.choice((1, 1, 2, 4, 16))):
+        place = chance.randrange(len(data) + 1)
+        kind = chance.randrange(5)
+        if kind == 0:
+            data[place : place + 1] = bytes([chance.randrange(256)])
+        elif kind == 1:
+            del data[place : place + chance.choice((1, 2, 8))]
+        elif kind == 2:
+            data[place:place] = chance.randbytes(chance.choice((1, 4, 32)))
+        elif kind == 3:
+            data[place:place] = data[place : place + chance.randrange(64)]
+        else:
+            data[place:place] = bytes([chance.choice(b"\x91\x81\xdc\xdd\xdf\xc1\xd9\xc7\xcb")]) * 8
+    return bytes(data)
+
+
+def send_mutated(
+    host: EngineHost, client: Client, folder: Path, seed: int, thousands: int, size: int
+) -> None:
+    """Send thousands of mutated messages; after each lot a test is started, and stopped."""
+    chance = random.Random(seed)
+    honest = honest_messages(folder)
+    test = recipe(folder, 5000, twin=False)
+    for lot in range(thousands):
+        with Stranger(client) as stranger:
+            for _ in range(size // BATCH):
+                lot_of = [mutated(chance.choice(honest), chance) for _ in range(BATCH)]
+                assert len(stranger.send(*lot_of)) == BATCH
+        start_and_stop(host, client, test, folder / f"{lot}.h5")
+        assert host._server.failure is None
+
+
+def start_and_stop(host: EngineHost, client: Client, test: Path, out: Path) -> None:
+    """Bring a rig, in whatever state it was left, to a running test, and stop that by request."""
+    assert client.request("take_command", {"force": True}).ok
+
+    def asked(verb: str, **arguments: Any) -> Callable[[], bool]:
+        return lambda: client.request(verb, arguments, 60.0).ok
+
+    if host.engine.state in ACTIVE:
+        stop(host, client)
+    until(asked("connect"), "the rig is connected again")
+    client.request("acknowledge")
+    client.request("reset")
+    until(asked("start", test=str(test), out=str(out)), "a test starts")
+    stop(host, client)
+    assert client.request("release_command").ok
+    out.unlink()
+
+
+def stop(host: EngineHost, client: Client) -> None:
+    reply = client.request("stop", {"reason": "enough"})
+    assert reply.ok or host.engine.state not in ACTIVE, reply.sentence
+    assert host.engine.wait(ENDED | {RunState.READY}, 60.0) not in ACTIVE
+
+
+def test_mutated_messages_are_survived(host: EngineHost, client: Client, tmp_path: Path) -> None:
+    send_mutated(host, client, tmp_path, seed=14, thousands=1, size=1000)
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(7200)
+def test_110000_mutated_messages_are_survived(
+    host: EngineHost, client: Client, tmp_path: Path
+) -> None:
+    seed = int(os.environ.get("RIGAPP_SEED", str(time.time_ns() % 2**32)))
+    print(f"seed {seed}: RIGAPP_SEED={seed} sends the same messages again")
+    send_mutated(host, client, tmp_path, seed, thousands=110, size=1000)
