@@ -62,7 +62,14 @@ def _asked(entry: Any) -> dict[str, Any]:
         {name: alarm[name] for name in ("key", "title", "cause", "state", "severity", "first_out")}
         for alarm in status["alarms"]
     ]
-    return {**shown, **{name: _finite(status[name]) for name in names}, "alarms": alarms}
+    recovery = status.get("recovery", {})
+    next_step = {name: recovery.get(name, "") for name in ("step", "verb", "sentence")}
+    return {
+        **shown,
+        **{name: _finite(status[name]) for name in names},
+        "alarms": alarms,
+        "next": next_step,
+    }
 
 
 def _finite(value: Any) -> Any:
@@ -86,4 +93,6 @@ def _lines(one: dict[str, Any]) -> list[str]:
     lines += [
         f"  {alarm['severity']}, {alarm['state']}: {alarm['cause']}" for alarm in one["alarms"]
     ]
+    if one["next"]["sentence"]:
+        lines.append(f"  next: {one['next']['sentence']}")
     return lines

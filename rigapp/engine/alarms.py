@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from rigapp.engine.causes import Cause
 from rigapp.engine.loglines import AlarmChange, What
-from rigapp.engine.messages import Alarm, Severity
+from rigapp.engine.messages import Alarm, Ends, Severity
 from rigapp.engine.run import Refused
 
 LONGEST_SHELF_S = 12 * 3600.0
@@ -56,6 +56,7 @@ class _Entry:
             acknowledged=self.acknowledged,
             first_out=self.first_out,
             state=self.state(now),
+            ends=cause.ends,
         )
 
 
@@ -124,6 +125,13 @@ class AlarmBook:
             if entry.acknowledged and not entry.cause.latched and entry.shelved_until <= now:
                 del self._entries[key]
         self._tell("cleared", alarm, "engine")
+
+    def clear_ended_by(self, *ends: Ends) -> None:
+        """Take note of what ends every condition of these kinds."""
+        with self._lock:
+            keys = [key for key, one in self._entries.items() if one.cause.ends in ends]
+        for key in keys:
+            self.clear(key)
 
     def acknowledge(self, key: str, operator: str) -> Alarm:
         """Acknowledge an alarm; raise Refused when there is none of that key."""

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from rigapp.engine.criteria import TITLES, Met
-from rigapp.engine.messages import Severity
+from rigapp.engine.messages import Ends, Severity
 
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """Describe an alarm. latched: it stays on the list until it is reset."""
+    """Describe an alarm. latched: it stays on the list until it is reset. ends: what ends it."""
 
     key: str
     severity: Severity
@@ -20,27 +20,29 @@ class Cause:
     consequence: str
     action: str
     latched: bool = False
+    ends: Ends = Ends.SEEN
 
 
 @dataclass(frozen=True, slots=True)
 class Kind:
     """Say what all alarms of a kind share. title: ``{}`` stands for the name of what it is about.
 
-    A critical alarm latches.
+    ends: what ends its condition, at the latest. A critical alarm latches.
     """
 
     severity: Severity
     title: str
     consequence: str
     action: str
+    ends: Ends = Ends.SEEN
 
 
-def _critical(title: str, consequence: str, action: str) -> Kind:
-    return Kind(Severity.CRITICAL, title, consequence, action)
+def _critical(title: str, consequence: str, action: str, ends: Ends = Ends.SEEN) -> Kind:
+    return Kind(Severity.CRITICAL, title, consequence, action, ends)
 
 
-def _warning(title: str, consequence: str, action: str) -> Kind:
-    return Kind(Severity.WARNING, title, consequence, action)
+def _warning(title: str, consequence: str, action: str, ends: Ends = Ends.SEEN) -> Kind:
+    return Kind(Severity.WARNING, title, consequence, action, ends)
 
 
 KINDS: Mapping[str, Kind] = {
@@ -58,36 +60,43 @@ KINDS: Mapping[str, Kind] = {
         "Overspeed",
         "The drive was switched off.",
         "Check the drive's tuning and its encoder; then reset and start again.",
+        Ends.TEST,
     ),
     "stale_data": _critical(
         "No data",
         "Force and angle are unknown, so the drive was switched off.",
         "Check the cable and the power of the device; then reconnect.",
+        Ends.CONNECTION,
     ),
     "encoder_lost": _critical(
         "Encoder lost",
         "The crank angle is unknown, so the drive was switched off.",
         "Check the encoder's cable, its supply and its coupling; then reset.",
+        Ends.TEST,
     ),
     "senses_differ": _critical(
         "Direction wrong",
         "Every angle would be mirrored, or the motor run away, so the test was stopped.",
         "Set it right, connect again, and watch the first turn.",
+        Ends.TEST,
     ),
     "index_missed": _critical(
         "Encoder index missing",
         "Revolutions cannot be cut at the index, so the test was stopped.",
         "Check the index line of the encoder and restarts_at_index in the rig file.",
+        Ends.TEST,
     ),
     "count_mismatch": _warning(
         "Encoder counts lost",
         "Angles of that revolution are uncertain; its row is flagged.",
         "If it comes again, check the encoder's cable, shield and supply.",
+        Ends.TEST,
     ),
     "lost_samples": _warning(
         "Samples lost",
         "The revolutions concerned are flagged; nothing is interpolated.",
         "Close other programs, check the USB cable, or lower the sample rate.",
+        Ends.TEST,
     ),
     "overrun": _warning(
         "Engine too slow",
@@ -104,41 +113,49 @@ KINDS: Mapping[str, Kind] = {
         "The force is not known, an overload would not be seen: the test was ended and the "
         "spindle stopped. The samples since then are flagged.",
         "Check the bridge's wires, plug and cell; then reconnect and reset.",
+        Ends.CONNECTION,
     ),
     "input:suspect": _warning(
         "Sensor broken",
         "Every sample is flagged until the devices are connected again.",
         "Check the sensor's wires and plug, then reconnect.",
+        Ends.CONNECTION,
     ),
     "input": _warning(
         "Input {}",
         "What this input shows may be wrong.",
         "Look at the signal, its sensor, its range and its cable.",
+        Ends.CONNECTION,
     ),
     "time_jump": _warning(
         "Clocks parted",
         "Samples may have been lost unseen; the revolution is flagged.",
         "Check for suspend mode and load of this computer.",
+        Ends.TEST,
     ),
     "device_lost": _critical(
         "{} lost",
         "The test was ended and the spindle stopped.",
         "Check cable and power, then reconnect.",
+        Ends.CONNECTION,
     ),
     "drive_fault": _critical(
         "Drive fault",
         "The test was ended; the drive has taken or lost its power.",
         "Remove the cause as the drive's manual says, then reset.",
+        Ends.DRIVE,
     ),
     "emergency_stop": _critical(
         "Emergency stop",
         "The motor has no power; the test was ended.",
         "Make the rig safe, release the button, then reset. Nothing restarts by itself.",
+        Ends.DRIVE,
     ),
     "drive_silent": _critical(
         "Drive does not answer",
         "Its own watchdog stops the motor.",
         "Check cable and power of the drive, then reconnect.",
+        Ends.CONNECTION,
     ),
     "drive_warning": _warning(
         "Drive warning",
@@ -149,66 +166,79 @@ KINDS: Mapping[str, Kind] = {
         "Internal failure",
         "The test was ended and the spindle stopped; the data so far are safe.",
         "Save the log and report it; reconnect before the next test.",
+        Ends.CONNECTION,
     ),
     "storage": _critical(
         "File cannot be written",
         "The test was ended; the committed revolutions are safe.",
         "Check the disk; start again with another file.",
+        Ends.TEST,
     ),
     "disk_slow": _warning(
         "Disk slow",
         "The test goes on, its data wait in memory; after 20 s it would be stopped.",
         "Stop other programs that write to this disk; look at its health and its network.",
+        Ends.TEST,
     ),
     "service": _warning(
         "Windows cannot be served",
         "The test goes on and is recorded; windows may show nothing and cannot command it.",
         "Stop the test where it was started (Ctrl-C), or by the emergency stop.",
+        Ends.ENGINE,
     ),
     "will_not_stop": _critical(
         "Spindle not shown to stand",
         "THE SPINDLE MAY STILL TURN.",
         "Press the emergency stop. Do not touch the rig before the crank stands.",
+        Ends.STAND,
     ),
     "start_failed": _critical(
         "Set speed not reached",
         "The test was stopped.",
         "Check the mechanism for stiffness, the drive's current limit and its tuning.",
+        Ends.TEST,
     ),
     "speed_lost": _critical(
         "Set speed lost",
         "The test was stopped.",
         "Check the mechanism for stiffness, the coupling, and whether the drive has switched off.",
+        Ends.TEST,
     ),
     "moved_in_pause": _critical(
         "Crank moves in the pause",
         "The drive was switched off and the test ended.",
         "Keep clear of the crank; check the drive's holding torque and the spring.",
+        Ends.TEST,
     ),
     "device_overrun": _warning(
         "Device dropped data",
         "The revolutions concerned are flagged.",
         "Close other programs, check the USB cable, or lower the sample rate.",
+        Ends.TEST,
     ),
     "pause_failed": _critical(
         "Pause not reached",
         "The test was stopped.",
         "Check the drive's tuning at low speed.",
+        Ends.TEST,
     ),
     "cycles_refused": _warning(
         "Whole cycles not kept",
         "Their statistics are kept, their samples are not.",
         "Plan fewer whole cycles, or a new test.",
+        Ends.TEST,
     ),
     "stop": _critical(
         "Stop criterion: {}",
         "The test was stopped, as its test file says.",
         "Look at the trend and the joint; go on with the test in its file, or end it here.",
+        Ends.TEST,
     ),
     "blind": _warning(
         "Stop criterion not judged: {}",
         "The test goes on without this criterion.",
         "Check the probes, or the prediction's process, or stop the test.",
+        Ends.TEST,
     ),
 }
 """The kinds of alarms by key. The key of an alarm is that of its kind, or begins with it and
@@ -226,6 +256,7 @@ def _cause(kind: str, sentence: str, *, key: str = "", name: str = "") -> Cause:
         consequence=shared.consequence,
         action=shared.action,
         latched=shared.severity is Severity.CRITICAL,
+        ends=shared.ends,
     )
 
 
@@ -470,6 +501,7 @@ def rule(
         consequence=RULE_CONSEQUENCES[action],
         action="Look at the trend of this quantity; acknowledge, or change the limit with reason.",
         latched=severity is Severity.CRITICAL,
+        ends=Ends.TEST,
     )
 
 

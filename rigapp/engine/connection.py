@@ -13,10 +13,11 @@ thread         does
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable
 
-from drivers.api import Block, DataOverrun, DeviceError, DeviceLost, StreamSetup
+from drivers.api import Block, DataOverrun, DeviceError, DeviceLost, DriveStatus, StreamSetup
 from rigapp.engine import causes
 from rigapp.engine.calibrate import Calibration
 from rigapp.engine.core import Core
@@ -85,6 +86,7 @@ class Connection:
         self._overrun = False
         self._turning_blind_since: float | None = None
         self._drive_polled_s = 0.0
+        self._judging = threading.Lock()
         self._unsupervised = False
         self._looked_s = self._awake_since = time.monotonic()
         silence = timing.silence
@@ -108,6 +110,18 @@ class Connection:
         self.received_s = time.monotonic()
         for worker in self.workers:
             worker.start()
+
+    @property
+    def sound(self) -> bool:
+        """Tell whether every thread lives."""
+        return not any(worker.ended for worker in self.workers)
+
+    def not_yet(self, stale_data_s: float) -> str:
+        """Return what a start has to wait for, in words; empty when nothing."""
+        age = self.data_age_s()
+        if age >= stale_data_s:
+            return f"no samples came for {age:.1f} s"
+        return "" if self.control.answering else "the drive does not answer"
 
     def close(self, timeout_s: float = 5.0) -> tuple[str, ...]:
         """Stop the motor, end the threads, release the devices; return threads that hang."""
@@ -240,19 +254,37 @@ class Connection:
     def _watch_drive(self) -> None:
         core, control = self.core, self.control
         spindle = self.devices.spindle
-        status = control.poll()
-        if status is None:
-            error = control.last_error
-            silent = time.monotonic() - control.answered_s
-            watchdog_s = self.devices.drive_request.watchdog_timeout_s
-            simulated = core.rig.record.simulation is not None
-            share = SILENT_SHARE_SIMULATED if simulated else SILENT_SHARE
-            if isinstance(error, DeviceLost) or silent > share * watchdog_s:
-                sentence = error.sentence if error is not None else "it does not answer"
-                cause = causes.drive_silent(spindle.name, spindle.port, sentence)
-                text = f"{spindle.name} on {spindle.port}: {sentence}"
-                core.trip(Ending(FinishReason.DEVICE, text), cause)
-            return
+        with self._judging:
+            status = control.poll()
+            if status is not None:
+                self._judge_drive(status)
+                return
+        error = control.last_error
+        silent = time.monotonic() - control.answered_s
+        watchdog_s = self.devices.drive_request.watchdog_timeout_s
+        simulated = core.rig.record.simulation is not None
+        share = SILENT_SHARE_SIMULATED if simulated else SILENT_SHARE
+        if isinstance(error, DeviceLost) or silent > share * watchdog_s:
+            sentence = error.sentence if error is not None else "it does not answer"
+            cause = causes.drive_silent(spindle.name, spindle.port, sentence)
+            text = f"{spindle.name} on {spindle.port}: {sentence}"
+            core.trip(Ending(FinishReason.DEVICE, text), cause)
+
+    def look_at_drive(self) -> None:
+        """Judge what the drive has said last, before anybody waits for the drive's thread."""
+        with self._judging:
+            if self.control.status is not None:
+                self._judge_drive(self.control.status)
+
+    def reset_drive(self) -> None:
+        """Acknowledge the drive's own faults, and judge what it says then; raise DeviceError."""
+        with self._judging:
+            self.control.reset_fault()
+            if self.control.status is not None:
+                self._judge_drive(self.control.status)
+
+    def _judge_drive(self, status: DriveStatus) -> None:
+        core, spindle = self.core, self.devices.spindle
         core.alarms.clear("drive_silent")
         rpm = status.speed_rev_per_s * 60.0
         if status.emergency_stop:

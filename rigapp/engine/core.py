@@ -22,7 +22,15 @@ from rigapp.engine.causes import Cause
 from rigapp.engine.columns import prediction_columns, revolution_columns
 from rigapp.engine.driving import SpindleControl
 from rigapp.engine.loglines import AlarmChange, alarm_line
-from rigapp.engine.messages import Alarm, Event, FinishReason, Prediction, RunState, Severity
+from rigapp.engine.messages import (
+    Alarm,
+    Ends,
+    Event,
+    FinishReason,
+    Prediction,
+    RunState,
+    Severity,
+)
 from rigapp.engine.publish import (
     AlarmChanged,
     Committed,
@@ -40,28 +48,6 @@ SLOW_DISK_S = 2.0
 
 CALM_COMMITS = 20
 """Quick commits in a row after which a disk counts as sound again."""
-
-OVER_WITH_THE_TEST = frozenset(
-    {
-        "overspeed",
-        "encoder_lost",
-        "senses_differ",
-        "index_missed",
-        "count_mismatch",
-        "lost_samples",
-        "device_overrun",
-        "time_jump",
-        "start_failed",
-        "pause_failed",
-        "speed_lost",
-        "moved_in_pause",
-        "storage",
-        "disk_slow",
-        "cycles_refused",
-    }
-)
-"""Alarms whose condition ends with the test; critical ones stay latched."""
-
 
 TRIGGERS = frozenset({"limit", "note"})
 """Kinds of events around which whole cycles are kept, beside every alarm that rises."""
@@ -391,7 +377,7 @@ class Core:
                 self.publisher.notice(Committed(rows))
             outcome = Finished(ending.code, sentence, ending.status, rows, str(session.path))
             session.outcome = outcome
-        self._settle()
+        self.settle()
         self.fire_if(Trigger.FAILED if fault else Trigger.ENDED, sentence)
         self.publisher.notice(outcome)
 
@@ -412,14 +398,9 @@ class Core:
             return Ending(FinishReason.STORAGE, sentence)
         return ending
 
-    def _settle(self) -> None:
+    def settle(self) -> None:
         """Clear alarms whose condition is over because the test is."""
-        for alarm in self.alarms.alarms():
-            if (
-                alarm.key.startswith(("rule:", "stop:", "blind:"))
-                or alarm.key in OVER_WITH_THE_TEST
-            ):
-                self.alarms.clear(alarm.key)
+        self.alarms.clear_ended_by(Ends.TEST)
 
     # --- time ------------------------------------------------------------------------------------
 

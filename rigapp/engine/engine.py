@@ -32,6 +32,7 @@ from rigapp.engine.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
 from rigapp.engine.loglines import LIMIT_CHANGED, LimitChange
 from rigapp.engine.messages import (
+    Ends,
     FinishReason,
     Prediction,
     RevolutionMeasured,
@@ -41,7 +42,16 @@ from rigapp.engine.messages import (
 )
 from rigapp.engine.publish import Finished, NoticeStream, Subscription
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
-from rigapp.engine.run import ACTIVE, ENDED, Ending, Refused, Trigger, refuse_long, transition
+from rigapp.engine.run import (
+    ACTIVE,
+    ENDED,
+    Ending,
+    Refused,
+    Trigger,
+    allowed,
+    refuse_long,
+    transition,
+)
 from rigapp.engine.starting import check_overload, check_start, open_session, start_deadline_s
 from rigapp.engine.store import OpenStore, open_file
 from rigapp.engine.threads import Turn
@@ -124,8 +134,8 @@ class Engine:
                     cause = causes.device_lost(error.device, error.port, error.sentence)
                     self._core.warn(cause)
                 raise
-            self._clear_connection_alarms()
             self._core.fire_if(Trigger.CONNECTED)
+            self._connection.look_at_drive()
 
     def reconnect(self) -> None:
         """Close and open the devices again; as ``connect``."""
@@ -138,6 +148,8 @@ class Engine:
         try:
             calibration = calibration_of(core.rig.record, setup)
             connection = Connection(core, devices, setup, calibration, self._on_measured)
+            # What the new connection does not see again is over.
+            core.alarms.clear_ended_by(Ends.TEST, Ends.CONNECTION, Ends.SEEN)
             connection.start()
         except BaseException:
             core.control = None
@@ -153,15 +165,6 @@ class Engine:
         self._core.control = None
         for name in hanging:
             self._core.warn(causes.thread_dead(name, "it does not end"))
-
-    def _clear_connection_alarms(self) -> None:
-        for alarm in self._core.alarms.alarms():
-            if alarm.key.startswith(("device_lost:", "thread:", "input:")) or alarm.key in (
-                "stale_data",
-                "drive_silent",
-                "storage",
-            ):
-                self._core.alarms.clear(alarm.key)
 
     def shutdown(self, timeout_s: float = 60.0) -> None:
         """Stop a test under way, finish its file, release the devices. Safe to call twice."""
@@ -301,32 +304,39 @@ class Engine:
                 session.finishing.release()
 
     def reset(self, operator: str = "") -> None:
-        """Go from stopped or fault back to ready: the deliberate action before another start.
+        """Take latched alarms off the list; from stopped or fault, go back to ready.
 
-        Raises Refused while a critical alarm is active or not acknowledged, or a device is lost.
+        The deliberate action before another start. It is possible in every state while an alarm
+        waits for it. Without a sound connection the state stays. Raises Refused while a critical
+        alarm is active or not acknowledged, or when nothing is there to reset.
         """
         with self._command:
             core, connection = self._core, self._connection
-            transition(core.state, Trigger.RESET)
-            if connection is not None:
-                self._reset_drive(connection)
+            waiting = core.alarms.blocking() is not None
+            at_rest = allowed(core.state, Trigger.RESET)
+            if not at_rest and not waiting:
+                transition(core.state, Trigger.RESET)
+            if at_rest:
+                core.settle()
+                if connection is not None:
+                    self._reset_drive(connection)
             core.alarms.reset(operator)
-            if connection is None or any(worker.ended for worker in connection.workers):
-                raise Refused("the connection to the devices is broken; reconnect")
-            core.fire(Trigger.RESET, f"reset by {operator}" if operator else "")
+            if not at_rest:
+                return
+            if connection is not None and connection.sound:
+                core.fire(Trigger.RESET, f"reset by {operator}" if operator else "")
+            elif not waiting:
+                raise Refused("the connection to the devices is broken; connect first")
 
     def _reset_drive(self, connection: Connection) -> None:
         """Acknowledge the drive's own faults, so that the alarm they raised can go."""
         status = connection.control.status
-        if status is None or not status.faults:
+        if status is None or not (status.faults or status.emergency_stop):
             return
         try:
-            connection.control.reset_fault()
+            connection.reset_drive()
         except DeviceError as error:
             raise Refused(f"the drive keeps its fault: {error.sentence}") from error
-        fresh = connection.control.status
-        if fresh is not None and not fresh.faults:
-            self._core.alarms.clear("drive_fault")
 
     # --- alarms, notes, limits, zero -------------------------------------------------------------
 

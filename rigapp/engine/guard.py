@@ -77,6 +77,7 @@ class Guard:
         self._missed = 0
         self._start_count: int | None = None
         self._turning_s = 0.0
+        self._turned_before = 0.0
         self._calm = False
         self._sound: dict[str, int] = {}
         self._blind: set[str] = set()
@@ -132,18 +133,21 @@ class Guard:
             cause = causes.overspeed(speed_rpm, limit, "crank encoder")
             core.trip(Ending(FinishReason.LIMIT, cause.cause, off=True), cause)
         session = core.session
+        turned = self._connection.processor.assembler.motion.turned_without_index
         if state is RunState.PAUSED and abs(speed_rpm) > PAUSE_RPM:
             cause = causes.moved_in_pause(speed_rpm)
             core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
             return
         if session is None or state not in (RunState.STARTING, RunState.RUNNING):
+            self._turned_before = turned
             if session is not None:
                 session.steady_from = None
             return
-        assembler = self._connection.processor.assembler
         if self._start_count is not None and self._senses_differ(self._start_count):
             return
-        lost = assembler.motion.turned_without_index
+        # What was turned without an index before this start is not held against it.
+        self._turned_before = min(self._turned_before, turned)
+        lost = turned - self._turned_before
         if lost > INDEX_SEARCH_REVOLUTIONS:
             self._no_index(lost)
             return
@@ -152,7 +156,7 @@ class Guard:
             if abs(speed_rpm - session.target_rpm) <= AT_SPEED * session.target_rpm:
                 core.fire_if(Trigger.AT_SPEED, only=(RunState.STARTING,))
         elif session.steady_from is None:
-            session.steady_from = assembler.ordinal + 1
+            session.steady_from = self._connection.processor.assembler.ordinal + 1
 
     def _senses_differ(self, start_count: int) -> bool:
         """End a test in whose first quarter turn encoder or drive show the crank going backwards.

@@ -68,6 +68,22 @@ class Severity(enum.StrEnum):
     CRITICAL = "critical"
 
 
+class Ends(enum.StrEnum):
+    """What ends the condition of an alarm, at the latest.
+
+    SEEN: the engine sees it end. STAND: the engine sees the spindle stand. CONNECTION: the devices
+    are connected anew. DRIVE: the drive obeys a reset. TEST: the test is over. ENGINE: another
+    engine is started.
+    """
+
+    SEEN = "seen"
+    STAND = "stand"
+    CONNECTION = "connection"
+    DRIVE = "drive"
+    TEST = "test"
+    ENGINE = "engine"
+
+
 class Alarm(msgspec.Struct, frozen=True):
     """Say what is wrong, what it leads to and what to do."""
 
@@ -83,6 +99,33 @@ class Alarm(msgspec.Struct, frozen=True):
     acknowledged: bool = False
     first_out: bool = False
     state: str = "unacknowledged"
+    ends: Ends = Ends.SEEN
+
+
+class Step(enum.StrEnum):
+    """The steps from a fault back to a running test, in their order."""
+
+    CAUSE = "cause"
+    CONNECT = "connect"
+    ACKNOWLEDGE = "acknowledge"
+    RESET = "reset"
+    GO_ON = "go on"
+    NONE = "none"
+
+
+class Recovery(msgspec.Struct, frozen=True):
+    """Say what leads from a state back to work; see ``engine.recovery``.
+
+    step: the next one, NONE while a test runs. verb: the request that does it, empty where only
+    hands or time can. sentence: what to do. left: all steps that are not done, in their order.
+    cause: key of the alarm that it is about, empty when there is none.
+    """
+
+    step: Step = Step.NONE
+    verb: str = ""
+    sentence: str = ""
+    left: tuple[Step, ...] = ()
+    cause: str = ""
 
 
 class DriveView(msgspec.Struct, frozen=True):
@@ -163,6 +206,7 @@ class Status(msgspec.Struct, frozen=True):
     engine_pid: int = 0
     rows_dropped: int = 0
     in_command: str = ""
+    recovery: Recovery = Recovery()
 
 
 class Cycle(msgspec.Struct, frozen=True):

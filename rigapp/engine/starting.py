@@ -32,12 +32,8 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
     blocking = core.alarms.blocking()
     if blocking is not None:
         raise Refused(f'"{blocking.title}" is on the alarm list: acknowledge and reset it first')
-    age = connection.data_age_s()
-    core.require(
-        age < test.limits.stale_data_s, f"no samples came for {age:.1f} s; check the device"
-    )
-    status = connection.control.status
-    core.require(status is not None and connection.control.answering, "the drive does not answer")
+    missing = connection.not_yet(test.limits.stale_data_s)
+    core.require(not missing, f"{missing}; check the device")
     samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
     calibration = connection.processor.calibration
     if calibration.clock is SampleClock.ENCODER:

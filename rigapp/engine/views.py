@@ -15,9 +15,11 @@ from rigapp.engine.messages import (
     ChannelView,
     DeviceView,
     DriveView,
+    Recovery,
     Status,
     as_array,
 )
+from rigapp.engine.recovery import Situation, recovery
 from rigapp.engine.reduce import NAMES, PLACE
 from rigapp.engine.run import ACTIVE
 
@@ -67,6 +69,25 @@ def build_status(core: Core, connection: Connection | None, operator: str) -> St
         channels=_channels(core, connection),
         operator=operator,
         engine_pid=os.getpid(),
+        recovery=next_step(core, connection),
+    )
+
+
+def next_step(core: Core, connection: Connection | None) -> Recovery:
+    """Return what leads from here back to work."""
+    session = core.session
+    outcome = session.outcome if session is not None else None
+    left = session is not None and session.run.number < session.run.planned
+    resumable = outcome is not None and outcome.revolutions > 0 and outcome.status != "complete"
+    return recovery(
+        Situation(
+            state=core.state,
+            reason=core.reason,
+            connected=connection is not None and connection.sound,
+            alarms=core.alarms.alarms(),
+            unfinished=outcome.file if outcome is not None and resumable and left else "",
+            not_yet=connection.not_yet(core.limits.stale_data_s) if connection is not None else "",
+        )
     )
 
 

@@ -48,10 +48,12 @@ def test_running_engine_is_shown(host: EngineHost, capsys: pytest.CaptureFixture
     shown = capsys.readouterr().out
     assert "idle" in shown
     assert "in command: Ada" in shown
+    assert "next: Connect" in shown
     assert show_engines(None, as_json=True) == 0
     (one,) = json.loads(capsys.readouterr().out)
     assert (one["state"], one["in_command"], one["alarms"]) == ("idle", "Ada", [])
     assert one["data_age_s"] is None
+    assert one["next"]["verb"] == "connect"
     assert not host.watched  # who only asks is no viewer
 
 

@@ -208,6 +208,8 @@ class FakeSpindle:
         self.cause_remains = False
         self.warnings: tuple[str, ...] = ()
         self.emergency_stop = False
+        self.latches_stop = False
+        self._stop_latched = False
         self.commands: list[tuple[str, float]] = []
         self.tells_back = False
         self.off_at: float | None = None
@@ -217,6 +219,7 @@ class FakeSpindle:
         if self.cause_remains:
             raise DeviceFault(self.name, self.port, "the cause is still there")
         self.faults = ()
+        self._stop_latched = False
 
     def open(self) -> Identity:
         if self.lost:
@@ -252,6 +255,7 @@ class FakeSpindle:
         self.polls += 1
         if not self.is_read() or time.monotonic() - self.crank.turned_at > 5.0:
             self.crank.turn(BLOCK)  # nobody reads; time goes on
+        self._stop_latched |= self.emergency_stop and self.latches_stop
         return DriveStatus(
             host_time_ns=time.monotonic_ns(),
             speed_rev_per_s=-self.crank.speed if self.tells_back else self.crank.speed,
@@ -261,7 +265,7 @@ class FakeSpindle:
             supply_V=48.0,
             temperature_C=30.0,
             enabled=self.crank.powered,
-            emergency_stop=self.emergency_stop,
+            emergency_stop=self.emergency_stop or self._stop_latched,
             faults=self.faults,
             warnings=self.warnings,
         )

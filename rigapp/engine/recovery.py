@@ -1,0 +1,115 @@
+"""The way out of a fault: which step is next, from the state and the alarms alone.
+
+The order is always the same: remove the cause, connect, acknowledge, reset, go on. A step that is
+not needed is left out. Window, ``rigapp status`` and command line show what is told here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import Final
+
+from rigapp.engine.messages import Alarm, Ends, Recovery, RunState, Severity, Step
+
+WAITING: Final = {
+    RunState.CONNECTING: "Wait: the devices are being connected.",
+    RunState.STOPPING: "Wait: the spindle is brought to a stand and the file is finished.",
+    RunState.PAUSING: "Wait: the crank comes to rest at the pause angle.",
+}
+"""States that pass by themselves, and what is told meanwhile."""
+
+AT_REST: Final = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED, RunState.FAULT})
+"""States in which no test is open and nothing is under way."""
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """What the next step depends on.
+
+    reason: the sentence that goes with the state. connected: the devices are open and their threads
+    live. unfinished: file of the last test where it has revolutions left, else empty. not_yet: what
+    a start would have to wait for, in words, empty when nothing.
+    """
+
+    state: RunState
+    reason: str
+    connected: bool
+    alarms: Sequence[Alarm]
+    unfinished: str = ""
+    not_yet: str = ""
+
+    def critical(self, *ends: Ends) -> list[Alarm]:
+        """Return the critical alarms that hold and end so, or without ``ends`` all on the list."""
+        listed = [one for one in self.alarms if one.severity is Severity.CRITICAL]
+        return [one for one in listed if one.active and one.ends in ends] if ends else listed
+
+
+def recovery(now: Situation) -> Recovery:
+    """Return the next step of a situation, and what is left after it."""
+    if now.state in WAITING:
+        return Recovery(sentence=WAITING[now.state])
+    if now.state is RunState.PAUSED:
+        return Recovery(Step.GO_ON, "resume", "Resume the paused test.", (Step.GO_ON,))
+    if now.state not in AT_REST:
+        return Recovery()
+    lost = now.critical(Ends.CONNECTION)
+    seen = now.critical(Ends.SEEN, Ends.STAND)
+    drive = now.critical(Ends.DRIVE)
+    listed = now.critical()
+    fresh = [one for one in listed if not one.acknowledged]
+    needed = {
+        Step.CAUSE: bool(lost or seen or drive),
+        Step.CONNECT: bool(lost) or not now.connected,
+        Step.ACKNOWLEDGE: bool(fresh),
+        Step.RESET: bool(listed) or now.state is RunState.FAULT,
+        Step.GO_ON: True,
+    }
+    left = tuple(step for step, wanted in needed.items() if wanted)
+    # What only a new connection or the drive's reset can end is not waited for.
+    watched = bool(seen) and not needed[Step.CONNECT]
+    step = next(one for one in left if one is not Step.CAUSE or watched)
+    if step is Step.GO_ON and now.not_yet:
+        return Recovery(sentence=f"Wait: {now.not_yet}.", left=left)
+    about = {
+        Step.CAUSE: seen,
+        Step.CONNECT: lost,
+        Step.ACKNOWLEDGE: fresh,
+        Step.RESET: drive or _first_out_first(listed),
+    }.get(step, [])
+    return Recovery(
+        step=step,
+        verb=_verb(step, now),
+        sentence=_sentence(step, about, now),
+        left=left,
+        cause=about[0].key if about else "",
+    )
+
+
+def _first_out_first(alarms: Iterable[Alarm]) -> list[Alarm]:
+    return sorted(alarms, key=lambda one: not one.first_out)
+
+
+def _verb(step: Step, now: Situation) -> str:
+    if step is Step.CAUSE:
+        return ""
+    if step is Step.GO_ON:
+        return "resume_file" if now.unfinished else "start"
+    return step.value
+
+
+def _sentence(step: Step, about: Sequence[Alarm], now: Situation) -> str:
+    if step is Step.GO_ON:
+        if now.unfinished:
+            name = PurePath(now.unfinished).name
+            return f"Go on with the test in {name}, or start another one."
+        return "Start a test."
+    if step is Step.ACKNOWLEDGE:
+        more = f" and {len(about) - 1} more" if len(about) > 1 else ""
+        return f'Acknowledge "{about[0].title}"{more}: say that you have seen it.'
+    if about and about[0].active and about[0].ends is not Ends.TEST:
+        return about[0].action
+    if step is Step.CONNECT:
+        return "Remove the cause, then connect the devices." if now.reason else "Connect."
+    return "Reset: the deliberate step before another start. Nothing moves."

@@ -1,0 +1,217 @@
+"""From whatever happened, the steps that the engine names lead back to a test that runs."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import pytest
+from engine_doubles import MemoryRig, a_test, eventually
+from hypothesis import Phase, example, given, settings
+from hypothesis import strategies as st
+
+from drivers.api import DeviceError, ProtocolError
+from rigapp.config.errors import UnusableInput
+from rigapp.config.recipe import LimitRule
+from rigapp.engine.messages import Alarm, Ends, FinishReason, RunState, Severity, Step
+from rigapp.engine.recovery import AT_REST, WAITING, Situation, recovery
+from rigapp.engine.run import ACTIVE, ENDED, Refused
+
+LONG = 1_000_000
+QUIET = (Refused, UnusableInput, DeviceError, TimeoutError)
+STEPS_AT_MOST = 12
+NO_SHRINKING = (Phase.explicit, Phase.reuse, Phase.generate)
+"""A way is walked in real time by real threads: there is no time to make it shorter."""
+
+
+@dataclass(eq=False)
+class Bench:
+    """A rig in memory with an operator before it: faults, mending, and the buttons."""
+
+    rig: MemoryRig
+
+    def start(self, revolutions: int = LONG) -> None:
+        rules = (LimitRule("force_max", critical_above=300.0, action_critical="pause"),)
+        self.rig.start(a_test(revolutions, rules=rules))
+        with contextlib.suppress(TimeoutError):
+            self.rig.engine.wait({*ENDED, RunState.RUNNING}, 0.2)
+
+    def mend(self) -> None:
+        """Plug every cable back, release every button."""
+        source, spindle, crank = self.rig.source, self.rig.spindle, self.rig.crank
+        source.lost = source.silent = source.encoder_dead = source.index_dead = False
+        source.open_fails = False
+        source.broken = None
+        source.force_N = 50.0
+        spindle.lost = spindle.emergency_stop = spindle.latches_stop = False
+        spindle.cause_remains = False
+        crank.deaf = crank.jammed = False
+        for store in self.rig.stores:
+            store.broken = None
+
+    def let_it_look(self) -> None:
+        """Wait until the engine has seen the rig as it is now, where it sees it at all."""
+        engine, source, spindle = self.rig.engine, self.rig.source, self.rig.spindle
+        reads, polls = source.reads, spindle.polls
+
+        def looked() -> bool:
+            connection = engine._connection
+            if connection is None or not connection.sound:
+                return True
+            return source.reads > reads + 3 and spindle.polls > polls + 2
+
+        eventually(looked, 20.0)
+
+    def do(self, name: str) -> None:
+        """Let something happen; what the engine refuses is refused."""
+        with contextlib.suppress(*QUIET):
+            DEEDS[name](self)
+
+
+def _fault(what: Callable[[MemoryRig], object]) -> Callable[[Bench], None]:
+    def cause(bench: Bench) -> None:
+        what(bench.rig)
+        with contextlib.suppress(TimeoutError):  # time for the engine to see it
+            bench.rig.engine.wait(ENDED, 0.15)
+
+    return cause
+
+
+def _break_file(rig: MemoryRig) -> None:
+    for store in rig.stores:
+        store.broken = OSError("no space left on device")
+
+
+DEEDS: dict[str, Callable[[Bench], None]] = {
+    "cable pulled": _fault(lambda rig: setattr(rig.source, "lost", True)),
+    "stream stops": _fault(lambda rig: setattr(rig.source, "silent", True)),
+    "nonsense": _fault(
+        lambda rig: setattr(rig.source, "broken", ProtocolError("daq", "memory", "nonsense"))
+    ),
+    "thread dies": _fault(lambda rig: setattr(rig.source, "broken", ValueError("a defect"))),
+    "device gone": _fault(lambda rig: setattr(rig.source, "open_fails", True)),
+    "encoder dead": _fault(lambda rig: setattr(rig.source, "encoder_dead", True)),
+    "index missing": _fault(lambda rig: setattr(rig.source, "index_dead", True)),
+    "overload": _fault(lambda rig: setattr(rig.source, "force_N", 390.0)),
+    "critical rule": _fault(lambda rig: setattr(rig.source, "force_N", 320.0)),
+    "no number": _fault(lambda rig: setattr(rig.source, "force_N", float("nan"))),
+    "samples lost": _fault(lambda rig: setattr(rig.source, "lose_samples", 2000)),
+    "drive silent": _fault(lambda rig: setattr(rig.spindle, "lost", True)),
+    "drive fault": _fault(lambda rig: setattr(rig.spindle, "faults", ("overcurrent",))),
+    "drive fault stays": _fault(lambda rig: setattr(rig.spindle, "cause_remains", True)),
+    "emergency stop": _fault(lambda rig: setattr(rig.spindle, "emergency_stop", True)),
+    "drive latches stops": _fault(lambda rig: setattr(rig.spindle, "latches_stop", True)),
+    "drive deaf": _fault(lambda rig: setattr(rig.crank, "deaf", True)),
+    "crank jammed": _fault(lambda rig: setattr(rig.crank, "jammed", True)),
+    "file fails": _fault(_break_file),
+    "mend": Bench.mend,
+    "connect": lambda bench: bench.rig.engine.connect(),
+    "disconnect": lambda bench: bench.rig.engine.shutdown(20.0),
+    "start": Bench.start,
+    "short test": lambda bench: bench.start(2),
+    "pause": lambda bench: bench.rig.engine.pause("Ada"),
+    "resume": lambda bench: bench.rig.engine.resume("Ada"),
+    "stop": lambda bench: bench.rig.engine.stop("Ada"),
+    "drive off": lambda bench: bench.rig.engine.drive_off("Ada"),
+    "acknowledge": lambda bench: bench.rig.engine.acknowledge(operator="Ada"),
+    "reset": lambda bench: bench.rig.engine.reset("Ada"),
+    "wait for the end": lambda bench: bench.rig.engine.wait(ENDED, 0.5) and None,
+}
+
+
+def test_a_step_is_named_in_every_situation() -> None:
+    causes = [
+        Alarm("a", Severity.CRITICAL, "A", "c", "q", f"end it by {ends}", 1.0, 1,
+              active=active, acknowledged=acknowledged, ends=ends)
+        for ends, active, acknowledged in itertools.product(Ends, (True, False), (True, False))
+    ]  # fmt: skip
+    lists = [(), *((one,) for one in causes), *itertools.product(causes, causes)]
+    for state, connected, alarms in itertools.product(RunState, (True, False), lists):
+        told = recovery(Situation(state, "why", connected, alarms, "a.h5"))
+        if state in WAITING:
+            assert told.sentence.startswith("Wait")
+        elif state in AT_REST:
+            assert told.step in told.left
+            assert told.sentence
+            assert told.left[-1] is Step.GO_ON
+            assert (told.verb == "") == (told.step is Step.CAUSE)
+            if not alarms and connected:
+                assert told.step is (Step.RESET if state is RunState.FAULT else Step.GO_ON)
+            if alarms and connected:
+                assert told.step is not Step.GO_ON
+        else:
+            assert told.verb == ("resume" if state is RunState.PAUSED else "")
+
+
+def follow(bench: Bench) -> list[str]:
+    """Do what the engine names as next until it names going on; return the steps."""
+    engine = bench.rig.engine
+    verbs: dict[str, Callable[[], object]] = {
+        "connect": engine.connect,
+        "acknowledge": lambda: engine.acknowledge(operator="Ada"),
+        "reset": lambda: engine.reset("Ada"),
+    }
+    made: list[str] = []
+    while True:
+        eventually(lambda: engine.status().recovery.step is not Step.NONE, 20.0)
+        told = engine.status().recovery
+        if told.step is Step.GO_ON:
+            return made
+        made.append(told.step.value)
+        assert len(made) <= STEPS_AT_MOST, f"no way out: {made}, {engine.status()}"
+        if told.step is Step.CAUSE:
+            eventually(lambda: engine.status().recovery.step is not Step.CAUSE, 20.0)
+        else:
+            with contextlib.suppress(Refused):  # it may have changed since it was named
+                verbs[told.verb]()
+
+
+def leads_out(deeds: list[str]) -> list[str]:
+    """Let all that happen, mend it, follow the steps, and run a test to its end."""
+    bench = Bench(MemoryRig())
+    engine = bench.rig.engine
+    try:
+        for name in deeds:
+            bench.do(name)
+        bench.mend()
+        if engine.state in ACTIVE:
+            engine.stop("Ada")
+            engine.wait(ENDED, 20.0)
+        bench.let_it_look()
+        steps = follow(bench)
+        if engine.state is RunState.STOPPED:
+            engine.reset("Ada")
+        assert engine.state is RunState.READY
+        assert engine.status().recovery.step is Step.GO_ON
+        bench.rig.start(a_test(2))
+        engine.wait(ENDED, 20.0)
+        assert engine.outcome is not None
+        assert engine.outcome.reason is FinishReason.COMPLETE, engine.outcome
+        return steps
+    finally:
+        engine.shutdown(20.0)
+
+
+@given(st.lists(st.sampled_from(sorted(DEEDS)), max_size=12))
+@example(["connect", "start", "cable pulled", "mend", "connect"])
+@example(["connect", "start", "index missing", "wait for the end", "mend", "connect"])
+@example(["connect", "start", "index missing", "wait for the end", "mend"])
+@example(["connect", "start", "emergency stop", "wait for the end", "mend", "connect"])
+@example(["connect", "start", "overload", "wait for the end", "connect", "mend"])
+@example(["connect", "drive latches stops", "emergency stop", "connect"])
+@example(["connect", "drive fault", "drive fault stays", "acknowledge", "reset"])
+@example(["connect", "start", "drive deaf", "stop", "cable pulled", "wait for the end"])
+@example(["connect", "start", "file fails", "wait for the end"])
+@settings(max_examples=4, phases=NO_SHRINKING)
+def test_ready_is_reached_from_every_state_by_the_steps_that_are_named(deeds: list[str]) -> None:
+    leads_out(deeds)
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(3600)
+@given(st.lists(st.sampled_from(sorted(DEEDS)), max_size=25))
+@settings(max_examples=1500, phases=NO_SHRINKING)
+def test_ready_is_reached_from_every_state_however_long_the_way(deeds: list[str]) -> None:
+    leads_out(deeds)
