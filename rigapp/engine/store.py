@@ -20,6 +20,7 @@ from rigapp.engine.calibrate import Calibration
 from rigapp.engine.criteria import HISTORY_COLUMNS
 from rigapp.engine.history import TRIGGERED
 from rigapp.engine.messages import Event
+from rigapp.storage.layout import CALIBRATION
 
 
 class Store(Protocol):
@@ -167,6 +168,7 @@ def _create(request: OpenRequest) -> Opened:
             **_plain(request.devices),
             **_records(request.records),
         },
+        detectors=detector_record(rig, calibration.sample_rate_Hz),
         rig_name=rig.name,
         operator=request.operator or test.metadata.operator,
         specimen=test.metadata.specimen,
@@ -246,6 +248,53 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
             "scale": calibration.scale.tolist(),
             "offset": calibration.offset.tolist(),
         },
+    }
+
+
+def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[str, Any]]:
+    """Return what measures, as nested plain values, units in the keys; rate: of the device."""
+    cell, probes, encoder = rig.load_cell, rig.probes, rig.encoder
+    return {
+        "load_cell": {
+            "description": "two bridges in the crank pin: the force on the follower by the pin, "
+            "along the crank and across it",
+            "type": "strain gauge load cell",
+            "channels": ["force_1", "force_2", "force"],
+            "local_name": [cell.input_1, cell.input_2],
+            **_device(rig, cell.device, sample_rate_Hz),
+            "full_scale_N": cell.full_scale_N,
+            "resolution_N": cell.resolution_N,
+            "latency_ms": list(cell.latency_ms),
+            "calibration": f"{CALIBRATION}/load_cell",
+        },
+        "probes": {
+            "description": "two probes on the follower: position of the pin, along the follower "
+            "and across it",
+            "type": "capacitance probe",
+            "channels": ["probe_1", "probe_2"],
+            "local_name": [probes.input_1, probes.input_2],
+            **_device(rig, probes.device, sample_rate_Hz),
+            "range_V": probes.range_V,
+            "latency_ms": list(probes.latency_ms),
+            "calibration": f"{CALIBRATION}/probes",
+        },
+        "encoder": {
+            "description": "angle of the crank",
+            "type": "incremental encoder with index",
+            "channels": ["angle"],
+            "local_name": [encoder.input],
+            **_device(rig, encoder.device, sample_rate_Hz),
+            "counts_per_revolution": encoder.counts_per_revolution,
+            "calibration": f"{CALIBRATION}/encoder",
+        },
+    }
+
+
+def _device(rig: RigFile, name: str, sample_rate_Hz: float) -> dict[str, Any]:
+    return {
+        "device": name,
+        "driver": rig.devices[name].driver,
+        "sample_rate_Hz": sample_rate_Hz,
     }
 
 

@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from typing import Any
 
 from rigapp.engine.messages import Flag
-from rigapp.storage.metadata import unit_of_key
+from rigapp.storage.metadata import name_and_unit
 
 UNKNOWN = "unknown"
 THIN = "\u202f"
@@ -138,19 +138,10 @@ def settings(values: Mapping[str, Any], prefix: str = "") -> list[tuple[str, str
         if isinstance(value, Mapping):
             rows += settings(value, f"{prefix}{key.replace('_', ' ')}, ")
             continue
-        name, unit = _name_and_unit(key)
+        name, unit = name_and_unit(key)
         shown = f"{_setting(value)} {symbol(unit)}".rstrip()
         rows.append((f"{prefix}{name.replace('_', ' ')}", shown or "none"))
     return rows
-
-
-def _name_and_unit(key: str) -> tuple[str, str]:
-    """Cut the unit off a key; a unit that the program does not know stays in the name."""
-    unit = unit_of_key(key)
-    places = [i for i, letter in enumerate(key) if letter == "_" and unit_of_key(key[i:]) == unit]
-    if unit == "1" or not places or key[: places[-1]].endswith("_per"):
-        return key, "1"
-    return key[: places[-1]], unit
 
 
 def _setting(value: Any) -> str:

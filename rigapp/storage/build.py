@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -12,14 +12,19 @@ import msgspec
 import numpy as np
 
 from rigapp.engine.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES
+from rigapp.storage.conventions import conventions
+from rigapp.storage.hdf import NOT_A_VARIABLE
 from rigapp.storage.layout import (
     CALIBRATION,
+    CHECKPOINT_BYTES,
     CONFIGURATION,
     END_TIME,
     ENTRY,
+    FILE_NAME_ATTRIBUTE,
     FORM_ATTRIBUTE,
     IN_PLACE,
     PLAN,
+    PROFILE_ANGLE,
     SCHEMA,
     SCHEMA_ATTRIBUTE,
     START_TIME,
@@ -31,11 +36,10 @@ from rigapp.storage.layout import (
     Stream,
     streams_of,
 )
-from rigapp.storage.metadata import TestMetadata, iso_time, unit_of_key, versions
+from rigapp.storage.metadata import TestMetadata, iso_time, name_and_unit, versions
 
 PAGE = 4096
 METADATA_BLOCK = 1 << 18
-NOT_A_VARIABLE = "This is a netCDF dimension but not a netCDF variable. "
 
 _SIGNALS = {
     "/entry/revolutions": ("force_max", "Statistics of every revolution", ("revolution",)),
@@ -50,8 +54,11 @@ _COUNTERS = {
 }
 
 
-def build_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> None:
-    """Create the HDF5 file of a test at ``path``, every dataset at its full size, and close it."""
+def build_file(path: Path, plan: FilePlan, metadata: TestMetadata, name: str) -> None:
+    """Create the HDF5 file of a test at ``path``, every dataset at its full size, and close it.
+
+    name: what the file is called when it is done.
+    """
     streams = streams_of(plan)
     with h5py.File(
         path,
@@ -61,13 +68,14 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> None:
         alignment_interval=PAGE,
         meta_block_size=METADATA_BLOCK,
     ) as file:
-        _build_root(file, metadata, path.name)
+        _build_root(file, metadata, name)
         _build_state(file, plan, metadata)
         for stream in streams.values():
             _build_stream(file, stream)
         _build_curve_angle(file, plan)
         if plan.profiles:
             _build_profile_angle(file)
+            _build_checkpoint_bytes(file)
         _build_configuration(file, plan, metadata)
         write_tree(_group(file, CALIBRATION, "NXcollection"), metadata.calibration)
         for group, (signal, title, axes) in _SIGNALS.items():
@@ -129,7 +137,19 @@ def _write_value(group: h5py.Group, key: str, value: Any) -> None:
         value = list(map(str, value)) if array.dtype.kind in "UO" else array
     dataset = group.create_dataset(key, data=value)
     if h5py.check_string_dtype(dataset.dtype) is None:
-        dataset.attrs["units"] = unit_of_key(key)
+        name, unit = name_and_unit(key)
+        describe(dataset, unit, name.replace("_", " "))
+    _name_axes(dataset)
+
+
+def _name_axes(dataset: h5py.Dataset) -> None:
+    """Give every axis of a list or a matrix a dimension, shared by those of its length."""
+    names = ("element",) if dataset.ndim == 1 else ("row", "column", "layer")
+    for position, (length, name) in enumerate(zip(dataset.shape, names, strict=False)):
+        dimension = f"{name}_{length}"
+        if dimension not in dataset.parent:
+            bare_dimension(dataset.parent, dimension, length)
+        dataset.dims[position].attach_scale(dataset.parent[dimension])
 
 
 def _build_root(file: h5py.File, metadata: TestMetadata, name: str) -> None:
@@ -139,7 +159,7 @@ def _build_root(file: h5py.File, metadata: TestMetadata, name: str) -> None:
         {
             "NX_class": "NXroot",
             "default": "entry",
-            "file_name": name,
+            FILE_NAME_ATTRIBUTE: name,
             "file_time": started,
             "creator": f"rigapp {found['rigapp']}",
             "HDF5_Version": h5py.version.hdf5_version,
@@ -172,6 +192,8 @@ def _build_people(entry: h5py.Group, metadata: TestMetadata) -> None:
     sample["description"] = metadata.bushing
     instrument = _group(entry, "instrument", "NXinstrument")
     instrument["name"] = metadata.rig_name
+    for name, values in metadata.detectors.items():
+        write_tree(_group(instrument, name, "NXdetector"), values)
 
 
 def _build_state(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> None:
@@ -196,35 +218,35 @@ def _build_stream(file: h5py.File, stream: Stream) -> None:
     if stream.dimension in names:
         first = stream.fields[names.index(stream.dimension)]
         scale = _build_field(group, first, stream.capacity)
+        scale.make_scale(stream.dimension)
     else:
         first = None
-        scale = phony_scale(group, stream.dimension, stream.capacity)
-    scale.make_scale(_scale_name(stream, names))
+        scale = bare_dimension(group, stream.dimension, stream.capacity)
     for one in stream.fields:
         if one is not first:
             _build_field(group, one, stream.capacity).dims[0].attach_scale(scale)
+        for name, value in conventions(stream, one).items():
+            group[one.name].attrs[name] = value
     if stream.name in ("cycles", "unfinished"):
         group["count"].attrs["sample_dimension"] = "sample"
 
 
-def phony_scale(group: h5py.Group, name: str, length: int) -> h5py.Dataset:
+def bare_dimension(group: h5py.Group, name: str, length: int) -> h5py.Dataset:
     """Create a dimension without coordinates, as netCDF does it; it takes no space."""
     properties = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
     properties.set_layout(h5py.h5d.CONTIGUOUS)
     properties.set_alloc_time(h5py.h5d.ALLOC_TIME_LATE)
     space = h5py.h5s.create_simple((length,))
-    return h5py.Dataset(
+    dataset = h5py.Dataset(
         h5py.h5d.create(group.id, name.encode(), h5py.h5t.IEEE_F32BE, space, properties)
     )
+    dataset.make_scale(scale_label(False, name, length))
+    return dataset
 
 
 def scale_label(is_variable: bool, name: str, length: int) -> str:
     """Return the NAME attribute of a dimension scale: netCDF's own words for a bare dimension."""
     return name if is_variable else f"{NOT_A_VARIABLE}{length:10d}"
-
-
-def _scale_name(stream: Stream, names: Iterable[str]) -> str:
-    return scale_label(stream.dimension in names, stream.dimension, stream.capacity)
 
 
 def _build_field(group: h5py.Group, one: Field, rows: int) -> h5py.Dataset:
@@ -245,10 +267,16 @@ def _build_curve_angle(file: h5py.File, plan: FilePlan) -> None:
 def _build_profile_angle(file: h5py.File) -> None:
     group = file["/entry/prediction"]
     angle = group.create_dataset("profile_angle", data=np.asarray(PROFILE_ANGLES_DEG, dtype="<f8"))
-    describe(angle, "deg", "angle from the initial contact point, follower frame")
+    describe(angle, "deg", PROFILE_ANGLE)
     angle.make_scale("profile_angle")
     for name in PROFILE_CURVES:
         group[f"profile_{name}"].dims[1].attach_scale(angle)
+
+
+def _build_checkpoint_bytes(file: h5py.File) -> None:
+    group = file["/entry/prediction"]
+    byte = bare_dimension(group, "checkpoint_byte", CHECKPOINT_BYTES)
+    group["checkpoint_state"].dims[1].attach_scale(byte)
 
 
 def _build_configuration(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> None:

@@ -86,7 +86,7 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
     with contextlib.ExitStack() as undo:
         undo.callback(lambda: hidden.unlink(missing_ok=True))
         with _space_errors(path):
-            build_file(hidden, plan, metadata)
+            build_file(hidden, plan, metadata, path.name)
             fd = os.open(hidden, os.O_RDWR)
             undo.callback(os.close, fd)
             places = places_of(hidden)

@@ -10,8 +10,8 @@ import h5py
 import numpy as np
 
 from rigapp.storage.build import scale_label
-from rigapp.storage.hdf import open_for_reading
-from rigapp.storage.layout import COMPRESSED, FORM_ATTRIBUTE
+from rigapp.storage.hdf import is_bare, open_for_reading
+from rigapp.storage.layout import COMPRESSED, FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE
 
 CHUNK_BYTES = 1 << 18
 PIECE_BYTES = 1 << 24
@@ -21,13 +21,17 @@ _SCALE_ATTRIBUTES = frozenset(
 
 
 def write_duplicate(source: Path, target: Path, sizes: Mapping[str, int]) -> None:
-    """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep so many rows."""
+    """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep so many rows.
+
+    The copy says of itself that it is called as ``source`` is: it shall take its place.
+    """
     with (
         open_for_reading(source) as old,
         h5py.File(target, "x", libver="earliest") as new,
     ):
         _copy_attributes(old, new)
         new.attrs[FORM_ATTRIBUTE] = COMPRESSED
+        new.attrs[FILE_NAME_ATTRIBUTE] = source.name
         for path, item in _items(old):
             if isinstance(item, h5py.Group):
                 _copy_attributes(item, new.require_group(path))
@@ -59,12 +63,6 @@ def first_difference(source: Path, copy: Path, sizes: Mapping[str, int]) -> str:
     return ""
 
 
-def is_bare(dataset: h5py.Dataset) -> bool:
-    """Tell whether a dataset is a dimension without coordinates."""
-    name = dataset.attrs.get("NAME", b"")
-    return bool(name.startswith(b"This is a netCDF dimension"))
-
-
 def _items(file: h5py.File) -> Iterator[tuple[str, Any]]:
     names: list[str] = []
     file.visit(names.append)
@@ -79,10 +77,10 @@ def _copy_attributes(old: Any, new: Any) -> None:
 
 
 def _copy_dataset(old: h5py.Dataset, file: h5py.File, path: str, rows: int | None) -> None:
-    if rows is None:
+    if is_bare(old):
+        new = file.create_dataset(path, (len(old) if rows is None else rows,), old.dtype)
+    elif rows is None:
         new = file.create_dataset(path, data=old[()], dtype=old.dtype)
-    elif is_bare(old):
-        new = file.create_dataset(path, (rows,), old.dtype)
     else:
         shape = (rows, *old.shape[1:])
         new = file.create_dataset(path, shape, old.dtype, **_compression(old, rows))
@@ -120,7 +118,7 @@ def _attach_scales(old: h5py.Dataset, file: h5py.File, path: str) -> None:
 
 def _differing_attribute(old: Any, new: Any) -> str:
     for name, value in old.attrs.items():
-        if name in _SCALE_ATTRIBUTES:
+        if name in (*_SCALE_ATTRIBUTES, FILE_NAME_ATTRIBUTE):
             continue
         if name not in new.attrs or not np.array_equal(new.attrs[name], value):
             return str(name)

@@ -1,10 +1,13 @@
-"""Open an HDF5 file for reading, whoever else has it open and however."""
+"""Open an HDF5 file for reading, whoever else has it open and however; tell what is no data."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import h5py
+
+NOT_A_VARIABLE = "This is a netCDF dimension but not a netCDF variable. "
+"""How netCDF marks a dimension without coordinates; its length follows in ten characters."""
 
 
 def open_for_reading(path: Path) -> h5py.File:
@@ -20,3 +23,9 @@ def open_for_reading(path: Path) -> h5py.File:
             if "lock" not in str(error):
                 raise
     return h5py.File(path, "r", locking=True)
+
+
+def is_bare(dataset: h5py.Dataset) -> bool:
+    """Tell whether a dataset is a dimension without coordinates."""
+    name = dataset.attrs.get("NAME", b"")
+    return bool(name.startswith(NOT_A_VARIABLE.encode()))

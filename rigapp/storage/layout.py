@@ -31,6 +31,8 @@ SCHEMA = 1
 
 SCHEMA_ATTRIBUTE = "rigapp_schema"
 
+FILE_NAME_ATTRIBUTE = "file_name"
+
 FORM_ATTRIBUTE = "rigapp_form"
 IN_PLACE = "in place"
 COMPRESSED = "compressed"
@@ -40,6 +42,7 @@ STATE = "/entry/state"
 CONFIGURATION = "/entry/configuration"
 CALIBRATION = "/entry/calibration"
 PLAN = "/entry/configuration/plan"
+DETECTORS = "/entry/instrument"
 START_TIME = "/entry/start_time"
 END_TIME = "/entry/end_time"
 
@@ -243,17 +246,24 @@ def profile_rows(revolutions: int) -> int:
     return math.ceil(PROFILES_PER_DECADE * math.log10(max(revolutions, 1))) + 3
 
 
+PROFILE_ANGLE = "angle from the initial contact point, follower frame"
+PROFILE_SENTENCES = {
+    "measured": "measured depth, NaN where the pin never came",
+    "predicted": "predicted depth of wear",
+    "driven": "depth of wear by the model from measured forces",
+    "uncertainty": "expanded uncertainty (k = 2) of the measured depth",
+}
+
+
 def _worn_streams(plan: FilePlan) -> tuple[Stream, Stream]:
     group, size = "/entry/prediction", (len(PROFILE_ANGLES_DEG),)
-    doubt = "expanded uncertainty (k = 2) of the measured depth"
-    sentences = {"uncertainty": doubt, "measured": "measured depth, NaN where the pin never came"}
     profiles = (
         *_fields(
             Column(f"profile_{one.name}", one.dtype, one.unit, one.description)
             for one in profile_columns()
         ),
         *(
-            Field(f"profile_{one}", "<f4", "mm", sentences.get(one, f"{one} depth of wear"), size)
+            Field(f"profile_{one}", "<f4", "mm", PROFILE_SENTENCES[one], size)
             for one in PROFILE_CURVES
         ),
     )

@@ -50,6 +50,7 @@ class TestMetadata:
 
     rig_text, test_text: the TOML files as given. parameters: the model's, units in the keys.
     calibration: record name -> nested mapping of numbers, lists and texts, frozen for the test.
+    detectors: the same of what measures: ``load_cell``, ``probes``, ``encoder``.
     started: UTC seconds since 1970-01-01, 0 for now.
     """
 
@@ -60,6 +61,7 @@ class TestMetadata:
     test_text: str
     parameters: Mapping[str, Any] = field(default_factory=dict)
     calibration: Mapping[str, Any] = field(default_factory=dict)
+    detectors: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     rig_name: str = ""
     operator: str = ""
     specimen: str = ""
@@ -89,6 +91,15 @@ def unit_of_key(key: str) -> str:
             rate = _RATE.search(key.removesuffix(ending))
             return f"{rate[1]}/{unit}" if rate is not None else unit
     return "1"
+
+
+def name_and_unit(key: str) -> tuple[str, str]:
+    """Cut the unit off a key; a unit that the program does not know stays in the name."""
+    unit = unit_of_key(key)
+    places = [i for i, letter in enumerate(key) if letter == "_" and unit_of_key(key[i:]) == unit]
+    if unit == "1" or not places or key[: places[-1]].endswith("_per"):
+        return key, "1"
+    return key[: places[-1]], unit
 
 
 def unit_suffix(unit: str) -> str:

@@ -19,7 +19,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.engine.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.engine.messages import Event
 from rigapp.storage.events import events_of, first_broken_link
-from rigapp.storage.hdf import open_for_reading
+from rigapp.storage.hdf import is_bare, open_for_reading
 from rigapp.storage.layout import (
     CALIBRATION,
     CHECKPOINT_BYTES,
@@ -29,6 +29,8 @@ from rigapp.storage.layout import (
     END_TIME,
     FORM_ATTRIBUTE,
     PLAN,
+    PROFILE_ANGLE,
+    PROFILE_SENTENCES,
     SCHEMA,
     SCHEMA_ATTRIBUTE,
     START_TIME,
@@ -395,11 +397,16 @@ def _profiles_dataset(columns: Columns) -> Any:
         if one.name != "revolution"
     }
     curves = {
-        name: (("revolution", "angle"), columns[name], {"units": "mm"}) for name in PROFILE_CURVES
+        name: (
+            ("revolution", "angle"),
+            columns[name],
+            {"units": "mm", "long_name": PROFILE_SENTENCES[name]},
+        )
+        for name in PROFILE_CURVES
     }
     coordinates = {
         "revolution": columns["revolution"],
-        "angle": ("angle", columns["angle"], {"units": "deg"}),
+        "angle": ("angle", columns["angle"], {"units": "deg", "long_name": PROFILE_ANGLE}),
     }
     return xarray.Dataset({**found, **curves}, coords=coordinates)
 
@@ -409,6 +416,8 @@ def _tree(group: h5py.Group) -> dict[str, Any]:
     for name, item in group.items():
         if isinstance(item, h5py.Group):
             found[name] = _tree(item)
+            continue
+        if is_bare(item):
             continue
         value = item[()]
         if h5py.check_string_dtype(item.dtype) is not None:
