@@ -306,7 +306,7 @@ def test_many_threads_append_while_one_commits(
 
         def log() -> None:
             for i in range(150):
-                writer.append_event(Event(float(i), i, "note", "operator", "n" * i))
+                writer.append_event(Event(float(i), i, "state", "engine", "n" * i))
 
         threads = [
             threading.Thread(target=commit_often, name="committer"),
