@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from calibration.probe_positions import Line, falling, place, positions, robust_line
 from calibration.problems import Problem
-from calibration.readings import ProbeReadings
+from calibration.readings import ProbeReadings, numbered_twice
 from calibration.settings import ProbeSettings
 
 Array = NDArray[np.float64]
@@ -46,6 +46,14 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
             "too_few_positions",
             f"Only {count} micrometer positions; take at least {FEWEST_POSITIONS}, better"
             f" {GOOD_POSITIONS}, up and down.",
+        )
+        return
+    again = numbered_twice(readings.series, readings.step.tolist())
+    if again is not None:
+        yield Problem(
+            "duplicated_step",
+            f"The step number of {place(readings, again)} stands twice in its series; give each"
+            " reading a number of its own, in the order taken.",
         )
         return
     if settings.gap_at_zero and settings.gap_at_zero + float(readings.position.min()) <= 0.0:

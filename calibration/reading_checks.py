@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibration.characteristics import angle_groups
+from calibration.plausible import check_settings, heaviest_mass
 from calibration.problems import Problem
-from calibration.readings import LoadCellReadings
+from calibration.readings import LoadCellReadings, numbered_twice
 from calibration.settings import LoadCellSettings
-from calibration.weights import STANDARD_GRAVITY
 
 FEWEST_LOADED = 12
 FEWEST_ANGLES = 4
@@ -24,7 +24,7 @@ def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> It
     yield from _not_numbers(readings)
     yield from _impossible_masses(readings, settings)
     yield from _angles(readings)
-    yield from _gravity(settings)
+    yield from check_settings(settings)
     yield from _dead_or_stuck(readings, settings)
     loaded = int(np.count_nonzero(readings.mass > 0.0))
     if loaded < FEWEST_LOADED:
@@ -58,7 +58,7 @@ def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -
     heaviest = float(np.nanmax(readings.mass, initial=0.0))
     if np.nanmin(readings.mass, initial=0.0) < 0.0:
         yield Problem("negative_mass", "A mass is negative; masses are written in kg, from 0 up.")
-    limit = 1.2 * settings.cell.full_scale / STANDARD_GRAVITY
+    limit = heaviest_mass(settings)
     if heaviest > 50.0 * limit:
         yield Problem(
             "mass_unit",
@@ -68,7 +68,7 @@ def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -
         yield Problem(
             "overload",
             f"{heaviest:g} kg is more than the cell may bear ({limit:.1f} kg); check the mass,"
-            " which is written in kilograms, not in newtons or pounds.",
+            " which is written in kilograms, not in grams, newtons or pounds.",
         )
 
 
@@ -103,29 +103,6 @@ def _angles(readings: LoadCellReadings) -> Iterator[Problem]:
         )
 
 
-def _gravity(settings: LoadCellSettings) -> Iterator[Problem]:
-    gravity, expected = settings.place.gravity, settings.gravity_expected
-    if not 9.76 <= gravity <= 9.84:
-        yield Problem(
-            "wrong_gravity",
-            f"gravity_m_s2 = {gravity:g} is found nowhere on the ground (9.76 .. 9.84 m/s2);"
-            " write the local value, or latitude and height.",
-        )
-    elif expected is not None and abs(gravity / expected - 1.0) > 5e-4:
-        yield Problem(
-            "wrong_gravity",
-            f"gravity_m_s2 = {gravity:g} does not belong to the latitude and height given, which"
-            f" mean {expected:.4f} m/s2; correct one of them.",
-        )
-    elif settings.gravity_stated and expected is None and abs(gravity - STANDARD_GRAVITY) < 5e-6:
-        yield Problem(
-            "standard_gravity",
-            "gravity_m_s2 = 9.80665 is the standard value, not a local one (up to 0.27 % off);"
-            " write the local value, or latitude and height.",
-            blocks=False,
-        )
-
-
 def _dead_or_stuck(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
     signal = readings.signal
     if len(signal) < 4 or not np.isfinite(signal).all():
@@ -154,6 +131,7 @@ def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
     Where a coarse display lets readings repeat themselves this cannot be told.
     """
     if coarse(readings):
+        yield from _numbered_twice(readings)
         return
     rows: dict[tuple[object, ...], int] = {}
     twice = []
@@ -174,6 +152,19 @@ def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
             "duplicated_rows",
             f"The reading at {place_of(readings, twice[0])} stands twice in the table{more};"
             " remove what was pasted twice.",
+        )
+    else:
+        yield from _numbered_twice(readings)
+
+
+def _numbered_twice(readings: LoadCellReadings) -> Iterator[Problem]:
+    runs = list(zip(readings.series, angle_groups(readings.angle).tolist(), strict=True))
+    index = numbered_twice(runs, readings.step.tolist())
+    if index is not None:
+        yield Problem(
+            "duplicated_step",
+            f"The step number of {place_of(readings, index)} stands twice at this pin angle; give"
+            " each reading of a series a number of its own, in the order taken.",
         )
 
 

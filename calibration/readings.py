@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,7 @@ Array = NDArray[np.float64]
 
 LOAD_CELL_COLUMNS = ("series", "step", "mass_kg", "pin_angle_deg", "signal_1", "signal_2")
 PROBE_COLUMNS = ("series", "step", "position_um", "signal_V")
+LARGEST_STEP = 1_000_000_000
 OTHER_COLUMN = "other_signal_V"
 """Voltage of the probe that must not move, taken with each reading by the program itself."""
 
@@ -75,6 +77,32 @@ def parse_probe(text: str) -> ProbeReadings:
     )
 
 
+FEWEST_OF_A_RUN = 3
+"""So many steps from the first number on are another run, fewer are a number written twice."""
+
+
+def numbered_twice(runs: Sequence[Hashable], steps: Sequence[int]) -> int | None:
+    """Return the index of a reading whose step number its run has already, None when there is none.
+
+    runs: what belongs together (a series, at one pin angle). A run that begins again at its first
+    number and goes on is another one.
+    """
+    numbers: dict[Hashable, list[tuple[int, int]]] = {}
+    for index, (run, step) in enumerate(zip(runs, steps, strict=True)):
+        numbers.setdefault(run, []).append((step, index))
+    for taken in numbers.values():
+        seen: set[int] = set()
+        for place, (step, index) in enumerate(taken):
+            first, rest = taken[0][0], [one for one, _ in taken[place:]]
+            again = step == first and place and taken[place - 1][0] != first
+            if again and rest[:FEWEST_OF_A_RUN] == [one for one, _ in taken[:FEWEST_OF_A_RUN]]:
+                seen.clear()
+            elif step in seen:
+                return index
+            seen.add(step)
+    return None
+
+
 Row = tuple[int, dict[str, str]]
 
 
@@ -93,9 +121,17 @@ def _table(text: str, columns: tuple[str, ...]) -> list[Row]:
         raise ReadingsError(
             f"column {', '.join(missing)} is missing; the header must name {', '.join(columns)}"
         )
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise ReadingsError(f"the header names column {', '.join(twice)} twice; take one out")
     reader.fieldnames = names
     rows = []
     for (number, _), row in zip(lines[1:], reader, strict=True):
+        if None in row:
+            raise ReadingsError(
+                f"line {number} has more fields than the header's {len(names)}; take out what is"
+                " too much, and write decimal points, not commas"
+            )
         if any(row.get(name) in (None, "") for name in columns):
             raise ReadingsError(f"line {number} has an empty field; complete or remove it")
         rows.append((number, row))
@@ -106,7 +142,10 @@ def _table(text: str, columns: tuple[str, ...]) -> list[Row]:
 
 def _step(line: int, row: dict[str, str]) -> int:
     try:
-        return int(float(row["step"]))
+        step = float(row["step"])
+        if not step.is_integer() or abs(step) > LARGEST_STEP:
+            raise ValueError
+        return int(step)
     except ValueError as error:
         raise ReadingsError(f"line {line}: step {row['step']!r} is not a whole number") from error
 

@@ -23,6 +23,7 @@ from calibration.live import Readiness, Verdict, Window, assess
 from calibration.load_cell import LoadCellCalibration, calibrate_load_cell
 from calibration.pieces import PiecesError
 from calibration.plans import PlanKind, StepKind
+from calibration.plausible import check_settings
 from calibration.procedure import Procedure, ProcedureError, begin, take_up
 from calibration.readings import LOAD_CELL_COLUMNS, LoadCellReadings, parse_load_cell
 from calibration.settings import LoadCellSettings
@@ -153,6 +154,9 @@ class LiveSession:
         wish: what to begin; None to take up only. A journal with events is taken up, and must have
         come from the same rig.
         """
+        for problem in check_settings(settings):
+            if problem.blocks:
+                raise UnusableInput(f"settings: {problem.sentence}")
         self.given, self.settings, self.rig = given, settings, rig
         self._patient = keep_waiting_times
         self._since = math.nan

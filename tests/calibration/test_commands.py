@@ -108,6 +108,10 @@ def test_bad_fit_is_refused_and_not_saved(folder: Path) -> None:
         ("mass_kg", "mass_g", "column mass_kg is missing"),
         ("1,2,8.0", "1,2,eight", "line 3: mass_kg 'eight' is not a number"),
         ("1,2,8.0", "1,2,", "line 3 has an empty field"),
+        ("1,2,8.0", "1,2,8,0", "line 3 has more fields than the header's 6"),
+        ("1,2,8.0", "1,2.5,8.0", "line 3: step '2.5' is not a whole number"),
+        ("1,2,8.0", "1,inf,8.0", "line 3: step 'inf' is not a whole number"),
+        ("series,step", "series,series,step", "the header names column series twice"),
     ],
 )
 def test_unreadable_readings_are_named(folder: Path, old: str, new: str, needle: str) -> None:
@@ -119,6 +123,62 @@ def test_unreadable_readings_are_named(folder: Path, old: str, new: str, needle:
     assert done.returncode == 2
     assert needle in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("section", "line", "code", "needle"),
+    [
+        ("weights", "density_kg_per_m3 = 8.0", "weight_density", "mean g/cm^3? Then write 8000"),
+        ("weights", "density_kg_per_m3 = 80000.0", "weight_density", "1500 .. 22700 kg/m^3"),
+        ("weights", "hanger_mass_kg = 99.0", "hanger_mass", "more than the cell may bear"),
+        ("place", "air_density_kg_per_m3 = 0.0012", "air_density", "mean g/cm^3? Then write 1.2"),
+        ("place", "gravity_m_s2 = 981.23", "wrong_gravity", "did you mean cm/s^2 (Gal)?"),
+        ("place", "gravity_m_s2 = 9812.3", "wrong_gravity", "mean mm/s^2? Then write 9.8123"),
+    ],
+)  # fmt: skip
+def test_an_implausible_setting_names_the_likely_unit(
+    folder: Path, section: str, line: str, code: str, needle: str
+) -> None:
+    text = SETTINGS if section == "place" else f"{SETTINGS}[weights]\n{line}\n"
+    if section == "place":
+        start = SETTINGS.replace("gravity_m_s2 = 9.8123\n", "") if "gravity" in line else SETTINGS
+        text = f"{start}{line}\n"
+    (folder / "settings.toml").write_text(text)
+    done = fit(folder, "record.json", "--json")
+    assert done.returncode == 1
+    result = json.loads(done.stdout)
+    assert result["accepted"] is False
+    told = [one["sentence"] for one in result["problems"] if one["code"] == code]
+    assert any(needle in sentence for sentence in told), told
+    assert not os.path.lexists(folder / "record.json")
+
+
+@pytest.mark.parametrize(
+    ("line", "needle"),
+    [
+        ("pressure_hPa = 101325.0", "did you mean Pa? Then write 1013.25"),
+        ("temperature_degC = 293.15", "did you mean K? Then write 20"),
+        ("latitude_deg = 95.0", "place.latitude_deg = 95 is outside -90 to 90 deg"),
+        ("height_m = nan", "place.height_m = nan is not a finite number"),
+    ],
+)
+def test_an_impossible_setting_is_refused(folder: Path, line: str, needle: str) -> None:
+    (folder / "settings.toml").write_text(f"{SETTINGS}{line}\n")
+    done = fit(folder, "record.json")
+    assert done.returncode == 2
+    assert needle in done.stderr
+
+
+def test_a_step_number_twice_is_refused(folder: Path) -> None:
+    path = folder / "readings.csv"
+    lines = path.read_text().splitlines()
+    again = lines[4].split(",")
+    again[-1] = "0.123456"
+    path.write_text("\n".join([*lines, ",".join(again)]) + "\n")
+    done = fit(folder, "record.json", "--json")
+    assert done.returncode == 1
+    problems = {one["code"]: one["sentence"] for one in json.loads(done.stdout)["problems"]}
+    assert "series 1, step 4 stands twice" in problems["duplicated_step"]
 
 
 def test_missing_gravity_is_asked_for(folder: Path) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from calibration.load_cell import calibrate_load_cell
-from calibration.readings import LoadCellReadings
+from calibration.readings import LoadCellReadings, numbered_twice
 from calibration.settings import LoadCellSettings
 from calibration.weights import Place
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
@@ -327,6 +327,24 @@ def random_good(seed: int) -> tuple[LoadCellReadings, LoadCellSettings]:
     if rng.random() < 0.3:  # one series for all angles
         readings = replace(readings, series=("1",) * len(readings))
     return readings, SETTINGS
+
+
+@pytest.mark.parametrize(
+    ("steps", "found"),
+    [
+        ((1, 2, 3, 4), None),
+        ((1, 2, 3, 4, 1, 2, 3, 4), None),
+        ((1, 1, 2, 3), 1),
+        ((1, 2, 3, 2, 4), 3),
+        ((1, 2, 3, 4, 1), 4),
+        ((1, 2, 3, 1, 2, 3, 3), 6),
+    ],
+)
+def test_a_number_that_stands_twice_is_told_from_a_second_run(
+    steps: tuple[int, ...], found: int | None
+) -> None:
+    assert numbered_twice(["a"] * len(steps), steps) == found
+    assert numbered_twice(range(len(steps)), steps) is None
 
 
 def test_good_readings_are_never_refused() -> None:
