@@ -18,6 +18,7 @@ A driver knows bytes and meaning, never engineering units of the rig and never t
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
@@ -262,7 +263,10 @@ class LineCounters(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class DriveStatus:
-    """Tell the drive's state at one moment; speed in rev/s of the spindle, signed as the rig."""
+    """Tell the drive's state at one moment; speed in rev/s of the crank, signed as the rig.
+
+    position_count: of the drive's own encoder, on the motor's side of a gear.
+    """
 
     host_time_ns: int
     speed_rev_per_s: float
@@ -282,8 +286,10 @@ class DriveStatus:
 class DriveRequest:
     """Configure a drive: the watchdog is not optional.
 
-    counts_per_revolution: of the drive's own encoder, after quadrature.
-    direction: +1 or -1, the rig's positive sense against the drive's.
+    counts_per_revolution: of the drive's own encoder, after quadrature, for one turn of the motor.
+    gear_ratio: turns of the motor for one of the crank, positive. Every speed and acceleration that
+    a Spindle takes or tells is the crank's. direction: +1 or -1, the rig's positive sense against
+    the drive's.
     simulated: the drive runs on this computer, whose load delays host and drive alike. Then the
     drive's own word says whether its watchdog has fired, not the host's clock.
     """
@@ -294,6 +300,17 @@ class DriveRequest:
     watchdog_timeout_s: float
     settings: Mapping[str, Any] = field(default_factory=dict)
     simulated: bool = False
+    gear_ratio: float = 1.0
+
+    def __post_init__(self) -> None:
+        """Raise ValueError for a gear that turns nothing."""
+        if not (math.isfinite(self.gear_ratio) and self.gear_ratio > 0.0):
+            raise ValueError(f"gear_ratio is {self.gear_ratio}, must be a finite number above 0")
+
+    @property
+    def counts_per_crank_revolution(self) -> float:
+        """Return the counts of the drive's encoder for one turn of the crank."""
+        return self.counts_per_revolution * self.gear_ratio
 
 
 @runtime_checkable

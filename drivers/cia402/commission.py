@@ -49,7 +49,8 @@ Readback = dict[str, str | float | int]
 class Setup:
     """Hold how the drive is set for this run.
 
-    velocity_unit: rev/s per step of 606C and 60FF. acceleration_unit: rev/s2 per step.
+    velocity_unit: rev/s of the crank per step of 606C and 60FF. acceleration_unit: rev/s2 of the
+    crank per step.
     synchronous: speed and position come as TPDOs after a SYNC. control_pdo: RPDO1 carries 6040.
     """
 
@@ -104,6 +105,7 @@ class Commissioning:
             "acceleration_unit_rpm_per_s": acceleration * 60.0,
             "synchronous_pdo": int(synchronous),
             "control_pdo": int(control_pdo),
+            "gear_ratio": request.gear_ratio,
             "direction": request.direction,
             "counts_per_revolution": request.counts_per_revolution,
         }
@@ -111,7 +113,7 @@ class Commissioning:
             request=request,
             watchdog_s=watchdog_s,
             velocity_unit=unit,
-            acceleration_unit=acceleration,
+            acceleration_unit=acceleration / request.gear_ratio,
             synchronous=synchronous,
             control_pdo=control_pdo,
             epos=self._epos,
@@ -197,6 +199,7 @@ class Commissioning:
             raise self._refused(
                 f"the velocity unit {raw:08X} (60A9) is unknown; set rpm (00B44700) in the drive."
             )
+        unit /= request.gear_ratio
         highest = math.ceil(request.maximum_speed_rev_per_s / unit - 1e-9)
         self._set(0x607F, highest)
         motor = self._node.read_if_there(0x6080)

@@ -138,12 +138,13 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
         "supply_V": main * VOLTAGE_UNIT_V,
         "logic_V": logic * VOLTAGE_UNIT_V,
         "counts_per_revolution": request.counts_per_revolution,
+        "gear_ratio": request.gear_ratio,
         "direction": request.direction,
         "velocity_p": pid.p,
         "velocity_i": pid.i,
         "velocity_d": pid.d,
         "speed_limit_count_per_s": pid.qpps,
-        "speed_limit_rev_per_s": pid.qpps / request.counts_per_revolution,
+        "speed_limit_rev_per_s": pid.qpps / request.counts_per_crank_revolution,
     }
     return Setup(request, units, combined, pid.qpps, readback)
 

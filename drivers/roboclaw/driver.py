@@ -144,7 +144,7 @@ class RoboClaw:
         with self._lock:
             link, setup = self._link(), self._configured()
             speed = self._counts_per_s(speed_rev_per_s, setup)
-            ramp = acceleration_rev_per_s2 * setup.request.counts_per_revolution
+            ramp = acceleration_rev_per_s2 * setup.request.counts_per_crank_revolution
             if not (math.isfinite(ramp) and ramp > 0):
                 raise self._refused(
                     f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible."
@@ -177,11 +177,12 @@ class RoboClaw:
                 f"{speed_rev_per_s * 60:.1f} rpm is above the rig's maximum of "
                 f"{request.maximum_speed_rev_per_s * 60:.1f} rpm."
             )
-        speed = round(request.direction * speed_rev_per_s * request.counts_per_revolution)
+        speed = round(request.direction * speed_rev_per_s * request.counts_per_crank_revolution)
         if abs(speed) > min(setup.qpps, _MAXIMUM_SPEED):
             raise self._refused(
-                f"{abs(speed)} counts/s is above the drive's own limit (QPPS) of {setup.qpps} "
-                "counts/s; tune the drive's velocity loop."
+                f"{abs(speed)} counts/s ({speed_rev_per_s * 60:.1f} rpm of the crank) is above "
+                f"the drive's own limit (QPPS) of {setup.qpps} counts/s; tune the drive's velocity "
+                "loop."
             )
         return speed
 
@@ -294,7 +295,7 @@ class RoboClaw:
             faults += (self._silence_words(),)
         target = self._target or 0
         setpoint = target if read.setpoint is None or self._target is None else read.setpoint
-        scale = request.direction / request.counts_per_revolution
+        scale = request.direction / request.counts_per_crank_revolution
         return DriveStatus(
             host_time_ns=time.monotonic_ns(),
             speed_rev_per_s=read.speed * scale,

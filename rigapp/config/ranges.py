@@ -191,6 +191,7 @@ RIG: Final = {
     "spindle.encoder_counts_per_revolution": Range(1, COUNT),
     "spindle.maximum_speed_rpm": Range(0.1, 5000.0),
     "spindle.watchdog_timeout_s": Range(0.05, 25.5),
+    "spindle.gear_ratio": Range(0.01, 1000.0),
     "encoder.counts_per_revolution": Range(1, COUNT),
     "encoder.index_angle_deg": TURN,
     "load_cell.matrix_N_per_mV_per_V": Range(-1e6, 1e6),

@@ -52,13 +52,18 @@ class DeviceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class SpindleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[spindle]: the drive that turns the crank."""
+    """[spindle]: the drive that turns the crank.
+
+    encoder_counts_per_revolution: of the motor. gear_ratio: turns of the motor for one of the
+    crank; every speed in the program is the crank's.
+    """
 
     device: str
     encoder_counts_per_revolution: int
     maximum_speed_rpm: float
     direction: Literal[1, -1] = 1
     watchdog_timeout_s: float = 0.5
+    gear_ratio: float = 1.0
 
 
 class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

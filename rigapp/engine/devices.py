@@ -92,6 +92,7 @@ def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_
         direction=rig.spindle.direction,
         maximum_speed_rev_per_s=rig.spindle.maximum_speed_rpm / 60.0,
         watchdog_timeout_s=rig.spindle.watchdog_timeout_s,
+        gear_ratio=rig.spindle.gear_ratio,
         settings=drive_settings,
         simulated=rig.simulation is not None,
     )

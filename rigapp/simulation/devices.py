@@ -36,12 +36,15 @@ class DataDevice:
 
 @dataclass(frozen=True, slots=True)
 class DriveDevice:
-    """Join the drive's simulator with its wire; counts and sense of its own encoder."""
+    """Join the drive's simulator with its wire.
+
+    counts_per_crank_revolution, direction: of the drive's own encoder, which is on the motor.
+    """
 
     name: str
     simulator: SimulatedDrive
     wire: Wire
-    counts_per_revolution: int
+    counts_per_crank_revolution: float
     direction: int
 
 
@@ -99,7 +102,8 @@ def drive_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> DriveD
     counts = rig.spindle.encoder_counts_per_revolution
     simulator = _simulator(name, info, settings, {"counts_per_revolution": counts})
     wire = Wire(make_endpoint(name), seed=seed + 1)
-    return DriveDevice(name, simulator, wire, counts, rig.spindle.direction)
+    counts_per_crank = counts * rig.spindle.gear_ratio
+    return DriveDevice(name, simulator, wire, counts_per_crank, rig.spindle.direction)
 
 
 def check_devices(rig: RigFile) -> None:

@@ -255,7 +255,7 @@ class RigSimulation:
                 sense * command.duty * supply / self._machine.torque_constant_Nm_per_A
             )
             return Drive(kernels.DUTY, 0.0, 0.0, sense * command.duty, supply, jam)
-        speed = sense * TURN * command.speed_count_per_s / self._drive.counts_per_revolution
+        speed = sense * TURN * command.speed_count_per_s / self._drive.counts_per_crank_revolution
         if before.mode != DriveMode.VELOCITY:
             start = self.plant.speed_rad_per_s
         self._speed_wanted = speed
@@ -264,7 +264,7 @@ class RigSimulation:
     def _observe(self) -> None:
         """Let the drive see its encoder, current and supply."""
         plant = self.plant
-        counts = self._drive.direction * self._drive.counts_per_revolution / TURN
+        counts = self._drive.direction * self._drive.counts_per_crank_revolution / TURN
         self._drive.simulator.observe(
             MotorState(
                 position_count=math.floor((plant.angle_rad - self._start_angle) * counts),

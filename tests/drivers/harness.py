@@ -265,9 +265,12 @@ def drive_request(
     counts: int = COUNTS,
     *,
     simulated: bool = True,
+    gear_ratio: float = 1.0,
 ) -> DriveRequest:
     """Return a request for at most 12 rev/s."""
-    return DriveRequest(counts, direction, 12.0, watchdog_s, simulated=simulated)
+    return DriveRequest(
+        counts, direction, 12.0, watchdog_s, simulated=simulated, gear_ratio=gear_ratio
+    )
 
 
 class Connections:

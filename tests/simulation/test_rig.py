@@ -174,7 +174,11 @@ def test_negative_direction_turns_the_other_way(
 ) -> None:
     bench = make()
     reversed_drive = devices.DriveDevice(
-        "drive", bench.motor, bench.rig._drive.wire, counts_per_revolution=3600, direction=-1
+        "drive",
+        bench.motor,
+        bench.rig._drive.wire,
+        counts_per_crank_revolution=3600.0,
+        direction=-1,
     )
     monkeypatch.setattr(bench.rig, "_drive", reversed_drive)
     bench.open("drive")

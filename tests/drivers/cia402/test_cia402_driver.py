@@ -102,6 +102,23 @@ def test_direction_turns_every_sign(
     wait_until(lambda: drive.status().position_count > 100, "the count to rise")
 
 
+def test_a_geared_drive_is_set_in_turns_of_its_motor(
+    drive_rig: Any, connect: Any, wait_until: Any, request_for: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig)
+    readback = drive.configure(request_for(gear_ratio=4.8))
+    objects = rig.simulator.node.objects
+    assert objects.number(0x607F) == 3456, "12 rev/s of the crank"
+    assert readback["maximum_speed_rev_per_s"] == pytest.approx(12.0)
+    assert readback["gear_ratio"] == 4.8
+    drive.set_speed(1.0, 2.0)
+    assert objects.number(0x60FF) == 288
+    assert objects.number(0x6083) == objects.number(0x6084) == 576
+    wait_until(lambda: rig.speed_rpm == 288, "the motor's speed")
+    assert drive.status().speed_rev_per_s == pytest.approx(1.0)
+
+
 def test_an_old_target_does_not_turn_the_motor_when_it_is_enabled(
     drive_rig: Any, connect: Any, wait_until: Any
 ) -> None:

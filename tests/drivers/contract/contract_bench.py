@@ -282,6 +282,7 @@ class SpindleBench:
         self.port = Port(self.simulator, link, self.motor, streams=False)
         self.settings = check_settings(contract.info, contract.settings | settings, "contract")
         self.driver = self.make()
+        self.counts_per_crank_revolution = float(COUNTS)
 
     def make(self) -> Spindle:
         """Return a new driver on the port."""
@@ -289,12 +290,15 @@ class SpindleBench:
         assert isinstance(driver, Spindle)
         return driver
 
-    def connect(self, watchdog_s: float = WATCHDOG_S) -> None:
+    def connect(self, watchdog_s: float = WATCHDOG_S, gear_ratio: float = 1.0) -> None:
         """Open and configure."""
         identity = self.driver.open()
         assert identity.maker
         assert identity.port == self.port.url
-        request = DriveRequest(COUNTS, 1, 12.0, watchdog_s, self.settings, simulated=True)
+        self.counts_per_crank_revolution = COUNTS * gear_ratio
+        request = DriveRequest(
+            COUNTS, 1, 12.0, watchdog_s, self.settings, simulated=True, gear_ratio=gear_ratio
+        )
         readback = self.driver.configure(request)
         assert 0.0 < float(readback["watchdog_timeout_s"]) <= watchdog_s
 
@@ -304,7 +308,8 @@ class SpindleBench:
 
         def turns() -> bool:
             self.driver.status()  # feeds the watchdog
-            return abs(self.motor.speed_count_per_s - speed * COUNTS) < 1.0
+            wanted = speed * self.counts_per_crank_revolution
+            return abs(self.motor.speed_count_per_s - wanted) < 1.0
 
         wait_until(turns, f"the motor to turn at {speed} rev/s")
 

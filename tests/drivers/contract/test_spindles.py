@@ -16,6 +16,7 @@ from drivers.api import (
     ConnectionFailed,
     DeviceError,
     DeviceFault,
+    DriveRequest,
     DriveStatus,
     SettingRefused,
 )
@@ -52,6 +53,37 @@ def test_open_configure_turn_stop_close_reopen_twice(spindle: Contract, bench: M
         b.driver.close()
         wait_until(b.is_safe, "close to stop the motor")
         b.driver = b.make()
+
+
+@pytest.mark.parametrize("gear_ratio", [4.8, 0.5])
+def test_a_gear_is_between_motor_and_crank(
+    spindle: Contract, bench: Make, gear_ratio: float
+) -> None:
+    b = bench(spindle)
+    b.connect(PATIENT_S, gear_ratio)
+    for speed in (1.5, -1.0):
+        b.turn(speed)
+        assert b.motor.speed_count_per_s == pytest.approx(speed * COUNTS * gear_ratio, abs=1.0)
+        status = b.driver.status()
+        assert status.speed_rev_per_s == pytest.approx(speed, abs=0.02)
+        assert status.setpoint_rev_per_s == pytest.approx(speed, abs=0.02)
+        assert not status.faults
+    with pytest.raises(
+        SettingRefused, match=r"720\.6 rpm is above the rig's maximum of 720\.0 rpm"
+    ):
+        b.driver.set_speed(12.01, 10.0)
+    begun, moment = b.driver.status().position_count, b.port.time_s
+    wait_until(lambda: b.port.time_s > moment + 1.0, "a second of the drive's time")
+    turned = abs(b.driver.status().position_count - begun) / (COUNTS * gear_ratio)
+    assert turned > 0.9, "its own count is the motor's"
+    b.driver.set_speed(0.0, 1000.0)
+    wait_until(b.is_safe, "the controlled stop")
+
+
+@pytest.mark.parametrize("gear_ratio", [0.0, -2.0, float("nan"), float("inf")])
+def test_a_gear_that_turns_nothing_is_refused(gear_ratio: float) -> None:
+    with pytest.raises(ValueError, match="gear_ratio"):
+        DriveRequest(COUNTS, 1, 12.0, WATCHDOG_S, gear_ratio=gear_ratio)
 
 
 def test_a_port_in_use_is_refused_and_the_motor_goes_on(spindle: Contract, bench: Make) -> None:

@@ -88,6 +88,23 @@ def test_direction_turns_every_sign(
     wait_until(lambda: drive.status().position_count > 100, "the count to rise")
 
 
+def test_a_geared_drive_is_set_in_counts_of_its_motor(
+    drive_rig: Any, connect: Any, wait_until: Any, request_for: Any
+) -> None:
+    rig = drive_rig()
+    drive = connect(rig, **PATIENT)
+    readback = drive.configure(request_for(gear_ratio=4.8))
+    assert readback["speed_limit_rev_per_s"] == pytest.approx(44000 / 3600 / 4.8)
+    sent = len(rig.wire.received)
+    drive.set_speed(1.0, 200.0)
+    ramp = write_packet(0x80, Command.RAMP_SPEED_M1, 3456000, 17280)
+    assert ramp in bytes(rig.wire.received[sent:])
+    wait_until(lambda: rig.last.speed_count_per_s == 17280, "the motor's speed")
+    assert drive.status().speed_rev_per_s == pytest.approx(1.0)
+    with pytest.raises(SettingRefused, match=r"180\.0 rpm of the crank\) is above.*QPPS"):
+        drive.set_speed(3.0, 200.0)
+
+
 @pytest.mark.parametrize(
     ("firmware", "settings", "bits", "combined"),
     [
