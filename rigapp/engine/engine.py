@@ -15,7 +15,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from drivers.api import DeviceError
+from drivers.api import DeviceError, DeviceFault
 from drivers.registry import load_driver
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
@@ -56,7 +56,7 @@ from rigapp.engine.starting import check_overload, check_start, open_session, st
 from rigapp.engine.store import OpenStore, open_file
 from rigapp.engine.threads import Turn
 from rigapp.engine.timing import Timing
-from rigapp.engine.views import build_status
+from rigapp.engine.views import build_status, next_step
 
 COMMAND_WAIT_S = 10.0
 """A command waits so long for the one before it; stopping waits for none."""
@@ -119,7 +119,8 @@ class Engine:
         """Open and configure the devices and begin to read; blocks until ready.
 
         From idle, ready, stopped or fault (then it is a reconnection). Raises UnusableInput,
-        DeviceError or Refused; after the first two the state is fault.
+        DeviceError or Refused; after the first two the state is fault. DeviceFault: the drive is
+        connected, and an emergency stop or a fault of its own forbids to turn.
         """
         with self._command:
             if ports is not None:
@@ -136,6 +137,18 @@ class Engine:
                 raise
             self._core.fire_if(Trigger.CONNECTED)
             self._connection.look_at_drive()
+            self._refuse_in_fault()
+
+    def _refuse_in_fault(self) -> None:
+        """Raise DeviceFault or Refused with the cause while the state is fault."""
+        core, connection = self._core, self._connection
+        if core.state is not RunState.FAULT:
+            return
+        for alarm in core.alarms.alarms():
+            if connection is not None and alarm.active and alarm.ends is Ends.DRIVE:
+                spindle = connection.devices.spindle
+                raise DeviceFault(spindle.name, spindle.port, f"{alarm.cause} {alarm.action}")
+        raise Refused(f"{core.reason} {next_step(core, connection).sentence}".strip())
 
     def reconnect(self) -> None:
         """Close and open the devices again; as ``connect``."""
@@ -203,6 +216,7 @@ class Engine:
         """
         with self._command:
             core, connection = self._core, self._connection
+            self._refuse_in_fault()
             transition(core.state, Trigger.START)
             if connection is None:
                 raise Refused("no devices are connected; connect first")

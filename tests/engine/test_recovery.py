@@ -12,7 +12,7 @@ from engine_doubles import MemoryRig, a_test, eventually
 from hypothesis import Phase, example, given, settings
 from hypothesis import strategies as st
 
-from drivers.api import DeviceError, ProtocolError
+from drivers.api import DeviceError, DeviceFault, ProtocolError
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
 from rigapp.engine.messages import Alarm, Ends, FinishReason, RunState, Severity, Step
@@ -164,7 +164,7 @@ def follow(bench: Bench) -> list[str]:
         if told.step is Step.CAUSE:
             eventually(lambda: engine.status().recovery.step is not Step.CAUSE, 20.0)
         else:
-            with contextlib.suppress(Refused):  # it may have changed since it was named
+            with contextlib.suppress(Refused, DeviceFault):  # the drive waits for its reset
                 verbs[told.verb]()
 
 
@@ -207,6 +207,29 @@ def leads_out(deeds: list[str]) -> list[str]:
 @settings(max_examples=4, phases=NO_SHRINKING)
 def test_ready_is_reached_from_every_state_by_the_steps_that_are_named(deeds: list[str]) -> None:
     leads_out(deeds)
+
+
+@pytest.mark.parametrize(
+    ("attribute", "value", "words"),
+    [
+        ("emergency_stop", True, "the emergency stop is pressed.*release the button"),
+        ("faults", ("overcurrent",), "overcurrent.*then reset"),
+    ],
+)
+def test_what_forbids_to_turn_is_said_by_connect_and_start(
+    attribute: str, value: object, words: str
+) -> None:
+    rig = MemoryRig()
+    setattr(rig.spindle, attribute, value)
+    try:
+        with pytest.raises(DeviceFault, match=words):
+            rig.engine.connect()
+        assert rig.engine.state is RunState.FAULT
+        with pytest.raises(DeviceFault, match=words):
+            rig.start(a_test(2))
+        assert not rig.stores
+    finally:
+        rig.engine.shutdown(20.0)
 
 
 @pytest.mark.soak

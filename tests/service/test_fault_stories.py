@@ -205,6 +205,23 @@ def test_suspended_engine_is_recorded_and_never_silent(
     assert not any("sign of life" in event.text for event in events)
 
 
+def test_an_emergency_stop_before_the_start_is_said_at_once(
+    tmp_path: Path, running: Callable[..., Running]
+) -> None:
+    with start_simulated_rig(RIG, speed=1.0, parameters=None) as simulated:
+        rig = with_ports(tmp_path, RIG, simulated.urls)
+        simulated.inject({"kind": "emergency_stop", "device": "drive"})
+        plan = recipe(tmp_path, 5, twin=True)
+        test = running("run", plan, "--rig", rig, "--out", tmp_path / "t.h5")
+        end = test.end()
+    assert test.process.returncode == 3
+    assert end["reason"] == "device"
+    told = test.complaint()
+    assert "the emergency stop is pressed. Make the rig safe, release the button" in told
+    assert "is not possible while" not in told
+    assert not (tmp_path / "t.h5").exists()
+
+
 def kill_again_and_again(folder: Path, kills: int, chance: random.Random) -> None:
     """Kill a test and go on with it, so many times, then let it come to its end."""
     folder.mkdir()
