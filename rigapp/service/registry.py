@@ -10,7 +10,15 @@ from pathlib import Path
 import msgspec
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.reading import read_bytes
 from rigapp.engine.messages import PROTOCOL_VERSION
+from rigapp.leftovers import process_alive, remove_left_behind
+from rigapp.service.private import SMALL_BYTES, private_folder, read_own
+
+LEFT_BEHIND = (
+    r"(?:engine-|starting-|twin-)?(?P<pid>\d+)(?:\.(?:json|part|commands|snapshots)|-[0-9a-f]+)"
+)
+"""Entries and sockets in the runtime folder, each with the process id of its owner."""
 
 
 class EngineEntry(msgspec.Struct, frozen=True):
@@ -39,17 +47,7 @@ def runtime_folder() -> Path:
     else:
         user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
         folder = Path(tempfile.gettempdir()) / f"rigapp-{user}"
-    try:
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    except OSError as error:
-        raise UnusableInput(
-            f"{folder}: cannot be made ({error}); name another with RIGAPP_RUNTIME_DIR."
-        ) from error
-    if hasattr(os, "getuid") and folder.stat().st_uid != os.getuid():
-        raise UnusableInput(
-            f"{folder}: belongs to somebody else; name a folder of yours with RIGAPP_RUNTIME_DIR."
-        )
-    return folder
+    return private_folder(folder, "; or name another folder with RIGAPP_RUNTIME_DIR")
 
 
 def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
@@ -62,8 +60,8 @@ def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
 def read_entry(path: Path) -> EngineEntry:
     """Return the entry in a file, of an engine elsewhere for example; raise UnusableInput."""
     try:
-        return msgspec.json.decode(path.read_bytes(), type=EngineEntry)
-    except (OSError, msgspec.DecodeError) as error:
+        return msgspec.json.decode(read_bytes(path, SMALL_BYTES), type=EngineEntry)
+    except (OSError, ValueError) as error:
         raise UnusableInput(f"{path}: is not the entry of an engine ({error}).") from error
 
 
@@ -94,30 +92,15 @@ def other_version(engine: int, viewer: int) -> str:
 def running_engines() -> list[EngineEntry]:
     """Return the engines that are alive, oldest first; entries of dead ones are removed."""
     found = []
-    for path in runtime_folder().glob("engine-*.json"):
+    folder = runtime_folder()
+    remove_left_behind(folder, LEFT_BEHIND)
+    for path in folder.glob("engine-*.json"):
+        # What somebody else put here, or a link to it, must not lead a viewer anywhere.
+        text = read_own(path)
         try:
-            entry = msgspec.json.decode(path.read_bytes(), type=EngineEntry)
-        except (OSError, msgspec.DecodeError):
+            entry = msgspec.json.decode(text or b"", type=EngineEntry)
+        except ValueError:
             continue
         if process_alive(entry.pid):
             found.append(entry)
-        else:
-            withdraw(entry.pid)
     return sorted(found, key=lambda entry: entry.started)
-
-
-def process_alive(pid: int) -> bool:
-    """Tell whether a process exists (a zombie counts as dead)."""
-    stat = Path(f"/proc/{pid}/stat")
-    if stat.parent.parent.is_dir() and Path("/proc/self").exists():
-        try:
-            return stat.read_text().rsplit(")", 1)[1].split()[0] != "Z"
-        except (OSError, IndexError):
-            return False
-    try:
-        os.kill(pid, 0)
-    except ProcessLookupError:
-        return False
-    except OSError:
-        return True
-    return True

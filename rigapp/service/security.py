@@ -22,6 +22,7 @@ import zmq.auth
 from zmq.auth.thread import ThreadAuthenticator
 
 from rigapp.config.errors import UnusableInput
+from rigapp.service.private import private_folder
 
 DOMAIN = "rigapp"
 OWN = "this-computer.key"
@@ -92,7 +93,7 @@ def viewer_keys(folder: Path) -> KeyPair:
 
 def authorised_folder(folder: Path) -> Path:
     """Return the folder of the public keys that may attach, made when missing."""
-    return _private(folder / "keys" / "authorised")
+    return private_folder(private_folder(folder / "keys") / "authorised")
 
 
 def authorise_own_viewer(folder: Path) -> None:
@@ -167,7 +168,7 @@ def _public_keys(folder: Path) -> set[bytes]:
 
 
 def _keys(folder: Path, name: str) -> KeyPair:
-    keys = _private(folder / "keys")
+    keys = private_folder(folder / "keys")
     path = keys / f"{name}.key_secret"
     if not path.exists():
         _make(keys, name)
@@ -189,11 +190,3 @@ def _make(folder: Path, name: str) -> None:
         zmq.auth.create_certificates(folder, name)
     finally:
         os.umask(before)
-
-
-def _private(folder: Path) -> Path:
-    try:
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    except OSError as error:
-        raise UnusableInput(f"{folder}: cannot be made ({error}).") from error
-    return folder

@@ -14,6 +14,7 @@ import h5py
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
+from rigapp.leftovers import remove_left_behind
 from rigapp.storage.build import build_file
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import StorageFailed
@@ -232,7 +233,4 @@ def move_into_place(hidden: Path, path: Path) -> None:
 
 def _remove_stale(path: Path) -> None:
     """Remove hidden files that a killed process left behind when it created ``path``."""
-    for left in path.parent.glob(f".{path.name}.new-*"):
-        number = left.name.rpartition("-")[2]
-        if number.isdigit() and not Path(f"/proc/{number}").exists():
-            left.unlink(missing_ok=True)
+    remove_left_behind(path.parent, r"\..+\.new-(?P<pid>\d+)")

@@ -84,7 +84,7 @@ class TwinLink:
         self._next_report = 0.0
         self._asked_again = -1
         self._newest = 0
-        self._address = f"ipc://{folder}/twin-{id(self):x}"
+        self._address = f"ipc://{folder}/twin-{os.getpid()}-{id(self):x}"
         if sys.platform == "win32" or len(self._address) > 100:
             self._address = "tcp://127.0.0.1:*"
         self._mailbox: deque[RevolutionMeasured] = deque(maxlen=MAILBOX)

@@ -23,12 +23,12 @@ from rigapp.engine.messages import (
     Status,
     as_array,
 )
+from rigapp.leftovers import process_alive
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.lanes import UNDER_WAY
 from rigapp.service.registry import (
     EngineEntry,
     announce,
-    process_alive,
     running_engines,
     withdraw,
 )

@@ -1,0 +1,82 @@
+"""Leftovers of killed processes: known by the process id in the name, removed if that is dead."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import shutil
+import stat
+from pathlib import Path
+
+
+def process_alive(pid: int) -> bool:
+    """Tell whether a process exists (a zombie counts as dead)."""
+    if Path("/proc/self").exists():
+        fields = _stat_fields(pid)
+        return bool(fields) and fields[0] != "Z"
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:
+        return True
+    return True
+
+
+def owner_lives(pid: int) -> bool:
+    """Tell whether the process that put its id into a name may still live.
+
+    One that is no Python program has only got the same id later.
+    """
+    if not process_alive(pid):
+        return False
+    try:
+        line = Path(f"/proc/{pid}/cmdline").read_bytes().lower()
+    except OSError:
+        return True
+    return not line or b"python" in line or b"rigapp" in line
+
+
+def left_behind(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
+    """Return what lies in a folder, is ours, and whose owner is dead, with the match of its name.
+
+    pattern: of the whole name, with a group ``pid``.
+    """
+    found = []
+    with contextlib.suppress(OSError):
+        for entry in os.scandir(folder):
+            match = re.fullmatch(pattern, entry.name)
+            if match is not None and _abandoned(entry, int(match["pid"])):
+                found.append((Path(entry.path), match))
+    return found
+
+
+def remove_left_behind(folder: Path, pattern: str) -> list[Path]:
+    """Remove what ``left_behind`` finds, folders with what is in them; return what it was."""
+    removed = [path for path, _ in left_behind(folder, pattern)]
+    for path in removed:
+        if path.is_dir() and not path.is_symlink():
+            shutil.rmtree(path, ignore_errors=True)
+        else:
+            with contextlib.suppress(OSError):
+                path.unlink()
+    return removed
+
+
+def _abandoned(entry: os.DirEntry[str], pid: int) -> bool:
+    try:
+        found = entry.stat(follow_symlinks=False)
+    except OSError:
+        return False
+    if stat.S_ISLNK(found.st_mode) or (hasattr(os, "getuid") and found.st_uid != os.getuid()):
+        return False
+    return not owner_lives(pid)
+
+
+def _stat_fields(pid: int) -> list[str]:
+    """Return /proc/PID/stat after the name, from the state on; nothing for no process."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    except (OSError, IndexError):
+        return []

@@ -1,0 +1,60 @@
+"""Folders and files that belong to one user alone: made so, and required to be so."""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+
+SMALL_BYTES = 1 << 16
+
+
+def private_folder(folder: Path, instead: str = "") -> Path:
+    """Return a folder of mode 0700 that is ours and no link, made if missing.
+
+    One of ours that others can only read is closed to them. One into which others can write is
+    refused, as what lies in it may be theirs. instead: what else to do, for the sentence.
+    Raises UnusableInput.
+    """
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        found = folder.lstat()
+        if not stat.S_ISDIR(found.st_mode):
+            raise UnusableInput(f"{folder}: is a link, not a folder{instead}.")
+        if not hasattr(os, "getuid"):
+            return folder
+        if found.st_uid != os.getuid():
+            raise UnusableInput(f"{folder}: belongs to somebody else{instead}.")
+        if found.st_mode & 0o022:
+            raise UnusableInput(
+                f"{folder}: others can write into it; look at what is in it, then chmod 700"
+                f" it{instead}."
+            )
+        if stat.S_IMODE(found.st_mode) != 0o700:
+            folder.chmod(0o700)
+    except OSError as error:
+        raise UnusableInput(f"{folder}: cannot be made ({error}){instead}.") from error
+    return folder
+
+
+def read_own(path: Path) -> bytes | None:
+    """Return a small file of ours, None for what is missing, a link, not ours, or no small file."""
+    try:
+        descriptor = os.open(
+            path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+        )
+    except OSError:
+        return None
+    try:
+        found = os.fstat(descriptor)
+        if not stat.S_ISREG(found.st_mode) or found.st_size > SMALL_BYTES:
+            return None
+        if hasattr(os, "getuid") and found.st_uid != os.getuid():
+            return None
+        return os.read(descriptor, SMALL_BYTES)
+    except OSError:
+        return None
+    finally:
+        os.close(descriptor)
