@@ -9,7 +9,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import float64, njit, types
+from numba import float64, types
+
+from model.compiled import njit
 
 MATRIX = float64[:, ::1]
 ROW = float64[::1]

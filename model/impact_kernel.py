@@ -10,8 +10,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import boolean, float64, int64, njit, types, void
+from numba import boolean, float64, int64, types, void
 
+from model.compiled import njit
 from model.impact_laws import (
     FREE_POSITION,
     GRAVITY_X,

@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import math
 
-from numba import float64, int64, njit, types
+from numba import float64, int64, types
+
+from model.compiled import njit
 
 RADIUS, LENGTH, MASS, INERTIA, STATIC_MOMENT, SLIDER_MASS = range(6)
 STIFFNESS, FREE_POSITION, GRAVITY_X, GRAVITY_Y = range(6, 10)

@@ -7,9 +7,9 @@ components and in radial and tangential components of the node's own place on th
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
 from model.bushing.linear import factorise, substitute
+from model.compiled import njit
 
 CARRIED = 0
 NOT_SETTLED = 1

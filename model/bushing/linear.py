@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from model.compiled import njit
 
 
 @njit("float64(float64[:,::1], int64)", cache=True)

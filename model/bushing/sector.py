@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from model.bushing.element import Plane, elasticity, integration_points, stiffness
+from model.compiled import njit
 from model.errors import ModelError
 
 Array = NDArray[np.float64]

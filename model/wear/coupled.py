@@ -10,7 +10,6 @@ the slip of the position, D = K dN / w. Sets, normals and pins are then revised.
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
 from model.bushing.active_set import (
     CARRIED,
@@ -24,6 +23,7 @@ from model.bushing.active_set import (
     revise,
 )
 from model.bushing.linear import factorise, invert, substitute
+from model.compiled import njit
 
 _LIMIT = 40
 # After so many sweeps each position changes its set one node at a time.

@@ -14,10 +14,11 @@ from __future__ import annotations
 
 import math
 
-import numba
 import numpy as np
 from numba import float64, types
 from numpy.typing import NDArray
+
+from model.compiled import njit
 
 Array = NDArray[np.float64]
 
@@ -34,7 +35,7 @@ def invertible(bend: Array, reach: float) -> bool:
     return bool(2.0 * float(np.linalg.norm(bend)) * reach <= LARGEST_SLOPE)
 
 
-@numba.njit(
+@njit(
     types.UniTuple(float64, 2)(float64, float64, float64[:, ::1]),
     cache=True,
     nogil=True,
@@ -56,7 +57,7 @@ def straightened(x: float, y: float, bend: Array) -> tuple[float, float]:
     return u, v
 
 
-@numba.njit(
+@njit(
     "void(float64[::1], float64[::1], float64[::1], int64, float64[:, ::1])",
     cache=True,
     nogil=True,

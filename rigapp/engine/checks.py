@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from model.compiled import njit
 from rigapp.engine.assembler import Values
 from rigapp.engine.bend import straightened
 from rigapp.engine.calibrate import Calibration
@@ -35,7 +35,7 @@ def _peak(raw_1: Array, raw_2: Array, gain: Array, bias: Array, bend: Array) -> 
     return largest
 
 
-_peak_kernel = numba.njit(
+_peak_kernel = njit(
     [_SIGNATURE.format("float32"), _SIGNATURE.format("int32")], cache=True, nogil=True
 )(_peak)
 

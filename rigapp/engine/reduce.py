@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from model.compiled import njit
 from rigapp.engine.assembler import STANDSTILL_S, Revolution
 from rigapp.engine.bend import straighten
 from rigapp.engine.calibrate import Calibration, shifted, with_margins
@@ -41,9 +41,7 @@ _SIGNATURE = (
 )
 
 
-@numba.njit(
-    "void(float64[::1], int64, int64[::1], float64[::1])", cache=True, nogil=True, inline="never"
-)
+@njit("void(float64[::1], int64, int64[::1], float64[::1])", cache=True, nogil=True, inline="never")
 def _extremes_and_moments(x: Array, n: int, counts: NDArray[np.int64], out: Array) -> None:
     """Write max, min, RMS, mean and the count at the first maximum of x[:n] to out[:5]."""
     s0 = s1 = s2 = s3 = 0.0
@@ -154,7 +152,7 @@ def _reduce(
     _local_speed(counts, segments, speed)
 
 
-@numba.njit("void(int64[::1], int64[:, ::1], float64[::1])", cache=True, nogil=True)
+@njit("void(int64[::1], int64[:, ::1], float64[::1])", cache=True, nogil=True)
 def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Array) -> None:
     """Write max, min and RMS of the local slope in counts per sample to out[:3].
 
@@ -190,7 +188,7 @@ def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Ar
     out[2] = math.sqrt(squares / weight)
 
 
-_reduce_kernel = numba.njit(
+_reduce_kernel = njit(
     [_SIGNATURE.format("float32"), _SIGNATURE.format("int32")], cache=True, nogil=True
 )(_reduce)
 

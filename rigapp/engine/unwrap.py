@@ -1,8 +1,7 @@
 """Follow the counter sample by sample: position, revolution cuts, everything suspicious.
 
 All memory is in one vector, ``state``, so that the result cannot depend on how the samples came in
-blocks. The compiled functions are in one module, because the cache of compiled code sees changes of
-its own file only.
+blocks.
 
 A revolution ends when the position has gone one whole revolution away from its base, in either
 direction, so that swinging back and forth over the index cuts once. Where the counter restarts at
@@ -16,10 +15,10 @@ present revolution began. *odd*: a step that no motion explains.
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from model.compiled import njit
 from rigapp.engine.counterstate import BEGIN, BREAK, CUT, Counts, Floats, P, S
 from rigapp.engine.messages import Flag
 
@@ -56,14 +55,14 @@ LARGEST_GAP_REVOLUTIONS = 25
 """Beyond so many revolutions the number of those lost in a gap is not certain."""
 
 
-@numba.njit("int64(int64, int64)", cache=True, nogil=True)
+@njit("int64(int64, int64)", cache=True, nogil=True)
 def wrap(value: int, modulus: int) -> int:
     """Return the value modulo ``modulus`` that lies in [-modulus/2, modulus/2)."""
     half = modulus // 2
     return (value + half) % modulus - half
 
 
-@numba.njit("void(int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
+@njit("void(int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _begin_counting(count: int, sample: int, state: Counts, parameters: Counts) -> None:
     """Take the first count of all: it says where the crank is only if it never restarts."""
     restarts = parameters[_RESTARTS] != 0
@@ -78,13 +77,13 @@ def _begin_counting(count: int, sample: int, state: Counts, parameters: Counts) 
     state[_TRAVEL_FIRST] = state[_TRAVEL]
 
 
-@numba.njit("void(int64[::1])", cache=True, nogil=True)
+@njit("void(int64[::1])", cache=True, nogil=True)
 def _doubt(state: Counts) -> None:
     state[_FLAGS] |= _F_MISMATCH
     state[_COUNT_ERRORS] += 1
 
 
-@numba.njit("int64(int64, int64, int64, int64[::1], float64[::1], int64[::1])",
+@njit("int64(int64, int64, int64, int64[::1], float64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _over_gap(
     count: int, step: int, lost: int, state: Counts, mean_step: Floats, parameters: Counts
@@ -106,7 +105,7 @@ def _over_gap(
     return step
 
 
-@numba.njit("void(int64, int64[::1])", cache=True, nogil=True)
+@njit("void(int64, int64[::1])", cache=True, nogil=True)
 def _lock(phase: int, state: Counts) -> None:
     """Take the first index: from here on the angle is known, and the first revolution begins."""
     state[_LOCKED] = 2
@@ -119,7 +118,7 @@ def _lock(phase: int, state: Counts) -> None:
     state[_PENDING] = 0
 
 
-@numba.njit("void(int64, int64, boolean, boolean, int64[::1], int64[::1])",
+@njit("void(int64, int64, boolean, boolean, int64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _pass_index(
     phase: int, step: int, wrapped: bool, at_zero: bool, state: Counts, parameters: Counts
@@ -154,7 +153,7 @@ def _pass_index(
         state[_STEP] = step
 
 
-@numba.njit("int64(int64, int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
+@njit("int64(int64, int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Counts) -> int:
     """Judge an odd step: a wrong reading is bridged, a jump that goes on is motion.
 
@@ -192,7 +191,7 @@ def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Co
     return expected
 
 
-@numba.njit("void(int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
+@njit("void(int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _step_on(count: int, step: int, state: Counts, parameters: Counts) -> None:
     """Take an ordinary step; after a jump that has stayed, believe the count again."""
     now = state[_BEFORE] + step
@@ -207,7 +206,7 @@ def _step_on(count: int, step: int, state: Counts, parameters: Counts) -> None:
     state[_JUMPED] = 0
 
 
-@numba.njit("void(int64, int64, int64, int64[::1], float64[::1], int64[::1])",
+@njit("void(int64, int64, int64, int64[::1], float64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _follow(
     count: int, sample: int, lost: int, state: Counts, mean_step: Floats, parameters: Counts
@@ -270,7 +269,7 @@ def _follow(
     state[_TRAVEL] += move
 
 
-@numba.njit("int64(int64[:, ::1], int64, int64, int64, int64, int64, int64[::1])",
+@njit("int64(int64[:, ::1], int64, int64, int64, int64, int64, int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _event(
     events: Counts, row: int, kind: int, kept: int, sample: int, end: int, state: Counts
@@ -288,7 +287,7 @@ def _event(
     return row + 1
 
 
-@numba.njit("void(uint8, int64[::1])", cache=True, nogil=True)
+@njit("void(uint8, int64[::1])", cache=True, nogil=True)
 def _note_marks(mark: int, state: Counts) -> None:
     """Turn a sample's marks (``drivers.api.Quality``) into flags of its revolution."""
     if mark & 1:
@@ -301,7 +300,7 @@ def _note_marks(mark: int, state: Counts) -> None:
         state[_FLAGS] |= _F_SENSOR
 
 
-@numba.njit("int64(int64, int64[::1], int64[::1])", cache=True, nogil=True)
+@njit("int64(int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _crossed(sample: int, state: Counts, parameters: Counts) -> int:
     """Return how many revolutions end with this sample, negative backwards, 0 for none."""
     turn = parameters[_TURN]
@@ -329,7 +328,7 @@ def _crossed(sample: int, state: Counts, parameters: Counts) -> int:
     return ahead // turn
 
 
-@numba.njit("int64(int64, int64, int64[:, ::1], int64, int64[::1], int64[::1])",
+@njit("int64(int64, int64, int64[:, ::1], int64, int64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _cut(
     crossed: int, lost: int, events: Counts, found: int, state: Counts, parameters: Counts
@@ -360,7 +359,7 @@ def _cut(
     return found
 
 
-@numba.njit("boolean(int64[::1], int64[::1])", cache=True, nogil=True)
+@njit("boolean(int64[::1], int64[::1])", cache=True, nogil=True)
 def _worth_keeping(state: Counts, parameters: Counts) -> bool:
     """Tell whether a sample is kept: not a long stand, and memory left."""
     if state[_RUN] > parameters[_IDLE_AFTER]:
@@ -374,7 +373,7 @@ def _worth_keeping(state: Counts, parameters: Counts) -> bool:
     return True
 
 
-@numba.njit("int64(int64, int64, int64[:, ::1], int64, int64[::1], int64[::1])",
+@njit("int64(int64, int64, int64[:, ::1], int64, int64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _place(
     sample: int, lost: int, events: Counts, found: int, state: Counts, parameters: Counts
@@ -400,7 +399,7 @@ def _place(
     return found
 
 
-@numba.njit("int64(int64[::1], uint8[::1], int64, int64, int64[::1], float64[::1], int64[::1],"
+@njit("int64(int64[::1], uint8[::1], int64, int64, int64[::1], float64[::1], int64[::1],"
             "int64[::1], uint8[::1])", cache=True, nogil=True)  # fmt: skip
 def _plain_run(
     counts: Counts,
@@ -461,7 +460,7 @@ def _plain_run(
     return i
 
 
-@numba.njit("int64(int64[::1], uint8[::1], int64, int64, int64[::1], float64[::1], int64[::1],"
+@njit("int64(int64[::1], uint8[::1], int64, int64, int64[::1], float64[::1], int64[::1],"
             "int64[::1], uint8[::1], int64[:, ::1])", cache=True, nogil=True)  # fmt: skip
 def scan(
     counts: Counts,

@@ -2,38 +2,99 @@
 
 Kernels have explicit signatures and a cache on disk: importing their module compiles them the first
 time and loads them afterwards. This step imports every module that has some, so that nothing is
-compiled inside a running test or on the window's thread.
+compiled inside a running test or on the window's thread, and removes what the cache holds of
+kernels that are no more.
 """
 
 from __future__ import annotations
 
+import ast
 import importlib
 import importlib.util
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
 PACKAGES = ("model", "rigapp", "drivers", "calibration")
+COMPILERS = ("numba", "model.compiled")
+"""Modules that make compiled functions; whoever imports one of them may have some."""
+
+NO_KERNELS = ("model.compiled", "rigapp.prepare.kernels")
+"""Modules that only handle those of others."""
+
+CACHED = (".nbi", ".nbc")
 
 
 def kernel_modules() -> Iterator[str]:
-    """Yield the dotted name of each module whose source asks numba for compiled functions."""
+    """Yield the dotted name of each module that imports what compiles functions."""
     for package in PACKAGES:
         spec = importlib.util.find_spec(package)
         if spec is None or not spec.submodule_search_locations:
             continue
         root = Path(next(iter(spec.submodule_search_locations)))
         for path in sorted(root.rglob("*.py")):
-            text = path.read_text(encoding="utf-8")
-            if path != Path(__file__) and ("@njit" in text or "@numba." in text):
-                yield ".".join((package, *path.relative_to(root).with_suffix("").parts))
+            name = ".".join((package, *path.relative_to(root).with_suffix("").parts))
+            if name not in NO_KERNELS and may_compile(path.read_text(encoding="utf-8")):
+                yield name
+
+
+def may_compile(source: str) -> bool:
+    """Tell whether a module's source imports what compiles functions, under whatever name."""
+    return any(name.rpartition(".")[2] in source for name in COMPILERS) and any(
+        name == compiler or name.startswith(f"{compiler}.")
+        for name in _imported(ast.parse(source))
+        for compiler in COMPILERS
+    )
+
+
+def _imported(tree: ast.Module) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            yield node.module
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def kernels_of(module: ModuleType) -> list[Any]:
+    """Return the compiled functions that a module holds under any name of its own."""
+    from numba.core.dispatcher import Dispatcher
+
+    return [
+        value
+        for value in vars(module).values()
+        if isinstance(value, Dispatcher) and value.py_func.__module__ == module.__name__
+    ]
+
+
+def remove_left_over(modules: Iterable[ModuleType]) -> int:
+    """Remove what the modules' caches hold of no present kernel; return how many files went."""
+    from model.compiled import cache_name
+
+    kernels = [kernel for module in modules for kernel in kernels_of(module)]
+    functions = [kernel.py_func for kernel in kernels]
+    present = tuple(f"{f.__module__.rpartition('.')[2]}.{cache_name(f)}" for f in functions)
+    folders = {Path(f.__code__.co_filename).parent / "__pycache__" for f in functions}
+    folders |= {Path(kernel.stats.cache_path) for kernel in kernels if kernel.stats.cache_path}
+    left_over = [
+        path
+        for folder in folders
+        for path in folder.glob("*.*")
+        if path.suffix in CACHED and not path.name.startswith(present)
+    ]
+    for path in left_over:
+        path.unlink(missing_ok=True)
+    return len(left_over)
 
 
 def main() -> int:
     """Compile or load every kernel module."""
     names = list(kernel_modules())
     terminal = sys.stdout.isatty()
+    modules = []
     for number, name in enumerate(names, 1):
         begin = time.perf_counter()
         print(
@@ -41,11 +102,12 @@ def main() -> int:
             end="" if terminal else "\n",
             flush=True,
         )
-        importlib.import_module(name)
+        modules.append(importlib.import_module(name))
         if terminal and time.perf_counter() - begin > 1.0:
             print(f" {time.perf_counter() - begin:.0f} s")
     if terminal and names:
         print()
+    remove_left_over(modules)
     return 0
 
 

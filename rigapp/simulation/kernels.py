@@ -1,8 +1,5 @@
 """The compiled plant: its constants and state, mechanics, sensing, time stepping.
 
-One module, though a long one: numba's cache on disk notices a change of the file that a function
-stands in, but not of another file whose functions it calls, and stale physics would go unnoticed.
-
 Mechanics
 ---------
 Generalised coordinate: the crank angle t. With sin p = -r sin t / l (p the follower's angle, l the
@@ -41,8 +38,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import float64, int64, njit, types, uint64
+from numba import float64, int64, types, uint64
 from numpy.typing import NDArray
+
+from model.compiled import njit
 
 Array = NDArray[np.float64]
 Numbers = tuple[float, ...]

@@ -103,7 +103,8 @@ class Port:
                     self.time_s = own.tick(time.monotonic(), time.thread_time(), STEP_S)
                     self._step(self.time_s)
                     waitable = self.wire.endpoint.waitable()
-                select.select(waitable, [], [], STEP_S)
+                with contextlib.suppress(OSError):  # a fault has closed it in the meantime
+                    select.select(waitable, [], [], STEP_S)
         except BaseException as failure:
             self.failure = failure
 
