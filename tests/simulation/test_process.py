@@ -115,7 +115,7 @@ def test_unusable_rig_is_one_sentence(
     wrong = rig_file.with_name("wrong.toml")
     for good, bad, culprit in (
         ('driver = "roboclaw"', 'driver = "robocalw"', "robocalw"),
-        ('input_1 = "analog_1"', 'input_1 = "analog_2"', "share one input"),
+        ('input_1 = "analog_1"', 'input_1 = "analog_2"', "each needs an input of its own"),
         ("[[200.0, 0.0], [0.0, 200.0]]", "[[200.0, 0.0], [200.0, 0.0]]", "matrix"),
     ):
         wrong.write_text(text.replace(good, bad), "utf-8")
