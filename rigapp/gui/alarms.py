@@ -144,8 +144,9 @@ class AlarmPanel(QWidget):
         self._fold()
 
     def show_state(self, state: RunState | None) -> None:
-        """Offer the reset where it means something."""
-        self.reset.setEnabled(state in (RunState.FAULT, RunState.STOPPED))
+        """Offer the reset after a trip, and whenever an alarm waits for it."""
+        latched = any(one.severity is Severity.CRITICAL for one in self._alarms)
+        self.reset.setEnabled(latched or state in (RunState.FAULT, RunState.STOPPED))
 
     def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
         """Show the alarms, keeping the selection; nothing is done when they are unchanged."""

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.engine.messages import NOTE_CHARACTERS, Reply, RunState, Status
+from rigapp.engine.messages import NOTE_CHARACTERS, Reply, RunState, Status, Step
 from rigapp.gui.command import CommandLine
 from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.header import ElidedLabel
@@ -83,6 +83,7 @@ class ControlRow(QWidget):
     """Hold the buttons, the line for reasons and notes, and the answer to the last command."""
 
     start_wanted = Signal()
+    answered = Signal()
 
     def __init__(self, send: Send, theme: Theme) -> None:
         super().__init__()
@@ -138,14 +139,21 @@ class ControlRow(QWidget):
         self._state = status.state if status is not None else None
         self._start_when_ready()
         for command in COMMANDS:
-            applies = status is not None and status.state in command.states
+            applies = status is not None and self._applies(command, status)
             if command.verb == "stop":
                 applies = applies or link is not LinkState.ATTACHED
             elif link is LinkState.LOST or (replay and command.verb in ("connect", "start")):
                 applies = False
             button = self.buttons[command.verb]
             button.setEnabled(applies)
-            button.setToolTip(self._tip(command, applies))
+            button.setToolTip(self._tip(command, applies, status))
+
+    def _applies(self, command: Command, status: Status) -> bool:
+        """Tell whether a command means something now; what the engine names as next always does."""
+        if status.recovery.verb == command.verb:
+            return True
+        in_the_way = command.verb == "start" and Step.RESET in status.recovery.left
+        return status.state in command.states and not in_the_way
 
     def act(self, verb: str) -> None:
         """Do what the button of a verb does."""
@@ -215,15 +223,18 @@ class ControlRow(QWidget):
         self.answer.setStyleSheet(f"color: {colour};{weight}")
 
     def _answered(self, label: str, reply: Reply) -> None:
+        self.answered.emit()
         stamp = time.strftime("%H:%M:%S")
         if reply.ok:
             self.show_answer(f"{stamp}  {label}: done. {reply.sentence}", good=True)
         else:
             self.show_answer(f"{stamp}  {label} refused: {reply.sentence}", good=False)
 
-    def _tip(self, command: Command, applies: bool) -> str:
+    def _tip(self, command: Command, applies: bool, status: Status | None) -> str:
         if applies:
             return f"{command.tip} ({command.key})"
+        if status is not None and status.state in command.states:
+            return f"{command.tip}. Not now. {status.recovery.sentence}"
         now = self._state.value if self._state is not None else "not known"
         states = sorted(state.value for state in command.states)
         return f"{command.tip}. Not now: the state is {now}; it must be {' or '.join(states)}"

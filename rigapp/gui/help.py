@@ -10,12 +10,14 @@ from PySide6.QtWidgets import QTextBrowser, QVBoxLayout, QWidget
 
 import rigapp
 from rigapp.gui.controls import COMMANDS
+from rigapp.gui.recover import KEY as RECOVER_KEY
 
 KEYS = """
 | Key | Does |
 | --- | --- |
 {commands}
 | F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| {recover} | Do the next step of the *Recover* panel |
 | F1 | This help |
 | F3 | Calibrate the load cell or the probes |
 | F9 | Light or dark |
@@ -36,7 +38,7 @@ def manual() -> str:
         f"| {command.key} | {command.text.replace('&', '').rstrip('…')}: {command.tip} |"
         for command in COMMANDS
     )
-    keys = "# Keys\n" + KEYS.format(commands=commands)
+    keys = "# Keys\n" + KEYS.format(commands=commands, recover=RECOVER_KEY)
     path = Path(rigapp.__file__).parents[1] / "docs" / "operator.md"
     try:
         return path.read_text(encoding="utf-8") + "\n\n" + keys

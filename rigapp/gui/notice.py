@@ -20,6 +20,7 @@ class NoticeBar(QFrame):
         self._last: Status | None = None
         self._restart = ""
         self._bad = False
+        self._told = False
         self.setObjectName("notice_bar")
         self.setAccessibleName("What happened")
         self.text = QLabel()
@@ -42,8 +43,9 @@ class NoticeBar(QFrame):
         self._theme = theme
         self._paint()
 
-    def take_status(self, status: Status) -> None:
-        """Take the newest status."""
+    def take_status(self, status: Status, *, told: bool = False) -> None:
+        """Take the newest status; told: its reason is shown elsewhere."""
+        self._told = told
         last, self._last = self._last, status
         if last is not None and last.engine_pid != status.engine_pid:
             self._restart = restart_sentence(last)
@@ -53,7 +55,8 @@ class NoticeBar(QFrame):
         status = self._last
         text = self._restart
         self._bad = bool(self._restart)
-        if not text and status is not None and status.state in WORTH_SAYING and status.reason:
+        worth = status is not None and status.state in WORTH_SAYING and not self._told
+        if not text and worth and status is not None and status.reason:
             text = f"{status.state.value.capitalize()}: {status.reason}"
             self._bad = status.state is RunState.FAULT
         self.away.setVisible(bool(self._restart))

@@ -32,6 +32,7 @@ from rigapp.gui.help import HelpWindow
 from rigapp.gui.link import Link, LinkState
 from rigapp.gui.notice import NoticeBar
 from rigapp.gui.palette import THEMES, Theme, apply_theme
+from rigapp.gui.recover import RecoverPanel
 from rigapp.gui.replaybar import ReplayBar
 from rigapp.gui.session import Session
 from rigapp.gui.startbar import StartBar
@@ -97,6 +98,7 @@ class MainWindow(QMainWindow):
         self.start_bar = StartBar(tests, results_folder)
         self.close_bar = CloseBar()
         self.notice = NoticeBar(theme)
+        self.recover = RecoverPanel(theme)
         self.viewer_bar = ViewerBar(theme)
         self._forbidden = ""
         self.replay_bar = ReplayBar()
@@ -175,6 +177,7 @@ class MainWindow(QMainWindow):
             apply_theme(application, theme)
         self.header.dress(theme)
         self.notice.dress(theme)
+        self.recover.dress(theme)
         self.viewer_bar.dress(theme)
         self.controls.dress(theme)
         self.tabs.dress(theme)
@@ -274,7 +277,8 @@ class MainWindow(QMainWindow):
 
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
-        self.notice.take_status(status)
+        self.recover.take_status(None if self._link.is_replay else status)
+        self.notice.take_status(status, told=not self.recover.isHidden())
         self._session.take(snapshot)
         self.tabs.take_status(status)
         if self._start_wanted is not None and status.state in STARTABLE:
@@ -341,6 +345,7 @@ class MainWindow(QMainWindow):
             self.header,
             self.viewer_bar,
             self.notice,
+            self.recover,
             self.controls,
             self.replay_bar,
             self.start_bar,
@@ -359,6 +364,9 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         self.controls.start_wanted.connect(self.start_bar.open)
         self.start_bar.started.connect(self.controls.start_test)
+        self.recover.wanted.connect(self.controls.send)
+        self.recover.start_wanted.connect(self.start_bar.open)
+        self.controls.answered.connect(self.recover.answered)
         self.close_bar.leave.connect(self._leave)
         self.close_bar.stop_first.connect(self._stop_and_close)
         self.replay_bar.wanted.connect(self.controls.send)

@@ -1,0 +1,215 @@
+"""The way out of a fault by the window: what the panel shows, and the whole way by real clicks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
+
+from rigapp.config.loading import read_rig
+from rigapp.engine.messages import Alarm, Ends, Recovery, Reply, RunState, Severity, Step
+from rigapp.engine.run import ENDED
+from rigapp.gui.link import Link
+from rigapp.gui.palette import DARK, LIGHT
+from rigapp.gui.recover import KEY, RecoverPanel
+from rigapp.gui.session import Session
+from rigapp.gui.window import MainWindow
+from rigapp.service.client import Client
+from rigapp.service.host import EngineHost
+from rigapp.service.launch import find_engine
+from rigapp.storage.reader import open_test
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+RIG = EXAMPLES / "simulated.toml"
+NEVER_OVER = 5000
+DEADLINE_MS = 90_000
+
+LOST = Alarm(
+    key="device_lost:daq",
+    severity=Severity.CRITICAL,
+    title="daq lost",
+    cause="daq on COM3: the port is gone",
+    consequence="The test was ended and the spindle stopped.",
+    action="Check cable and power, then reconnect.",
+    raised_at=1.8e9,
+    revolution=12,
+    first_out=True,
+    ends=Ends.CONNECTION,
+)
+CONNECT = Recovery(
+    Step.CONNECT, "connect", LOST.action,
+    (Step.CAUSE, Step.CONNECT, Step.ACKNOWLEDGE, Step.RESET, Step.GO_ON), LOST.key,
+)  # fmt: skip
+GO_ON = Recovery(Step.GO_ON, "resume_file", "Go on with the test in a.h5.", (Step.GO_ON,))
+
+
+def test_the_panel_marks_the_next_step_and_asks_for_it(
+    qtbot: Any, qapp: Any, make_status: Any
+) -> None:
+    panel = RecoverPanel(LIGHT)
+    qtbot.addWidget(panel)
+    asked: list[tuple[str, dict[str, Any]]] = []
+    panel.wanted.connect(lambda verb, arguments: asked.append((verb, arguments)))
+    panel.take_status(make_status())
+    assert panel.isHidden()
+    panel.take_status(make_status(state=RunState.FAULT, alarms=(LOST,), recovery=CONNECT))
+    assert not panel.isHidden()
+    marks = {step: label.text()[0] for step, label in panel.steps.items()}
+    assert marks == {
+        Step.CAUSE: "○", Step.CONNECT: "▶", Step.ACKNOWLEDGE: "○", Step.RESET: "○", Step.GO_ON: "○",
+    }  # fmt: skip
+    assert panel.cause.text() == LOST.cause
+    assert panel.next.text() == LOST.action
+    panel.button.click()
+    panel.button.click()  # once is enough
+    assert asked == [("connect", {})]
+    panel.dress(DARK)
+    panel.take_status(make_status(state=RunState.READY, file="a.h5", recovery=GO_ON))
+    assert {label.text()[0] for step, label in panel.steps.items() if step is not Step.GO_ON} == {
+        "✔"
+    }
+    assert panel.other.isVisibleTo(panel)
+    panel.button.click()
+    assert asked[1:] == [("resume_file", {"file": "a.h5"})]
+    panel.answered()
+    assert panel.button.isEnabled()  # it was refused: once more
+    panel.take_status(make_status())
+    assert panel.isHidden()
+
+
+def test_start_is_closed_with_the_next_step_as_its_reason(
+    window: MainWindow, engine: Any, attach: Callable[[], None]
+) -> None:
+    reset = Recovery(Step.RESET, "reset", "Reset: nothing moves.", (Step.RESET, Step.GO_ON), "x")
+    engine.say(state=RunState.READY, alarms=(LOST,), recovery=reset)
+    attach()
+    start = window.controls.buttons["start"]
+    assert not start.isEnabled()
+    assert "Reset: nothing moves." in start.toolTip()
+    assert window.tabs.overview_alarms.reset.isEnabled()  # in every state, while an alarm waits
+    engine.reply = Reply(ok=True)
+    window.recover.button.click()
+    engine.say(state=RunState.READY, recovery=GO_ON)
+    attach()
+    assert engine.verbs == ["reset"]
+    assert start.isEnabled()
+
+
+class Operator:
+    """Hands and eyes at the window of a real engine."""
+
+    def __init__(self, window: MainWindow, qtbot: Any) -> None:
+        self.window, self._qtbot = window, qtbot
+
+    def see(self, condition: Callable[[], object]) -> None:
+        """Wait until something is seen."""
+        self._qtbot.waitUntil(lambda: bool(condition()), timeout=DEADLINE_MS)
+
+    def sees_state(self, *states: RunState) -> None:
+        self.see(lambda: self.status is not None and self.status.state in states)
+
+    @property
+    def status(self) -> Any:
+        return self.window._link.status
+
+    def click(self, widget: QWidget) -> None:
+        self.see(lambda: widget.isVisible() and widget.isEnabled())
+        self._qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
+
+    def press(self, key: Qt.Key) -> None:
+        self.window.activateWindow()
+        self._qtbot.keyClick(self.window, key)
+
+    def sees_step(self, step: Step) -> None:
+        panel = self.window.recover
+        self.see(lambda: panel.steps[step].text().startswith("▶") and panel.button.isEnabled())
+
+
+@pytest.mark.timeout(300)
+def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
+    qtbot: Any, light_application: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+    text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    text = text.replace("revolutions = 500", f"revolutions = {NEVER_OVER}", 1)
+    test = tmp_path / "test.toml"
+    test.write_text(text.replace("[prediction]", "[prediction]\nenabled = false", 1), "utf-8")
+    host = EngineHost(read_rig(RIG), 20.0)
+
+    def factory() -> Client:
+        entry = find_engine(RIG)
+        assert entry is not None
+        return Client(entry, "E. Sample")
+
+    window = MainWindow(Link(factory), Session(), LIGHT, tests=[test], results_folder=tmp_path)
+    qtbot.addWidget(window)
+    window.show()
+    window.start()
+    hands = Operator(window, qtbot)
+    try:
+        host.connect()
+        hands.sees_state(RunState.READY)
+        hands.press(Qt.Key.Key_F5)
+        hands.click(window.start_bar.go)
+        hands.see(lambda: hands.status.committed >= 5)
+        pull_cable(hands)
+        hands.sees_state(RunState.FAULT)
+        hands.see(lambda: window.recover.isVisible())
+        assert "daq" in window.recover.cause.text()
+        file = hands.status.file
+        hands.sees_step(Step.CONNECT)
+        hands.press(Qt.Key.Key_F10)  # the cable is still out
+        hands.see(lambda: "refused" in window.controls.answer.text())
+        hands.sees_step(Step.CONNECT)
+        hands.click(window.tabs.faults.end)
+        hands.see(lambda: "clear fault: done" in window.controls.answer.text())
+        hands.click(window.recover.button)
+        hands.sees_step(Step.ACKNOWLEDGE)
+        assert hands.status.state is RunState.READY
+        hands.press(Qt.Key.Key_F10)
+        hands.sees_step(Step.RESET)
+        hands.click(window.recover.button)
+        hands.sees_step(Step.GO_ON)
+        before = hands.status.revolution
+        hands.click(window.recover.button)
+        hands.sees_state(RunState.RUNNING)
+        assert not window.recover.isVisible()
+        assert hands.status.file == file
+        hands.see(lambda: hands.status.committed > before + 5)
+        host.engine.extend(hands.status.revolution + 40)
+        host.engine.wait(ENDED, 60.0)
+        hands.sees_state(RunState.STOPPED)
+        assert not window.recover.isVisible()
+    finally:
+        window._discard = True
+        window._leave()
+        host.close()
+    with open_test(Path(file)) as recorded:
+        assert recorded.summary()["status"] == "complete"
+        assert recorded.summary()["gaps"] >= 1
+        numbers = recorded.rows()["revolution"]
+    assert len(numbers) > before + 5
+    assert np.all(np.diff(numbers) > 0)
+    assert [path.name for path in tmp_path.glob("*.h5")] == [Path(file).name]
+
+
+def pull_cable(hands: Operator) -> None:
+    """Choose the fault in its tab and cause it."""
+    faults, tabs = hands.window.tabs.faults, hands.window.tabs
+    tabs.setCurrentIndex(tabs.count() - 1)
+    hands.see(lambda: faults.kind.findText("daq: cable pull") >= 0)
+    faults.kind.setCurrentIndex(faults.kind.findText("daq: cable pull"))
+    faults.duration.clear()
+    hands.click(faults.cause)
+
+
+def test_the_panels_key_is_no_other_one() -> None:
+    from rigapp.gui.command import KEY as COMMAND_KEY
+    from rigapp.gui.controls import COMMANDS
+
+    assert KEY not in {COMMAND_KEY, *(one.key for one in COMMANDS), "F1", "F3", "F8", "F9"}
