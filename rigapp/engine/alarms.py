@@ -249,6 +249,7 @@ class AlarmBook:
             cause=alarm.cause if raised else "",
             consequence=alarm.consequence if raised else "",
             action=alarm.action if raised else "",
+            ends=alarm.ends if raised else Ends.SEEN,
             reason=reason,
             seconds=seconds,
         )

@@ -174,6 +174,19 @@ KINDS: Mapping[str, Kind] = {
         "Check the disk; start again with another file.",
         Ends.TEST,
     ),
+    "file_moved": _warning(
+        "File deleted, moved or replaced",
+        "Nothing is lost; the test goes on and is recorded.",
+        "Leave the file of a running test alone. Look where it is now before you copy it.",
+        Ends.TEST,
+    ),
+    "file_unsaved": _critical(
+        "File has no name any more",
+        "The test goes on. Its data are kept only as long as this program runs; saving them is "
+        "tried again every few seconds.",
+        "Make room, or bring the folder back. Do not end the program before.",
+        Ends.TEST,
+    ),
     "disk_slow": _warning(
         "Disk slow",
         "The test goes on, its data wait in memory; after 20 s it would be stopped.",
@@ -427,6 +440,16 @@ def thread_dead(name: str, sentence: str) -> Cause:
 def storage_failed(sentence: str) -> Cause:
     """The file cannot be written."""
     return _cause("storage", sentence)
+
+
+def file_moved(sentence: str) -> Cause:
+    """The file was deleted, moved or replaced, and has been saved."""
+    return _cause("file_moved", sentence)
+
+
+def file_unsaved(sentence: str) -> Cause:
+    """The file was deleted, moved or replaced, and could not be saved yet."""
+    return _cause("file_unsaved", sentence)
 
 
 def disk_slow(seconds: float) -> Cause:

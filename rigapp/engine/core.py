@@ -52,7 +52,7 @@ CALM_COMMITS = 20
 TRIGGERS = frozenset({"limit", "note"})
 """Kinds of events around which whole cycles are kept, beside every alarm that rises."""
 
-NO_TRIGGERS = frozenset({"cycles_refused", "storage"})
+NO_TRIGGERS = frozenset({"cycles_refused", "storage", "file_moved", "file_unsaved"})
 """Alarms that tell nothing of the joint, but of the file."""
 
 
@@ -335,6 +335,26 @@ class Core:
             )
         session.triggers_refused = triggers
 
+    def look_after_file(self) -> None:
+        """Give the file of the test its name back when it was deleted, moved or replaced."""
+        session = self.session
+        if session is None or session.finished:
+            return
+        try:
+            found = session.recorder.look_after()
+        except Exception as error:
+            if not session.finished:
+                self.storage_failed(error)
+            return
+        session.path = session.recorder.path
+        if found is not None and not found.saved:
+            self.warn(causes.file_unsaved(found.sentence))
+            return
+        self.alarms.clear("file_unsaved")
+        if found is not None:
+            self.warn(causes.file_moved(found.sentence))
+            self.alarms.clear("file_moved")
+
     def disk_slow(self, seconds: float) -> None:
         """Warn of a disk that takes long over a commit."""
         self._quick_commits = 0
@@ -367,7 +387,9 @@ class Core:
             then = session.fault_sentence
             if then and then not in ending.sentence:
                 ending = replace(ending, sentence=f"{ending.sentence} Then: {then}")
+            self.look_after_file()
             ending = self._close_file(session, ending)
+            session.path = session.recorder.path
             fault = ending.fault or bool(then)
             sentence = ending.sentence
             rows = session.recorder.committed

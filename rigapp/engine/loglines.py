@@ -12,7 +12,7 @@ from typing import Literal, TypeVar
 
 import msgspec
 
-from rigapp.engine.messages import Alarm, Event, Severity
+from rigapp.engine.messages import Alarm, Ends, Event, Severity
 
 ALARM = "alarm"
 LIMIT_CHANGED = "limit_changed"
@@ -26,7 +26,8 @@ class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
     """Say what happened to an alarm and how it is after it.
 
     listed: whether it is on the list of alarms still. first_out: it became the first-out one.
-    cause, consequence and action go with a raised alarm, reason and seconds with a shelved one.
+    cause, consequence, action and ends go with a raised alarm, reason and seconds with a
+    shelved one.
     """
 
     what: What
@@ -38,6 +39,7 @@ class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
     cause: str = ""
     consequence: str = ""
     action: str = ""
+    ends: Ends = Ends.SEEN
     reason: str = ""
     seconds: float = 0.0
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -23,7 +24,7 @@ from rigapp.engine.messages import (
     as_array,
 )
 from rigapp.engine.reduce import PLACE
-from rigapp.engine.store import Store
+from rigapp.engine.store import LookedAfter, Store
 
 Array = NDArray[np.float64]
 
@@ -228,6 +229,15 @@ class Recorder:
         if not self._closed:
             self.committed = self._store.commit()
         return self.committed
+
+    @property
+    def path(self) -> Path:
+        """Return where the file is."""
+        return self._store.path
+
+    def look_after(self) -> LookedAfter | None:
+        """Give the file its name back when it was deleted, moved or replaced; may take long."""
+        return None if self._closed else self._store.look_after()
 
     def extend(self, revolutions: int) -> None:
         """Make room for another number of revolutions; raise UnusableInput when there is none."""

@@ -20,11 +20,27 @@ from rigapp.engine.calibrate import Calibration
 from rigapp.engine.criteria import HISTORY_COLUMNS
 from rigapp.engine.history import TRIGGERED
 from rigapp.engine.messages import Event
-from rigapp.storage.layout import CALIBRATION
+
+
+@dataclass(frozen=True, slots=True)
+class LookedAfter:
+    """Say what happened to the file of a test, and whether everything in it has a name again."""
+
+    sentence: str
+    saved: bool
 
 
 class Store(Protocol):
     """Keep a test. ``append_*`` come from several threads and do not wait for the disk."""
+
+    @property
+    def path(self) -> Path:
+        """Return where the file is; another place when it had to be saved there."""
+        ...
+
+    def look_after(self) -> LookedAfter | None:
+        """Give the file its name back when it lost it; None when it has not. May take long."""
+        ...
 
     @property
     def revolutions(self) -> int:
@@ -253,6 +269,8 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
 
 def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[str, Any]]:
     """Return what measures, as nested plain values, units in the keys; rate: of the device."""
+    from rigapp.storage.layout import CALIBRATION
+
     cell, probes, encoder = rig.load_cell, rig.probes, rig.encoder
     return {
         "load_cell": {

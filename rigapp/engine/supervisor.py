@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from rigapp.engine.connection import Connection
 
 ANCHOR_S = 60.0
+FILE_S = 2.0
 SPEED_LOST = 0.3
 SPEED_LOST_S = 1.0
 CLOCK_JUMP_S = 1.0
@@ -37,7 +38,7 @@ class Supervisor:
         self._connection = connection
         self._helpers: dict[str, threading.Thread] = {}
         self._silent: set[str] = set()
-        self._anchored_s = time.monotonic()
+        self._anchored_s = self._file_seen_s = time.monotonic()
         self._slow_since: float | None = None
         self._watches = Watches(core, connection)
 
@@ -50,6 +51,7 @@ class Supervisor:
         self._look_at_stop()
         self._look_at_clock()
         self._look_at_disk()
+        self._look_at_file()
         self._core.alarms.look()
         self._rest()
 
@@ -161,6 +163,13 @@ class Supervisor:
         waited = time.monotonic() - since if since else 0.0
         if waited > SLOW_DISK_S and not core.alarms.is_active("disk_slow"):
             core.disk_slow(waited)
+
+    def _look_at_file(self) -> None:
+        """See that the file still has its name; a folder in a network may let one wait for it."""
+        now = time.monotonic()
+        if now - self._file_seen_s >= FILE_S:
+            self._file_seen_s = now
+            self._help("file", self._core.look_after_file)
 
     def _look_at_clock(self) -> None:
         now = time.monotonic()

@@ -107,6 +107,7 @@ def _raised(change: AlarmChange, event: Event, first_out: bool) -> Alarm:
         revolution=event.revolution,
         first_out=first_out,
         state=event.after or "unacknowledged",
+        ends=change.ends,
     )
 
 

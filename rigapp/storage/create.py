@@ -82,7 +82,7 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
     """
     refuse_bad_target(path, plan)
     _remove_stale(path)
-    hidden = path.parent / f".{path.name}.new-{os.getpid()}"
+    hidden = hidden_name(path)
     fd = -1
     with contextlib.ExitStack() as undo:
         undo.callback(lambda: hidden.unlink(missing_ok=True))
@@ -104,6 +104,11 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
         undo.pop_all()
     disk.bytes_written = 0
     return disk, places
+
+
+def hidden_name(path: Path) -> Path:
+    """Return the name of a file that is being made; what a killed process leaves is known by it."""
+    return path.parent / f".{path.name}.new-{os.getpid()}"
 
 
 def places_of(path: Path) -> Places:

@@ -5,11 +5,16 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import threading
 from pathlib import Path
 
 from rigapp.storage.errors import StorageFailed
+from rigapp.storage.rescue import copy_ranges
 
 Bytes = bytes | bytearray | memoryview
+
+PAGE = 1 << 16
+"""Writing is noted in such steps while the file is being copied."""
 
 
 class Disk:
@@ -19,9 +24,11 @@ class Disk:
     the pages, and a later success would prove nothing.
     """
 
-    __slots__ = ("_failure", "bytes_written", "fd", "path")
+    __slots__ = ("_failure", "_touched", "_writing", "bytes_written", "fd", "path")
 
     def __init__(self, fd: int, path: Path) -> None:
+        self._writing = threading.Lock()
+        self._touched: set[int] | None = None
         self.fd = fd
         self.path = path
         self.bytes_written = 0
@@ -31,13 +38,16 @@ class Disk:
         """Write all of ``data`` at ``offset``; raises StorageFailed."""
         self.refuse_broken()
         size = len(data)
-        try:
-            done = os.pwrite(self.fd, data, offset)
-            while done < size:
-                done += os.pwrite(self.fd, memoryview(data)[done:], offset + done)
-        except OSError as error:
-            raise self._failed("writing", error) from error
-        self.bytes_written += size
+        with self._writing:
+            try:
+                done = os.pwrite(self.fd, data, offset)
+                while done < size:
+                    done += os.pwrite(self.fd, memoryview(data)[done:], offset + done)
+            except OSError as error:
+                raise self._failed("writing", error) from error
+            if self._touched is not None:
+                self._touched.update(range(offset // PAGE, (offset + size) // PAGE + 1))
+            self.bytes_written += size
 
     def sync(self) -> None:
         """Return when all bytes written before are on the disk; raises StorageFailed."""
@@ -66,6 +76,29 @@ class Disk:
         """Let go of synced pages in memory, so that a long test keeps no more than it needs."""
         with contextlib.suppress(OSError, AttributeError):
             os.posix_fadvise(self.fd, offset, length, os.POSIX_FADV_DONTNEED)
+
+    def begin_copy(self) -> None:
+        """Note from now on what is written: the file is being copied."""
+        with self._writing:
+            self._touched = set()
+
+    def follow_copy(self, fd: int) -> None:
+        """Bring a copy up to what was written since ``begin_copy``, or the last call."""
+        with self._writing:
+            touched, self._touched = self._touched or set(), set()
+        copy_ranges(self.fd, fd, ((page * PAGE, PAGE) for page in sorted(touched)))
+
+    def go_on_in(self, fd: int) -> None:
+        """Write to the copy from now on; the old file is let go. Raises OSError before that."""
+        with self._writing:
+            touched = self._touched or set()
+            copy_ranges(self.fd, fd, ((page * PAGE, PAGE) for page in sorted(touched)))
+            os.dup2(fd, self.fd, inheritable=False)
+
+    def end_copy(self) -> None:
+        """Note no longer what is written."""
+        with self._writing:
+            self._touched = None
 
     def close(self) -> None:
         """Close the file; writing to it afterwards raises StorageFailed."""

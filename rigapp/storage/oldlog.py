@@ -22,7 +22,7 @@ from rigapp.engine.loglines import (
     RestSignals,
     What,
 )
-from rigapp.engine.messages import Event, Severity
+from rigapp.engine.messages import Ends, Event, Severity
 
 NOT_RECORDED = "The log does not tell."
 
@@ -71,7 +71,7 @@ def _alarm(event: Event, known: dict[str, tuple[str, Severity, AlarmChange]]) ->
         key, severity, kind = _kind(title, match["cause"], first_out)
         change = AlarmChange(
             what, title, first_out=first_out, cause=match["cause"],
-            consequence=kind.consequence, action=kind.action,
+            consequence=kind.consequence, action=kind.action, ends=kind.ends,
         )  # fmt: skip
     elif title in known:
         key, severity, before = known[title]
@@ -98,7 +98,7 @@ def _kind(title: str, cause: str, first_out: bool) -> tuple[str, Severity, Kind]
         severity = Severity.CRITICAL if " critical limit" in cause else Severity.WARNING
         key = f"rule:{rule['quantity']}:{severity.value}:{rule['side']}"
         action = "Look at the trend of this quantity."
-        return key, severity, Kind(severity, title, NOT_RECORDED, action)
+        return key, severity, Kind(severity, title, NOT_RECORDED, action, Ends.TEST)
     for pattern, key, kind in _TITLES:
         match = pattern.fullmatch(title)
         if match is not None:

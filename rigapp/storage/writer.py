@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.columns import PROFILE_CURVES, profile_columns
 from rigapp.engine.messages import Event
+from rigapp.engine.store import LookedAfter
 from rigapp.storage.backlog import Backlog
 from rigapp.storage.build import PAGE
 from rigapp.storage.create import (
@@ -24,10 +25,12 @@ from rigapp.storage.create import (
     create_file,
     fitted_streams,
     refuse_little_space,
+    reserve_stream,
 )
 from rigapp.storage.disk import Disk
-from rigapp.storage.errors import NoRoom
+from rigapp.storage.errors import NoRoom, StorageFailed
 from rigapp.storage.events import asked_for, columns_of, rows_of, seed_of
+from rigapp.storage.keeper import Keeper
 from rigapp.storage.layout import (
     CHECKPOINT_BYTES,
     END_TIME,
@@ -76,7 +79,6 @@ class TestWriter:
         reserved: Mapping[str, int],
         digest: bytes,
     ) -> None:
-        self.path = disk.path
         self.plan = plan
         self.revolutions_committed = counts.revolutions
         self._disk = disk
@@ -109,12 +111,18 @@ class TestWriter:
         self._event_lock = threading.Lock()
         self._count_lock = threading.Lock()
         self._commit_lock = threading.Lock()
+        self._keeper = Keeper(disk, self._reserve, self._commit_lock)
         self._samples_synced = counts.samples
         self._checkpoint: tuple[int, bytes] | None = None
         self._slot: int | None = None
         self._closed = False
         self._finished = False
         self._scalars.put_state("writer", f"process {os.getpid()} on {socket.gethostname()}")
+
+    @property
+    def path(self) -> Path:
+        """Return where the file is; another place when it had to be saved there."""
+        return self._disk.path
 
     @property
     def bytes_written(self) -> int:
@@ -367,6 +375,15 @@ class TestWriter:
             if not self._closed:
                 self._backlog.drain()
 
+    def look_after(self) -> LookedAfter | None:
+        """Give the file a name again when it was deleted, moved or replaced; see ``Keeper``."""
+        with self._keeper.looking:
+            return None if self._closed else self._keeper.look()
+
+    def _reserve(self, disk: Disk) -> None:
+        for name, stream in self._streams.items():
+            reserve_stream(disk, stream, self._places, 0, self._rooms[name].reserved)
+
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
         """Commit, and say how the test ended: status complete, stopped or fault."""
         if status not in FINAL_STATUSES:
@@ -381,10 +398,13 @@ class TestWriter:
             self._scalars.put_state("status", status)
             self._disk.sync()
             self._finished = True
+        found = self.look_after()
+        if found is not None and not found.saved:
+            raise StorageFailed(found.sentence)
 
     def close(self) -> None:
         """Let go of the file; what was not committed is committed if the disk allows it."""
-        with self._commit_lock:
+        with self._keeper.looking, self._commit_lock:
             if self._closed:
                 return
             try:

@@ -52,7 +52,7 @@ from rigapp.config.rig import (
 )
 from rigapp.engine.engine import Engine
 from rigapp.engine.messages import Event
-from rigapp.engine.store import Opened, OpenRequest, OpenStore
+from rigapp.engine.store import LookedAfter, Opened, OpenRequest, OpenStore
 from rigapp.engine.timing import Timing
 
 COUNTS = 360
@@ -305,6 +305,11 @@ class FakeStore:
     commit_waits: threading.Event | None = None
     cycles_refused: int = 0
     room: int = 1_000_000
+    path: Path = Path("test.h5")
+    looked_after: LookedAfter | None = None
+
+    def look_after(self) -> LookedAfter | None:
+        return self.looked_after
 
     def extend(self, revolutions: int) -> None:
         if revolutions > self.room:
@@ -480,7 +485,7 @@ class MemoryRig:
             assert isinstance(opened.store, FakeStore)
             self.stores.append(opened.store)
             return opened
-        self.stores.append(FakeStore())
+        self.stores.append(FakeStore(path=request.path))
         return Opened(self.store)
 
     def start(self, test: TestFile | None = None, **options: Any) -> None:

@@ -5,14 +5,16 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
 from drivers.api import Block, DeviceError, ProtocolError
-from rigapp.engine.messages import FinishReason, Flag, RunState
+from rigapp.engine.messages import Alarm, FinishReason, Flag, RunState
 from rigapp.engine.publish import Finished
 from rigapp.engine.run import ENDED, Refused
+from rigapp.engine.store import LookedAfter
 from rigapp.engine.timing import Timing
 
 LONG = 1_000_000
@@ -414,3 +416,37 @@ def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
     assert len(rig.store.gaps) == 1
     rig.engine.shutdown()
     assert rig.stands
+
+
+# --- the name of the file ------------------------------------------------------------------------
+
+
+def test_a_file_that_lost_its_name_is_told_while_the_test_goes_on(rig: MemoryRig) -> None:
+    rig.store.path = Path("elsewhere.h5")
+    rig.store.looked_after = LookedAfter(
+        "t.h5 was moved; elsewhere.h5 is its name now.", saved=True
+    )
+    eventually(lambda: alarm_of(rig, "file_moved") is not None)
+    rig.store.looked_after = None
+    told = alarm_of(rig, "file_moved")
+    assert told is not None
+    assert "was moved" in told.cause
+    eventually(lambda: rig.engine.status().file == "elsewhere.h5")
+    assert rig.engine.state is RunState.RUNNING
+
+
+def test_a_file_that_cannot_be_saved_is_critical_and_ends_no_test(rig: MemoryRig) -> None:
+    rig.store.looked_after = LookedAfter("t.h5 was deleted, and could not be saved", saved=False)
+    eventually(lambda: alarm_of(rig, "file_unsaved") is not None)
+    told = alarm_of(rig, "file_unsaved")
+    assert told is not None
+    assert told.severity == "critical"
+    assert told.active
+    assert rig.engine.state is RunState.RUNNING
+    rig.store.looked_after = None
+    eventually(lambda: not any(a.active for a in rig.engine.status().alarms))
+    assert rig.engine.state is RunState.RUNNING
+
+
+def alarm_of(rig: MemoryRig, key: str) -> Alarm | None:
+    return next((one for one in rig.engine.status().alarms if one.key == key), None)

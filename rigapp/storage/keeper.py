@@ -1,0 +1,117 @@
+"""See that the file of a running test keeps its name, and give it one again when it lost it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+from rigapp.engine.store import LookedAfter
+from rigapp.storage.create import (
+    hidden_name,
+    move_into_place,
+    protect,
+    refuse_little_space,
+    sync_folder,
+)
+from rigapp.storage.disk import Disk
+from rigapp.storage.errors import StorageFailed
+from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage.rescue import Fate, copy_content, fate_of, link_open_file, places_for
+
+
+class Keeper:
+    """Look after the name of one open file, by any thread.
+
+    reserve: reserves the room of the test in a file. committing: held while a commit is made. Lock
+    order: ``looking`` before ``committing``.
+    """
+
+    def __init__(
+        self, disk: Disk, reserve: Callable[[Disk], None], committing: threading.Lock
+    ) -> None:
+        self.looking = threading.Lock()
+        self._disk = disk
+        self._reserve = reserve
+        self._committing = committing
+        self._length = os.fstat(disk.fd).st_size
+
+    def look(self) -> LookedAfter | None:
+        """Bring the file back when it was deleted, moved or replaced; writing goes on meanwhile.
+
+        To be called while ``looking`` is held. Return what happened, None when nothing has. Raises
+        StorageFailed when another program has cut the file short.
+        """
+        disk = self._disk
+        if os.fstat(disk.fd).st_size < self._length:
+            raise StorageFailed(
+                f"{disk.path}: another program has cut the file short while the test writes it; "
+                "keep a copy of what is left of it, and see what rigapp info says of it"
+            )
+        fate = fate_of(disk.fd, disk.path)
+        return None if fate is None else self._bring_back(fate)
+
+    def _bring_back(self, fate: Fate) -> LookedAfter:
+        what, reasons = fate.sentence(self._disk.path), []
+        for target in places_for(self._disk.path, fate):
+            try:
+                linked = self._save_as(target, bool(fate.named))
+            except UnusableInput as error:
+                reasons.append(str(error))
+            except OSError as error:
+                reasons.append(f"{target}: {error.strerror or error}")
+            else:
+                how = "is its name now" if linked else "has all of it and is written on"
+                return LookedAfter(f"{what}; {target} {how}.", saved=True)
+        return LookedAfter(f"{what}, and it could not be saved: {'; '.join(reasons)}", saved=False)
+
+    def _save_as(self, target: Path, named: bool) -> bool:
+        """Let the file be called ``target``; True by a link, False by a copy. Raises OSError."""
+        target.parent.mkdir(parents=True, exist_ok=True)
+        linked = named and self._link(target)
+        if not linked:
+            self._copy(target)
+        self._disk.path = target
+        return linked
+
+    def _link(self, target: Path) -> bool:
+        """Give the file another name; False where its file system or folder does not allow it."""
+        try:
+            link_open_file(self._disk.fd, target)
+        except FileExistsError:
+            raise
+        except OSError:
+            return False
+        return True
+
+    def _copy(self, target: Path) -> None:
+        """Copy the file while it is written, and write to the copy from then on."""
+        disk = self._disk
+        needed = os.fstat(disk.fd).st_blocks * 512
+        refuse_little_space(target.parent, target, needed, "the file of the running test")
+        hidden = hidden_name(target)
+        hidden.unlink(missing_ok=True)
+        fd = os.open(hidden, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
+        with contextlib.ExitStack() as always, contextlib.ExitStack() as failed:
+            always.callback(os.close, fd)
+            always.callback(disk.end_copy)
+            failed.callback(lambda: hidden.unlink(missing_ok=True))
+            disk.begin_copy()
+            copy_content(disk.fd, fd)
+            self._reserve(Disk(fd, target))
+            os.fsync(fd)
+            with self._committing:
+                disk.follow_copy(fd)
+                os.fdatasync(fd)
+                protect(fd)
+                if not hold_writer_lock(fd):
+                    raise UnusableInput(f"{target}: another process took the new file")
+                move_into_place(hidden, target)
+                disk.go_on_in(fd)
+                disk.sync()
+            failed.pop_all()
+        self._reserve(disk)
+        sync_folder(target.parent)

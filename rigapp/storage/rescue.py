@@ -1,0 +1,115 @@
+"""What becomes of a file that is deleted, moved or replaced while it is written, and the way back.
+
+The kernel keeps an open file as long as it is open, whatever happens to its name. A file that still
+has a name somewhere gets its own one back, as a second link. One that has none any more can get no
+link on Linux; it is copied while writing goes on.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import count
+from pathlib import Path
+
+PIECE = 1 << 22
+
+
+@dataclass(frozen=True, slots=True)
+class Fate:
+    """Say what happened to a name: another file has it, or none; and the open file's name now.
+
+    named: empty when the open file has no name any more.
+    """
+
+    replaced: bool
+    named: str
+
+    def sentence(self, path: Path) -> str:
+        """Return what happened in words."""
+        if self.named:
+            words = f"{path} was moved to {self.named} while the test writes it"
+            return f"{words}, and another file has its name" if self.replaced else words
+        if self.replaced:
+            return f"{path} was replaced by another file while the test writes it"
+        return f"{path} was deleted while the test writes it"
+
+
+def fate_of(fd: int, path: Path) -> Fate | None:
+    """Return what happened to the name of an open file; None when it has it, or nobody can tell."""
+    mine = os.fstat(fd)
+    try:
+        there = path.stat()
+    except (FileNotFoundError, NotADirectoryError):
+        replaced = False
+    except OSError:
+        return None
+    else:
+        if (mine.st_ino, mine.st_dev) == (there.st_ino, there.st_dev):
+            return None
+        replaced = True
+    named = ""
+    if mine.st_nlink:
+        with contextlib.suppress(OSError):
+            named = os.readlink(f"/proc/self/fd/{fd}")
+    return Fate(replaced, named)
+
+
+def places_for(path: Path, fate: Fate) -> Iterator[Path]:
+    """Yield the names under which to save a file, the best one first."""
+    yield free_name(path) if fate.replaced else path
+    for folder in (Path.home(), Path(tempfile.gettempdir())):
+        yield free_name(folder / path.name)
+
+
+def free_name(path: Path) -> Path:
+    """Return a name beside ``path``, or itself, that no file has."""
+    if not os.path.lexists(path):
+        return path
+    names = (path.with_name(f"{path.stem}-saved-{number}{path.suffix}") for number in count(1))
+    return next(name for name in names if not os.path.lexists(name))
+
+
+def link_open_file(fd: int, path: Path) -> None:
+    """Give an open file that has a name another one; raises OSError."""
+    folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        # Only with a folder's descriptor Python asks the kernel to follow the link in /proc.
+        os.link(f"/proc/self/fd/{fd}", path.name, src_dir_fd=folder, dst_dir_fd=folder)
+        os.fsync(folder)
+    finally:
+        os.close(folder)
+
+
+def copy_content(source: int, target: int) -> None:
+    """Copy an open file with its holes into another, empty one; raises OSError."""
+    size = os.fstat(source).st_size
+    os.ftruncate(target, size)
+    for start, stop in _data_of(source, size):
+        copy_ranges(source, target, ((first, PIECE) for first in range(start, stop, PIECE)))
+
+
+def copy_ranges(source: int, target: int, ranges: Iterable[tuple[int, int]]) -> None:
+    """Copy ranges (offset, length) of an open file to the same places of another."""
+    for offset, length in ranges:
+        data = os.pread(source, length, offset)
+        done = 0
+        while done < len(data):
+            done += os.pwrite(target, memoryview(data)[done:], offset + done)
+
+
+def _data_of(fd: int, size: int) -> Iterator[tuple[int, int]]:
+    """Yield where a file has data; all of it where the file system cannot tell."""
+    stop = 0
+    while stop < size:
+        try:
+            start = os.lseek(fd, stop, os.SEEK_DATA)
+            stop = os.lseek(fd, start, os.SEEK_HOLE)
+        except OSError:
+            if stop == 0 and os.fstat(fd).st_blocks:
+                yield 0, size
+            return
+        yield start, stop
