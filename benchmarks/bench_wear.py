@@ -43,7 +43,7 @@ PARAMETERS = Parameters(
 )
 CYCLES, SPEED = 23_000, np.pi
 GOAL_CONTACT = 10_000.0
-BUDGET_S = {"unworn": 1e-4, "worn": 5e-4, "1e-3": 1.0, "1e-2": 0.1, "live": 0.05}
+BUDGET_S = {"unworn": 8e-5, "worn": 3e-4, "1e-3": 0.1, "1e-2": 0.025, "live": 0.05}
 
 
 def full_ring() -> ModuleType:

@@ -36,7 +36,7 @@ class ContactModel:
     impact_speed_floor: float = 1e-3
     foundation: bool | None = None
     stiffness: float | None = None
-    tolerance: float = 1e-4
+    tolerance: float = 1e-8
 
     def __post_init__(self) -> None:
         if self.law not in ("lankarani-nikravesh", "flores"):

@@ -6,12 +6,14 @@ gravity and the contact force in the joint with clearance.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from model import impact_kernel as kernel
+from model import impact_motion as motion_of
 from model.dynamics import Motion
 from model.errors import ModelError, require_not_negative, require_positive
 from model.frames import into_frame
@@ -21,8 +23,19 @@ Array = NDArray[np.float64]
 
 MOST_STEPS = 20_000_000
 MOST_IMPACTS = 100_000
-LONGEST_STEP_TURN = float(np.deg2rad(1.0))
-LONGEST_STEP_S = 1e-3
+STEPS_AT_ONCE = 20_000
+"""Steps between two looks at whether the caller still waits."""
+
+LONGEST_FLIGHT_TURN, LONGEST_FLIGHT_S = float(np.deg2rad(1.0)), 1e-3
+LONGEST_CONTACT_TURN, LONGEST_CONTACT_S = float(np.deg2rad(5.0)), 1e-2
+SHORTEST_PART = 1e-17
+"""No step is so small a part of the time integrated over."""
+
+ROUNDING = 2e-16
+"""Least tolerance as a part of the mechanism's size: what double precision leaves of a place."""
+
+FIRST_CONTACT_PART = 0.1
+"""First step of a contact as a part of the time in which a contact swings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,11 +84,13 @@ def contact_cycle(
     revolutions: int = 1,
     settling_revolutions: int = 1,
     start: ContactState | None = None,
+    progress: Callable[[float], None] | None = None,
 ) -> ContactCycle:
     """Run the mechanism and record whole revolutions on ``points`` equal crank angles each.
 
     The first ``settling_revolutions`` are not recorded. start: None starts in contact (see
-    ``settled_state``). Raises ModelError at standstill or when the integration fails.
+    ``settled_state``); progress: called with the part done, may raise. Raises ModelError at
+    standstill or when the integration fails.
     """
     if points < 1 or revolutions < 1 or settling_revolutions < 0:
         raise ModelError(
@@ -88,11 +103,16 @@ def contact_cycle(
     period = 2.0 * np.pi / abs(system.speed)
     first = settling_revolutions * period
     times = first + period / points * np.arange(points * revolutions + 1)
-    return integrate_contact(system, start or settled_state(system), times, drop_last=True)
+    begin = start or settled_state(system)
+    return integrate_contact(system, begin, times, drop_last=True, progress=progress)
 
 
 def integrate_contact(
-    system: ClearanceSystem, start: ContactState, times: ArrayLike, drop_last: bool = False
+    system: ClearanceSystem,
+    start: ContactState,
+    times: ArrayLike,
+    drop_last: bool = False,
+    progress: Callable[[float], None] | None = None,
 ) -> ContactCycle:
     """Integrate from time 0 and sample at ``times`` (s, increasing, from 0 on).
 
@@ -113,35 +133,33 @@ def integrate_contact(
             start.follower_speed,
         ]
     )
-    begin = np.array([0.0, start.impact_speed, float(start.touching)])
-    longest = LONGEST_STEP_S
-    if system.speed != 0.0:
-        longest = min(longest, LONGEST_STEP_TURN / abs(system.speed))
-    control = np.array(
-        [
-            *(system.contact.tolerance * system.scales),
-            longest,
-            system.contact.impact_speed_floor,
-            moments[0],
-        ]
-    )
+    kernel.refer(system.vector, 0.0, -1.0, state)
+    course = np.zeros(kernel.COURSE)
+    course[kernel.IN_TOUCH], course[kernel.BEGAN_AT] = float(start.touching), start.impact_speed
     samples = np.empty((len(moments), kernel.SAMPLE))
     impacts = np.empty((MOST_IMPACTS, 2))
-    tally = np.empty(kernel.TALLY)
-    status = kernel.integrate(
-        system.vector,
-        system.table,
-        system.options,
-        state,
-        begin,
-        control,
-        moments,
-        MOST_STEPS,
-        samples,
-        impacts,
-        tally,
-    )
-    _check(status, float(tally[kernel.LAST_TIME]), state)
+    tally = np.zeros(kernel.TALLY)
+    control = _control(system, moments)
+    course[kernel.NEXT_STEP] = control[kernel.FIRST_CONTACT]
+    status = kernel.UNFINISHED
+    while status == kernel.UNFINISHED and tally[kernel.STEPS] < MOST_STEPS:
+        status = kernel.integrate(
+            system.vector,
+            system.table,
+            system.options,
+            state,
+            course,
+            control,
+            moments,
+            STEPS_AT_ONCE,
+            samples,
+            impacts,
+            tally,
+        )
+        if progress is not None:
+            progress(float(course[kernel.TIME] / moments[-1]))
+    kernel.refer(system.vector, float(course[kernel.TIME]), 1.0, state)
+    _check(status, float(course[kernel.TIME]), state)
     count = min(int(tally[kernel.IMPACTS]), MOST_IMPACTS)
     at = impacts[:count, kernel.IMPACT_TIME].copy()
     kept = slice(0, len(moments) - 1 if drop_last else len(moments))
@@ -161,20 +179,42 @@ def integrate_contact(
             speed=impacts[:count, kernel.IMPACT_SPEED].copy(),
         ),
         final_state=ContactState(
-            slider_position=float(state[kernel.X]),
-            follower_angle=float(state[kernel.THETA]),
-            slider_velocity=float(state[kernel.X_RATE]),
-            follower_speed=float(state[kernel.THETA_RATE]),
-            touching=bool(tally[kernel.LAST_TOUCHING] > 0.5),
-            impact_speed=float(tally[kernel.LAST_IMPACT_SPEED]),
+            slider_position=float(state[motion_of.X]),
+            follower_angle=float(state[motion_of.THETA]),
+            slider_velocity=float(state[motion_of.X_RATE]),
+            follower_speed=float(state[motion_of.THETA_RATE]),
+            touching=bool(course[kernel.IN_TOUCH] > 0.5),
+            impact_speed=float(course[kernel.BEGAN_AT]),
         ),
         steps=int(tally[kernel.STEPS]),
     )
 
 
+def _control(system: ClearanceSystem, moments: Array) -> Array:
+    """Return what steers the steps; tolerances never below what rounding leaves of the place."""
+    mechanism, settings = system.mechanism, system.contact
+    depth, _, pace, _ = system.scales
+    reach = mechanism.crank_radius + mechanism.follower_length
+    tolerance = max(settings.tolerance, ROUNDING * reach / float(depth))
+    turn = abs(system.speed)
+    control = np.empty(kernel.CONTROL)
+    control[:4] = tolerance * system.scales
+    control[kernel.SHORTEST] = SHORTEST_PART * moments[-1]
+    control[kernel.LONGEST_FLIGHT] = min(
+        LONGEST_FLIGHT_S, LONGEST_FLIGHT_TURN / turn if turn else np.inf
+    )
+    control[kernel.LONGEST_CONTACT] = min(
+        LONGEST_CONTACT_S, LONGEST_CONTACT_TURN / turn if turn else np.inf
+    )
+    control[kernel.FIRST_CONTACT] = FIRST_CONTACT_PART * depth / pace
+    control[kernel.FLOOR] = settings.impact_speed_floor
+    control[kernel.TALLY_FROM] = moments[0]
+    return control
+
+
 def _check(status: int, time: float, state: Array) -> None:
     """Raise ModelError when the integration did not reach its end."""
-    if status == kernel.TOO_MANY_STEPS:
+    if status == kernel.UNFINISHED:
         raise ModelError("steps", MOST_STEPS, f"too many by {time:g} s; raise the tolerance")
     if status == kernel.STEP_TOO_SMALL or not np.isfinite(state).all():
         raise ModelError(
@@ -187,7 +227,7 @@ def _check(status: int, time: float, state: Array) -> None:
 def _contact_angle(rows: Array) -> Array:
     """Return the normal's direction in the follower frame from the point towards the crank."""
     normal = np.arctan2(rows[kernel.NORMAL_Y], rows[kernel.NORMAL_X])
-    turned = normal - rows[kernel.THETA] - np.pi
+    turned = normal - rows[motion_of.THETA] - np.pi
     return np.asarray((turned + np.pi) % (2.0 * np.pi) - np.pi)
 
 
@@ -196,8 +236,8 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> Motion:
     m = system.mechanism
     angle = system.start_angle + system.speed * times
     c1, s1 = np.cos(angle), np.sin(angle)
-    c2, s2 = np.cos(rows[kernel.THETA]), np.sin(rows[kernel.THETA])
-    w, w2, al2 = system.speed, rows[kernel.THETA_RATE], rows[kernel.THETA_GROWTH]
+    c2, s2 = np.cos(rows[motion_of.THETA]), np.sin(rows[motion_of.THETA])
+    w, w2, al2 = system.speed, rows[motion_of.THETA_RATE], rows[kernel.THETA_GROWTH]
     radial = np.array([c1, s1])
     tangent = np.array([-s1, c1])
     pin, pin_v, pin_a = (
@@ -210,7 +250,7 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> Motion:
     arm_v = half * w2 * np.array([-s2, c2])
     arm_a = half * (al2 * np.array([-s2, c2]) - w2 * w2 * np.array([c2, s2]))
     still = np.zeros_like(angle)
-    slider = [np.array([rows[i], still]) for i in (kernel.X, kernel.X_RATE, kernel.X_GROWTH)]
+    slider = [np.array([rows[i], still]) for i in (motion_of.X, motion_of.X_RATE, kernel.X_GROWTH)]
     at_crank = system.location == "crank"
     if at_crank:
         bodies = [slider[i] - (arm, arm_v, arm_a)[i] for i in range(3)]
@@ -228,7 +268,7 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> Motion:
         moment = rows[kernel.MOMENT] - (dx * force[1] - dy * force[0])
     spring = still
     if m.spring is not None:
-        spring = -m.spring.stiffness * (rows[kernel.X] - m.spring.free_position)
+        spring = -m.spring.stiffness * (rows[motion_of.X] - m.spring.free_position)
     crank_a = 0.5 * pin_a
     crank_weight = m.crank_mass * gravity
     torque = (
@@ -241,7 +281,7 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> Motion:
         angle=angle,
         speed=np.full_like(angle, w),
         acceleration=still,
-        follower_angle=rows[kernel.THETA],
+        follower_angle=rows[motion_of.THETA],
         follower_speed=w2,
         follower_acceleration=al2,
         crank_position=0.5 * pin,
@@ -250,8 +290,8 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> Motion:
         follower_position=bodies[0],
         follower_velocity=bodies[1],
         follower_centre_acceleration=bodies[2],
-        slider_position=rows[kernel.X],
-        slider_velocity=rows[kernel.X_RATE],
+        slider_position=rows[motion_of.X],
+        slider_velocity=rows[motion_of.X_RATE],
         slider_acceleration=rows[kernel.X_GROWTH],
         spring_force=spring,
         force=force,

@@ -1,8 +1,7 @@
 """Contact force between pin and bushing, compiled: circles, a worn profile, elastic foundation.
 
 Vectors here are in the follower frame's orientation or global, as said; the bushing belongs to the
-follower. A compiled function is cached by its own file: after a change here, the cache of
-``model.impact_kernel`` must go too.
+follower.
 """
 
 from __future__ import annotations
@@ -16,8 +15,9 @@ from model.compiled import njit
 RADIUS, LENGTH, MASS, INERTIA, STATIC_MOMENT, SLIDER_MASS = range(6)
 STIFFNESS, FREE_POSITION, GRAVITY_X, GRAVITY_Y = range(6, 10)
 PIN_RADIUS, CLEARANCE, CONTACT_STIFFNESS, HYSTERESIS, FRICTION = range(10, 15)
-RAMP_START, RAMP_END, FOUNDATION, SPEED, START_ANGLE = range(15, 20)
-PARAMETERS = 20
+RAMP_START, RAMP_END, FOUNDATION, SPEED, START_ANGLE, LEAST_RADIUS = range(15, 21)
+REFERENCE_LENGTH = 21
+PARAMETERS = 22
 """Places in the parameter vector of the compiled functions."""
 
 CIRCLE, PROFILE, ELASTIC_FOUNDATION = range(3)
@@ -29,6 +29,7 @@ VECTOR = types.Array(float64, 1, "C", readonly=True)
 PAIR = types.UniTuple(float64, 2)
 TRIPLE = types.UniTuple(float64, 3)
 FOUR = types.UniTuple(float64, 4)
+FIVE = types.UniTuple(float64, 5)
 HOLD = types.UniTuple(float64, 8)
 
 
@@ -88,17 +89,19 @@ def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
     return p[PIN_RADIUS] - distance, ex / distance, ey / distance
 
 
-@njit(TRIPLE(VECTOR, TABLE, int64, float64, float64, PAIR), cache=True)
-def penetration(p, table, shape, dx, dy, turn):  # type: ignore[no-untyped-def]
+@njit(TRIPLE(VECTOR, TABLE, int64, float64, float64, float64, PAIR), cache=True)
+def penetration(p, table, shape, dx, dy, excess, turn):  # type: ignore[no-untyped-def]
     """Return the deepest penetration (negative: gap) and the outward normal there, global.
 
-    dx, dy: pin centre from bushing centre, global; turn: cosine and sine of the follower's angle.
+    dx, dy: pin centre from bushing centre, global; excess: its square less that of the clearance,
+    which alone keeps the digits of a small penetration; turn: cosine and sine of the follower's
+    angle.
     """
     if shape == CIRCLE:
         distance = math.sqrt(dx * dx + dy * dy)
         if distance < 1e-15:
             return -p[CLEARANCE], -turn[0], -turn[1]
-        return distance - p[CLEARANCE], dx / distance, dy / distance
+        return excess / (distance + p[CLEARANCE]), dx / distance, dy / distance
     c, s = turn
     ax, ay = dx * c + dy * s, dy * c - dx * s
     if shape == PROFILE:
@@ -116,17 +119,28 @@ def penetration(p, table, shape, dx, dy, turn):  # type: ignore[no-untyped-def]
     return deep, nx * c - ny * s, nx * s + ny * c
 
 
-@njit(FOUR(VECTOR, TABLE, float64, float64), cache=True)
+@njit(FIVE(VECTOR, TABLE, float64, float64), cache=True)
 def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
-    """Return the elastic force on the bushing (x, y) and two moments about the bushing centre.
+    """Return elastic force on the bushing (x, y), two moments about its centre, penetration.
 
     Follower frame, without friction. Every node of the surface bears foundation modulus times its
     own penetration. The first moment is that of the force; the second, times the ratio of
-    tangential to normal force, that of friction.
+    tangential to normal force, that of friction. Only nodes that a circle of the surface's least
+    radius would bring into reach are looked at; 0 penetration when none is.
     """
     fx = fy = moment = turned = 0.0
-    radius = p[PIN_RADIUS]
-    for j in range(table.shape[0]):
+    radius, least = p[PIN_RADIUS], p[LEAST_RADIUS]
+    reach = math.sqrt(dx * dx + dy * dy)
+    if reach + radius <= least:
+        return 0.0, 0.0, 0.0, 0.0, 0.0
+    cosine = (least * least + reach * reach - radius * radius) / (2.0 * least * reach)
+    count = table.shape[0]
+    step = 2.0 * math.pi / count
+    half = math.acos(max(cosine, -1.0)) / step
+    middle = (math.atan2(dy, dx) + math.pi) / step
+    nearest = radius * radius
+    for turned_j in range(math.ceil(middle - half), math.floor(middle + half) + 1):
+        j = turned_j % count
         ex, ey = table[j, NODE_X] - dx, table[j, NODE_Y] - dy
         squared = ex * ex + ey * ey
         if squared < radius * radius:
@@ -136,7 +150,8 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
             fy += load * ey
             moment += load * (table[j, NODE_X] * ey - table[j, NODE_Y] * ex)
             turned += load * (table[j, NODE_X] * ex + table[j, NODE_Y] * ey)
-    return fx, fy, moment, turned
+            nearest = min(nearest, squared)
+    return fx, fy, moment, turned, radius - math.sqrt(nearest)
 
 
 @njit(
@@ -145,31 +160,37 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
         TABLE,
         int64,
         FOUR,
+        float64,
         PAIR,
         PAIR,
         float64,
     ),
     cache=True,
 )
-def contact_force(p, table, shape, relative, turn, rates, impact_speed):  # type: ignore[no-untyped-def]
+def contact_force(p, table, shape, relative, excess, turn, rates, impact_speed):  # type: ignore[no-untyped-def]
     """Return force on the bushing (x, y), its moment about the bushing centre, penetration, its
     rate, the normal (x, y) and the normal force; all global.
 
-    relative: pin centre from bushing centre and its velocity, (dx, dy, ux, uy), global; turn:
-    cosine and sine of the follower's angle; rates: turning speeds of pin and follower.
+    relative: pin centre from bushing centre and its velocity, (dx, dy, ux, uy), global; excess:
+    see ``penetration``; turn: cosine and sine of the follower's angle; rates: turning speeds of pin
+    and follower.
     impact_speed: the normal speed at which this contact began, floored; the normal force is
     K d^1.5 (1 + hysteresis d' / impact_speed), never negative.
     """
     dx, dy, ux, uy = relative
     c, s = turn
-    deep, nx, ny = penetration(p, table, shape, dx, dy, turn)
-    elastic = moment = turned = 0.0
-    if deep > 0.0 and shape == ELASTIC_FOUNDATION:
-        gx, gy, moment, turned = foundation_force(p, table, dx * c + dy * s, dy * c - dx * s)
+    elastic = moment = turned = nx = ny = 0.0
+    if shape == ELASTIC_FOUNDATION:
+        gx, gy, moment, turned, deep = foundation_force(p, table, dx * c + dy * s, dy * c - dx * s)
         elastic = math.sqrt(gx * gx + gy * gy)
-        nx, ny = (gx * c - gy * s) / elastic, (gx * s + gy * c) / elastic
-    elif deep > 0.0:
-        elastic = p[CONTACT_STIFFNESS] * deep * math.sqrt(deep)
+        if elastic > 0.0:
+            nx, ny = (gx * c - gy * s) / elastic, (gx * s + gy * c) / elastic
+        else:
+            deep, nx, ny = penetration(p, table, shape, dx, dy, excess, turn)
+    else:
+        deep, nx, ny = penetration(p, table, shape, dx, dy, excess, turn)
+        if deep > 0.0:
+            elastic = p[CONTACT_STIFFNESS] * deep * math.sqrt(deep)
     cx, cy = dx + p[PIN_RADIUS] * nx, dy + p[PIN_RADIUS] * ny
     vx, vy = ux + rates[1] * cy, uy - rates[1] * cx
     rate = vx * nx + vy * ny

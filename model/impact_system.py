@@ -12,7 +12,7 @@ from model import impact_laws as laws
 from model.contact_law import ContactModel, WornProfile, foundation_modulus, hertz_stiffness
 from model.dynamics import inverse_dynamics
 from model.errors import ModelError, require_finite, require_positive
-from model.impact_kernel import AT_CRANK, AT_WRIST
+from model.impact_motion import AT_CRANK, AT_WRIST
 from model.parameters import Joint, Material, Mechanism
 
 Array = NDArray[np.float64]
@@ -117,6 +117,8 @@ def clearance_system(
     vector[laws.RAMP_START], vector[laws.RAMP_END] = settings.friction_ramp
     vector[laws.FOUNDATION] = foundation_modulus(joint, bushing) * joint.bushing_width
     vector[laws.SPEED], vector[laws.START_ANGLE] = speed, start_angle
+    vector[laws.LEAST_RADIUS] = float(table[:, laws.CONSTANT].min())
+    vector[laws.REFERENCE_LENGTH] = _reference_length(mechanism, joint, speed)
     where = AT_CRANK if location == "crank" else AT_WRIST
     return ClearanceSystem(
         mechanism=mechanism,
@@ -131,6 +133,19 @@ def clearance_system(
         options=np.array([where, shape], dtype=np.int64),
         scales=_scales(mechanism, speed, stiffness, location),
     )
+
+
+def _reference_length(mechanism: Mechanism, joint: Joint, speed: float) -> float:
+    """Return joint to joint length of the follower where the pin touches on its axis, m.
+
+    On the side where the force of the perfect joint presses most of the time.
+    """
+    motion = inverse_dynamics(mechanism, np.linspace(0.0, 2.0 * np.pi, 73), speed)
+    side = -1.0 if float(motion.force_follower[0].mean()) > 0.0 else 1.0
+    length = mechanism.follower_length + side * joint.clearance
+    if length <= mechanism.crank_radius:
+        raise ModelError("clearance", joint.clearance, "it leaves the follower too short", "m")
+    return length
 
 
 def settled_state(system: ClearanceSystem) -> ContactState:

@@ -214,11 +214,22 @@ def model_forces(
         float | None, typer.Option("--clearance-mm", help="Radial clearance instead of the file's.")
     ] = None,
     points: Annotated[int, typer.Option("--points", help="Crank angles of the cycle.")] = 360,
+    revolutions: Annotated[
+        int | None,
+        typer.Option("--revolutions", help="Joint contact: add means over so many, with errors."),
+    ] = None,
+    tolerance: Annotated[
+        float | None,
+        typer.Option("--tolerance", help="Joint contact: error of a step, of the penetration."),
+    ] = None,
+    time_limit_s: TimeLimitOption = None,
 ) -> None:
     """Write motion and forces over one cycle of the mechanism as CSV."""
     from rigapp.commands.model_forces import write_forces
+    from rigapp.commands.model_impacts import Impacting
 
-    raise typer.Exit(write_forces(params, rpm, joint, clearance_mm, points, to))
+    impacting = Impacting(revolutions, tolerance, time_limit_s)
+    raise typer.Exit(write_forces(params, rpm, joint, clearance_mm, points, to, impacting))
 
 
 @model_app.command("wear")

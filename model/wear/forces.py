@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Literal, Protocol
 
 import numpy as np
@@ -38,6 +38,9 @@ class ForceSource(Protocol):
     def unworn(self, positions: int) -> CycleLoads:
         """Return the loads of the unworn joint at so many positions."""
 
+    def samples(self, positions: int) -> Sequence[CycleLoads]:
+        """Return the loads of the unworn joint by parts of a sample; none where none is taken."""
+
     def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
         """Return the loads on a worn surface after so many cycles."""
 
@@ -52,15 +55,23 @@ class ForceSource(Protocol):
 
 
 def force_source(
-    parameters: Parameters, speed: float, technique: Literal["perfect", "continuous", "contact"]
+    parameters: Parameters,
+    speed: float,
+    technique: Literal["perfect", "continuous", "contact"],
+    tolerance: float = 1e-2,
+    alive: Callable[[], None] = lambda: None,
 ) -> ForceSource:
-    """Return the source of a technique; raise ModelError for an unknown one."""
+    """Return the source of a technique; raise ModelError for an unknown one.
+
+    tolerance: of the depth, as a part of it, for forces that must be sampled; alive: called in
+    between where that takes long, and may raise.
+    """
     if technique == "perfect":
         return Constrained(parameters, speed, follows_wear=False)
     if technique == "continuous":
         return Constrained(parameters, speed, follows_wear=True)
     if technique == "contact":
-        return SeparateBodies(parameters, speed)
+        return SeparateBodies(parameters, speed, tolerance, alive)
     raise ModelError("technique", technique, "choose perfect, continuous or contact")
 
 
@@ -85,6 +96,10 @@ class ConstantForce:
     def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
         """Return the constant load."""
         return self._loads
+
+    def samples(self, positions: int) -> Sequence[CycleLoads]:
+        """Return nothing."""
+        return ()
 
     def clearance(self, front: Front) -> float:
         """Return the initial clearance: no mechanism takes part."""
@@ -127,6 +142,10 @@ class Constrained:
         if not self._follows:
             return self.unworn(positions)
         return self._sampled(positions, self.clearance(front))
+
+    def samples(self, positions: int) -> Sequence[CycleLoads]:
+        """Return nothing."""
+        return ()
 
     def clearance(self, front: Front) -> float:
         """Return the clearance grown by the depth at the contact point, or 0."""

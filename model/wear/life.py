@@ -16,7 +16,14 @@ from model.errors import ModelError, OutOfTime, require_finite, require_positive
 from model.parameters import Parameters
 from model.wear.forces import ForceSource, constant_source, force_source
 from model.wear.front import ArcTooSmall, Front, WearProblem, wear_problem
-from model.wear.plan import TIME_SHARE, Plan, mesh_error, plan_life
+from model.wear.plan import (
+    TIME_SHARE,
+    Plan,
+    RelativeError,
+    mesh_error,
+    plan_life,
+    sampling_errors,
+)
 from model.wear.profile import profile
 from model.wear.richardson import Moment, integrate
 
@@ -89,13 +96,13 @@ def life(
     ring = ring_of(parameters.joint, parameters.bushing.material)
     if force is None and speed == 0.0:
         raise ModelError("speed", speed, "a crank that stands still wears nothing", "rad/s")
+    tell = progress or (lambda part: None)
     source = (
-        force_source(parameters, speed, technique)
+        force_source(parameters, speed, technique, tolerance, lambda: tell(0.0))
         if force is None
         else constant_source(force, parameters.joint)
     )
     width, coefficient = parameters.joint.bushing_width, parameters.bushing.wear_coefficient
-    tell = progress or (lambda part: None)
     plan = plan_life(
         ring,
         width,
@@ -106,8 +113,17 @@ def life(
         source.single,
         lambda: tell(0.0),
     )
+    sampling = sampling_errors(
+        ring,
+        width,
+        coefficient,
+        plan,
+        source.unworn(plan.positions).pressing(),
+        source.samples(plan.positions),
+        cycles,
+    )
     moments = _moments(parameters, ring, source, plan, cycles, tolerance, tell)
-    return _life(parameters, ring, source, plan, moments, technique, tolerance, cycles)
+    return _life(parameters, ring, source, plan, sampling, moments, technique, tolerance, cycles)
 
 
 def _moments(
@@ -182,6 +198,7 @@ def _life(
     ring: Ring,
     source: ForceSource,
     plan: Plan,
+    sampling: tuple[RelativeError, RelativeError],
     moments: list[Moment],
     technique: Technique,
     tolerance: float,
@@ -193,7 +210,7 @@ def _life(
     done = np.array([m.cycles for m in moments])
     area = np.array([m.area for m in moments])
     mean_force = np.array([m.mean_force for m in moments])
-    by_depth, by_area = _errors(source, plan, moments, depth, area)
+    by_depth, by_area = _errors(source, plan, sampling, moments, depth, area)
     error, area_error = (
         _SAFETY * sum(parts.values(), np.zeros(len(moments))) for parts in (by_depth, by_area)
     )
@@ -238,7 +255,12 @@ def _life(
 
 
 def _errors(
-    source: ForceSource, plan: Plan, moments: list[Moment], depth: Array, area: Array
+    source: ForceSource,
+    plan: Plan,
+    sampling: tuple[RelativeError, RelativeError],
+    moments: list[Moment],
+    depth: Array,
+    area: Array,
 ) -> tuple[dict[str, Array], dict[str, Array]]:
     """Return the parts of the error of the depth (m) and of the worn area (m^2), by their causes.
 
@@ -253,12 +275,14 @@ def _errors(
         "crank positions": plan.depth_error.after(done) * depth,
         "mesh": mesh * depth,
         "forces kept while the surface wears": kept,
+        "sampling of revolutions with lost contact": sampling[0].after(done) * depth,
     }
     of_area = {
         "time steps": np.array([m.area_error for m in moments]),
         "crank positions": plan.area_error.after(done) * area,
         "mesh": mesh * area,
         "forces kept while the surface wears": area * kept / np.maximum(depth, 1e-300),
+        "sampling of revolutions with lost contact": sampling[1].after(done) * area,
     }
     return of_depth, of_area
 

@@ -18,12 +18,13 @@ class CycleLoads:
 
     ``force`` (M, 2), N: pressing force on the bushing by the pin; x points from the bushing's
     centre to the initial contact point, which is towards the crank, y is 90 degrees further
-    counter-clockwise: minus the components in the follower frame. ``slip`` (M,), m: its sum is the
-    slip of a revolution.
+    counter-clockwise: minus the components in the follower frame. ``slip`` (M,), m: its sum and
+    ``idle``, the slip without force, are the slip of a revolution.
     """
 
     force: Array
     slip: Array
+    idle: float = 0.0
 
     def __post_init__(self) -> None:
         if self.force.ndim != 2 or self.force.shape[1] != 2 or len(self.slip) != len(self.force):
@@ -47,14 +48,22 @@ class CycleLoads:
     @property
     def mean_force(self) -> float:
         """Return the mean size of the force over the slip, N: what decides the worn volume."""
-        total = float(self.slip.sum())
+        total = float(self.slip.sum()) + self.idle
         return float(self.slip @ self.magnitude) / total if total > 0.0 else 0.0
 
     def pressing(self) -> CycleLoads:
         """Return only the positions that press and slide at all."""
         size = self.magnitude
         kept = (size > 1e-9 * size.max(initial=0.0)) & (self.slip > 0.0)
-        return self if kept.all() else CycleLoads(self.force[kept], self.slip[kept])
+        if kept.all():
+            return self
+        idle = self.idle + float(self.slip[~kept].sum())
+        return CycleLoads(self.force[kept], self.slip[kept], idle)
+
+    def by_direction(self) -> CycleLoads:
+        """Return the positions in the order of their forces' directions."""
+        order = np.argsort(self.direction, kind="stable")
+        return CycleLoads(self.force[order], self.slip[order], self.idle)
 
 
 def constant_load(force: float, pin_radius: float) -> CycleLoads:
@@ -137,4 +146,5 @@ def gathered(loads: CycleLoads, positions: int) -> CycleLoads:
     length = np.hypot(sums[:, 0], sums[:, 1])
     kept = (slip > 0.0) & (length > 0.0)
     size = work[kept] / slip[kept]
-    return CycleLoads(sums[kept] / length[kept, None] * size[:, None], slip[kept])
+    idle = loads.idle + float(slip[~kept].sum())
+    return CycleLoads(sums[kept] / length[kept, None] * size[:, None], slip[kept], idle)

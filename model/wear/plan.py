@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,15 +32,17 @@ _WIDE_SHARE = 0.165
 _EARLY = 5.0
 _EARLY_PART = 0.01
 _MESH_SHARE = 0.33
+SAMPLING_COVERAGE = 3.0
+"""Standard errors of sampled forces that count as the bound of their error."""
+
 TIME_SHARE = 0.22
 
 
 @dataclass(frozen=True, slots=True)
-class PositionError:
-    """Hold what the number of crank positions costs, as a part of a depth or of an area.
+class RelativeError:
+    """Hold an error as a part of a depth or of an area over a life of ``cycles``.
 
-    ``early``, ``late``: after a hundredth and at the end of a life of ``cycles``, from comparing
-    with twice as many positions.
+    ``early``, ``late``: after a hundredth and at the end of the life.
     """
 
     early: float
@@ -57,21 +59,23 @@ class PositionError:
         early, late = max(self.early, 1e-12), max(self.late, 1e-12)
         power = np.log(late / early) / np.log(1.0 / _EARLY_PART)
         before = early * np.sqrt(_EARLY_PART / part)
-        return 1.5 * np.where(part < _EARLY_PART, before, early * (part / _EARLY_PART) ** power)
+        return np.where(part < _EARLY_PART, before, early * (part / _EARLY_PART) ** power)
 
 
 @dataclass(frozen=True, slots=True)
 class Plan:
     """Hold what a life is computed with.
 
-    ``positions``: of the crank, and what their number costs in depth and in worn area;
-    ``sectors`` of the mesh; ``half_angle`` (rad) of the arc of nodes.
+    ``positions``: of the crank, and what their number costs in depth and in worn area, from
+    comparing with twice as many; ``sectors`` of the mesh, and of the ``coarse`` one that positions
+    were compared on; ``half_angle`` (rad) of the arc of nodes.
     """
 
     positions: int
-    depth_error: PositionError
-    area_error: PositionError
+    depth_error: RelativeError
+    area_error: RelativeError
     sectors: int
+    coarse: int
     half_angle: float
 
 
@@ -170,15 +174,10 @@ def _planned(
     ends: dict[int, tuple[tuple[Front, float], ...]] = {}
 
     def end(positions: int) -> tuple[tuple[Front, float], ...]:
-        """Return fronts and areas after a hundredth and after the whole life, in three steps."""
         if positions not in ends:
             alive()
             loads = loads_of(positions).pressing()
-            setting = problem(coarse, loads)
-            early = implicit_step(setting, setting.unworn(), loads, _EARLY_PART * cycles)
-            middle = implicit_step(setting, early, loads, 0.2 * cycles)
-            late = implicit_step(setting, middle, loads, (0.8 - _EARLY_PART) * cycles)
-            ends[positions] = tuple((f, worn_area(setting, f.surface)) for f in (early, late))
+            ends[positions] = _coarse_life(problem(coarse, loads), loads, cycles)
         return ends[positions]
 
     positions, early, late = 1, 0.0, 0.0
@@ -205,11 +204,53 @@ def _planned(
     sectors = min(sectors_at_least(wanted * np.pi), most)
     return Plan(
         positions,
-        PositionError(early, late, cycles),
-        PositionError(*areas, cycles),
+        RelativeError(1.5 * early, 1.5 * late, cycles),
+        RelativeError(1.5 * areas[0], 1.5 * areas[1], cycles),
         sectors,
+        coarse,
         window,
     )
+
+
+def _coarse_life(
+    problem: WearProblem, loads: CycleLoads, cycles: float
+) -> tuple[tuple[Front, float], ...]:
+    """Return fronts and areas after a hundredth and after the whole life, in three steps."""
+    early = implicit_step(problem, problem.unworn(), loads, _EARLY_PART * cycles)
+    middle = implicit_step(problem, early, loads, 0.2 * cycles)
+    late = implicit_step(problem, middle, loads, (0.8 - _EARLY_PART) * cycles)
+    return tuple((front, worn_area(problem, front.surface)) for front in (early, late))
+
+
+def sampling_errors(
+    ring: Ring,
+    width: float,
+    wear_coefficient: float,
+    plan: Plan,
+    whole: CycleLoads,
+    samples: Sequence[CycleLoads],
+    cycles: float,
+) -> tuple[RelativeError, RelativeError]:
+    """Return bounds of the errors of depth and of area by forces that were sampled.
+
+    whole: the loads; samples: the same by parts of the sample. Each part gives a life of its own,
+    coarsely; of the spread of these the mean has 1/sqrt(parts). Three times that, and what the mean
+    of the parts is off the whole by, since a part with its larger scatter wears deeper in places.
+    """
+    nothing = RelativeError(0.0, 0.0, cycles)
+    if len(samples) < 2:
+        return nothing, nothing
+    found = []
+    for loads in (whole, *samples):
+        problem = wear_problem(ring, plan.coarse, width, wear_coefficient, loads, plan.half_angle)
+        ends = _coarse_life(problem, loads, cycles)
+        found.append([(float(front.depth(ring.inner).max()), area) for front, area in ends])
+    together, parts = np.array(found[0]), np.array(found[1:])
+    spread = parts.std(axis=0, ddof=1) / np.sqrt(len(samples))
+    bias = np.abs(parts.mean(axis=0) - together) / (len(samples) - 1)
+    part = (SAMPLING_COVERAGE * spread + bias) / np.maximum(np.abs(together), 1e-300)
+    of_depth, of_area = (RelativeError(float(e), float(end), cycles) for e, end in part.T)
+    return of_depth, of_area
 
 
 def _part(one: float, other: float) -> float:

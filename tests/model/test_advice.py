@@ -61,8 +61,9 @@ def sentences(path: Path) -> Iterator[str]:
     ("module", "names"),
     [
         ("rigapp/commands/model_forces.py", ("forces",)),
+        ("rigapp/commands/model_impacts.py", ("forces",)),
         ("rigapp/commands/model_wear.py", ("wear", "pressure")),
-        ("rigapp/commands/model_progress.py", ("wear",)),
+        ("rigapp/commands/model_progress.py", ("forces", "wear")),
         ("rigapp/report/paper/__init__.py", ("paper",)),
         ("rigapp/report/paper/pages.py", ("paper",)),
     ],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,10 @@ import pytest
 
 from model.dynamics import inverse_dynamics
 from model.parameters import Mechanism, Spring
-from rigapp.commands.model_forces import COLUMNS, CONTACT_COLUMNS, write_forces
+from rigapp.commands import model_progress
+from rigapp.commands.model_cycle import COLUMNS
+from rigapp.commands.model_forces import write_forces
+from rigapp.commands.model_impacts import CONTACT_COLUMNS, Impacting
 from rigapp.config.errors import UnusableInput
 
 PARAMETERS = """
@@ -194,3 +198,63 @@ def test_the_parameter_file_is_never_overwritten(tmp_path: Path) -> None:
     with pytest.raises(UnusableInput, match="is the parameter file"):
         write_forces(path, 30.0, "perfect", None, 360, path)
     assert path.read_text() == PARAMETERS
+
+
+def test_means_stand_beside_one_sample(params: Path, tmp_path: Path, capsys) -> None:  # type: ignore[no-untyped-def]
+    params.write_text(PARAMETERS.replace(SPRING, ""))
+    target = tmp_path / "a.csv"
+    assert write_forces(params, 30.0, "contact", None, 36, target) == 0
+    printed = capsys.readouterr()
+    assert "this curve is one sample of it" in printed.err
+    assert "--revolutions N gives means" in printed.err
+    assert list(read(target)) == [*COLUMNS, *CONTACT_COLUMNS]
+    assert write_forces(params, 30.0, "contact", None, 36, target, Impacting(6)) == 0
+    printed = capsys.readouterr()
+    assert "Over 6 revolutions (mean +/- standard error): in contact" in printed.out
+    assert "this curve is one sample of it" in printed.err
+    table = read(target)
+    assert list(table)[: len(COLUMNS) + len(CONTACT_COLUMNS)] == [*COLUMNS, *CONTACT_COLUMNS]
+    mean, error = table["f_N_mean"], table["f_N_standard_error"]
+    assert np.all(error >= 0.0)
+    assert np.abs(table["f_N"] - mean).max() > 3.0 * np.median(error)
+    assert np.all((table["contact_mean"] >= 0.0) & (table["contact_mean"] <= 1.0))
+    for name in ("fx_N", "fy_crank_N", "fx_follower_N", "torque_Nm"):
+        assert {f"{name}_mean", f"{name}_standard_error"} <= set(table)
+
+
+def test_a_time_limit_leaves_the_revolutions_that_are_done(
+    params: Path,
+    tmp_path: Path,
+    capsys,
+    monkeypatch,  # type: ignore[no-untyped-def]
+) -> None:
+    target = tmp_path / "a.csv"
+    # Each look at the clock finds a second gone.
+    clock = itertools.count()
+    monkeypatch.setattr(model_progress, "monotonic", lambda: float(next(clock)))
+    options = Impacting(50, time_limit_s=8.0)
+    assert write_forces(params, 30.0, "contact", None, 36, target, options) == 1
+    assert "--time-limit-s 8: over after 7 of 50 revolutions" in capsys.readouterr().err
+    assert len(read(target)["f_N_mean"]) == 36
+    other = tmp_path / "b.csv"
+    options = Impacting(50, time_limit_s=0.5)
+    assert write_forces(params, 30.0, "contact", None, 36, other, options) == 1
+    assert "over before the first revolution" in capsys.readouterr().err
+    assert not other.exists()
+
+
+@pytest.mark.parametrize(
+    ("joint", "options", "words"),
+    [
+        ("perfect", Impacting(10), "--revolutions has no meaning for --joint perfect"),
+        ("continuous", Impacting(tolerance=1e-6), "--tolerance has no meaning for --joint cont"),
+        ("contact", Impacting(1), "--revolutions 1: give 2 to"),
+        ("contact", Impacting(tolerance=1.0), "--tolerance 1: give 1e-12 to 0.1"),
+        ("contact", Impacting(time_limit_s=-1.0), "--time-limit-s -1: give a finite time above 0"),
+    ],
+)
+def test_options_without_meaning_are_refused(
+    params: Path, tmp_path: Path, joint: str, options: Impacting, words: str
+) -> None:
+    with pytest.raises(UnusableInput, match=words):
+        write_forces(params, 30.0, joint, None, 36, tmp_path / "a.csv", options)

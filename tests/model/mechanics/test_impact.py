@@ -12,7 +12,7 @@ from model import impact_laws as laws
 from model.contact_law import ContactModel, WornProfile, foundation_modulus, hertz_stiffness
 from model.dynamics import inverse_dynamics
 from model.errors import ModelError
-from model.impact import contact_cycle, integrate_contact
+from model.impact import ContactCycle, contact_cycle, integrate_contact
 from model.impact_system import ContactState, centred_state, clearance_system, settled_state
 from model.parameters import Joint, Material, Mechanism, Spring
 
@@ -80,6 +80,52 @@ def test_the_published_benchmark_at_5000_rpm() -> None:
     assert cycle.contact_is_continuous
     peak = np.abs(cycle.motion.slider_acceleration).max() / np.abs(ideal).max()
     assert 1.38 < peak < 1.48
+
+
+@pytest.mark.parametrize(
+    ("joint", "material", "foundation", "steps"),
+    [
+        (JOINT, POLYMER, False, 1000),
+        (ROUGH, POLYMER, False, 3000),
+        (JOINT, POLYMER, True, 1600),
+        (JOINT, STEEL, False, 2600),
+        (ROUGH, STEEL, False, 5400),
+    ],
+)
+def test_the_default_tolerance_gives_every_point_in_few_steps(
+    joint: Joint, material: Material, foundation: bool, steps: int
+) -> None:
+    def cycle(tolerance: float) -> ContactCycle:
+        settings = ContactModel(foundation=foundation, tolerance=tolerance)
+        system = clearance_system(CASE_B, joint, material, STEEL, np.pi, settings)
+        return contact_cycle(system, settling_revolutions=0)
+
+    assert ContactModel().tolerance == 1e-8
+    usual, fine = cycle(1e-8), cycle(1e-11)
+    apart = np.abs(usual.motion.force - fine.motion.force).max()
+    assert apart < 1e-4 * fine.motion.force_magnitude.max()
+    assert usual.steps < steps
+
+
+def test_looking_up_between_steps_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    system = clearance_system(CASE_A, JOINT, POLYMER, STEEL, np.pi)
+    parts: list[float] = []
+    whole = contact_cycle(system, settling_revolutions=0, progress=parts.append)
+    assert parts == [1.0]
+    monkeypatch.setattr("model.impact.STEPS_AT_ONCE", 50)
+    looked = contact_cycle(system, settling_revolutions=0, progress=parts.append)
+    assert len(parts) > 20
+    np.testing.assert_array_equal(looked.motion.force, whole.motion.force)
+    assert looked.contact_fraction == whole.contact_fraction
+    np.testing.assert_array_equal(looked.impacts.time, whole.impacts.time)
+
+
+def test_steps_without_end_are_refused_with_advice(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("model.impact.MOST_STEPS", 40)
+    monkeypatch.setattr("model.impact.STEPS_AT_ONCE", 20)
+    system = clearance_system(CASE_A, JOINT, POLYMER, STEEL, np.pi)
+    with pytest.raises(ModelError, match=r"steps is 40: too many by .* s; raise the tolerance"):
+        contact_cycle(system)
 
 
 def absolute_coordinates(system, time: float, y: np.ndarray, impact_speed: float):  # type: ignore[no-untyped-def]
@@ -150,7 +196,7 @@ def absolute_coordinates(system, time: float, y: np.ndarray, impact_speed: float
 def test_an_independent_integration_in_absolute_coordinates(
     mechanism: Mechanism, joint: Joint, location: str, speed: float, duration: float, law: str
 ) -> None:
-    settings = ContactModel(law=law, impact_speed_floor=0.01, tolerance=1e-6)
+    settings = ContactModel(law=law, impact_speed_floor=0.01)
     system = clearance_system(
         mechanism, joint, POLYMER, STEEL, speed, settings, location, start_angle=0.7
     )
@@ -181,7 +227,7 @@ def test_an_independent_integration_in_absolute_coordinates(
     depth = system.scales[0]
     mine = np.vstack([first.follower_position, first.follower_angle, first.slider_position])
     scale = np.array([[1.0], [1.0], [1.0 / mechanism.follower_length], [1.0]]) * depth
-    assert (np.abs(mine - other.y[:4]) / scale).max() < 2e-3
+    assert (np.abs(mine - other.y[:4]) / scale).max() < 1e-6
     assert np.ptp(cycle.penetration) > 0.05 * depth
 
 
@@ -355,7 +401,9 @@ def test_the_foundation_bears_the_integral_of_its_pressure() -> None:
     system = clearance_system(CASE_B, JOINT, POLYMER, STEEL, np.pi, settings)
     depth = 60e-6
     d = -(JOINT.clearance + depth)
-    fx, fy, moment, turned = laws.foundation_force(system.vector, system.table, d, 0.0)
+    fx, fy, moment, turned, deep = laws.foundation_force(system.vector, system.table, d, 0.0)
+    assert deep == pytest.approx(depth, rel=1e-9)
+    assert laws.foundation_force(system.vector, system.table, 0.4e-3, 0.2e-3) == (0.0,) * 5
     turn = np.linspace(-0.5, 0.5, 200001)
     ex, ey = -10e-3 * np.cos(turn) - d, -10e-3 * np.sin(turn)
     distance = np.hypot(ex, ey)

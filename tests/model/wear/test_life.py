@@ -14,7 +14,7 @@ from model.errors import ModelError, OutOfTime
 from model.joints import continuous_contact
 from model.parameters import Bushing, Joint, Material, Parameters, Spring
 from model.wear.front import WornThrough
-from model.wear.life import below_archard, life, row_cycles
+from model.wear.life import Life, below_archard, life, row_cycles
 from model.wear.state import unworn_state
 
 _SPEC = importlib.util.spec_from_file_location(
@@ -124,7 +124,8 @@ def test_separate_bodies_agree_where_contact_holds(parameters) -> None:
     assert apart.notes == ()
 
 
-def test_losing_contact_is_said(parameters) -> None:
+def test_losing_contact_is_said(parameters, monkeypatch) -> None:
+    monkeypatch.setattr("model.wear.impact_forces.MOST_REVOLUTIONS", 32)
     loose = replace(parameters, mechanism=replace(parameters.mechanism, spring=None))
     found = life(loose, RPM30, 300, "continuous", 5e-2)
     assert any("Continuous contact does not hold" in note for note in found.notes)
@@ -135,6 +136,45 @@ def test_losing_contact_is_said(parameters) -> None:
     missed = [note for note in strict.notes if "exceeds the tolerance of 0.0005" in note]
     assert len(missed) == (0 if strict.tolerance_met else 1)
     assert strict.tolerance_met == (strict.estimated_error[-1] <= 5e-4 * strict.max_depth[-1])
+
+
+def unsprung_lives(
+    parameters: Parameters, number: int, cycles: float, tolerance: float
+) -> list[Life]:
+    """Return lives without spring whose pin radius differs by a millionth of a micrometre."""
+    loose = replace(parameters, mechanism=replace(parameters.mechanism, spring=None))
+    radii = [loose.joint.pin_radius + 1e-12 * part for part in range(number)]
+    return [
+        life(
+            replace(loose, joint=replace(loose.joint, pin_radius=r)),
+            RPM30,
+            cycles,
+            "contact",
+            tolerance,
+        )
+        for r in radii
+    ]
+
+
+@pytest.mark.parametrize(
+    ("number", "cycles"), [(2, 300), pytest.param(10, 300, marks=pytest.mark.soak)]
+)
+def test_chaotic_lives_agree_within_their_stated_errors(
+    parameters, number: int, cycles: int, monkeypatch
+) -> None:
+    if number < 10:
+        monkeypatch.setattr("model.wear.impact_forces.MOST_REVOLUTIONS", 32)
+    found = unsprung_lives(parameters, number, cycles, 0.1)
+    for values, errors in (
+        ([f.max_depth[-1] for f in found], [f.estimated_error[-1] for f in found]),
+        ([f.worn_area[-1] for f in found], [f.area_error[-1] for f in found]),
+    ):
+        mean = np.mean(values)
+        assert np.ptp(values) > 0.0
+        assert np.all(np.abs(np.array(values) - mean) <= errors)
+        assert np.max(errors) < 0.3 * mean
+    # Sorted by direction, twice and four times as many positions give the same depth.
+    assert found[0].max_depth[-1] == pytest.approx(4.1e-7, rel=0.1)
 
 
 def test_wear_follows_the_force_to_the_other_wall(parameters) -> None:

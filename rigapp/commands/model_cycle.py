@@ -1,0 +1,59 @@
+"""One cycle of the mechanism as the columns of a table, in the units of their names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rigapp.config.model_parameters import MM
+
+if TYPE_CHECKING:
+    from model.dynamics import Motion
+
+COLUMNS = (
+    "crank_angle_deg",
+    "fx_N",
+    "fy_N",
+    "f_N",
+    "fx_crank_N",
+    "fy_crank_N",
+    "fx_follower_N",
+    "fy_follower_N",
+    "torque_Nm",
+    "slider_position_mm",
+    "slider_velocity_m_per_s",
+    "slider_acceleration_m_per_s2",
+    "slip_mm",
+)
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True, slots=True)
+class Cycle:
+    """Hold the columns, what to print about them, what must be read, and whether all is there."""
+
+    columns: Mapping[str, Array]
+    remark: str = ""
+    sentences: tuple[str, ...] = ()
+    complete: bool = True
+
+
+def columns_of(degrees: Array, motion: Motion, pin_radius: float) -> dict[str, Array]:
+    """Return the columns that every joint has."""
+    values = (
+        degrees,
+        *motion.force,
+        motion.force_magnitude,
+        *motion.force_crank,
+        *motion.force_follower,
+        motion.drive_torque,
+        motion.slider_position / MM,
+        motion.slider_velocity,
+        motion.slider_acceleration,
+        motion.slip_increments(pin_radius) / MM,
+    )
+    return dict(zip(COLUMNS, values, strict=True))
