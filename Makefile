@@ -9,6 +9,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 RUN_READY := $(VENV)/ready-run
 TEST_READY := $(VENV)/ready-test
+BENCH_READY := $(VENV)/ready-bench
 SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
@@ -31,7 +32,7 @@ search: $(TEST_READY)
 	@echo "make search SEED=$(SEED) repeats this search"
 	$(BIN)/python -m pytest -n 2 -m "hypothesis and not soak" --hypothesis-profile search --hypothesis-seed $(SEED)
 
-bench: $(TEST_READY)
+bench: $(BENCH_READY)
 	$(BIN)/python -m benchmarks
 
 soak: $(TEST_READY)
@@ -53,12 +54,18 @@ $(TEST_READY): constraints-test.txt $(RUN_READY)
 	$(BIN)/python -m pip install --quiet --require-hashes -r constraints-test.txt
 	@touch $@
 
+$(BENCH_READY): constraints-bench.txt $(TEST_READY)
+	$(BIN)/python -m pip install --quiet --require-hashes -r constraints-bench.txt
+	@touch $@
+
 # New versions of what pyproject.toml names; needs uv.
 lock:
 	uv pip compile pyproject.toml --extra gui --extra build --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url --quiet -o constraints.txt
 	uv pip compile pyproject.toml --extra gui --extra build --extra test --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints.txt --quiet -o constraints-test.txt
+	uv pip compile pyproject.toml --extra gui --extra build --extra test --extra bench --universal --python-version 3.11 \
+		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-bench.txt
 
 clean:
 	rm -rf $(VENV) build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache
