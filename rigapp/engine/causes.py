@@ -121,6 +121,11 @@ KINDS: Mapping[str, Kind] = {
         "Check the sensor's wires and plug, then reconnect.",
         Ends.CONNECTION,
     ),
+    "input:saturated": _warning(
+        "Input saturated",
+        "What this input shows is wrong as long as it is; the samples are flagged.",
+        "Look at the signal, its sensor, its range and its cable.",
+    ),
     "input": _warning(
         "Input {}",
         "What this input shows may be wrong.",
@@ -393,9 +398,9 @@ def sensor_suspect(device: str, port: str, words: str, named: str, *, before: bo
 
 def input_fault(device: str, port: str, kind: str, words: str, named: str) -> Cause:
     """The device says that something is wrong at an input."""
-    return _cause(
-        "input", _input(device, port, words, named), key=f"input:{kind}:{named}", name=kind
-    )
+    key = f"input:{kind}"
+    told = _input(device, port, words, named)
+    return _cause(key if key in KINDS else "input", told, key=f"{key}:{named}", name=kind)
 
 
 def time_jump(seconds: float) -> Cause:

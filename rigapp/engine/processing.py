@@ -11,7 +11,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import Block, SampleClock
+from drivers.api import Block, Quality, SampleClock
 from rigapp.engine.assembler import Assembler, Revolution
 from rigapp.engine.calibrate import Calibration
 from rigapp.engine.checks import PeakForce
@@ -88,7 +88,11 @@ class Live:
 
 
 class Processor:
-    """Process the Blocks of one connection; ``handle`` belongs to the processing thread."""
+    """Process the Blocks of one connection; ``handle`` belongs to the processing thread.
+
+    next_sample: the device sample that is expected next; saturated_until: the same behind the last
+    block with a saturated sample.
+    """
 
     def __init__(
         self,
@@ -130,6 +134,7 @@ class Processor:
         self._newest: Block | None = None
         self._busy = threading.Lock()
         self.next_sample = 0
+        self.saturated_until = 0
 
     def _set(self, calibration: Calibration) -> None:
         self.calibration = calibration
@@ -218,6 +223,8 @@ class Processor:
         assembler = self.assembler
         revolutions = assembler.push(block, ticks)
         self.next_sample = block.first_sample + n
+        if np.bitwise_or.reduce(block.quality) & Quality.SATURATED:
+            self.saturated_until = self.next_sample
         self._look(block, n, ticks)
         if assembler.lost_samples != self._lost:
             self._lost = assembler.lost_samples

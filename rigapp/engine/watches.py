@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from rigapp.engine.connection import Connection
 
 
+CALM_S = 0.5
+"""An input that was saturated has returned when no sample has been for so long."""
+
+
 class Watches:
     """Look at the age of unprocessed data and at what the data source says of its inputs."""
 
@@ -21,12 +25,14 @@ class Watches:
         self._core = core
         self._connection = connection
         self._told: tuple[InputFault, ...] = ()
+        self._saturated: dict[str, int] = {}
         self._real_time = core.rig.record.simulation is None
 
     def look(self) -> None:
         """Look once."""
         self._look_at_queue()
         self._look_at_inputs()
+        self._look_for_return()
 
     def _look_at_queue(self) -> None:
         """Switch the drive off when an overload would be seen too late.
@@ -56,6 +62,15 @@ class Watches:
         for fault in fresh:
             self._tell(source.name, source.port, fault)
 
+    def _look_for_return(self) -> None:
+        """End the alarm of a saturated input when no sample has been flagged for a while."""
+        processor = self._connection.processor
+        patience = CALM_S * processor.calibration.sample_rate_Hz
+        for key, told_at in list(self._saturated.items()):
+            if processor.next_sample - max(told_at, processor.saturated_until) > patience:
+                del self._saturated[key]
+                self._core.alarms.clear(key)
+
     def _tell(self, device: str, port: str, fault: InputFault) -> None:
         core = self._core
         named = ", ".join(self._name(one) for one in fault.inputs)
@@ -67,7 +82,10 @@ class Watches:
             before = fault.host_time_ns == 0
             core.warn(causes.sensor_suspect(device, port, fault.words, named, before=before))
         else:
-            core.warn(causes.input_fault(device, port, fault.kind.value, fault.words, named))
+            cause = causes.input_fault(device, port, fault.kind.value, fault.words, named)
+            core.warn(cause)
+            if fault.kind is InputFaultKind.SATURATED:
+                self._saturated[cause.key] = self._connection.processor.next_sample
 
     def _name(self, wanted: str) -> str:
         """Return what an input carries, beside its name."""

@@ -27,6 +27,7 @@ from drivers.api import (
     DriverKind,
     DriveStatus,
     Identity,
+    Quality,
     ReplyTimeout,
     SettingSpec,
     StreamSetup,
@@ -107,6 +108,7 @@ class FakeSource:
         self.encoder_back = False
         self.index_dead = False
         self.lose_samples = 0
+        self.quality = Quality.GOOD
         self.opened = False
         self.open_fails = False
         self.streaming = False
@@ -170,7 +172,7 @@ class FakeSource:
             sample_rate_Hz=RATE,
             host_time_ns=time.monotonic_ns(),
             values=values,
-            quality=np.zeros(BLOCK, np.uint8),
+            quality=np.full(BLOCK, self.quality, np.uint8),
             lost_before=lost,
         )
         self._sample += BLOCK

@@ -159,6 +159,25 @@ def test_other_faults_of_inputs_warn(
     rig.engine.shutdown()
 
 
+def test_the_alarm_of_a_saturated_input_ends_when_the_input_returns() -> None:
+    rig = MemoryRig()
+    faults = supervised(rig)
+    rig.engine.connect()
+    for time_ns in (1, 2):
+        rig.source.quality = Quality.SATURATED
+        faults.append(InputFault(InputFaultKind.SATURATED, ("analog_1",), "above", time_ns))
+        eventually(lambda: any(one.active for one in rig.engine.status().alarms))
+        processor = rig.engine._connection.processor  # type: ignore[union-attr]
+        later = processor.next_sample + 2000
+        eventually(lambda p=processor, n=later: p.next_sample > n)  # type: ignore[misc]
+        raised = alarm(rig, "input:saturated")
+        assert raised is not None
+        assert raised.active
+        rig.source.quality = Quality.GOOD
+        eventually(lambda: not any(one.active for one in rig.engine.status().alarms))
+    rig.engine.shutdown()
+
+
 def test_samples_of_a_broken_sensor_flag_their_revolution() -> None:
     turns = np.arange(4000) / 1000.0 + 0.3
     values = np.zeros((5, 4000), np.float32)
