@@ -362,7 +362,10 @@ class DriverKind(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class SettingSpec:
-    """Describe one key of ``[devices.NAME.settings]``: type, default, range, one sentence."""
+    """Describe one key of ``[devices.NAME.settings]``: type, default, range, one sentence.
+
+    kind: ``object`` where the choices are of several types.
+    """
 
     kind: type
     default: Any

@@ -121,7 +121,7 @@ def _nearest(word: str, words: Iterable[str]) -> str:
 
 def _checked(value: Any, spec: SettingSpec, where: str) -> Any:
     value = _converted(value, spec, where)
-    if spec.choices and value not in spec.choices:
+    if spec.choices and not any(_same(value, choice) for choice in spec.choices):
         hint = _nearest(value, spec.choices) if isinstance(value, str) else ""
         allowed = ", ".join(_shown(choice) for choice in spec.choices)
         raise SettingsError(
@@ -132,7 +132,13 @@ def _checked(value: Any, spec: SettingSpec, where: str) -> Any:
     return value
 
 
+def _same(value: Any, choice: Any) -> bool:
+    return type(value) is type(choice) and bool(value == choice)
+
+
 def _converted(value: Any, spec: SettingSpec, where: str) -> Any:
+    if spec.kind is object:
+        return value
     if spec.kind is float and isinstance(value, int) and not isinstance(value, bool):
         return float(value)
     if spec.kind is int and isinstance(value, float) and value.is_integer():

@@ -6,9 +6,11 @@ written that already stands there.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import TypeVar
 
@@ -50,7 +52,7 @@ class Commissioner:
         """Set the device to the plan, fill ``readback``; return the frames that it will send."""
         self._check_firmware(plan)
         self._link.checksum = plan.command_checksum
-        interface = self._open_session(plan)
+        plan, interface = self._choose_checksum(plan)
         offset_binary = self._check_line(interface.number, plan)
         # A rate too high for the new format is lowered first, a higher one set last.
         slower = plan.sample_rate_Hz < self._registers.rate_Hz()
@@ -69,7 +71,7 @@ class Commissioner:
         return FrameLayout(
             objects=len(plan.objects),
             data_type=plan.data_type,
-            checksum=plan.data_checksum,
+            checksum=bool(plan.data_checksum),
             high_speed=plan.high_speed and plan.sample_rate_Hz >= p.HIGH_SPEED_FROM_HZ,
             offset_binary=offset_binary,
         )
@@ -80,7 +82,7 @@ class Commissioner:
         needs = (
             (bool(plan.counters), p.COUNTER_FIRMWARE, "the encoder input"),
             (plan.command_checksum, p.CHECKSUM_FIRMWARE, "command_checksum"),
-            (plan.data_checksum, p.CHECKSUM_FIRMWARE, "data_checksum"),
+            (bool(plan.data_checksum), p.CHECKSUM_FIRMWARE, "data_checksum"),
             (plan.high_speed, p.HIGH_SPEED_FIRMWARE, "high_speed_frames"),
         )
         for wanted, least, what in needs:
@@ -90,11 +92,23 @@ class Commissioner:
                     f"{_version(self._firmware)}; let the maker update it."
                 )
 
+    def _choose_checksum(self, plan: Plan) -> tuple[Plan, p.InterfaceReply]:
+        """Open the session, with a checksum of the data where nobody forbids it and it can be."""
+        if plan.data_checksum is not None:
+            return plan, self._open_session(plan)
+        protected = replace(plan, data_checksum=True)
+        if self._firmware >= p.CHECKSUM_FIRMWARE:
+            with contextlib.suppress(SettingRefused):  # then without it, which raises what matters
+                interface = self._open_session(protected)
+                self._check_line(interface.number, protected)
+                return protected, interface
+        bare = replace(plan, data_checksum=False)
+        return bare, self._open_session(bare)
+
     def _open_session(self, plan: Plan) -> p.InterfaceReply:
-        reply = self._registers.open_session(
-            high_speed=plan.high_speed, data_checksum=plan.data_checksum
-        )
-        if reply.data_checksum != plan.data_checksum:
+        wanted = bool(plan.data_checksum)
+        reply = self._registers.open_session(high_speed=plan.high_speed, data_checksum=wanted)
+        if reply.data_checksum != wanted:
             raise self._refused("the device did not take the setting data_checksum.")
         if reply.write_protected:
             _log.warning("%s: the device reports write protection", self._name)
@@ -116,7 +130,7 @@ class Commissioner:
         return offset_binary
 
     def _check_capacity(self, plan: Plan) -> None:
-        layout = FrameLayout(len(plan.objects), plan.data_type, plan.data_checksum)
+        layout = FrameLayout(len(plan.objects), plan.data_type, bool(plan.data_checksum))
         capacity = self._baud_rate / _BITS_PER_BYTE * _LINE_SHARE / layout.length()
         if plan.sample_rate_Hz > capacity:
             raise self._refused(

@@ -121,7 +121,7 @@ class Gsv8:
         plan, layout = self._configured()
         if self._streaming:
             return
-        self._link.expect(layout)
+        self._link.expect(layout, hold=not layout.checksum)
         settings = self._settings
         self._blocks = BlockMaker(self.name, plan.sample_rate_Hz, plan.rows, settings["block_s"])
         known = Registers(self._link, self._firmware).latest_fault()
@@ -224,11 +224,15 @@ class Gsv8:
         if not self._line.is_open:
             return
         # One try each: a device that hangs must not hold up the end of a test.
-        goodbye = [Command.STOP_TRANSMISSION] if self._streaming else []
+        goodbye = []
+        if self._layout is not None and self._layout.checksum:
+            goodbye.append((Command.GET_INTERFACE, u8(1)))  # other programs expect no checksum
+        if self._streaming:
+            goodbye.append((Command.STOP_TRANSMISSION, b""))
         self._streaming = False
-        for command in (*goodbye, Command.RELEASE_INTERFACE):
+        for command, parameters in (*goodbye, (Command.RELEASE_INTERFACE, b"")):
             with contextlib.suppress(DeviceError):
-                self._link.exchange(command, tries=1)
+                self._link.exchange(command, parameters, tries=1)
         self._line.close()
 
     @property

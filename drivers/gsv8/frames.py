@@ -3,11 +3,16 @@
 Serial frames (SPEC p9-16): prefix AA, header, third byte, data, optional checksum, suffix 85. The
 payload may hold AA and 85, so frames are found by their length and never split at delimiters: on
 any mismatch one byte is dropped and the search starts again (the safe rule of the protocol).
-The normal case, contiguous frames of one kind, is checked and decoded in bulk.
+The normal case, contiguous frames of one kind, is checked and decoded in bulk; so is the search.
+
+Where bytes are lost inside a frame, its head and a later frame's end can look like one whole frame.
+A checksum finds that. Without one the last frame is held back until another follows at its end: a
+splice stands where no frame follows.
 """
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -27,6 +32,8 @@ _LONG_FORM = 15
 
 _FIRST_BULK = 64
 _MAXIMUM_BULK = 1 << 15
+_FIRST_LOOK = 64
+_MAXIMUM_LOOK = 1 << 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,12 +156,14 @@ class StreamParser:
     Without a layout, measured values of any layout are skipped and only responses are returned.
     With one, whole frames of another layout are counted as foreign, and their samples are lost.
     ``response_expected``: while the stream is out of step, take what looks like a response; in
-    step, responses are taken always.
+    step, responses are taken always. hold: give no sample before its frame is followed by another
+    one or a response.
     """
 
-    def __init__(self, layout: FrameLayout | None = None) -> None:
+    def __init__(self, layout: FrameLayout | None = None, *, hold: bool = False) -> None:
         self.layout = layout
         self.response_expected = False
+        self._hold = hold
         self.tally = Tally()
         self.consecutive_foreign = 0
         self._tail = b""
@@ -179,12 +188,17 @@ class StreamParser:
     def give_up_tail(self) -> Parsed:
         """Take a frame that does not go on for damaged and look for what stands behind its start.
 
-        For use when the line is silent although an answer is due.
+        For use when the line is silent although an answer is due. A whole frame that was held back
+        is given.
         """
         parsed = Parsed()
         if self._tail:
             buffer = self._tail
-            position = self._parse(buffer, parsed, self._skip(buffer, 0))
+            hold, self._hold = self._hold, False
+            position = self._parse(buffer, parsed) if hold else 0
+            self._hold = hold
+            if position == 0:
+                position = self._parse(buffer, parsed, self._skip(buffer, 0))
             self._tail = buffer[position:]
         return parsed
 
@@ -207,7 +221,10 @@ class StreamParser:
             elif len(buffer) - position < length:
                 break
             elif buffer[position + 1] in self._sequences:
+                before = position
                 position = self._take_samples(buffer, octets, position, length, parsed)
+                if position == before:
+                    break
             else:
                 position = self._take_other(buffer, position, length, parsed)
         return position
@@ -215,31 +232,19 @@ class StreamParser:
     def _length_at(self, buffer: bytes, position: int) -> int:
         """Return the length of the frame that seems to start here, 0 when none can."""
         head, third = buffer[position + 1], buffer[position + 2]
-        kind, count = head & 0xD0, head & 0x0F
-        checksum = bool(head & 0x20)
-        if kind == 0x10:
-            if head in self._sequences:
-                layout = self.layout
-                assert layout is not None
-                fits = third & _TYPE_MASK == layout.third
-                if fits:
-                    return layout.length(self._sequences[head])
-            return self._foreign(buffer, position)
-        if kind == 0x50 and count != _LONG_FORM and (self._in_step or self.response_expected):
-            if third and count:
-                return 0
-            return 4 + count + checksum
-        return 0
-
-    def _foreign(self, buffer: bytes, position: int) -> int:
-        """Return the length of a measured-value frame of another layout, 0 when there is none."""
-        head, third = buffer[position + 1], buffer[position + 2]
-        type_code = third >> 4 & 7
-        plausible = third & 0x80 and type_code in (1, 2, 3)
-        if not plausible or not (self._in_step or self.layout is None):
-            return 0
-        length = 4 + ((head & 0x0F) + 1) * (type_code + 1) + (2 if head & 0x20 else 0)
+        length = int(self._lengths(self._in_step)[head, third])
+        if length == 0 or head & 0xD0 != 0x10 or self._is_own(head, third):
+            return length
         return 0 if self._hides_own_frame(buffer, position, length) else length
+
+    def _lengths(self, in_step: bool) -> NDArray[np.int16]:
+        """Return the table of lengths by header and third byte that holds now."""
+        responses = in_step or self.response_expected
+        return _frame_lengths(self.layout, responses, in_step or self.layout is None)
+
+    def _is_own(self, head: int, third: int) -> bool:
+        layout = self.layout
+        return layout is not None and head in self._sequences and third & _TYPE_MASK == layout.third
 
     def _hides_own_frame(self, buffer: bytes, position: int, length: int) -> bool:
         """Tell whether an own frame starts inside where an own frame that began here would end.
@@ -273,10 +278,25 @@ class StreamParser:
             if layout.checksum and rows[0, -1] == SUFFIX:
                 self.tally.checksum_failures += 1
             return self._skip(buffer, start)
-        parsed.runs.append(self._run(rows[:good], layout))
+        follows = not self._hold or self._follows(buffer, start + good * length)
+        given = good if follows else good - 1
+        if given:
+            parsed.runs.append(self._run(rows[:given], layout))
         # Halting bulks would cost the square of the damage; growing ones cost its logarithm.
         self._bulk = min(self._bulk * 4, _MAXIMUM_BULK) if good == count else _FIRST_BULK
-        return start + good * length
+        end = start + given * length
+        return self._skip(buffer, end) if follows is False else end
+
+    def _follows(self, buffer: bytes, end: int) -> bool | None:
+        """Tell whether a frame or a response begins at the end of a frame; None: not known yet."""
+        if end < len(buffer) and buffer[end] != PREFIX:
+            return False
+        if end + 3 > len(buffer):
+            return None
+        length = int(self._lengths(True)[buffer[end + 1], buffer[end + 2]])
+        if length == 0 or self._is_own(buffer[end + 1], buffer[end + 2]):
+            return length > 0
+        return buffer[end + length - 1] == SUFFIX if end + length <= len(buffer) else None
 
     def _run(self, rows: NDArray[np.uint8], layout: FrameLayout) -> Run:
         check = 2 if layout.checksum else 0
@@ -334,7 +354,7 @@ class StreamParser:
         return start + length
 
     def _skip(self, buffer: bytes, position: int) -> int:
-        """Drop one byte, and all behind it that cannot start a frame."""
+        """Drop one byte, and all behind it that cannot start a whole frame."""
         self._bulk = _FIRST_BULK
         if self._in_step:
             self._in_step = False
@@ -342,12 +362,96 @@ class StreamParser:
             if buffer[position] == PREFIX and len(head) == 2 and self.layout is not None:
                 begun = head[1] & _TYPE_MASK == self.layout.third
                 self._damaged += self._sequences.get(head[0], 0) if begun else 0
-        following = buffer.find(_PREFIX_BYTE, position + 1)
-        if following < 0:
-            following = len(buffer)
+        following = self._next_start(np.frombuffer(buffer, dtype=np.uint8), position + 1)
         self._dropped += following - position
         self.tally.dropped_bytes += following - position
         return following
+
+    def _next_start(self, octets: NDArray[np.uint8], position: int) -> int:
+        """Return the first place from position on where a whole frame may start, or the end.
+
+        It looks further and further ahead, so that its cost is in proportion to what it passes.
+        """
+        look = _FIRST_LOOK
+        while position < len(octets):
+            starts = position + np.flatnonzero(octets[position : position + look] == PREFIX)
+            if starts.size:
+                starts = starts[self._may_start(octets, starts)]
+                if starts.size:
+                    return int(starts[0])
+            position += look
+            look = min(4 * look, _MAXIMUM_LOOK)
+        return len(octets)
+
+    def _may_start(self, octets: NDArray[np.uint8], starts: NDArray[np.int64]) -> NDArray[np.bool_]:
+        """Tell at which places with a prefix a whole frame starts, or one that is still coming."""
+        lengths = self._lengths(False)
+        length = _looked_up(lengths, octets, starts)
+        ends = starts + length
+        coming = ends > len(octets)
+        whole = (length > 0) & ~coming
+        whole[whole] = octets[ends[whole] - 1] == SUFFIX
+        layout = self.layout
+        if layout is not None and (layout.checksum or self._hold):
+            own = whole & (octets[np.minimum(starts + 1, len(octets) - 1)] & 0xD0 == 0x10)
+            whole[own] = (
+                _checks(octets, starts[own], length[own])
+                if layout.checksum
+                else self._may_follow(octets, ends[own])
+            )
+        return whole | coming & (length > 0)
+
+    def _may_follow(self, octets: NDArray[np.uint8], ends: NDArray[np.int64]) -> NDArray[np.bool_]:
+        """Tell at which ends a frame or a response begins, as far as its first bytes tell."""
+        following = octets[np.minimum(ends, len(octets) - 1)] == PREFIX
+        plausible = _looked_up(self._lengths(True), octets, ends) > 0
+        return (ends >= len(octets)) | following & plausible
+
+
+@functools.lru_cache(maxsize=64)
+def _frame_lengths(layout: FrameLayout | None, responses: bool, foreign: bool) -> NDArray[np.int16]:
+    """Return the length of the frame that header and third byte announce, (256, 256); 0: none.
+
+    responses: take answers to requests. foreign: take measured values of any layout.
+    """
+    head, third = np.ogrid[:256, :256]
+    count, checked, number = head & 0x0F, head >> 5 & 1, third >> 4 & 7
+    lengths = np.zeros((256, 256), dtype=np.int16)
+    if foreign:
+        plausible = (head & 0xD0 == 0x10) & (third >= 0x80) & (number >= 1) & (number <= 3)
+        data = (count + 1) * (number + 1)
+        lengths = np.where(plausible, 4 + data + 2 * checked, lengths)
+    if responses:
+        answer = (head & 0xD0 == 0x50) & (count != _LONG_FORM) & ((third == 0) | (count == 0))
+        lengths = np.where(answer, 4 + count + checked, lengths)
+    if layout is not None:
+        own = third & _TYPE_MASK == layout.third
+        for sequences in range(1, layout.most_sequences + 1):
+            here = (head == layout.header(sequences)) & own
+            lengths = np.where(here, layout.length(sequences), lengths)
+    return lengths.astype(np.int16)
+
+
+def _looked_up(
+    lengths: NDArray[np.int16], octets: NDArray[np.uint8], starts: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """Return the announced length at each place; 3, the least, where the stream ends before."""
+    last = len(octets) - 1
+    found = lengths[octets[np.minimum(starts + 1, last)], octets[np.minimum(starts + 2, last)]]
+    return np.where(starts + 2 > last, 3, found).astype(np.int64)
+
+
+def _checks(
+    octets: NDArray[np.uint8], starts: NDArray[np.int64], lengths: NDArray[np.int64]
+) -> NDArray[np.bool_]:
+    """Tell which whole frames have the checksum that they carry."""
+    right = np.zeros(len(starts), dtype=np.bool_)
+    for length in np.unique(lengths).tolist():
+        these = lengths == length
+        rows = octets[starts[these][:, None] + np.arange(length)]
+        sent = rows[:, -3].astype(np.uint16) | rows[:, -2].astype(np.uint16) << 8
+        right[these] = crc16_of_rows(rows[:, 1:-3]) == sent
+    return right
 
 
 def _leading_good(rows: NDArray[np.uint8], head: int, third: int, checksum: bool) -> int:

@@ -83,10 +83,13 @@ class Link:
         """Return what went wrong on the line since the layout was set."""
         return self._parser.tally
 
-    def expect(self, layout: FrameLayout | None) -> None:
-        """Forget all samples and expect frames of this layout; None: skip measured values."""
+    def expect(self, layout: FrameLayout | None, *, hold: bool = False) -> None:
+        """Forget all samples and expect frames of this layout; None: skip measured values.
+
+        hold: give no sample before something whole follows it, see ``StreamParser``.
+        """
         with self._reading:
-            self._parser = StreamParser(layout)
+            self._parser = StreamParser(layout, hold=hold)
             self.take()
 
     def command(

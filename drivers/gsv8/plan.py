@@ -39,7 +39,8 @@ class Plan:
     """What the device shall be set to.
 
     objects: inputs in the order of the frame; channels: the requested inputs in their order.
-    analog: channel number -> input type. counters: counter number (0, 1) -> mode.
+    analog: channel number -> input type. counters: counter number (0, 1) -> mode. data_checksum:
+    None leaves it to firmware and line.
     """
 
     sample_rate_Hz: float
@@ -50,7 +51,7 @@ class Plan:
     counters: Mapping[int, CounterMode]
     counter_home: int
     counts_per_unit: float
-    data_checksum: bool
+    data_checksum: bool | None
     command_checksum: bool
     high_speed: bool
     filter_Hz: float | None
@@ -104,7 +105,7 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
         counters=counters,
         counter_home=settings["counter_home"],
         counts_per_unit=settings["counts_per_unit"],
-        data_checksum=settings["data_checksum"],
+        data_checksum=None if settings["data_checksum"] == "auto" else settings["data_checksum"],
         command_checksum=settings["command_checksum"],
         high_speed=settings["high_speed_frames"],
         filter_Hz=_filter(settings["analog_filter"]),

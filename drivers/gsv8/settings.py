@@ -36,7 +36,11 @@ SETTINGS: Mapping[str, SettingSpec] = {
         bool, False, "Protect commands and answers by a CRC-8 (firmware 1.56 or newer)."
     ),
     "data_checksum": SettingSpec(
-        bool, False, "Protect measured values by a CRC-16 (firmware 1.56 or newer)."
+        object,
+        "auto",
+        "Protect measured values by a CRC-16 (firmware 1.56 or newer); auto does it where firmware "
+        "and line can. Without it a sample waits for the next one.",
+        choices=("auto", True, False),
     ),
     "high_speed_frames": SettingSpec(
         bool, False, "Allow several samples in one frame from 12000 /s on (USB, firmware 1.54)."

@@ -508,7 +508,43 @@ def test_a_cut_frame_is_counted(bench: Any) -> None:
     assert np.diff(turned).max() == pytest.approx(15.0, abs=1.0)
 
 
-@pytest.mark.parametrize("settings", [{}, {"data_checksum": True}])
+@pytest.mark.parametrize(
+    ("options", "settings", "rate", "protected"),
+    [
+        ({}, {}, 960.0, "on"),
+        ({}, {"data_checksum": False}, 960.0, "off"),
+        ({"firmware": "1.55"}, {}, 960.0, "off"),
+        ({"usb": False}, {}, 750.0, "on"),
+        ({"usb": False}, {}, 800.0, "off"),  # what the line carries without two more bytes
+    ],
+)
+def test_data_are_protected_where_firmware_and_line_can(
+    bench: Any, options: dict[str, Any], settings: dict[str, Any], rate: float, protected: str
+) -> None:
+    b = bench(**options)
+    b.driver.open()
+    inputs = {"analog_1": ("bridge", 3.5), "analog_2": ("bridge", 3.5)}
+    setup = b.driver.configure(DataRequest(rate, inputs, settings))
+    assert setup.readback["data_checksum"] == protected
+    b.driver.start()
+    values, quality = _joined(b.blocks(50))
+    assert values[0] == pytest.approx(np.full(values.shape[1], 0.5), abs=1e-5)
+    assert not quality.any()
+
+
+def test_a_splice_of_old_firmware_is_not_given_as_a_sample(bench: Any) -> None:
+    b = bench(firmware="1.55")
+    b.stream()
+    blocks = b.blocks(20)
+    for _ in range(5):
+        b.simulator.inject("cut_frame")
+        blocks += b.blocks(60)
+    values, quality = _joined(blocks)
+    assert np.count_nonzero(quality & Quality.LOST_BEFORE) == 5
+    assert values[0] == pytest.approx(np.full(values.shape[1], 0.5), abs=1e-5)
+
+
+@pytest.mark.parametrize("settings", [{"data_checksum": False}, {}])
 def test_a_flipped_bit(bench: Any, settings: dict[str, Any]) -> None:
     b = bench()
     b.stream(960.0, **settings)
@@ -516,8 +552,9 @@ def test_a_flipped_bit(bench: Any, settings: dict[str, Any]) -> None:
     b.simulator.inject("flipped_bit", value=3)
     values, quality = _joined(b.blocks(200))
     wrong = np.abs(values[0] - 0.5) > 1e-3
-    assert wrong.sum() == (0 if settings else 1)
-    assert np.any(quality & Quality.LOST_BEFORE) == bool(settings)
+    protected = not settings
+    assert wrong.sum() == (0 if protected else 1)
+    assert np.any(quality & Quality.LOST_BEFORE) == protected
 
 
 def test_garbage_between_frames(bench: Any) -> None:
