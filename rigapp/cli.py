@@ -91,9 +91,13 @@ def run(
     bind: BindOption = None,
 ) -> None:
     """Run one test without a window."""
-    from rigapp.commands.run import run_test
+    from rigapp.service.registry import starting
 
-    raise typer.Exit(run_test(test, rig, out, revolutions, progress, speed, bind))
+    # First of all: a window that opens meanwhile waits for this engine.
+    with starting(rig):
+        from rigapp.commands.run import run_test
+
+        raise typer.Exit(run_test(test, rig, out, revolutions, progress, speed, bind))
 
 
 @app.command()
@@ -112,11 +116,14 @@ def resume(
     ] = False,
 ) -> None:
     """Go on with an interrupted test in the same file, after a look at what has changed."""
-    from rigapp.commands.run import examine_test, resume_test
+    from rigapp.service.registry import starting
 
-    if check:
-        raise typer.Exit(examine_test(file, rig))
-    raise typer.Exit(resume_test(file, rig, progress, speed, bind, reason=reason))
+    with starting(rig):
+        from rigapp.commands.run import examine_test, resume_test
+
+        if check:
+            raise typer.Exit(examine_test(file, rig))
+        raise typer.Exit(resume_test(file, rig, progress, speed, bind, reason=reason))
 
 
 @app.command()
@@ -545,9 +552,12 @@ def engine(
     bind: BindOption = None,
 ) -> None:
     """Host an engine for windows to attach to."""
-    from rigapp.service.host import serve
+    from rigapp.service.registry import starting
 
-    raise typer.Exit(serve(rig, speed, bind))
+    with starting(rig):
+        from rigapp.service.host import serve
+
+        raise typer.Exit(serve(rig, speed, bind))
 
 
 def main() -> NoReturn:

@@ -9,6 +9,7 @@ from typing import Any
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.ending import ending_as_interrupt
 from rigapp.engine.messages import Reply, Request
 
 Ask = Callable[[str, dict[str, Any]], Any]
@@ -37,12 +38,13 @@ def engine_line(rig: Path, operator: str = "", *, own: bool = False) -> Iterator
             client.close()
         return
     document = read_rig(rig)
-    host = EngineHost(document, parse_speed(None, document))
-    try:
-        host.connect()
-        yield lambda verb, arguments: _result(host.handle(Request(verb, arguments, operator)))
-    finally:
-        host.close()
+    with ending_as_interrupt():
+        host = EngineHost(document, parse_speed(None, document))
+        try:
+            host.connect()
+            yield lambda verb, arguments: _result(host.handle(Request(verb, arguments, operator)))
+        finally:
+            host.close()
 
 
 def _result(reply: Reply) -> Any:

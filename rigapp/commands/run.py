@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import signal
+import os
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+import time
+from contextlib import suppress
 from datetime import UTC, datetime
 from pathlib import Path
-from types import FrameType
 from typing import Protocol
 
 import msgspec
@@ -17,15 +16,18 @@ from drivers.api import DeviceError
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
+from rigapp.ending import Background, asked_to_end, end_at_once, ending_as_interrupt
 from rigapp.engine.messages import FinishReason
 from rigapp.engine.publish import Committed, Finished, Notice, StateChanged
-from rigapp.engine.run import Refused
+from rigapp.engine.run import ACTIVE, Refused
 from rigapp.service.host import (
     EngineHost,
+    close_host,
     compress_complete,
     recorded_test,
     with_revolutions,
 )
+from rigapp.service.registry import withdraw
 from rigapp.service.resumption import Resumption, interval
 from rigapp.service.security import parse_bind
 from rigapp.service.simulated import parse_speed
@@ -39,6 +41,12 @@ STATUS = {
     FinishReason.DEVICE: 3,
 }
 """How a test ended -> exit status."""
+
+HANGING_S = 10.0
+"""After an interruption a device that is being opened is waited for so long."""
+
+OFF_S = 3.0
+"""So long the power takes to be off before a further interruption ends the process."""
 
 
 class Progress(Protocol):
@@ -87,13 +95,14 @@ def resume_test(
 def examine_test(file: Path, rig: Path) -> int:
     """Show what an interrupted test would meet if it went on; 1 when it could not as it is."""
     document = read_rig(rig)
-    host = EngineHost(document, parse_speed(None, document))
-    try:
-        found = host.resumption(file)
-    except Refused as error:
-        raise UnusableInput(f"The rig cannot be looked at: {error}.") from error
-    finally:
-        host.close()
+    with ending_as_interrupt():
+        host = EngineHost(document, parse_speed(None, document))
+        try:
+            found = host.resumption(file)
+        except Refused as error:
+            raise UnusableInput(f"The rig cannot be looked at: {error}.") from error
+        finally:
+            host.close()
     show_resumption(found)
     return 1 if found.blocked or found.asks_reason else 0
 
@@ -115,33 +124,28 @@ def _conduct(
     chosen = parse_speed(speed, rig_document)
     if not resume:
         _refuse_bad_target(out)
-    host = EngineHost(rig_document, chosen, parse_bind(bind) if bind else None)
-    shown: Progress = _Json() if progress == "json" else _bar(test.record)
-    try:
-        with _interrupts() as interrupts:
-            try:
-                host.start(
-                    test,
-                    out,
-                    test.record.metadata.operator,
-                    resume=resume,
-                    reason=reason,
-                    examined=show_resumption,
-                )
-            except Refused as error:
-                raise UnusableInput(f"The test cannot start: {error}.") from error
-            return _follow(host, shown, interrupts)
-    except DeviceError as error:
-        outcome = host.engine.outcome
-        if progress == "json":
-            sentence = str(error)
-            shown.notice(outcome or Finished(FinishReason.DEVICE, sentence, "fault", 0, str(out)))
-        raise
-    finally:
-        shown.close()
-        host.close()
-        if host.engine.outcome is not None:
-            compress_complete(host.engine.outcome)
+    with asked_to_end() as asked:
+        host = EngineHost(rig_document, chosen, parse_bind(bind) if bind else None)
+        shown: Progress = _Json() if progress == "json" else _bar(test.record)
+        operator = test.record.metadata.operator
+        try:
+            starting = Background(
+                lambda: host.start(
+                    test, out, operator, resume=resume, reason=reason, examined=show_resumption
+                ),
+                "start",
+            )
+            return _follow(host, starting, shown, Interruption(host, asked), out)
+        except DeviceError as error:
+            end = Finished(FinishReason.DEVICE, str(error), "fault", 0, str(out))
+            if progress == "json":
+                shown.notice(host.engine.outcome or end)
+            raise
+        finally:
+            shown.close()
+            close_host(host, asked)
+            if host.engine.outcome is not None:
+                compress_complete(host.engine.outcome)
 
 
 def show_resumption(found: Resumption) -> None:
@@ -177,54 +181,104 @@ def _refuse_bad_target(out: Path) -> None:
 def _report(end: Finished) -> int:
     status = STATUS[end.reason]
     sentence = f"{end.file}: {end.revolutions} revolutions, {end.status}. {end.sentence}"
-    print(sentence, file=sys.stderr)
+    with suppress(OSError):  # of a terminal that was closed
+        print(sentence, file=sys.stderr)
     return status
 
 
-def _follow(host: EngineHost, shown: Progress, interrupts: list[str]) -> int:
-    """Show milestones until the test has ended; the exit status.
+class Interruption:
+    """Do what Ctrl-C, kill and a closed terminal ask for, whatever hangs.
 
-    The first interrupt stops the test under control, the second takes the power off.
+    While a test is under way the first stops it under control, the second takes the power off, a
+    third ends the process. Before, the first ends what starts, or the process if that hangs.
     """
-    notices = host.notices
-    obeyed = 0
+
+    def __init__(self, host: EngineHost, asked: list[str]) -> None:
+        self._host = host
+        self._asked = asked
+        self._stop: Background[None] | None = None
+        self._off: Background[None] | None = None
+        self._since = 0.0
+
+    @property
+    def cause(self) -> str:
+        """Return what asked first, empty while nothing did."""
+        return self._asked[0] if self._asked else ""
+
+    def obey(self, starting: Background[None]) -> None:
+        """Do what is asked for; to be called again and again, never waits."""
+        if not self._asked:
+            return
+        host, now = self._host, time.monotonic()
+        self._since = self._since or now
+        host.cancel(f"interrupted by {self.cause}")
+        if host.engine.state in ACTIVE:
+            self._end_test(now)
+        elif not starting.done and (len(self._asked) > 1 or now - self._since > HANGING_S):
+            withdraw(os.getpid())
+            end_at_once(
+                f"interrupted by {self.cause} while connecting; a device that did not answer was"
+                " left open."
+            )
+
+    def _end_test(self, now: float) -> None:
+        engine = self._host.engine
+        if self._stop is None or (self._stop.done and isinstance(self._stop.error, Refused)):
+            self._stop = Background(lambda: engine.stop("", self._words()), "interrupt")
+        if len(self._asked) > 1 and self._off is None:
+            self._off = Background(lambda: engine.drive_off("", "interrupted twice"), "drive off")
+            self._since = now
+        if len(self._asked) > 2 and self._off is not None and now - self._since > OFF_S:
+            withdraw(os.getpid())
+            end_at_once("interrupted again: THE SPINDLE MAY STILL TURN; press the emergency stop.")
+
+    def _words(self) -> str:
+        return f"interrupted by {self.cause}"
+
+
+def _follow(
+    host: EngineHost,
+    starting: Background[None],
+    shown: Progress,
+    interruption: Interruption,
+    out: Path,
+) -> int:
+    """Show milestones until the test has ended or could not start; the exit status."""
     while True:
-        if len(interrupts) > obeyed:
-            obeyed = len(interrupts)
-            with suppress(Refused):
-                if obeyed == 1:
-                    host.engine.stop("", f"interrupted by {interrupts[0]}")
-                else:
-                    host.engine.drive_off("", "interrupted twice")
-        notice = notices.get(0.1)
+        interruption.obey(starting)
+        notice = host.notices.get(0.1)
         if notice is not None:
             shown.notice(notice)
         if isinstance(notice, Finished):
             return _report(notice)
+        if notice is None and starting.done and starting.error is not None:
+            return _not_started(starting.error, shown, interruption, out)
 
 
-@contextmanager
-def _interrupts() -> Iterator[list[str]]:
-    """Collect the names of the signals that ask for an end."""
-    received: list[str] = []
-
-    def interrupt(number: int, frame: FrameType | None) -> None:
-        received.append(signal.Signals(number).name)
-
-    numbers = (signal.SIGINT, signal.SIGTERM)
-    before = {number: signal.signal(number, interrupt) for number in numbers}
-    try:
-        yield received
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
+def _not_started(
+    error: BaseException, shown: Progress, interruption: Interruption, out: Path
+) -> int:
+    """Return the exit status of an interrupted start; raise what else kept it from starting."""
+    if not isinstance(error, Refused):
+        raise error
+    if not interruption.cause:
+        raise UnusableInput(f"The test cannot start: {error}.") from error
+    sentence = f"The test did not start: interrupted by {interruption.cause}."
+    shown.notice(Finished(FinishReason.OPERATOR, sentence, "stopped", 0, str(out)))
+    with suppress(OSError):
+        print(sentence, file=sys.stderr)
+    return STATUS[FinishReason.OPERATOR]
 
 
 class _Json:
     """One JSON object a line on standard output."""
 
     def notice(self, notice: Notice) -> None:
-        print(msgspec.json.encode(notice).decode(), flush=True)
+        try:
+            print(msgspec.json.encode(notice).decode(), flush=True)
+        except OSError:
+            # Nobody listens any more, which is no reason to end a test.
+            sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - to the end of the process
 
     def close(self) -> None:
         pass
@@ -271,7 +325,8 @@ class _Bar:
             self._progress.update(self._task, description=notice.state.value)
 
     def close(self) -> None:
-        self._progress.stop()
+        with suppress(OSError):  # of a terminal that was closed
+            self._progress.stop()
 
 
 def _bar(test: TestFile) -> Progress:

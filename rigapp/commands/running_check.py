@@ -33,6 +33,7 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
+from rigapp.ending import ending_as_interrupt
 from rigapp.engine.messages import Flag, Request, RunState
 
 RAMP_REVOLUTIONS = 3
@@ -159,14 +160,15 @@ def _bare_rig(rig: Document[RigFile], operator: str) -> Iterator[Ask]:
             raise UnusableInput(reply.sentence)
         return reply.result
 
-    try:
-        host.connect(parse_test(_recipe(rig.record, 30.0, 5, operator), "running check"))
-        for action in preparation():
-            ask(action.verb, dict(action.arguments))
-        ask("hand", {"what": "release_crank"})
-        yield ask
-    finally:
-        host.close()
+    with ending_as_interrupt():
+        try:
+            host.connect(parse_test(_recipe(rig.record, 30.0, 5, operator), "running check"))
+            for action in preparation():
+                ask(action.verb, dict(action.arguments))
+            ask("hand", {"what": "release_crank"})
+            yield ask
+        finally:
+            host.close()
 
 
 def _wait(ask: Ask, out: Path) -> None:

@@ -115,19 +115,21 @@ class Engine:
 
     # --- connection ------------------------------------------------------------------------------
 
-    def connect(self, ports: Mapping[str, str] | None = None) -> None:
+    def connect(self, ports: Callable[[], Mapping[str, str]] | None = None) -> None:
         """Open and configure the devices and begin to read; blocks until ready.
+
+        ports: makes the simulated devices' ports, while the state shows that this connects.
 
         From idle, ready, stopped or fault (then it is a reconnection). Raises UnusableInput,
         DeviceError or Refused; after the first two the state is fault. DeviceFault: the drive is
         connected, and an emergency stop or a fault of its own forbids to turn.
         """
         with self._command:
-            if ports is not None:
-                self._ports = dict(ports)
             self._core.fire(Trigger.CONNECT)
             self._release()
             try:
+                if ports is not None:
+                    self._ports = dict(ports())
                 self._connection = self._open()
             except BaseException as error:
                 self._core.fire_if(Trigger.FAILED, str(error))

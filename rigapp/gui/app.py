@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
+from rigapp.ending import asked_to_end, end_at_once
 from rigapp.gui.link import ClientFactory, Link
 from rigapp.gui.palette import THEMES, apply_theme
 from rigapp.gui.selftest import run_self_test
@@ -16,6 +17,8 @@ from rigapp.gui.session import Session
 from rigapp.gui.window import MainWindow
 
 log = logging.getLogger(__name__)
+
+LOOK_MS = 200
 
 
 def main(
@@ -58,4 +61,17 @@ def main(
     QTimer.singleShot(0, window.start)
     if start_test is not None:
         window.start_when_idle(start_test)
-    return application.exec()
+    with asked_to_end() as asked:
+        look = QTimer(window)
+        look.timeout.connect(lambda: _end_when_asked(asked, window, application))
+        look.start(LOOK_MS)
+        return application.exec()
+
+
+def _end_when_asked(asked: list[str], window: MainWindow, application: QApplication) -> None:
+    """Close for Ctrl-C, kill and a closed terminal; asked again, end at once."""
+    if len(asked) > 1:
+        end_at_once(f"interrupted twice by {asked[-1]}; the engine goes on.")
+    if asked:
+        window.close_unasked()
+        application.quit()

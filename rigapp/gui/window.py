@@ -271,6 +271,11 @@ class MainWindow(QMainWindow):
         recipe.ask_before("closing the window", self._close_for_good)
         return True
 
+    def close_unasked(self) -> None:
+        """Close without a question: a signal asks for it, or the terminal is gone."""
+        self._closing = "now"
+        self._close_for_good()
+
     def _close_for_good(self) -> None:
         self._discard = True
         self.close()

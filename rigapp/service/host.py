@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import os
 import re
-import signal
 import threading
 import time
 from collections.abc import Callable
@@ -22,6 +21,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.ending import Background, asked_to_end, finish_in_time
 from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, Remark
 from rigapp.engine.messages import (
@@ -36,6 +36,7 @@ from rigapp.engine.messages import (
 from rigapp.engine.publish import Finished
 from rigapp.engine.run import ACTIVE, Refused
 from rigapp.engine.starting import check_fit
+from rigapp.engine.threads import Turn
 from rigapp.service.bounds import refusal
 from rigapp.service.command import Command
 from rigapp.service.records import with_records
@@ -65,6 +66,9 @@ EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 """Errors that are a sentence for whoever asked, not a defect."""
 
 LONELY_S = 60.0
+START_WAIT_S = 10.0
+CLOSE_S = 90.0
+"""Stopping a test under way may take 60 s of it."""
 TWIN_START_S = 15.0
 """A test waits so long for its twin, so that the first revolutions are predicted, then goes on."""
 
@@ -115,7 +119,8 @@ class EngineHost:
         )
         self._subscription = self.engine.subscribe()
         self.notices = self.engine.watch()
-        self._starting = threading.Lock()
+        self._starting = Turn(START_WAIT_S)
+        self._cancelled = ""
         self.ended = threading.Event()
         self._behind = Behind()
         self._command = Command(
@@ -172,7 +177,7 @@ class EngineHost:
         parameters = test.model if test is not None else None
         if not self._simulated.suits(parameters) and self.engine.state is not RunState.IDLE:
             self.engine.shutdown()
-        self.engine.connect(self._simulated.ports(parameters))
+        self.engine.connect(lambda: self._simulated.ports(parameters))
 
     def start(
         self,
@@ -193,7 +198,9 @@ class EngineHost:
                 raise Refused("; ".join(self._records.blocking.values()))
             check_fit(self._records.rig.record, test)
             past = read_past(out) if resume else None
+            self._go_on()
             self._make_ready(test.record)
+            self._go_on()
             notes = [
                 Remark("calibration", f"{section}: {words}", operator)
                 for section, words in self._records.remarks.items()
@@ -204,7 +211,16 @@ class EngineHost:
                 notes += remarks(found, operator, reason)
                 self._take_up(past)
             self._start_twin(test.record, out, past)
+            self._go_on()
             self.engine.start(test, out, operator=operator, resume=resume, remarks=notes)
+
+    def cancel(self, why: str) -> None:
+        """Let no test start any more, nor go on with starting; raises Refused there."""
+        self._cancelled = why
+
+    def _go_on(self) -> None:
+        if self._cancelled:
+            raise Refused(self._cancelled)
 
     def resumption(self, path: Path) -> Resumption:
         """Connect where needed and say what a test in a file would meet if it went on here."""
@@ -323,8 +339,8 @@ class EngineHost:
         return {
             "hello": lambda a, who: {"version": PROTOCOL_VERSION, "pid": os.getpid()},
             "status": lambda a, who: msgspec.to_builtins(self._with_service(engine.status())),
-            "connect": lambda a, who: self.connect(),
-            "reconnect": lambda a, who: self.connect(),
+            "connect": self._connect_request,
+            "reconnect": self._connect_request,
             "start": self._start_request,
             "resume_file": self._resume_request,
             "examine_file": lambda a, who: msgspec.to_builtins(self.resumption(Path(a["file"]))),
@@ -358,6 +374,10 @@ class EngineHost:
             self._behind.note(self.engine.samples_processed, int(process.state()["samples"]))
         process.hand(str(arguments["what"]), **dict(arguments.get("details", {})))
         return {"after_sample": self._behind.processed_at(int(process.state()["samples"]))}
+
+    def _connect_request(self, arguments: dict[str, Any], operator: str) -> None:
+        with self._starting:
+            self.connect()
 
     def _start_request(self, arguments: dict[str, Any], operator: str) -> None:
         test = with_revolutions(read_test(Path(arguments["test"])), arguments.get("revolutions"))
@@ -418,20 +438,30 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None) -> int:
     """
     rig = read_rig(rig_path)
     host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: host.ended.set())
-    threading.Thread(target=_connect_quietly, args=(host,), name="connect", daemon=True).start()
-    lonely_since = time.monotonic()
-    while not host.ended.is_set():
-        notice = host.notices.get(1.0)
-        if isinstance(notice, Finished):
-            compress_complete(notice)
-        if host.watched or host.engine.state in ACTIVE:
-            lonely_since = time.monotonic()
-        elif time.monotonic() - lonely_since > LONELY_S:
-            break
-    host.close()
+    with asked_to_end() as asked:
+        Background(lambda: _connect_quietly(host), "connect")
+        lonely_since = time.monotonic()
+        while not host.ended.is_set() and not asked:
+            notice = host.notices.get(0.2)
+            if isinstance(notice, Finished):
+                compress_complete(notice)
+            if host.watched or host.engine.state in ACTIVE:
+                lonely_since = time.monotonic()
+            elif time.monotonic() - lonely_since > LONELY_S:
+                break
+        close_host(host, asked)
     return 0
+
+
+def close_host(host: EngineHost, asked: list[str]) -> None:
+    """Close a host at the end of its process, which ends whatever hangs; see ``asked_to_end``."""
+    finish_in_time(
+        host.close,
+        asked,
+        turning=lambda: host.engine.state in ACTIVE,
+        give_up=lambda: withdraw(os.getpid()),
+        limit_s=CLOSE_S,
+    )
 
 
 def compress_complete(end: Finished) -> None:

@@ -10,13 +10,25 @@ import os
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
+from rigapp.ending import Background
+from rigapp.leftovers import process_alive
 from rigapp.service.client import Client, EngineUnreachable
-from rigapp.service.registry import EngineEntry, read_entry, running_engines, runtime_folder
+from rigapp.service.registry import (
+    EngineEntry,
+    announce_start,
+    read_entry,
+    running_engines,
+    runtime_folder,
+    starting_engine,
+)
 
 START_S = 60.0
 HELLO_S = 10.0
+LOOK_EVERY_S = 0.05
 
 
 def find_engine(rig: Path) -> EngineEntry | None:
@@ -33,12 +45,12 @@ def find_engine(rig: Path) -> EngineEntry | None:
 
 
 def attach(rig: Path, operator: str = "") -> Client:
-    """Return a client of the rig's engine, starting one when none runs.
+    """Return a client of the rig's engine, starting one when none runs and none is starting.
 
     Raises EngineUnreachable with the engine's own last words when it does not come up, when it
     does not answer, or when it speaks another version of the protocol.
     """
-    client = Client(find_engine(rig) or _start(rig), operator)
+    client = Client(_engine_of(rig), operator)
     try:
         client.hello(HELLO_S)
     except EngineUnreachable:
@@ -47,7 +59,32 @@ def attach(rig: Path, operator: str = "") -> Client:
     return client
 
 
-def _start(rig: Path) -> EngineEntry:
+def _engine_of(rig: Path) -> EngineEntry:
+    """Return the rig's engine; wait for one that is starting, start one when there is none."""
+    log: Path | None = None
+    with _one_at_a_time():
+        entry = find_engine(rig)
+        if entry is not None:
+            return entry
+        pid = starting_engine(rig)
+        if pid is None:
+            pid, log = _start(rig)
+    deadline = time.monotonic() + START_S
+    while time.monotonic() < deadline:
+        entry = find_engine(rig)
+        if entry is not None:
+            return entry
+        if not process_alive(pid):
+            raise EngineUnreachable(f"The engine for {rig} ended at once: {_last_words(log)}")
+        time.sleep(LOOK_EVERY_S)
+    raise EngineUnreachable(
+        f"The engine for {rig} (process {pid}) is still starting after {START_S:g} s; wait for it"
+        f"{f', or see {log}' if log is not None else ''}."
+    )
+
+
+def _start(rig: Path) -> tuple[int, Path]:
+    """Start an engine, announced before anybody else can look; return its process and its log."""
     log = runtime_folder() / f"engine-{time.strftime('%Y%m%d-%H%M%S')}.log"
     with log.open("wb") as stream:
         process = subprocess.Popen(
@@ -57,17 +94,42 @@ def _start(rig: Path) -> EngineEntry:
             stderr=stream,
             start_new_session=True,
         )
-    deadline = time.monotonic() + START_S
-    while time.monotonic() < deadline:
-        entry = find_engine(rig)
-        if entry is not None:
-            return entry
-        if process.poll() is not None:
-            words = log.read_text(errors="replace").strip().splitlines()
-            raise EngineUnreachable(
-                f"The engine for {rig} ended at once: {words[-1] if words else 'no message'}"
-            )
-        time.sleep(0.05)
-    raise EngineUnreachable(
-        f"The engine for {rig} did not come up within {START_S:g} s; see {log}."
-    )
+    # Somebody must take note of its end, or it would count as alive for as long as this process.
+    Background(process.wait, "engine process")
+    announce_start(rig, process.pid)
+    return process.pid, log
+
+
+def _last_words(log: Path | None) -> str:
+    if log is None:
+        return "it was started by another program"
+    words = log.read_text(errors="replace").strip().splitlines()
+    return words[-1] if words else "no message"
+
+
+@contextmanager
+def _one_at_a_time() -> Iterator[None]:
+    """Let one process after the other look for an engine and start one; raise EngineUnreachable."""
+    path = runtime_folder() / "launch.lock"
+    deadline = time.monotonic() + HELLO_S
+    with path.open("wb") as file:
+        while not _locked(file.fileno()):
+            if time.monotonic() > deadline:
+                raise EngineUnreachable(
+                    f"{path}: another window has been starting an engine for {HELLO_S:g} s; try"
+                    " again."
+                )
+            time.sleep(LOOK_EVERY_S)
+        yield
+
+
+def _locked(descriptor: int) -> bool:
+    try:
+        import fcntl
+    except ImportError:  # where there is none, nobody else starts one at this moment, perhaps
+        return True
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True

@@ -5,6 +5,9 @@ from __future__ import annotations
 import os
 import sys
 import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import msgspec
@@ -66,8 +69,39 @@ def read_entry(path: Path) -> EngineEntry:
 
 
 def announce(entry: EngineEntry) -> Path:
-    """Write the entry of this engine and return its path."""
-    path = runtime_folder() / f"engine-{entry.pid}.json"
+    """Write the entry of this engine, which has started now, and return its path.
+
+    What dead engines left is removed.
+    """
+    remove_left_behind(runtime_folder(), LEFT_BEHIND)
+    path = _write(f"engine-{entry.pid}.json", entry)
+    path.with_name(f"starting-{entry.pid}.json").unlink(missing_ok=True)
+    return path
+
+
+def announce_start(rig: Path, pid: int) -> None:
+    """Write that a process will be the engine of a rig, long before it listens."""
+    _write(f"starting-{pid}.json", EngineEntry(pid, "", "", str(rig.resolve()), time.time()))
+
+
+@contextmanager
+def starting(rig: Path) -> Iterator[None]:
+    """Announce this process as the coming engine of a rig, and withdraw all of it at the end."""
+    announce_start(rig, os.getpid())
+    try:
+        yield
+    finally:
+        withdraw(os.getpid())
+
+
+def starting_engine(rig: Path) -> int | None:
+    """Return the process that will be the engine of a rig, None when there is none."""
+    wanted = str(rig.resolve())
+    return next((one.pid for one in _entries("starting-*.json") if one.rig == wanted), None)
+
+
+def _write(name: str, entry: EngineEntry) -> Path:
+    path = runtime_folder() / name
     part = path.with_suffix(".part")
     part.write_bytes(msgspec.json.encode(entry))
     part.replace(path)
@@ -77,7 +111,8 @@ def announce(entry: EngineEntry) -> Path:
 def withdraw(pid: int) -> None:
     """Remove the entry and sockets of an engine that has ended."""
     folder = runtime_folder()
-    for name in (f"engine-{pid}.json", f"{pid}.commands", f"{pid}.snapshots"):
+    entries = (f"engine-{pid}.json", f"starting-{pid}.json")
+    for name in (*entries, f"{pid}.commands", f"{pid}.snapshots"):
         (folder / name).unlink(missing_ok=True)
 
 
@@ -91,10 +126,14 @@ def other_version(engine: int, viewer: int) -> str:
 
 def running_engines() -> list[EngineEntry]:
     """Return the engines that are alive, oldest first; entries of dead ones are removed."""
+    return _entries("engine-*.json")
+
+
+def _entries(names: str) -> list[EngineEntry]:
     found = []
     folder = runtime_folder()
     remove_left_behind(folder, LEFT_BEHIND)
-    for path in folder.glob("engine-*.json"):
+    for path in folder.glob(names):
         # What somebody else put here, or a link to it, must not lead a viewer anywhere.
         text = read_own(path)
         try:

@@ -20,6 +20,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 
 ANSWER_S = 30.0
+FOLDER = "rigapp-sim-"
+"""How the names of temporary folders begin; the process id of the owner follows."""
 _CLOSE_S = 5.0
 _READ_SIZE = 65536
 
@@ -133,7 +135,9 @@ def start_simulated_rig(
     command += ["--truth", str(truth)] if truth is not None else []
     with contextlib.ExitStack() as stack:
         if parameters is not None:
-            folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="rigapp-sim-"))
+            folder = stack.enter_context(
+                tempfile.TemporaryDirectory(prefix=f"{FOLDER}{os.getpid()}-")
+            )
             path = Path(folder) / "parameters.toml"
             path.write_bytes(msgspec.toml.encode(_without_none(parameters)))
             command += ["--parameters", str(path)]

@@ -12,25 +12,26 @@ import math
 import os
 import select
 import shutil
-import signal
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameter_file, read_rig
-from rigapp.simulation.handle import SimulatedRig, start_simulated_rig
+from rigapp.ending import asked_to_end
+from rigapp.leftovers import remove_left_behind
+from rigapp.simulation.handle import FOLDER, SimulatedRig, start_simulated_rig
 
 __all__ = ["SimulatedRig", "main", "start_simulated_rig"]
 
 ORPHAN_LIMIT_S = 10.0
 _READ_SIZE = 65536
+LEFT_BEHIND = FOLDER + r"(?P<pid>\d+)-.*"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -78,7 +79,7 @@ def speed_of(text: str | None) -> float:
 
 
 def _run(options: argparse.Namespace, stack: contextlib.ExitStack) -> int:
-    stopping = _stop_on_signals(stack)
+    stopping = stack.enter_context(asked_to_end())
     from rigapp.simulation.constants import packaged_parameters
     from rigapp.simulation.faults import read_faults
     from rigapp.simulation.rig import RigSimulation
@@ -112,7 +113,8 @@ def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], An
 
     if sockets:
         return lambda name: SocketEndpoint()
-    folder = Path(tempfile.mkdtemp(prefix="rigapp-sim-"))
+    remove_left_behind(Path(tempfile.gettempdir()), LEFT_BEHIND)
+    folder = Path(tempfile.mkdtemp(prefix=f"{FOLDER}{os.getpid()}-"))
     stack.callback(shutil.rmtree, folder, ignore_errors=True)
 
     def make(name: str) -> Endpoint:
@@ -124,19 +126,7 @@ def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], An
     return make
 
 
-def _stop_on_signals(stack: contextlib.ExitStack) -> list[int]:
-    """Return a list that is no longer empty once SIGINT or SIGTERM came."""
-    caught: list[int] = []
-
-    def catch(number: int, frame: FrameType | None) -> None:
-        caught.append(number)
-
-    for number in (signal.SIGINT, signal.SIGTERM):
-        stack.callback(signal.signal, number, signal.signal(number, catch))
-    return caught
-
-
-def _loop(rig: Any, stopping: list[int], *, exit_with_parent: bool) -> None:
+def _loop(rig: Any, stopping: list[str], *, exit_with_parent: bool) -> None:
     from rigapp.simulation.control import Lines, answer
     from rigapp.simulation.pacing import OwnTime
 

@@ -164,6 +164,8 @@ class TwinLink:
                 self._stop.wait(RESTART_PAUSE_S)
         finally:
             context.destroy(linger=0)
+            if self._address.startswith("ipc://"):
+                Path(self._address.removeprefix("ipc://")).unlink(missing_ok=True)
 
     def _serve_one_worker(self, context: zmq.Context[zmq.Socket[bytes]]) -> None:
         socket = context.socket(zmq.PAIR)
