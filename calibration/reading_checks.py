@@ -16,6 +16,8 @@ from calibration.settings import LoadCellSettings
 
 FEWEST_LOADED = 12
 FEWEST_ANGLES = 4
+LIGHTEST_SHARE = 2e-3
+"""Of what the cell may bear: with lighter weights its noise is all that is seen."""
 WIDEST_GAP = np.radians(130.0)
 
 
@@ -63,6 +65,12 @@ def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -
         yield Problem(
             "mass_unit",
             f"A mass of {heaviest:g} kg is written; was it meant in grams? Write kilograms.",
+        )
+    elif 0.0 < heaviest < LIGHTEST_SHARE * limit:
+        yield Problem(
+            "mass_unit",
+            f"The heaviest mass is {heaviest:g} kg, the cell may bear {limit:.1f} kg: nothing can"
+            " be told from so little; write kilograms, not tonnes.",
         )
     elif heaviest > limit:
         yield Problem(

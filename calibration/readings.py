@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
@@ -14,6 +15,7 @@ Array = NDArray[np.float64]
 
 LOAD_CELL_COLUMNS = ("series", "step", "mass_kg", "pin_angle_deg", "signal_1", "signal_2")
 PROBE_COLUMNS = ("series", "step", "position_um", "signal_V")
+LARGEST = 1e12
 LARGEST_STEP = 1_000_000_000
 OTHER_COLUMN = "other_signal_V"
 """Voltage of the probe that must not move, taken with each reading by the program itself."""
@@ -151,10 +153,14 @@ def _step(line: int, row: dict[str, str]) -> int:
 
 
 def _numbers(rows: list[Row], name: str) -> Array:
+    """Return a column; NaN for what is written as infinite or as no number."""
     values = np.empty(len(rows))
     for index, (line, row) in enumerate(rows):
         try:
-            values[index] = float(row[name])
+            value = float(row[name])
         except ValueError as error:
             raise ReadingsError(f"line {line}: {name} {row[name]!r} is not a number") from error
+        if LARGEST < abs(value) < math.inf:
+            raise ReadingsError(f"line {line}: {name} {row[name]!r} is larger than any reading")
+        values[index] = value if math.isfinite(value) else math.nan
     return values

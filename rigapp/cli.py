@@ -9,11 +9,12 @@ from __future__ import annotations
 import os
 import sys
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated, Any, NoReturn
 
 import typer
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.names import name_refusal
 
 app = typer.Typer(
     name="rigapp",
@@ -37,9 +38,23 @@ calibrate_app = typer.Typer(
 app.add_typer(model_app, name="model")
 app.add_typer(calibrate_app, name="calibrate")
 
+
+def _file_name(parameter: typer.CallbackParam, path: Path | None) -> Path | None:
+    """Refuse a name that no file can have, before anything is begun."""
+    wrong = name_refusal(path) if path is not None else ""
+    if wrong:
+        raise UnusableInput(f"{parameter.opts[0]}: {wrong}.")
+    return path
+
+
+def _file(flag: str, words: str) -> Any:
+    """Return the option for a file that is written."""
+    return typer.Option(flag, help=words, callback=_file_name)
+
+
 RigOption = Annotated[Path, typer.Option("--rig", help="Rig file (devices, inputs, calibration).")]
-OutOption = Annotated[Path, typer.Option("--out", help="HDF5 file to make; never overwritten.")]
-ToOption = Annotated[Path, typer.Option("--to", help="File to write.")]
+OutOption = Annotated[Path, _file("--out", "HDF5 file to make; never overwritten.")]
+ToOption = Annotated[Path, _file("--to", "File to write.")]
 SpeedOption = Annotated[
     str | None,
     typer.Option("--speed", help="Simulated rigs only: N times real time, or 'max'."),
@@ -159,7 +174,7 @@ def info(
 @app.command()
 def export(
     file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
-    to: Annotated[Path, typer.Option("--to", help="FILE.csv or FILE.parquet")],
+    to: Annotated[Path, _file("--to", "FILE.csv or FILE.parquet")],
     cycles: Annotated[bool, typer.Option("--cycles", help="Saved cycles, not statistics.")] = False,
     points: Annotated[
         int | None,
@@ -183,7 +198,7 @@ def replay(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")]) -> N
 @app.command()
 def report(
     file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
-    to: Annotated[Path, typer.Option("--to", help="REPORT.html or REPORT.pdf")],
+    to: Annotated[Path, _file("--to", "REPORT.html or REPORT.pdf")],
 ) -> None:
     """Write the report of a test, the same bytes each time."""
     from rigapp.commands.report import write_report
@@ -256,7 +271,8 @@ def model_wear(
         float, typer.Option("--tolerance", help="Largest relative error of the depth.")
     ] = 1e-3,
     profile: Annotated[
-        Path | None, typer.Option("--profile", help="CSV of the worn profile at the end.")
+        Path | None,
+        _file("--profile", "CSV of the worn profile at the end."),
     ] = None,
     time_limit_s: TimeLimitOption = None,
 ) -> None:
@@ -293,7 +309,7 @@ def model_paper(
 
 ReadingsOption = Annotated[Path, typer.Option("--readings", help="CSV of readings as taken.")]
 SettingsOption = Annotated[Path, typer.Option("--settings", help="Settings file (TOML).")]
-RecordOption = Annotated[Path, typer.Option("--to", help="Record to make; never overwritten.")]
+RecordOption = Annotated[Path, _file("--to", "Record to make; never overwritten.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
@@ -313,7 +329,8 @@ def calibrate_load_cell(
         str, typer.Option("--weights", help="Pieces in kg; 5x8: eight pieces of 5 kg.")
     ] = "5x8,2,2,1,0.5",
     journal: Annotated[
-        Path | None, typer.Option("--journal", help="Where events are kept; taken up if there.")
+        Path | None,
+        _file("--journal", "Where events are kept; taken up if there."),
     ] = None,
     practise: Annotated[
         bool, typer.Option("--practise", help="Simulated rig: simulated hands do the work.")
@@ -366,7 +383,8 @@ def calibrate_probes(
         typer.Option("--reach-um", help="Largest position; else 80 % of the probe's range."),
     ] = None,
     journal: Annotated[
-        Path | None, typer.Option("--journal", help="Where events are kept; taken up if there.")
+        Path | None,
+        _file("--journal", "Where events are kept; taken up if there."),
     ] = None,
     practise: Annotated[
         bool, typer.Option("--practise", help="Simulated rig: simulated hands do the work.")
@@ -486,7 +504,8 @@ def calibrate_history(
         "daily-checks.jsonl"
     ),
     to: Annotated[
-        Path | None, typer.Option("--to", help="Draw the charts: .png, .html or .pdf.")
+        Path | None,
+        _file("--to", "Draw the charts: .png, .html or .pdf."),
     ] = None,
     rig: Annotated[
         str | None, typer.Option("--rig-name", help="Only this rig; else that of the last check.")
@@ -502,7 +521,7 @@ def calibrate_history(
 @calibrate_app.command("certificate")
 def calibrate_certificate(
     record: Annotated[Path, typer.Argument(help="Calibration record.")],
-    to: Annotated[Path, typer.Option("--to", help="FILE.pdf or FILE.html")],
+    to: Annotated[Path, _file("--to", "FILE.pdf or FILE.html")],
 ) -> None:
     """Write the certificate of a record, the same bytes each time."""
     from rigapp.commands.calibrate import write_certificate

@@ -30,13 +30,25 @@ SINGULAR = 1e-9
 
 
 def faults(record: msgspec.Struct) -> Iterator[str]:
-    """Yield what does not fit together in a rig, test or parameter file."""
+    """Yield what does not fit together in a rig, test, parameter or settings file."""
+    yield from _of_texts(record, "")
     if isinstance(record, RigFile):
         yield from _of_rig(record)
     elif isinstance(record, TestFile):
         yield from _of_test(record)
     elif isinstance(record, ParameterFile):
         yield from _of_parameters(record, "")
+
+
+def _of_texts(value: object, key: str) -> Iterator[str]:
+    """Refuse what no file and no screen can show: it would end the text for the next reader."""
+    if isinstance(value, msgspec.Struct):
+        for name in value.__struct_fields__:
+            yield from _of_texts(getattr(value, name), f"{key}.{name}".lstrip("."))
+    elif isinstance(value, str):
+        control = next((one for one in value if one < " " and one not in "\n\t"), "")
+        if control:
+            yield f"{key} holds the control character \\u{ord(control):04x}; take it out"
 
 
 def _of_rig(rig: RigFile) -> Iterator[str]:

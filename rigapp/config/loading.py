@@ -20,6 +20,7 @@ from rigapp.config.ranges import refusals
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.config.toml import toml_tree
 
 SCHEMA = 1
 LARGEST_SETTINGS_BYTES = 1 << 20
@@ -79,10 +80,7 @@ def _record(path: Path, text: str, kind: type[Record], *, recorded: bool = False
 
 
 def _decode(path: Path, text: str, record: type[Record]) -> Record:
-    try:
-        tree = msgspec.toml.decode(text)
-    except msgspec.DecodeError as error:
-        raise UnusableInput(f"{path}: not valid TOML: {error}.") from error
+    tree = toml_tree(text, path)
     _check_schema(path, tree)
     for where, key, allowed in _unknown_keys(tree, record, ""):
         raise UnusableInput(f"{path}: {where}{key} is not a known key{_nearest(key, allowed)}.")

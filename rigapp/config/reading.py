@@ -30,12 +30,15 @@ def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
 
 
 def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
-    """Return the text of a file, its lines ended by a newline alone; raise UnusableInput."""
+    """Return the text of a file, its lines ended by a newline alone; raise UnusableInput.
+
+    A byte order mark before the text is left out.
+    """
     try:
-        text = read_bytes(path, largest).decode("utf-8")
+        text = read_bytes(path, largest).decode("utf-8-sig")
     except FileNotFoundError as error:
         raise UnusableInput(f"{path}: there is no such file; check the name.") from error
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:
         raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
     return text.replace("\r\n", "\n").replace("\r", "\n")
 

@@ -153,7 +153,9 @@ def show_value(value: Any) -> str:
     if value is None:
         return ""
     if isinstance(value, (list, tuple)):
-        return ", ".join(f"{part:g}" for part in value)
+        return ", ".join(
+            f"{part:g}" if isinstance(part, int | float) else str(part) for part in value
+        )
     if isinstance(value, float):
         return f"{value:.10g}"
     return str(value)

@@ -28,7 +28,9 @@ from PySide6.QtWidgets import (
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
+from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
+from rigapp.config.toml import toml_tree
 from rigapp.gui.fields import (
     FieldSpec,
     changes,
@@ -135,10 +137,10 @@ class RecipePanel(QWidget):
         Changes that are not saved are lost; ``ask_before`` asks first.
         """
         try:
-            text = path.read_text(encoding="utf-8")
-            tree = tomllib.loads(text)
-        except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-            self._say(f"{path}: cannot be read ({error}).", good=False)
+            text = read_text(path)
+            tree = toml_tree(text, path)
+        except UnusableInput as error:
+            self._say(str(error), good=False)
             return
         self._path, self._tree, self._text = path, tree, text
         for field in self.fields:
@@ -146,7 +148,7 @@ class RecipePanel(QWidget):
         for name, box in self.sections.items():
             if box.isCheckable():
                 box.setChecked(get_path(tree, name) is not None)
-        self.rules.fill(get_path(tree, "limits.rule") or [])
+        self.rules.fill(_rules(get_path(tree, "limits.rule")))
         self._judge()
         self.chosen.emit(path)
 
@@ -192,7 +194,10 @@ class RecipePanel(QWidget):
         return True
 
     def _changed_elsewhere(self, path: Path) -> bool:
-        return path.read_text(encoding="utf-8", errors="replace") != self._text
+        try:
+            return read_text(path) != self._text
+        except UnusableInput:
+            return True
 
     @property
     def _optional(self) -> frozenset[str]:
@@ -411,6 +416,11 @@ def _explicit(tree: dict[str, Any], file: dict[str, Any]) -> dict[str, Any]:
             continue
         set_path(kept, path, given if given == value else value)
     return kept
+
+
+def _rules(value: Any) -> list[dict[str, Any]]:
+    """Return what a file has as rules; nothing where it has something else."""
+    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
 
 
 def _paths(tree: dict[str, Any], prefix: str) -> list[str]:

@@ -32,6 +32,8 @@ from typing import Annotated, Any, Literal, Protocol
 import msgspec
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.reading import read_text
+from rigapp.config.toml import toml_tree
 from rigapp.simulation.disturbances import CHANNELS, SignalFault
 from rigapp.simulation.link import WireFault
 
@@ -83,10 +85,8 @@ class Victim(Protocol):
 def read_faults(path: Path) -> tuple[FaultRecord, ...]:
     """Read a fault file; raise UnusableInput."""
     try:
-        file = msgspec.toml.decode(path.read_text("utf-8"), type=FaultFile)
-    except (OSError, UnicodeDecodeError) as error:
-        raise UnusableInput(f"{path}: cannot be read ({error}).") from error
-    except msgspec.DecodeError as error:
+        file = msgspec.convert(toml_tree(read_text(path), path), type=FaultFile)
+    except msgspec.ValidationError as error:
         raise UnusableInput(f"{path}: not a list of faults: {error}.") from error
     if file.schema != 1:
         raise UnusableInput(f"{path}: schema = {file.schema} is not readable; write schema = 1.")

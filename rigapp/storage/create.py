@@ -14,6 +14,7 @@ import h5py
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.names import name_refusal
 from rigapp.leftovers import remove_left_behind
 from rigapp.storage.build import build_file
 from rigapp.storage.disk import Disk
@@ -40,6 +41,9 @@ MEGABYTE = 1e6
 def refuse_bad_target(path: Path, plan: FilePlan) -> None:
     """Refuse an existing file, a missing or read-only folder, too little space: UnusableInput."""
     folder = path.parent
+    wrong = name_refusal(path)
+    if wrong:
+        raise UnusableInput(f"{folder}: {wrong}")
     if os.path.lexists(path):
         raise UnusableInput(
             f"{path}: the file exists and is not overwritten; give another name, "

@@ -232,3 +232,28 @@ def test_a_number_of_a_parameter_file(
     assert words.removeprefix("model.") in sentence
     assert status == 2
     assert not table.exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("", "--out: '.' names no file; give the name of a file."),
+        ("é" * 120 + ".h5", "has 243 bytes, 239 at most; shorten it."),
+        ("a" * 300, "has 300 bytes, 239 at most; shorten it."),
+    ],
+)
+def test_a_name_that_no_file_can_have(rigapp: Run, tmp_path: Path, name: str, words: str) -> None:
+    out = str(tmp_path / name) if name else ""
+    test, rig = EXAMPLES / "quick.toml", EXAMPLES / "simulated.toml"
+    status, sentence = rigapp("run", test, "--rig", rig, "--out", out)
+    assert status == 2
+    assert words in sentence
+    assert sentence.count("\n") == 1
+    for verb in (
+        ("report", "x.h5"),
+        ("export", "x.h5"),
+        ("model", "forces", "p.toml", "--rpm", "9"),
+    ):
+        status, sentence = rigapp(*verb, "--to", out)
+        assert status == 2
+        assert words.replace("--out", "--to") in sentence

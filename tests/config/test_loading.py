@@ -120,3 +120,42 @@ def test_every_range_belongs_to_a_number() -> None:
     kinds = (TestFile, RigFile, ParameterFile, LoadCellFile, ProbeFile)
     known = {key for kind in kinds for key in numbers(kind)}
     assert {key for key in RANGES if key not in known} == set()
+
+
+def test_a_byte_order_mark_does_not_matter(tmp_path: Path) -> None:
+    path = tmp_path / "marked.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + example("quick.toml").replace("\n", "\r\n").encode())
+    assert read_test(path).record == read_test(EXAMPLES / "quick.toml").record
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a = " + "[" * 100_000 + "]" * 100_000,
+        "a = " + "{a = " * 20_000 + "1" + "}" * 20_000,
+        ".".join("a" * 100_000) + " = 1",
+        "[" + " . ".join("a" * 100_000) + "]",
+        "a = " + "[\n" * 100_000,
+        '"' + "]" * 50 + '" = ' + "[" * 50 + '"' + "]" * 50 + '"',
+    ],
+)
+def test_what_lies_too_deep_is_refused_before_it_is_parsed(text: str) -> None:
+    with pytest.raises(UnusableInput, match=r"deep\.toml: tables, lists or keys lie .* deep"):
+        parse_test("schema = 1\n" + text, "deep.toml")
+
+
+def test_dots_and_brackets_in_a_text_are_not_depth() -> None:
+    notes = f"{'[' * 40} {'...' * 40} # {'{' * 40}"
+    line = f'operator = "{notes}"  # {notes}\nnotes = """\n{notes}"\n{notes}"""'
+    test = parse_test(example("quick.toml").replace('operator = "first start"', line), "x.toml")
+    assert test.metadata.operator == notes
+    assert test.metadata.notes == f'{notes}"\n{notes}'
+
+
+@pytest.mark.parametrize("text", ["a\\u0000b", "\\u001b[31mred", "bell \\u0007"])
+def test_a_control_character_in_a_text_is_refused(text: str) -> None:
+    changed = example("quick.toml").replace('"PTFE bushing 1"', f'"{text}"')
+    with pytest.raises(UnusableInput, match=r"metadata\.specimen holds the control .* \\u00"):
+        parse_test(changed, "x.toml")
+    with pytest.raises(UnusableInput, match=r"^x.toml: name holds the control character"):
+        parse_rig(example("simulated.toml").replace("Simulated slider-crank", text), "x.toml")

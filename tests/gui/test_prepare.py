@@ -154,7 +154,7 @@ def test_a_file_that_is_no_test_is_said(panel: RecipePanel, tmp_path: Path) -> N
     path = tmp_path / "x.toml"
     path.write_text("this is [not toml", encoding="utf-8")
     panel.open_file(path)
-    assert "cannot be read" in panel.verdict.text()
+    assert "not valid TOML" in panel.verdict.text()
     assert panel.path != path
 
 
