@@ -205,6 +205,10 @@ class EngineHost:
                 Remark("calibration", f"{section}: {words}", operator)
                 for section, words in self._records.remarks.items()
             ]
+            specimen = test.record.metadata.specimen
+            if self._simulated.fit(specimen) and past is None:
+                words = "an unworn bushing is in the simulated rig"
+                notes.append(Remark("specimen", f"{words}: {specimen or 'no name'}", operator))
             if past is not None:
                 found = self._compare(past)
                 examined(found)

@@ -47,6 +47,7 @@ class SimulatedDevices:
         self.speed = speed
         self._process: SimulatedRig | None = None
         self._parameters: ParameterFile | None = None
+        self._specimen: str | None = None
 
     @property
     def needed(self) -> bool:
@@ -76,6 +77,7 @@ class SimulatedDevices:
                 self._rig.path, speed=self.speed, parameters=parameters
             )
             self._parameters = parameters
+            self._specimen = None
         return {
             name: url
             for name, url in self._process.urls.items()
@@ -88,6 +90,17 @@ class SimulatedDevices:
         if self._process is None or not self._process.alive():
             raise UnusableInput("There is no simulated rig running; connect it first.")
         return self._process
+
+    def fit(self, specimen: str) -> bool:
+        """Put an unworn bushing in where a test has another specimen than the one before it.
+
+        True when it was changed. Raises UnusableInput while the spindle turns.
+        """
+        before, self._specimen = self._specimen, specimen
+        if not self.needed or before is None or before == specimen:
+            return False
+        self.process.hand("new_specimen")
+        return True
 
     def close(self) -> None:
         """End the simulated rig."""

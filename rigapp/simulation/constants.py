@@ -91,7 +91,9 @@ def plant_constants(
         bushing_radius=joint.bushing_radius_mm * 1e-3,
         clearance=clearance,
         width=joint.bushing_width_mm * 1e-3,
-        hertz=_hertz(parameters, clearance),
+        outer_radius=joint.bushing_outer_radius_mm * 1e-3,
+        youngs_modulus=parameters.bushing.youngs_modulus_MPa * 1e6,
+        poissons_ratio=parameters.bushing.poissons_ratio,
         wear_coefficient=parameters.bushing.wear_coefficient_mm3_per_Nm
         * 1e-9
         * plant.wear_coefficient_factor,
@@ -169,20 +171,6 @@ def _check(radius: float, length: float, clearance: float) -> None:
             "mechanism.follower_length_mm must be greater than mechanism.crank_radius_mm (both"
             " above 0), or the crank cannot turn."
         )
-
-
-def _hertz(parameters: ParameterFile, clearance: float) -> float:
-    """Return (half angle of the elastic contact)^2 per newton, Hertz's line contact."""
-    if clearance <= 0.0:
-        return 0.0
-    joint = parameters.joint
-    compliance = sum(
-        (1.0 - body.poissons_ratio**2) / (body.youngs_modulus_MPa * 1e6)
-        for body in (parameters.bushing, parameters.pin)
-    )
-    pin = joint.pin_radius_mm * 1e-3
-    relative = pin * joint.bushing_radius_mm * 1e-3 / clearance
-    return 4.0 * relative * compliance / (math.pi * joint.bushing_width_mm * 1e-3 * pin**2)
 
 
 def _volts_per_metre(rig: RigFile, plant: PlantSection) -> list[float]:

@@ -1,4 +1,4 @@
-"""What a person does at the rig to calibrate it: weights, the pin turned, micrometers.
+"""What a person does at the rig: weights, the pin turned, micrometers, another bushing.
 
 A hand is a table from the control channel::
 
@@ -8,6 +8,7 @@ A hand is a table from the control channel::
     {"hand": "set_micrometer", "probe": 1, "position_um": -200.0}
     {"hand": "release_crank"}          the crank may turn without the follower
     {"hand": "put_on_follower"}
+    {"hand": "new_specimen"}           an unworn bushing in place of the present one
 
 The crank is locked while the follower is off, until it is released. A weight is conventional mass:
 steel of 8000 kg/m3 in air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000).
@@ -76,7 +77,21 @@ class SetMicrometer(
     position_um: Annotated[float, msgspec.Meta(ge=-5000, le=5000)]
 
 
-Hand = TakeOffFollower | PutOnFollower | ReleaseCrank | HangWeight | TurnPin | SetMicrometer
+class NewSpecimen(
+    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="new_specimen"
+):
+    """Put an unworn bushing in place of the present one."""
+
+
+Hand = (
+    TakeOffFollower
+    | PutOnFollower
+    | ReleaseCrank
+    | HangWeight
+    | TurnPin
+    | SetMicrometer
+    | NewSpecimen
+)
 
 
 class Hands:
@@ -117,6 +132,8 @@ class Hands:
                 self._plant.turn_by_hand(math.radians(angle))
             case SetMicrometer(probe=probe, position_um=position):
                 self._micrometers_um[probe - 1] = position
+            case NewSpecimen():
+                self._plant.wear_to(0.0)
         if self._off:
             first, second = self._micrometers_um
             self._plant.bench(self._weight_N, (first * 1e-6, second * 1e-6))

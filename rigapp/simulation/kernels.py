@@ -20,7 +20,9 @@ Sensing
 Frames: the load cell sits in the pin, which is clamped to the crank, so it measures in the crank
 frame, and it measures the force ON THE PIN, which is -F. The probes are clamped to the follower.
 The pin leans against the bushing in the direction of the normal force on the follower: with the
-follower in tension (F_e2 < 0) its centre stands at -c along e2, c = running clearance + wear.
+follower in tension (F_e2 < 0) its centre stands at -c along e2, c = running clearance + wear +
+elastic approach. In the mechanics the follower's length has clearance and wear, not the approach,
+which is a hundred times smaller.
 Noise depends on seed, kind and sample number only, so it does not know how samples are grouped.
 Samples count anew from every departure from rest, and the drift begins with the first one: how long
 the rig stood before, which is up to whoever starts it, does not change a test of the same seed.
@@ -42,6 +44,20 @@ from numba import float64, int64, types, uint64
 from numpy.typing import NDArray
 
 from model.compiled import njit
+from rigapp.simulation.wall import (
+    APPROACH,
+    BORE,
+    LASTS,
+    ROW,
+    SQUARE,
+    TOP,
+    WALL,
+    Bore,
+    Wall,
+    looked_up,
+    renew,
+    worn,
+)
 
 Array = NDArray[np.float64]
 Numbers = tuple[float, ...]
@@ -75,7 +91,9 @@ class Constants(NamedTuple):
     bushing_radius: float
     clearance: float
     width: float
-    hertz: float
+    outer_radius: float
+    youngs_modulus: float
+    poissons_ratio: float
     wear_coefficient: float
     joint_friction: float
     bearing_torque: float
@@ -328,38 +346,10 @@ def motor(
     return torque, rate, torque / k.torque_constant
 
 
-@njit(float64(CONSTANTS, F, F), cache=True)
-def contact_half_angle(k: Constants, depth: float, force: float) -> float:
-    """Return the half angle of the contact: the worn pocket's and the elastic one's, as a norm.
-
-    The pocket is what the pin, its centre moved by c = clearance + depth, cuts out of the round
-    bushing: cos f = (R2^2 - c^2 - R1^2) / (2 c R1). The elastic part is Hertz's line contact.
-    """
-    if k.clearance <= 1e-9:
-        return 0.5 * math.pi
-    c = k.clearance + depth
-    cosine = (k.bushing_radius**2 - c * c - k.pin_radius**2) / (2.0 * c * k.pin_radius)
-    worn = math.acos(max(-1.0, min(1.0, cosine)))
-    return min(math.sqrt(worn * worn + k.hertz * force), 0.5 * math.pi)
-
-
-@njit(types.UniTuple(F, 2)(CONSTANTS, F, F, F, F), cache=True)
-def worn(
-    k: Constants, angle: float, depth: float, force: float, turned: float
-) -> tuple[float, float]:
-    """Return (growth of depth, growth of the worn area) in m and m^2 for a small turn of the crank.
-
-    Archard with rigid pin: the pressure that moves the wall by dd cos u is dd cos u / (K ds), so
-    F / width = R1 dd (f + sin(2f)/2) / (K ds); the area swept is 2 R1 sin f dd.
-    """
-    if force <= 0.0:
-        return 0.0, 0.0
-    _, _, _, _, p1, _, _, _, _ = geometry(k, angle, depth)
-    slip = k.pin_radius * abs(turned) * (1.0 - p1)
-    f = contact_half_angle(k, depth, force)
-    measure = k.pin_radius * (f + 0.5 * math.sin(2.0 * f))
-    deeper = k.wear_coefficient * force / k.width * slip / measure
-    return deeper, 2.0 * k.pin_radius * math.sin(f) * deeper
+@njit(BORE(CONSTANTS), cache=True)
+def bore(k: Constants) -> Bore:
+    """Return what the wall of the bushing needs to know of the joint."""
+    return Bore(k.pin_radius, k.bushing_radius, k.width, k.wear_coefficient)
 
 
 REST_FORCE = 0.05
@@ -419,9 +409,16 @@ def delayed(ring: Array, row: int, head: int, steps: float) -> float:
     )
 
 
-@njit(types.UniTuple(F, 4)(CONSTANTS, F, F, F, F, F), cache=True)
+@njit(types.UniTuple(F, 4)(CONSTANTS, SQUARE, ROW, F, F, F, F, F), cache=True)
 def views(
-    k: Constants, angle: float, depth: float, fx: float, fy: float, sense: float
+    k: Constants,
+    table: Array,
+    wall_state: Array,
+    angle: float,
+    depth: float,
+    fx: float,
+    fy: float,
+    sense: float,
 ) -> tuple[float, float, float, float]:
     """Return (F_e1, F_n1, pin along e2, pin along n2): N, N, m, m.
 
@@ -438,7 +435,8 @@ def views(
     n1 = -fx * sin_t + fy * cos_t
     e2 = fx * cos_p + fy * sin_p
     n2 = -fx * sin_p + fy * cos_p
-    lean = (k.clearance + depth) / math.sqrt(e2 * e2 + n2 * n2 + REST_FORCE * REST_FORCE)
+    force = math.sqrt(e2 * e2 + n2 * n2 + REST_FORCE * REST_FORCE)
+    lean = (k.clearance + depth + looked_up(table, wall_state, force, APPROACH)) / force
     cosine = math.sqrt(1.0 - k.joint_friction * k.joint_friction)
     sine = sense * k.joint_friction
     along = lean * (cosine * e2 + sine * n2) + k.run_out * (cos_t * cos_p + sin_t * sin_p)
@@ -514,10 +512,12 @@ def friction_sense(k: Constants, d: Drive, state: Array, fraction: float) -> tup
     return sense, (1.0 if slowed * sense <= 0.0 else 0.0)
 
 
-@njit(types.void(CONSTANTS, DRIVE, float64[::1], F, F, F, F, F), cache=True)
+@njit(types.void(CONSTANTS, DRIVE, SQUARE, ROW, float64[::1], F, F, F, F, F), cache=True)
 def turn(
     k: Constants,
     d: Drive,
+    table: Array,
+    wall_state: Array,
     state: Array,
     dt: float,
     start: float,
@@ -554,9 +554,10 @@ def turn(
     sixth = dt / 6.0
     turned = sixth * (speed + 2.0 * v2 + 2.0 * v3 + v4)
     reached = speed + sixth * (first + 2.0 * a2 + 2.0 * a3 + a4)
-    deeper, area = worn(
-        k, angle + 0.5 * turned, depth, (n1 + 2.0 * n2 + 2.0 * n3 + n4) / 6.0, turned
-    )
+    mean = (n1 + 2.0 * n2 + 2.0 * n3 + n4) / 6.0
+    _, _, _, _, p1, _, _, _, _ = geometry(k, angle + 0.5 * turned, depth)
+    slip = k.pin_radius * abs(turned) * (1.0 - p1)
+    deeper, area = worn(table, wall_state, k.wear_coefficient, mean, slip)
     state[ANGLE] = angle + turned
     state[SPEED] = reached if reached * sense > 0.0 else 0.0
     state[INTEGRAL] = integral + sixth * (i1 + 2.0 * i2 + 2.0 * i3 + i4)
@@ -571,6 +572,7 @@ def turn(
     int64(
         CONSTANTS,
         DRIVE,
+        WALL,
         float64[::1],
         int64[::1],
         float64[:, ::1],
@@ -586,6 +588,7 @@ def turn(
 def advance(
     k: Constants,
     d: Drive,
+    wall: Wall,
     state: Array,
     counters: NDArray[np.int64],
     ring: Array,
@@ -598,13 +601,16 @@ def advance(
 ) -> int:
     """Advance by ``steps`` steps of dt; write the samples that fall due and return their number.
 
-    A sample is taken at the start of every steps_per_sample-th step. State, counters and ring carry
-    everything over: under a constant command the result does not depend on how the steps are cut
-    into calls. ring: (4, size) past values of what ``views`` returns, newest at counters[HEAD].
+    A sample is taken at the start of every steps_per_sample-th step. State, counters, ring and wall
+    carry everything over: under a constant command the result does not depend on how the steps are
+    cut into calls. ring: (4, size) past values of what ``views`` returns, newest at counters[HEAD].
     """
     samples = 0
     size = ring.shape[1]
+    table, wall_state = wall.table, wall.state
     for step in range(steps):
+        if wall_state[LASTS] <= 0.0 or state[FORCE] > wall_state[TOP]:
+            renew(wall, bore(k), state[FORCE])
         start = step / steps
         sense, held = friction_sense(k, d, state, start)
         angle = state[ANGLE]
@@ -623,7 +629,7 @@ def advance(
             sliding = sense
         head = (counters[HEAD] + 1) % size
         ring[0, head], ring[1, head], ring[2, head], ring[3, head] = views(
-            k, angle, depth, fx, fy, sliding
+            k, table, wall_state, angle, depth, fx, fy, sliding
         )
         counters[HEAD] = head
         state[TORQUE] = torque
@@ -646,6 +652,8 @@ def advance(
         if held == 1.0:
             state[INTEGRAL] += dt * rate
         else:
-            turn(k, d, state, dt, start, (step + 1.0) / steps, sense, acceleration)
+            turn(
+                k, d, table, wall_state, state, dt, start, (step + 1.0) / steps, sense, acceleration
+            )
         state[TIME] += dt
     return samples

@@ -12,12 +12,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from rigapp.simulation import kernels
-from rigapp.simulation.kernels import Array, Constants, Drive, contact_half_angle
+from rigapp.simulation.kernels import Array, Constants, Drive
+from rigapp.simulation.wall import APPROACH, Wall, looked_up, unworn_wall, worn_wall
 
 LONGEST_STEP_S = 1.0 / 900.0
 DEEPEST_SHARE = 0.5
 """Deepest wear that can be set, as a part of the pin's radius."""
-AREA_POINTS = 201
+LEAST_FORCE_N = 10.0
+"""The bushing's nodes resolve the contact under this force at least."""
 START_BEFORE_REST_RAD = math.radians(3.0)
 
 
@@ -89,6 +91,8 @@ class Plant:
         self._seed = np.uint64(seed % 2**64)
         self._delay = filter_delay_s
         self._longest = longest_step_s
+        self._usual_force = max(_mean_force(self.constants), LEAST_FORCE_N)
+        self._wall = self._new_wall()
         self._state = np.zeros(kernels.STATES)
         self._counters = np.zeros(kernels.COUNTERS, dtype=np.int64)
         start = rest_angle(constants) - START_BEFORE_REST_RAD if angle_rad is None else angle_rad
@@ -147,6 +151,7 @@ class Plant:
         count = kernels.advance(
             self.constants,
             Drive(*map(float, drive)),
+            self._wall,
             self._state,
             self._counters,
             self._ring,
@@ -196,18 +201,22 @@ class Plant:
             )
         if area_m2 is not None and not 0.0 <= area_m2 < math.inf:
             raise ValueError(f"a worn area of {area_m2 * 1e6:g} mm2 is not possible")
+        self._wall, area = worn_wall(
+            self._new_wall(), kernels.bore(self.constants), self._usual_force, depth_m
+        )
         self._state[kernels.DEPTH] = depth_m
-        self._state[kernels.AREA] = self._worn_area(depth_m) if area_m2 is None else area_m2
+        self._state[kernels.AREA] = area if area_m2 is None else area_m2
         angle = self._state[kernels.ANGLE]
         self._state[kernels.FORCE] = kernels.resting(self.constants, angle, depth_m)[2]
 
-    def _worn_area(self, depth_m: float) -> float:
-        """Return the area that wear under the force at rest has taken on its way to a depth."""
+    def approach_m(self, force_N: float) -> float:
+        """Return how far a force brings pin and bushing nearer by elasticity, as they are now."""
+        return looked_up(self._wall.table, self._wall.state, force_N, APPROACH)
+
+    def _new_wall(self) -> Wall:
         k = self.constants
-        _, _, force = kernels.resting(k, self._state[kernels.ANGLE], 0.0)
-        depths = np.linspace(0.0, depth_m, AREA_POINTS)
-        chords = [2.0 * k.pin_radius * math.sin(contact_half_angle(k, d, force)) for d in depths]
-        return float(np.trapezoid(chords, depths))
+        material = (k.outer_radius, k.youngs_modulus, k.poissons_ratio)
+        return unworn_wall(kernels.bore(k), *material, self._usual_force)
 
     def turn_by_hand(self, angle_rad: float) -> None:
         """Turn the crank to an angle of its present revolution and leave it at rest."""
@@ -244,7 +253,16 @@ class Plant:
             return self._ring[:, int(self._counters[kernels.HEAD])].copy()
         angle, depth = self._state[kernels.ANGLE], self._state[kernels.DEPTH]
         fx, fy, _ = kernels.resting(self.constants, angle, depth)
-        return np.array(kernels.views(self.constants, angle, depth, fx, fy, 0.0))
+        wall = self._wall
+        return np.array(
+            kernels.views(self.constants, wall.table, wall.state, angle, depth, fx, fy, 0.0)
+        )
+
+
+def _mean_force(constants: Constants) -> float:
+    """Return the mean joint force of a slow turn, N."""
+    angles = np.linspace(0.0, 2.0 * math.pi, 25)[:-1]
+    return float(np.mean([kernels.resting(constants, angle, 0.0)[2] for angle in angles]))
 
 
 def rest_angle(constants: Constants) -> float:

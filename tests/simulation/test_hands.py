@@ -68,3 +68,11 @@ def test_hands_refuse_what_nobody_could_do(plant: Plant) -> None:
     plant.advance(900, Drive(kernels.VELOCITY, 0.0, 6.0, 0.0, 48.0, 0.0))
     with pytest.raises(UnusableInput, match="stop it first"):
         hands.do(hand_of({"hand": "take_off_follower"}))
+
+
+def test_a_new_specimen_is_not_worn(plant: Plant) -> None:
+    plant.wear_to(50e-6)
+    worn = plant.approach_m(80.0)
+    Hands(plant).do(hand_of({"hand": "new_specimen"}))
+    assert (plant.state().wear_depth_m, plant.state().worn_area_m2) == (0.0, 0.0)
+    assert plant.approach_m(80.0) > 1.2 * worn

@@ -22,9 +22,12 @@ from rigapp.simulation import kernels
 from rigapp.simulation.constants import Machine, plant_constants
 from rigapp.simulation.kernels import Constants, Drive
 from rigapp.simulation.plant import Plant
+from rigapp.simulation.wall import LEVELS
 
 DATA = Path(__file__).parents[1] / "data"
 SPEED = math.pi  # 30 rpm
+RIGID = (np.zeros((LEVELS + 1, 4)), np.array([1.0, math.inf]))
+"""Table and state of a wall that does not give way."""
 
 
 def reference(case: str) -> dict[str, NDArray[np.float64]]:
@@ -122,7 +125,7 @@ def test_plant_and_model_agree_on_one_instant(
     )
     assert fx == pytest.approx(float(motion.force[0]), abs=1e-5 * scale)
     assert fy == pytest.approx(float(motion.force[1]), abs=1e-5 * scale)
-    e1, n1, _, _ = kernels.views(k, angle, depth, fx, fy, sense)
+    e1, n1, _, _ = kernels.views(k, *RIGID, angle, depth, fx, fy, sense)
     assert (e1, n1) == pytest.approx(tuple(motion.force_crank), abs=1e-5 * scale)
 
 
@@ -223,31 +226,3 @@ def test_halving_the_step_changes_nothing_that_matters(
     force = np.hypot(fine.force_e1_N, fine.force_n1_N)
     assert np.abs(coarse.force_e1_N - fine.force_e1_N).max() < 1e-4 * force.max()
     assert np.abs(coarse.force_n1_N - fine.force_n1_N).max() < 1e-4 * force.max()
-
-
-def test_wear_is_archards(rig: RigFile, parameters: ParameterFile) -> None:
-    k = plant_constants(parameters, rig)
-    # Half a radian of pocket: worn far beyond the elastic contact.
-    depth, area, force = 0.0, 0.0, 80.0
-    for _ in range(20_000):
-        deeper, wider = kernels.worn(k, 0.5 * math.pi, depth, force, 2.0 * math.pi)
-        depth += deeper
-        area += wider
-    p1 = 0.0  # the follower's angular speed at 90 degrees of the crank
-    slip = 20_000 * 2.0 * math.pi * 9.5e-3 * (1.0 - p1)
-    coefficient = parameters.bushing.wear_coefficient_mm3_per_Nm * 1e-9 * 1.1
-    least = coefficient * force * slip / 13.1e-3
-    assert 1.02 * least < area < 1.3 * least
-    assert area == pytest.approx(pocket_area(depth), rel=0.04)
-
-
-def pocket_area(depth: float, pin: float = 9.5e-3, bushing: float = 10e-3) -> float:
-    """Return the area of the pin's circle outside the bushing's, by plain counting of strips."""
-    centre = bushing - pin + depth
-    angle = np.linspace(-math.pi, math.pi, 200_001)
-    x = centre + pin * np.cos(angle)
-    y = pin * np.sin(angle)
-    outside = np.hypot(x, y) > bushing
-    rim = np.sqrt(np.clip(bushing**2 - y**2, 0.0, None))
-    width = np.where(outside, x - rim, 0.0)
-    return float(np.sum(0.5 * (width[1:] + width[:-1]) * np.diff(y)))

@@ -1,0 +1,331 @@
+"""The bushing's wall in the simulated rig: how it gives way under the pin, and how it wears.
+
+Elasticity is in closed form: in a ring whose rim is fixed a radial traction cos(n t) on the bore
+moves the bore by a_n cos(n t); Navier's equations in plane strain have four powers of the radius
+for each n, and four conditions at the two radii give a_n (no mesh of the wall, no finite elements).
+The traction is piecewise linear between nodes on one half of the bore: contact and profile are
+symmetric about the direction of the force, which in the follower frame swings by a degree or two.
+The pin is rigid.
+
+Contact: pin and worn bore touch from the middle outwards, so elimination in that order, once, gives
+the contacts of all widths; the force decides which. Wear: Archard's law at every node, implicit in
+time. Pressures are tabulated for LEVELS forces and hold until the wear of a small share of depth
+and approach has come together; each already contains the wear of that time, so that any length of
+time is stable.
+"""
+
+# mypy: disable-error-code="untyped-decorator, no-any-return"
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numba import float64, int64, types
+from numpy.typing import NDArray
+
+from model.compiled import njit
+
+Array = NDArray[np.float64]
+F = types.float64
+
+NODES = 100
+FINEST = 0.1
+"""Spacing of the first nodes as a part of the unworn contact's half-angle."""
+REACH_RAD = math.radians(88.0)
+WAVES = 4.0
+"""Waves up to so many times the shortest that the nodes can show."""
+LEVELS = 6
+ROOM = 1.2
+"""The highest tabulated force exceeds the highest one met so far by this factor."""
+SHARE = 0.01
+"""A table holds until the depth has grown by this share of depth and approach."""
+
+TOP, LASTS = range(2)
+"""State of a table: the highest of its forces (N), slip (m) for which it still holds."""
+PEAK, APPROACH, AREA, SLID = range(4)
+"""Columns of a table, a row a force: middle pressure (Pa), approach (m), area worn per slip and
+wear coefficient (N/m), slip at this force since the table was made (m)."""
+
+
+class Wall(NamedTuple):
+    """Hold a wall: its nodes and compliance, which stay, and its wear, which grows.
+
+    angle, weight (NODES,): rad; compliance (NODES, NODES): m/Pa; worn (NODES,): radial depth, m;
+    table (LEVELS + 1, 4), pressure (LEVELS + 1, NODES): of each force, Pa; state: see TOP.
+    """
+
+    angle: Array
+    weight: Array
+    compliance: Array
+    worn: Array
+    table: Array
+    pressure: Array
+    state: Array
+
+
+ROW, SQUARE = types.Array(float64, 1, "C"), types.Array(float64, 2, "C")
+WALL = types.NamedTuple((ROW, ROW, SQUARE, ROW, SQUARE, SQUARE, ROW), Wall)
+
+
+class Bore(NamedTuple):
+    """Hold what the contact needs to know beside the wall; SI units, K in m^2/N."""
+
+    pin_radius: float
+    bushing_radius: float
+    width: float
+    wear_coefficient: float
+
+
+BORE = types.NamedUniTuple(float64, len(Bore._fields), Bore)
+
+
+def unworn_wall(
+    bore: Bore, outer_radius: float, modulus: float, poisson: float, typical_force: float
+) -> Wall:
+    """Return a new wall; typical_force (N): decides how close the nodes are to each other."""
+    angle = _nodes(FINEST * _first_half_angle(bore, modulus / (1.0 - poisson**2), typical_force))
+    wall = Wall(
+        angle=angle,
+        weight=_hat(angle, np.zeros(1))[:, 0],
+        compliance=_compliance(angle, bore.bushing_radius, outer_radius, modulus, poisson),
+        worn=np.zeros(NODES),
+        table=np.zeros((LEVELS + 1, 4)),
+        pressure=np.zeros((LEVELS + 1, NODES)),
+        state=np.zeros(2),
+    )
+    renew(wall, bore, typical_force)
+    return wall
+
+
+def _first_half_angle(bore: Bore, modulus: float, force: float) -> float:
+    """Return the half-angle of Hertz's line contact of a rigid pin, rad, at most 1."""
+    clearance = bore.bushing_radius - bore.pin_radius
+    if clearance <= 0.0:
+        return 1.0
+    relative = bore.pin_radius * bore.bushing_radius / clearance
+    half_width = math.sqrt(4.0 * relative * max(force, 1e-3) / (math.pi * bore.width * modulus))
+    return min(half_width / bore.pin_radius, 1.0)
+
+
+def _nodes(first: float) -> Array:
+    """Return angles from 0 to REACH_RAD, the first ``first`` apart, the others ever wider."""
+    low, high = 1e-9, 50.0
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        wide = REACH_RAD * math.sinh(middle / (NODES - 1)) / math.sinh(middle) > first
+        low, high = (middle, high) if wide else (low, middle)
+    place = np.linspace(0.0, 1.0, NODES)
+    return np.asarray(REACH_RAD * np.sinh(high * place) / math.sinh(high))
+
+
+def _hat(angle: Array, wave: Array) -> Array:
+    """Return the integrals of each node's hat times cos(n t) over one half, (NODES, waves)."""
+    step = np.diff(angle)
+    left, right = np.append(step[:1], step), np.append(step, step[-1:])
+    n = np.maximum(wave, 1e-9)
+
+    def bend(at: Array) -> Array:
+        # (1 - cos) / n^2 without the loss of digits of the difference.
+        return np.asarray(2.0 * (np.sin(0.5 * np.outer(at, n)) / n) ** 2)
+
+    whole = bend(angle - left) / left[:, None] + bend(angle + right) / right[:, None]
+    whole = whole - bend(angle) * (1.0 / left + 1.0 / right)[:, None]
+    whole[0] *= 0.5
+    return np.asarray(whole)
+
+
+def _compliance(angle: Array, inner: float, outer: float, modulus: float, poisson: float) -> Array:
+    """Return how far (m) the bore moves outwards at each node for 1 Pa at each, and its image."""
+    waves = np.arange(0.0, math.ceil(WAVES * math.pi / (angle[1] - angle[0])) + 1.0)
+    gives = np.array([wave_compliance(n, inner, outer, modulus, poisson) for n in waves])
+    gives *= np.where(waves == 0.0, 1.0, 2.0) / math.pi
+    return np.ascontiguousarray((np.cos(np.outer(angle, waves)) * gives) @ _hat(angle, waves).T)
+
+
+def wave_compliance(n: float, inner: float, outer: float, modulus: float, poisson: float) -> float:
+    """Return how far (m) the bore moves for a pressure of 1 Pa cos(n t); the rim is fixed.
+
+    u_r = U r^x cos(n t), u_t = V r^x sin(n t). Two powers meet at n = 1: the limit is taken.
+    """
+    n = n + 1e-6 if n == 1.0 else n
+    shear = modulus / (2.0 * (1.0 + poisson))
+    lame = 2.0 * shear * poisson / (1.0 - 2.0 * poisson)
+    k = lame + 2.0 * shear
+    powers = np.array([n - 1.0, -n - 1.0, n + 1.0, 1.0 - n])
+    v = np.array(
+        [
+            -1.0,
+            1.0,
+            -(k * (n + 2.0) - shear * n) / (k * n - shear * (n + 2.0)),
+            -(k * (2.0 - n) + shear * n) / (k * n + shear * (2.0 - n)),
+        ]
+    )
+    # Growing powers count from the rim, falling ones from the bore.
+    grows = powers > 0.0
+    ratio = np.power(inner / outer, np.abs(powers))
+    bore, rim = np.where(grows, ratio, 1.0), np.where(grows, 1.0, ratio)
+    stress = (k * powers + lame * (1.0 + n * v)) * bore / inner
+    shearing = shear * (powers * v - n - v) * bore / inner
+    found = np.linalg.solve(np.array([stress, shearing, rim, rim * v]), [-1.0, 0.0, 0.0, 0.0])
+    return float(found @ bore)
+
+
+@njit(types.void(WALL, BORE, SQUARE), cache=True)
+def shape(w: Wall, k: Bore, at: Array) -> None:
+    """Write what the pin's circle is at each node when it touches in the middle: ``at`` (4, NODES).
+
+    How far it reaches beyond the worn bore along the ray, m (0 or less); how much of a step of the
+    pin's centre arrives there; arc of the pin for a radian of the bore, m; cosine of the angle
+    between ray and normal.
+    """
+    away = k.bushing_radius - k.pin_radius + w.worn[0]
+    for i in range(len(w.angle)):
+        cosine = math.cos(w.angle[i])
+        sine = away * math.sin(w.angle[i]) / k.pin_radius
+        lean = math.sqrt(1.0 - sine * sine)
+        at[0, i] = away * cosine + k.pin_radius * lean - k.bushing_radius - w.worn[i]
+        at[1, i] = math.cos(w.angle[i] + math.asin(sine)) / lean
+        at[2, i] = k.pin_radius + away * cosine / lean
+        at[3, i] = lean
+
+
+@njit(int64(WALL, BORE, F, F, SQUARE, SQUARE, SQUARE), cache=True)
+def eliminate(
+    w: Wall, k: Bore, slip: float, force: float, at: Array, factors: Array, found: Array
+) -> int:
+    """Factorise [compliance + wear] node by node, until the contact carries a force (N/m).
+
+    Return how many nodes touch then; the first m rows and columns are the contact of m nodes.
+    factors (NODES, NODES): lower (unit diagonal) and upper; found (5, NODES): both right-hand sides
+    after elimination, and the forces (N/m) that a contact so wide carries for a step of the pin's
+    centre of 1 m, and for none; last, what the next node needs of them.
+    """
+    slope, base = 0.0, 0.0
+    for m in range(len(w.angle)):
+        for j in range(m + 1):
+            row = w.compliance[m, j] * at[2, j] * at[3, j] / k.bushing_radius
+            column = w.compliance[j, m] * at[2, m] * at[3, m] / k.bushing_radius
+            for i in range(j):
+                row -= factors[m, i] * factors[i, j]
+                column -= factors[j, i] * factors[i, m]
+            if j < m:
+                factors[m, j] = row / factors[j, j]
+                factors[j, m] = column
+            else:
+                factors[m, m] = row + k.wear_coefficient * slip / at[3, m]
+        step, room = at[1, m], at[0, m]
+        carried = 2.0 * w.weight[m] * at[2, m] * at[1, m] * at[3, m]
+        for j in range(m):
+            step -= factors[m, j] * found[0, j]
+            room -= factors[m, j] * found[1, j]
+            carried -= found[4, j] * factors[j, m]
+        found[0, m], found[1, m], found[4, m] = step, room, carried / factors[m, m]
+        slope += found[4, m] * step
+        base += found[4, m] * room
+        found[2, m], found[3, m] = slope, base
+        if m > 0 and room + (force - base) / slope * step <= 0.0:
+            return m
+    return len(w.angle)
+
+
+@njit(types.void(WALL, BORE, F), cache=True)
+def tabulate(w: Wall, k: Bore, slip: float) -> None:
+    """Make the table anew for the wall as it is worn; pressures hold for a slip (m) to come."""
+    count = len(w.angle)
+    at, factors, found = np.empty((4, count)), np.empty((count, count)), np.empty((5, count))
+    shape(w, k, at)
+    top = w.state[TOP] / k.width
+    widest = eliminate(w, k, slip, top, at, factors, found)
+    for level in range(1, LEVELS + 1):
+        force = top * (level / LEVELS) ** 2
+        width, sunk = 0, 0.0
+        while width < widest:
+            deeper = (force - found[3, width]) / found[2, width]
+            if width > 0 and found[1, width] + deeper * found[0, width] <= 0.0:
+                break
+            width, sunk = width + 1, deeper
+        p = w.pressure[level]
+        p[:] = 0.0
+        approach, area = 0.0, 0.0
+        for i in range(width - 1, -1, -1):
+            value = found[1, i] + sunk * found[0, i]
+            for j in range(i + 1, width):
+                value -= factors[i, j] * p[j]
+            p[i] = value / factors[i, i]
+            approach += w.compliance[0, i] * p[i] * at[2, i] * at[3, i] / k.bushing_radius
+            area += 2.0 * w.weight[i] * at[2, i] * p[i]
+        w.table[level] = (p[0], approach, area, 0.0)
+
+
+@njit(types.void(WALL, BORE, F), cache=True)
+def renew(w: Wall, k: Bore, force: float) -> None:
+    """Wear the wall by what the table has gathered and make a new one, for at least a force (N)."""
+    away = k.bushing_radius - k.pin_radius + w.worn[0]
+    for i in range(len(w.angle)):
+        lean = math.sqrt(1.0 - (away * math.sin(w.angle[i]) / k.pin_radius) ** 2)
+        for level in range(1, LEVELS + 1):
+            w.worn[i] += k.wear_coefficient * w.table[level, SLID] * w.pressure[level, i] / lean
+    if force > w.state[TOP]:
+        w.state[TOP] = ROOM * force
+        tabulate(w, k, 0.0)
+    fastest = k.wear_coefficient * w.table[LEVELS, PEAK]
+    w.state[LASTS] = math.inf
+    if fastest > 0.0:
+        w.state[LASTS] = SHARE * (w.worn[0] + w.table[LEVELS, APPROACH]) / fastest
+        tabulate(w, k, w.state[LASTS])
+
+
+@njit(types.Tuple((int64, F))(ROW, F), cache=True)
+def place(state: Array, force: float) -> tuple[int, float]:
+    """Return the row of the table below a force (N) and which part of the way to the next it is."""
+    share = LEVELS**2 * max(force, 0.0) / state[TOP]
+    level = max(0, min(int(math.sqrt(share)), LEVELS - 1))
+    return level, (share - level * level) / (2.0 * level + 1.0)
+
+
+@njit(float64(SQUARE, ROW, F, int64), cache=True)
+def looked_up(table: Array, state: Array, force: float, column: int) -> float:
+    """Return a column of the table at a force, N."""
+    level, part = place(state, force)
+    return (1.0 - part) * table[level, column] + part * table[level + 1, column]
+
+
+@njit(types.UniTuple(F, 2)(SQUARE, ROW, F, F, F), cache=True)
+def worn(
+    table: Array, state: Array, wear_coefficient: float, force: float, slip: float
+) -> tuple[float, float]:
+    """Return (growth of the depth in the middle, growth of the worn area), m and m^2, for a slip.
+
+    wear_coefficient: m^2/N; force: N; slip: m. The profile follows in ``renew``, which is due when
+    state[LASTS] is not above 0.
+    """
+    if force <= 0.0 or wear_coefficient == 0.0:
+        return 0.0, 0.0
+    level, part = place(state, force)
+    low, high = (1.0 - part) * slip, part * slip
+    table[level, SLID] += low
+    table[level + 1, SLID] += high
+    state[LASTS] -= slip
+    deeper = low * table[level, PEAK] + high * table[level + 1, PEAK]
+    area = low * table[level, AREA] + high * table[level + 1, AREA]
+    return wear_coefficient * deeper, wear_coefficient * area
+
+
+ANY_COEFFICIENT = 1e-12
+"""The profile at a depth does not depend on the wear coefficient that it took; m^2/N."""
+
+
+def worn_wall(wall: Wall, k: Bore, force: float, depth: float) -> tuple[Wall, float]:
+    """Wear a new wall under a constant force (N) to a depth (m); return it and the worn area."""
+    some = k._replace(wear_coefficient=ANY_COEFFICIENT)
+    table, state = wall.table, wall.state
+    renew(wall, some, force)
+    area = 0.0
+    while wall.worn[0] < depth * (1.0 - 1e-9):
+        left = (depth - float(wall.worn[0])) / ANY_COEFFICIENT
+        slip = min(left / looked_up(table, state, force, PEAK), float(state[LASTS]))
+        area += worn(table, state, ANY_COEFFICIENT, force, slip)[1]
+        renew(wall, some, force)
+    renew(wall, k, force)
+    return wall, area
