@@ -121,6 +121,15 @@ def _listed(matrix: Matrix) -> str:
     return str([list(row) for row in matrix])
 
 
+NEED_THE_MODEL = {
+    "deviation_N": "compares with the model",
+    "deviation_percent": "compares with the model",
+    "wear_depth_um": "needs the model's elastic approach",
+    "wear_rate_um_per_1000_revolutions": "needs the model's elastic approach",
+}
+"""Stop criteria that nothing is known of without the prediction, and why."""
+
+
 def _of_test(test: TestFile) -> Iterator[str]:
     if test.limits.overspeed_rpm <= test.run.speed_rpm:
         yield (
@@ -133,11 +142,11 @@ def _of_test(test: TestFile) -> Iterator[str]:
             f"stop.force_N = {stop.force_N:g} can never be met, because limits.overload_N ="
             f" {limits.overload_N:g} switches the drive off before; lower stop.force_N"
         )
-    for name in ("deviation_N", "deviation_percent"):
+    for name, why in NEED_THE_MODEL.items():
         if getattr(stop, name) is not None and not test.prediction.enabled:
             yield (
-                f"stop.{name} compares with the model, but prediction.enabled is false; enable the"
-                " prediction or leave the criterion out"
+                f"stop.{name} {why}, but prediction.enabled is false; enable the prediction or"
+                " leave the criterion out"
             )
     try:
         check_rules(limits.rule)

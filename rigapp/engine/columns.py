@@ -91,6 +91,12 @@ def prediction_columns() -> tuple[Column, ...]:
         Column("phase_shift", "<f8", "deg", "shift of the measured |F| against the predicted"),
         Column("wear_depth", "<f8", "mm", "predicted wear depth at the contact point"),
         Column("measured_wear_depth", "<f8", "mm", "wear depth from the probes, NaN when unknown"),
+        Column(
+            "measured_wear_depth_uncertainty",
+            "<f8",
+            "mm",
+            "expanded uncertainty (k = 2) of the measured wear depth",
+        ),
         Column("driven_wear_depth", "<f8", "mm", "wear depth by the model from measured forces"),
     )
     body = tuple(
@@ -122,7 +128,12 @@ def profile_columns() -> tuple[Column, ...]:
         Column("revolution", "<i8", "1", "number of the last revolution in the worn profile"),
         Column("revolutions", "<i8", "1", "revolutions averaged in the measured profile"),
         Column("approach", "<f8", "um", "elastic approach at the largest force, by the model"),
-        Column("approach_change", "<f8", "um", "what of it the measured depth contains"),
+        Column(
+            "approach_change",
+            "<f8",
+            "um",
+            "its change since the reference, taken out of the measured depth",
+        ),
         Column("centre_1", "<f8", "um", "reading of probe_1 at the bushing's centre"),
         Column("centre_2", "<f8", "um", "reading of probe_2 at the bushing's centre"),
         Column("run_out", "<f8", "um", "run-out of the pin that was taken out of the readings"),

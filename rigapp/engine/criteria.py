@@ -5,17 +5,16 @@ answer of the twin) is left out: it fulfils nothing and interrupts nothing. A cr
 no value for ``BLIND_REVOLUTIONS`` judged revolutions is *blind*, which the caller tells loudly.
 
 Elapsed time is the column ``time``, with pauses and interruptions; running time is the time in
-which the crank turned. The measured wear depth is how much further from the middle the pin's mean
-position over a revolution lies than in the new bushing (the mean of ``NEW_REVOLUTIONS`` revolutions
-from number ``FIRST_STEADY`` on), as in the column ``measured_wear_depth``.
+which the crank turned. Wear depth and wear rate are judged where the twin answers, by the number
+that goes into the file and onto the screen: the column ``measured_wear_depth``.
 """
 
 from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,19 +25,15 @@ from rigapp.engine.messages import Flag
 
 Array = NDArray[np.float64]
 
-FIRST_STEADY = 3
-NEW_REVOLUTIONS = 5
 BLIND_REVOLUTIONS = 200
 RATE_BINS = 50
 """The wear rate is the slope through the means of so many equal parts of the window."""
 
-UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
 NOT_JUDGED = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
 
 PLACE = {column.name: place for place, column in enumerate(revolution_columns())}
 _REVOLUTION, _TIME, _SPEED = PLACE["revolution"], PLACE["time"], PLACE["speed"]
 _FORCE, _QUALITY = PLACE["force_max"], PLACE["quality"]
-_PROBES = (PLACE["probe_1_mean"], PLACE["probe_2_mean"])
 
 TITLES = {
     "elapsed_time_h": "elapsed time",
@@ -51,8 +46,13 @@ TITLES = {
 }
 """Key of a criterion -> its name in words."""
 
-HISTORY_COLUMNS = ("revolution", "time", "speed", "quality", "probe_1_mean", "probe_2_mean")
+HISTORY_COLUMNS = ("revolution", "speed", "quality")
 """What a criterion needs to know of the rows of an earlier segment."""
+
+DEPTH_COLUMNS = ("revolution", "measured_wear_depth")
+"""What a criterion needs to know of the predictions of an earlier segment."""
+
+NOTHING = np.empty((2, 0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,36 +122,11 @@ class _Rate:
         return float(1000.0 * (x @ (y - y.mean())) / (x @ x))
 
 
-@dataclass(slots=True)
-class _Depth:
-    """The measured wear depth from the mean pin position, um; None until the new one is known."""
-
-    first: list[tuple[float, float]] = field(default_factory=list)
-
-    @property
-    def known(self) -> bool:
-        return len(self.first) == NEW_REVOLUTIONS
-
-    def of(self, number: int, quality: int, position: tuple[float, float]) -> float | None:
-        if not math.isfinite(position[0] + position[1]):
-            return None
-        if not self.known:
-            if number >= FIRST_STEADY and not quality & UNTRUE:
-                self.first.append(position)
-            return None
-        new = np.mean(self.first, axis=0)
-        return math.hypot(*position) - math.hypot(*new)
-
-
 class StopMonitor:
     """Judge revolutions by ``[stop]``; rows and predictions each come from one thread."""
 
     def __init__(self, stop: StopSection) -> None:
         self._stop = stop
-        self._depth = _Depth()
-        self._wants_depth = (
-            stop.wear_depth_um is not None or stop.wear_rate_um_per_1000_revolutions is not None
-        )
         self._rate = _Rate(stop.wear_rate_window_revolutions)
         self._last = 0
         self.running_h = 0.0
@@ -163,48 +138,58 @@ class StopMonitor:
         """Tell whether anything beside the number of revolutions ends the test."""
         return any(value is not None for value in _levels(self._stop).values())
 
-    def remember(self, rows: Iterable[Array], last: int) -> None:
-        """Take up the rows of an earlier segment, (len(HISTORY_COLUMNS), n) each, in order.
+    def remember(self, rows: Iterable[Array], last: int, depths: Array = NOTHING) -> None:
+        """Take up an earlier segment: its rows, (len(HISTORY_COLUMNS), n) each, in order.
 
-        last: number of the last of them. What must come in a row begins afresh.
+        last: number of the last of them; depths: (len(DEPTH_COLUMNS), n), mm. What must come in a
+        row begins afresh.
         """
-        recent = last - 2 * self._stop.wear_rate_window_revolutions
-        for columns in rows:
-            number, _, speed = columns[:3]
+        left_out: set[int] = set()
+        for number, speed, quality in rows:
             steps = np.diff(number, prepend=self._last)
             with np.errstate(divide="ignore", invalid="ignore"):
                 hours = steps / (60.0 * speed)
             self.running_h += float(hours[np.isfinite(hours) & (hours > 0)].sum())
             if len(number):
                 self._last = int(number[-1])
-            if self._wants_depth:
-                for one, _, _, flags, *position in columns.T.tolist():
-                    if one > recent or not self._depth.known:
-                        self._wear(int(one), int(flags), (position[0], position[1]))
+            left_out.update(number[(quality.astype(np.int64) & NOT_JUDGED) != 0].astype(int))
+        recent = last - 2 * self._stop.wear_rate_window_revolutions
+        for one, depth in depths[:, (depths[0] > recent) & (depths[0] <= last)].T.tolist():
+            if int(one) not in left_out and math.isfinite(depth):
+                self._rate.add(int(one), 1e3 * depth)
 
     def row(self, row: Array) -> Met | None:
         """Judge a row in the order of ``revolution_columns``; return the criterion that it met."""
         number, quality = int(row[_REVOLUTION]), int(row[_QUALITY])
         self._run(number, float(row[_SPEED]))
-        depth, rate = self._wear(number, quality, (row[_PROBES[0]], row[_PROBES[1]]))
         met = self._times(float(row[_TIME]))
         if met is not None:
             return met
         if quality & NOT_JUDGED or number <= self._stop.hold_off_revolutions:
             self._unjudged.append(number)
             return None
-        values = {"force_N": float(row[_FORCE]), "wear_depth_um": depth}
-        values["wear_rate_um_per_1000_revolutions"] = rate
         for streak in self._streaks.values():
             streak.since_value += 1
-        return self._first(values)
+        return self._first({"force_N": float(row[_FORCE])})
 
-    def prediction(self, number: int, residual_N: float, force_N: float) -> Met | None:
-        """Judge the twin's answer: RMS of measured less predicted |F|, RMS of the predicted."""
+    def prediction(self, number: int, values: Mapping[str, float]) -> Met | None:
+        """Judge the twin's answer: its columns by name, see ``prediction_columns``."""
         if number in self._unjudged or number <= self._stop.hold_off_revolutions:
             return None
-        share = 100.0 * residual_N / force_N if force_N > 0 else math.nan
-        return self._first({"deviation_N": residual_N, "deviation_percent": share})
+        residual_N, force_N = values["residual_rms"], values["force_rms"]
+        depth_um = 1e3 * values["measured_wear_depth"]
+        found: dict[str, float | None] = {
+            "deviation_N": residual_N,
+            "deviation_percent": 100.0 * residual_N / force_N if force_N > 0 else math.nan,
+            "wear_depth_um": depth_um,
+        }
+        if math.isfinite(depth_um):
+            found["wear_rate_um_per_1000_revolutions"] = self._rate.add(number, depth_um)
+        met = self._first(found)
+        doubt_um = 1e3 * values["measured_wear_depth_uncertainty"]
+        if met is None or met.name != "wear_depth_um" or not math.isfinite(doubt_um):
+            return met
+        return replace(met, sentence=f"{met.sentence[:-1]}, +/- {doubt_um:.2g} um (k = 2).")
 
     def over(self, time_s: float) -> Met | None:
         """Return the planned end that a test has reached at this time of its own, if any."""
@@ -236,17 +221,6 @@ class StopMonitor:
         if math.isfinite(speed_rpm) and speed_rpm > 0:
             self.running_h += max(0, number - self._last) / (60.0 * speed_rpm)
         self._last = number
-
-    def _wear(
-        self, number: int, quality: int, position: tuple[float, float]
-    ) -> tuple[float | None, float | None]:
-        """Return depth (um) and a new rate, None where there is none."""
-        if not self._wants_depth:
-            return None, None
-        depth = self._depth.of(number, quality, position)
-        if depth is None or quality & NOT_JUDGED:
-            return None, None
-        return depth, self._rate.add(number, depth)
 
     def _times(self, time_s: float) -> Met | None:
         stop = self._stop

@@ -268,18 +268,11 @@ class Guard:
 
     def predicted(self, session: Session, values: Array) -> None:
         """Judge what the twin predicts by the rules of the test."""
-        named = {
-            name: value
-            for name, value in zip(PREDICTED_NAMES, values.tolist(), strict=True)
-            if name not in PLACE
-        }
-        for verdict in session.run.monitor.judge(named):
+        named = dict(zip(PREDICTED_NAMES, values.tolist(), strict=True))
+        alone = {name: value for name, value in named.items() if name not in PLACE}
+        for verdict in session.run.monitor.judge(alone):
             self.verdict(session, verdict)
-        met = session.run.stops.prediction(
-            int(values[PREDICTED_NAMES.index("revolution")]),
-            named["residual_rms"],
-            float(values[PREDICTED_NAMES.index("force_rms")]),
-        )
+        met = session.run.stops.prediction(int(named["revolution"]), named)
         if met is not None:
             self._end(session, met)
 

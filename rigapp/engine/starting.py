@@ -144,7 +144,8 @@ def _stop_monitor(test: TestFile, opened: Opened, offset_s: float, path: Path) -
     """Return the criteria with what they know of an earlier segment; raise UnusableInput."""
     stops = StopMonitor(test.stop)
     try:
-        stops.remember(opened.history() if stops.any else (), opened.last_revolution)
+        if stops.any:
+            stops.remember(opened.history(), opened.last_revolution, opened.depths())
         over = stops.over(offset_s)
         if over is not None:
             raise UnusableInput(f"{path}: nothing is left to do. {over.sentence}")

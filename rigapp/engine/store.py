@@ -17,7 +17,7 @@ from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.calibrate import Calibration
-from rigapp.engine.criteria import HISTORY_COLUMNS
+from rigapp.engine.criteria import DEPTH_COLUMNS, HISTORY_COLUMNS, NOTHING
 from rigapp.engine.history import TRIGGERED
 from rigapp.engine.messages import Event
 
@@ -126,7 +126,8 @@ class Opened:
     """A test file that is ready for rows. rows: already in it; last_*: of the last of these.
 
     triggered: whole cycles in it that a trigger kept. history: yields these rows, some at a time,
-    as (len(HISTORY_COLUMNS), n).
+    as (len(HISTORY_COLUMNS), n); depths: reads the measured wear depths in it, as
+    (len(DEPTH_COLUMNS), n).
     """
 
     store: Store
@@ -135,6 +136,7 @@ class Opened:
     last_time_s: float = 0.0
     last_host_time: float = 0.0
     history: Callable[[], Iterator[NDArray[np.float64]]] = _no_history
+    depths: Callable[[], NDArray[np.float64]] = NOTHING.copy
     triggered: int = 0
 
 
@@ -213,6 +215,7 @@ def _resume(request: OpenRequest) -> Opened:
                 last_host_time=float(reader.column("host_time")[rows - 1]),
                 triggered=sum(why in TRIGGERED for why in reader.cycle_reasons()),
                 history=lambda: _history(request.path, rows),
+                depths=lambda: _depths(request.path),
             )
     except BaseException:
         store.close()
@@ -227,6 +230,14 @@ def _history(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             stop = min(rows, first + HISTORY_ROWS)
             columns = [reader.column(name, first, stop) for name in HISTORY_COLUMNS]
             yield np.array(columns, np.float64)
+
+
+def _depths(path: Path) -> NDArray[np.float64]:
+    from rigapp.storage.reader import open_test
+
+    with open_test(path) as reader:
+        found = reader.predictions()
+        return np.array([found[name] for name in DEPTH_COLUMNS], np.float64)
 
 
 def calibration_record(calibration: Calibration) -> dict[str, Any]:

@@ -224,7 +224,13 @@ def wear(
     )  # fmt: skip
     blocks: list[Block] = [table]
     if any(known.values()):
-        blocks.append(Text("The rate is that of a straight line through the last half."))
+        blocks.append(
+            Text(
+                "The rate is that of a straight line through the last half. The uncertainty of the"
+                " measured depth (k = 2) holds noise, the wear before the reference and the change"
+                " of the elastic approach, not the probes' calibration."
+            )
+        )
     picture = plots.wear_trend(found, gaps, vector) if found is not None else None
     if picture is not None:
         blocks.append(picture)
@@ -236,7 +242,10 @@ def _wear_cells(found: Wear | None) -> tuple[str, str, str]:
     if found is None:
         return UNKNOWN, UNKNOWN, UNKNOWN
     rate = UNKNOWN if math.isnan(found.rate) else f"{1e6 * found.rate:.3g}"
-    return number(1e3 * found.depth, "um", 2), count(found.revolution), rate
+    depth = number(1e3 * found.depth, "um", 2)
+    if math.isfinite(found.uncertainty):
+        depth += f" ± {number(1e3 * found.uncertainty, 'um', 2)}"
+    return depth, count(found.revolution), rate
 
 
 def quality(rows: Rows | None) -> Section:

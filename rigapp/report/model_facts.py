@@ -46,12 +46,14 @@ class Pair:
 @dataclass(frozen=True, slots=True, eq=False)
 class Wear:
     """A wear depth in mm: the last one known, its revolution, its rate in mm a revolution over
-    the last half of the revolutions with a depth."""
+    the last half of the revolutions with a depth; its expanded uncertainty (k = 2), NaN where the
+    file has none."""
 
     depth: float
     revolution: int
     rate: float
     line: Line
+    uncertainty: float = float("nan")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -132,7 +134,12 @@ def agreement_of(reader: TestReader) -> Agreement | None:
         ),
         pairs=_pairs(reader, number, table),
         lines={name: envelope(number, table[name]) for name in COMPARED if name in table},
-        wear={name: _wear(number, table[name]) if name in table else None for name in WEAR},
+        wear={
+            name: _wear(number, table[name], table.get(f"{name}_uncertainty"))
+            if name in table
+            else None
+            for name in WEAR
+        },
     )
 
 
@@ -163,7 +170,9 @@ def _pairs(reader: TestReader, number: NDArray[np.int64], table: Columns) -> tup
     return tuple(found)
 
 
-def _wear(number: NDArray[np.int64], depth: NDArray[Any]) -> Wear | None:
+def _wear(
+    number: NDArray[np.int64], depth: NDArray[Any], doubt: NDArray[Any] | None
+) -> Wear | None:
     finite = np.flatnonzero(np.isfinite(depth))
     if finite.size == 0:
         return None
@@ -175,7 +184,8 @@ def _wear(number: NDArray[np.int64], depth: NDArray[Any]) -> Wear | None:
         rate = float(x @ (depth[late] - depth[late].mean()) / (x @ x))
     last = finite[-1]
     line = envelope(number[finite], depth[finite])
-    return Wear(float(depth[last]), int(number[last]), rate, line)
+    uncertainty = float("nan") if doubt is None else float(doubt[last])
+    return Wear(float(depth[last]), int(number[last]), rate, line, uncertainty)
 
 
 def cycles_of(reader: TestReader) -> tuple[CyclePicture, ...]:

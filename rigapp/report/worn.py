@@ -44,7 +44,8 @@ class Extent:
 class Worn:
     """The newest worn profile, its curves in mm at ``angle`` (deg), and the stages before it.
 
-    centred: whether the probes' zero told the direction; approach_change, run_out: um.
+    centred: whether the probes' zero told the direction; approach_change, run_out: um; corrected:
+    whether the change of the approach was taken out, as files of before do not.
     """
 
     revolution: int
@@ -57,6 +58,7 @@ class Worn:
     approach_change: float
     run_out: float
     centred: bool
+    corrected: bool
 
 
 def worn_of(reader: TestReader) -> Worn | None:
@@ -80,6 +82,9 @@ def worn_of(reader: TestReader) -> Worn | None:
         approach_change=float(table["approach_change"][-1]),
         run_out=float(table["run_out"][-1]),
         centred=bool(table["centred"][-1]),
+        corrected=any(
+            one.name == "measured_wear_depth_uncertainty" for one in reader.plan.prediction_columns
+        ),
     )
 
 
@@ -150,7 +155,8 @@ def _sentence(found: Worn) -> str:
         text += f" A run-out of {number(found.run_out, 'um', 1)} µm was taken out."
     if np.isfinite(found.approach_change):
         change = number(found.approach_change, "um", 1)
-        text += f" Elastic indentation is left in; by the model it changed by {change} µm."
+        took = "this was taken out" if found.corrected else "this was left in"
+        text += f" By the model the elastic approach has changed by {change} µm; {took}."
     if not found.centred and np.isfinite(found.run_out):
         text += (
             " The probes' zero is not at the bushing's centre, so that the direction comes from"

@@ -213,6 +213,9 @@ class EngineHost:
                 found = self._compare(past)
                 examined(found)
                 notes += remarks(found, operator, reason)
+                if self._simulated.needed and past.wear_depth_um is None:
+                    words = "the file tells no wear depth: the simulated rig has an unworn bushing"
+                    notes.append(Remark("resumed", words, operator))
                 self._take_up(past)
             self._start_twin(test.record, out, past)
             self._go_on()
@@ -260,8 +263,8 @@ class EngineHost:
         tare = stored_tare(past)
         if tare is not None and not self.engine.rest().calibration.tare.any():
             self.engine.set_tare(tare)
-        if self._simulated.needed and past.wear_depth_um is not None:
-            self._simulated.process.wear_to(max(0.0, past.wear_depth_um))
+        if self._simulated.needed:
+            self._simulated.process.wear_to(max(0.0, past.wear_depth_um or 0.0))
 
     def _start_twin(self, test: TestFile, file: Path, past: Past | None) -> None:
         """Start the twin of a test, as its file left it where the test goes on."""

@@ -9,7 +9,6 @@ calibration refuse; another calibration, a zero or signals at rest that moved by
 from __future__ import annotations
 
 import enum
-import math
 import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -27,12 +26,13 @@ from rigapp.engine.engine import Remark
 from rigapp.engine.loglines import rest_signals
 from rigapp.engine.run import Refused
 from rigapp.engine.store import calibration_record
+from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
 ZERO_SHARE = 0.02
 """A zero that moved by more of the load cell's full scale needs a reason."""
 
-FITTED_ROWS = 50
-"""Wear is the way of the pin between lines through so many first and so many last revolutions."""
+FITTED = 50
+"""The twin may not have answered to the last rows: so many of its last depths are followed."""
 
 NOT_COMPARED = ("record", "tare_mV_per_V", "frame", "sign")
 
@@ -90,7 +90,7 @@ class Resumption(msgspec.Struct, frozen=True):
 class Past:
     """What a file says of its test. rest: the load cell's signals at rest before its start, mV/V.
 
-    wear_depth_um: since the first revolution by the probes, None when it is not known.
+    wear_depth_um: measured, at the last row; None when it is not known.
     new_position_um: of the pin in the new bushing.
     """
 
@@ -144,8 +144,6 @@ def read_past(path: Path) -> Past:
 
 
 def _new_position(reader: Any) -> Pair | None:
-    from rigapp.engine.criteria import FIRST_STEADY, NEW_REVOLUTIONS
-
     stop = FIRST_STEADY + NEW_REVOLUTIONS
     number = reader.column("revolution", 0, stop)
     rows = (number >= FIRST_STEADY) & (number < stop)
@@ -156,25 +154,15 @@ def _new_position(reader: Any) -> Pair | None:
 
 
 def _depth(reader: Any, rows: int) -> float | None:
-    """Return the depth at the last row, um, as if the bushing had been new before revolution 1."""
-    from rigapp.engine.criteria import FIRST_STEADY
-
-    def distance(first: int, stop: int, at: float) -> float:
-        number = reader.column("revolution", first, stop).astype(float)
-        places = (reader.column(f"probe_{n}_mean", first, stop) for n in (1, 2))
-        way = np.hypot(*places)
-        known = np.isfinite(way)
-        if known.sum() < FIRST_STEADY:
-            return math.nan
-        slope, start = np.polyfit(number[known] - at, way[known], 1)
-        return float(start) if math.isfinite(slope) else math.nan
-
-    if rows < 2 * FIRST_STEADY:
+    """Return the measured wear depth at the last row, um: a line through the newest ones."""
+    table = reader.predictions()
+    number, depth = (table[name].astype(float) for name in ("revolution", "measured_wear_depth"))
+    known = np.flatnonzero(np.isfinite(depth))[-FITTED:]
+    if not (rows and known.size):
         return None
-    last = float(reader.column("revolution", rows - 1)[0])
-    end = distance(max(FIRST_STEADY, rows - FITTED_ROWS), rows, last)
-    depth = end - distance(FIRST_STEADY, min(rows, FITTED_ROWS), 0.0)
-    return depth if math.isfinite(depth) else None
+    away = number[known] - float(reader.column("revolution", rows - 1)[0])
+    line = np.polyfit(away, 1e3 * depth[known], 1 if known.size > 2 else 0)
+    return float(line[-1])
 
 
 def compare(

@@ -211,7 +211,7 @@ class Plant:
 
     def approach_m(self, force_N: float) -> float:
         """Return how far a force brings pin and bushing nearer by elasticity, as they are now."""
-        return looked_up(self._wall.table, self._wall.state, force_N, APPROACH)
+        return float(looked_up(self._wall.table, self._wall.state, force_N, APPROACH))
 
     def _new_wall(self) -> Wall:
         k = self.constants

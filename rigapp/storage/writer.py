@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.columns import PROFILE_CURVES, profile_columns
+from rigapp.engine.columns import PROFILE_CURVES, prediction_columns, profile_columns
 from rigapp.engine.messages import Event
 from rigapp.engine.store import LookedAfter
 from rigapp.storage.backlog import Backlog
@@ -96,6 +96,9 @@ class TestWriter:
         }
         self._rows = self._row_buffer("revolutions", counts.revolutions)
         self._predictions = self._row_buffer("prediction", counts.prediction)
+        known = [one.name for one in prediction_columns()]
+        stored = (one.name for one in plan.prediction_columns)
+        self._stored_predictions = [known.index(name) for name in stored if name in known]
         self._records = {
             name: RecordPlacer(
                 self._backlog,
@@ -224,10 +227,13 @@ class TestWriter:
     ) -> bool:
         """Append what the twin predicted for one revolution; False when there is no room.
 
-        values: float64, in the order of the plan's prediction columns, the revolution first.
+        values: float64, in the order of the plan's prediction columns, the revolution first; in a
+        file of an older version those of ``prediction_columns`` that it has are stored.
         curves: name -> (points,) array, or (curves, points) in the plan's order, or None.
         """
         kept = curves is None or self.append_curves(int(values[0]), curves)
+        if len(values) != len(self.plan.prediction_columns):
+            values = np.asarray(values)[self._stored_predictions]
         return self._predictions.append(values) and kept
 
     def append_curves(

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 
 from model.errors import ModelError
 from model.parameters import Parameters
+from model.wear.loads import CycleLoads
 from model.wear.state import restored_state
+from rigapp.twin.ahead import BushingAhead
 from rigapp.twin.pinpath import Reference
 from rigapp.twin.twin import Bushing, Twin
 
@@ -35,10 +37,15 @@ class ReferenceRecord(msgspec.Struct, frozen=True):
     radial: float
     across: float
     approach: float
+    elastic: bool = False
 
 
 class Checkpoint(msgspec.Struct, frozen=True):
-    """Everything of a twin after revolution ``newest``."""
+    """Everything of a twin after revolution ``newest``.
+
+    loads: of the bushing ahead, float64 (positions, 3) as bytes: force (N) and slip (m); empty
+    where there is none.
+    """
 
     version: int
     newest: int
@@ -47,6 +54,7 @@ class Checkpoint(msgspec.Struct, frozen=True):
     predicted: BushingRecord | None
     driven: BushingRecord | None
     reference: ReferenceRecord | None
+    loads: bytes = b""
 
 
 def packed(twin: Twin) -> bytes:
@@ -56,12 +64,12 @@ def packed(twin: Twin) -> bytes:
     if found is not None:
         reference = ReferenceRecord(
             _pair(found.centre), _pair(found.run_out), found.centred,
-            found.radial, found.across, found.approach,
+            found.radial, found.across, found.approach, found.elastic,
         )  # fmt: skip
     return msgspec.msgpack.encode(
         Checkpoint(
             VERSION, twin.newest, twin.profiled, twin.kept_profile,
-            _record(twin.predicted), _record(twin.driven), reference,
+            _record(twin.predicted), _record(twin.driven), reference, _loads(twin.ahead),
         )
     )  # fmt: skip
 
@@ -80,16 +88,17 @@ def restore(twin: Twin, checkpoint: bytes) -> bool:
     try:
         predicted = _bushing(found.predicted, twin.parameters)
         driven = _bushing(found.driven, twin.parameters)
+        ahead = _ahead(found.loads, twin.parameters)
     except (ModelError, ValueError):
         return False
-    twin.predicted, twin.driven = predicted, driven
+    twin.predicted, twin.driven, twin.ahead = predicted, driven, ahead
     twin.newest, twin.profiled = found.newest, found.profiled
     twin.kept_profile = found.kept_profile
     kept = found.reference
     if kept is not None:
         twin.reference = Reference(
             np.array(kept.centre), np.array(kept.run_out), kept.centred,
-            kept.radial, kept.across, kept.approach,
+            kept.radial, kept.across, kept.approach, kept.elastic,
         )  # fmt: skip
     return True
 
@@ -118,6 +127,19 @@ def _bushing(record: BushingRecord | None, parameters: Parameters) -> Bushing:
     surface = np.frombuffer(record.surface, dtype="<f8").reshape(-1, 2)
     state = restored_state(parameters, surface, record.cycles, record.step_error)
     return Bushing(state, record.failed)
+
+
+def _loads(ahead: BushingAhead | None) -> bytes:
+    if ahead is None:
+        return b""
+    return np.column_stack([ahead.loads.force, ahead.loads.slip]).astype("<f8").tobytes()
+
+
+def _ahead(record: bytes, parameters: Parameters) -> BushingAhead | None:
+    if not record:
+        return None
+    table = np.frombuffer(record, dtype="<f8").reshape(-1, 3)
+    return BushingAhead(parameters, CycleLoads(table[:, :2].copy(), table[:, 2].copy()))
 
 
 def _pair(vector: NDArray[Any]) -> tuple[float, float]:

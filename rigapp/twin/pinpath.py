@@ -15,6 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.twin.approach import RIGID, Approach
+
 Array = NDArray[np.float64]
 
 BINS = 120
@@ -95,7 +97,9 @@ class Reference:
     centre (2,): reading at the bushing's centre, m; run_out (2,): the pin's eccentricity at equal
     crank and follower angle, m; centred: whether the probes' own zero tells the direction (else
     forces do); radial, across: standard uncertainties of the centre along the mean direction of
-    load and across it, m; approach: elastic approach of pin and bushing then, m, by the model.
+    load and across it, m; approach: elastic approach of pin and bushing then at the largest force,
+    m, by the model; elastic: whether it was taken out of the centre (else the centre has that of
+    the unworn bushing).
     """
 
     centre: Array
@@ -104,6 +108,7 @@ class Reference:
     radial: float
     across: float
     approach: float
+    elastic: bool = False
 
 
 def path_of(angle: Array, position: Array, force: Array, turn: Array) -> PathSum:
@@ -134,14 +139,18 @@ def path_of(angle: Array, position: Array, force: Array, turn: Array) -> PathSum
 
 
 def reference_of(
-    path: PathSum, clearance: float, worn: float = 0.0, friction: float = 0.0, approach: float = 0.0
+    path: PathSum,
+    clearance: float,
+    worn: float = 0.0,
+    friction: float = 0.0,
+    approach: Approach = RIGID,
 ) -> Reference | None:
     """Return what a nearly new bushing tells of the probes, None when it tells too little.
 
     worn: depth by then, m; friction: coefficient of the joint, which turns the force
-    away from the normal. Solved by least squares: reading = centre + (clearance + worn) normal +
-    run-out turned by the crank. Where the probes' zero is near the bushing's centre its direction
-    is trusted, and only the distance from it is taken from the clearance.
+    away from the normal. Solved by least squares: reading = centre + (clearance + worn + elastic
+    approach) normal + run-out turned by the crank. Where the probes' zero is near the bushing's
+    centre its direction is trusted, and only the distance from it is taken from the clearance.
     """
     force, position = path.mean_force, path.mean_position
     size = np.hypot(*force)
@@ -150,16 +159,16 @@ def reference_of(
         return None
     position, turn = position[:, loaded], path.turn[path.filled][loaded]
     normal = rotated(force[:, loaded] / size[loaded], -float(np.arctan(friction)))
-    reach = clearance + worn
+    reach = clearance + worn + approach.at(worn, size[loaded])
     weight = np.sqrt(size[loaded] / size.max())
     centre, run_out = _fitted(position - reach * normal, normal, turn, weight)
-    middle = reach * normal.mean(axis=1)
+    middle = (reach * normal).mean(axis=1)
     distance = centre + middle
     length, wanted = float(np.hypot(*distance)), float(np.hypot(*middle))
     lean = float(np.arctan2(_cross(middle, distance), middle @ distance))
     centred = abs(length - wanted) < CENTRED * wanted and abs(lean) < LARGEST_LEAN
     if centred:
-        normal = rotated(normal, lean)
+        normal = position / np.hypot(*position)
         centre, run_out = _fitted(position - reach * normal, normal, turn, weight)
         centre = centre @ distance / length**2 * distance
     left = position - reach * normal - centre[:, None] - turned(run_out, turn)
@@ -171,16 +180,19 @@ def reference_of(
         run_out=run_out,
         centred=centred,
         radial=float(np.hypot(noise, along)),
-        across=along if centred else float(np.hypot(across, FRICTION_DOUBT * reach)),
-        approach=approach,
+        across=along if centred else float(np.hypot(across, FRICTION_DOUBT * clearance)),
+        approach=float(approach.at(worn, size.max(keepdims=True))[0]),
+        elastic=True,
     )
 
 
-def early_wear(revolutions: Sequence[int], paths: Sequence[PathSum]) -> float:
+def early_wear(
+    revolutions: Sequence[int], paths: Sequence[PathSum], approach: Approach = RIGID
+) -> float:
     """Return the depth, m, that a new bushing has in the middle of some of its first revolutions.
 
-    The pin's mean place along the force moves by the wear of a revolution; a straight line through
-    the revolutions, followed back to 0. Never below 0.
+    The pin's mean place along the force moves by the wear of a revolution less what the elastic
+    approach falls by; a straight line through the revolutions, followed back to 0. Never below 0.
     """
     force = sum((path.force.sum(axis=1) for path in paths), np.zeros(2))
     direction = force / max(float(np.hypot(*force)), 1e-300)
@@ -189,7 +201,9 @@ def early_wear(revolutions: Sequence[int], paths: Sequence[PathSum]) -> float:
         return 0.0
     place = np.array([direction @ path.mean_position.mean(axis=1) for path in paths])
     away = number - number.mean()
-    return max(float(away @ place / (away @ away)) * float(number.mean()), 0.0)
+    moved = float(away @ place / (away @ away)) * float(number.mean())
+    usual = np.concatenate([np.hypot(*path.mean_force) for path in paths])
+    return max(approach.depth_of(moved + approach.mean(0.0, usual), usual), 0.0)
 
 
 def reference_from_mean(position: Array, clearance: float, path: PathSum) -> Reference:
@@ -212,37 +226,21 @@ def reference_from_mean(position: Array, clearance: float, path: PathSum) -> Ref
     return Reference(position - clearance * away, run_out, centred, 0.0, across, 0.0)
 
 
-def centres(path: PathSum, reference: Reference, approach: float = 0.0) -> Array:
+def centres(
+    path: PathSum, reference: Reference, depth: float = 0.0, approach: Approach = RIGID
+) -> Array:
     """Return the pin's centre from the bushing's for each part with a sample, (2, n), m.
 
-    approach: by how much the largest force brings pin and bushing nearer than it did in the
-    reference, m; taken away in proportion to the force. 0 leaves elastic indentation in.
+    The elastic approach of the bushing worn to a depth (m) is taken out along the force.
     """
     turn = path.turn[path.filled]
     moved = path.mean_position - reference.centre[:, None] - turned(reference.run_out, turn)
-    if approach:
-        force = path.mean_force
-        moved = moved - approach * force / max(float(np.hypot(*force).max()), 1e-300)
-    return np.asarray(moved)
-
-
-def depth_under_load(path: PathSum, positions: Array, clearance: float) -> float:
-    """Return how far the pin is beyond the clearance where the force has its usual direction, m.
-
-    positions: from ``centres``. The mean over the loaded parts within 10 degrees of the mean
-    direction of the force; NaN when there is none.
-    """
     force = path.mean_force
     size = np.hypot(*force)
-    mean = force.sum(axis=1)
-    length = float(np.hypot(*mean))
-    if not (size.size and length > 0.0):
-        return float("nan")
-    along = (mean @ force) / (length * np.maximum(size, 1e-300))
-    usual = (size > LOADED * size.max()) & (along > np.cos(np.radians(10.0)))
-    if not usual.any():
-        return float("nan")
-    return float(np.average(np.hypot(*positions[:, usual]), weights=size[usual])) - clearance
+    nearer = approach.at(depth, size)
+    if not reference.elastic:
+        nearer = nearer - approach.at(0.0, size)
+    return np.asarray(moved - nearer * force / np.maximum(size, 1e-300))
 
 
 def rotated(vectors: Array, angle: float) -> Array:

@@ -41,12 +41,13 @@ class Wear:
     """What is known of the wear at a revolution, m at the contact point; NaN when unknown.
 
     predicted: by the model alone. driven: by the model from the measured forces. measured: by the
-    probes.
+    probes, with its expanded uncertainty (k = 2).
     """
 
     predicted_depth: float = 0.0
     driven_depth: float = float("nan")
     measured_depth: float = float("nan")
+    measured_uncertainty: float = float("nan")
 
 
 def unpack(message: RevolutionMeasured) -> Measured:
@@ -108,6 +109,7 @@ def compare(measured: Measured, motion: Motion, wear: Wear) -> Prediction:
         np.degrees(phase_shift(_on_grid(measured.angle, size), force)),
         1e3 * wear.predicted_depth,
         1e3 * wear.measured_depth,
+        1e3 * wear.measured_uncertainty,
         1e3 * wear.driven_depth,
     )
     body = [f(curve) for curve in (force_1, force_2, force) for f in (np.max, np.min, _rms)]

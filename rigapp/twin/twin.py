@@ -23,11 +23,19 @@ from model.parameters import Parameters
 from model.wear.state import WearState, unworn_state
 from rigapp.engine.columns import PROFILES_PER_DECADE
 from rigapp.engine.messages import Prediction, WornProfile
+from rigapp.twin.ahead import BushingAhead, bushing_ahead
+from rigapp.twin.approach import RIGID, Approach
+from rigapp.twin.measureddepth import (
+    ELASTIC_DOUBT,
+    FIRST_STEADY,
+    NEW_REVOLUTIONS,
+    MeasuredDepth,
+    measured_depth,
+)
 from rigapp.twin.pinpath import (
     PathSum,
     Reference,
     centres,
-    depth_under_load,
     early_wear,
     path_of,
     reference_from_mean,
@@ -48,9 +56,6 @@ Array = NDArray[np.float64]
 STEP_SHARE = 0.02
 """A bushing is worn on once this share of the cycles so far has come together."""
 CATCH_UP_STEPS = 12
-NEW_REVOLUTIONS = 5
-FIRST_STEADY = 3
-"""The bushing counts as new in so many revolutions from this one on."""
 STILL_NEW = 20
 """A bushing first seen after this revolution is not new any more."""
 
@@ -91,12 +96,6 @@ class Bushing:
             return float("nan")
         return self.state.depth_at_contact if self.state is not None else 0.0
 
-    @property
-    def approach(self) -> float:
-        """Return the elastic approach of pin and bushing, m; 0 when it is not known."""
-        found = self.state.approach if self.state is not None and not self.failed else 0.0
-        return found if math.isfinite(found) else 0.0
-
     def profile(self) -> Array:
         """Return the depth (m) at the angles of a worn profile; NaN when the model cannot tell."""
         if self.failed or self.state is None:
@@ -134,7 +133,9 @@ class Twin:
     newest: int = 0
     profiled: int = 0
     kept_profile: int = 0
+    ahead: BushingAhead | None = None
     changed: bool = False
+    _last: MeasuredDepth = field(default_factory=MeasuredDepth)
     _first: dict[int, PathSum] = field(default_factory=dict)
     _path: PathSum | None = None
 
@@ -150,8 +151,13 @@ class Twin:
         changed = self.predicted.wear_to(cycles, motion.force_follower, slip, self.parameters)
         changed |= self.driven.wear_to(cycles, force, slip, self.parameters)
         path = _path(measured, motion)
+        if self.ahead is None and (self.reference or measured.revolution >= FIRST_STEADY):
+            self.ahead = bushing_ahead(self.parameters, force, slip)
         changed |= self._learn(measured.revolution, path)
-        wear = Wear(self.predicted.depth, self.driven.depth, self._measured_depth(path))
+        self._last = self._measured_depth(path)
+        wear = Wear(
+            self.predicted.depth, self.driven.depth, self._last.depth, self._last.uncertainty
+        )
         self.newest = measured.revolution
         profile = self._profile(measured.revolution, path)
         self.changed = changed or profile is not None
@@ -172,22 +178,30 @@ class Twin:
         if len(self._first) < NEW_REVOLUTIONS:
             return False
         paths = list(self._first.values())
+        approach = self._approach(0.0) or RIGID
         self.reference = reference_of(
             functools.reduce(operator.add, paths),
             clearance,
-            early_wear(list(self._first), paths),
+            early_wear(list(self._first), paths, approach),
             self.parameters.joint.friction_coefficient,
-            self.driven.approach,
+            approach,
         )
         self._first.clear()
         return self.reference is not None
 
-    def _measured_depth(self, path: PathSum) -> float:
-        """Return by how much the pin is beyond the clearance under load, m."""
-        if self.reference is None:
-            return float("nan")
-        positions = centres(path, self.reference)
-        return depth_under_load(path, positions, self.parameters.joint.clearance)
+    def _approach(self, depth: float) -> Approach | None:
+        return self.ahead.upto(depth) if self.ahead is not None else None
+
+    def _measured_depth(self, path: PathSum) -> MeasuredDepth:
+        """Return how deep the bushing is worn by the probes, the approach told far enough for it.
+
+        The table of the approach need not reach further than what the probes see, approach and all.
+        """
+        clearance = self.parameters.joint.clearance
+        found = measured_depth(path, self.reference, clearance, self._approach(0.0))
+        if math.isfinite(found.depth):
+            found = measured_depth(path, self.reference, clearance, self._approach(found.depth))
+        return found
 
     def _profile(self, revolution: int, path: PathSum) -> WornProfile | None:
         """Return a new worn profile when enough revolutions have come together."""
@@ -205,17 +219,20 @@ class Twin:
         joint, reference = self.parameters.joint, self.reference
         predicted, driven = self.predicted.profile(), self.driven.profile()
         measured, doubt = np.full_like(predicted, np.nan), np.full_like(predicted, np.nan)
-        approach = self.driven.approach
-        change = approach - reference.approach if reference is not None else math.nan
+        approach, change = math.nan, math.nan
         if reference is not None and path.filled.any():
+            depth = self._last.depth if math.isfinite(self._last.depth) else 0.0
+            elastic = self._approach(depth) or RIGID
+            largest = np.hypot(*path.mean_force).max(keepdims=True)
+            approach = float(elastic.at(depth, largest)[0])
+            change = approach - reference.approach
             force = path.mean_force.sum(axis=1)
             radial = np.hypot(reference.radial, path.standard_error)
-            radial = float(np.hypot(radial, change / math.sqrt(3.0)))
+            radial = float(np.hypot(radial, ELASTIC_DOUBT * change))
             across = float(np.hypot(reference.across, path.standard_error))
             doubt = depth_uncertainty(radial, across, float(np.arctan2(force[1], force[0])))
-            measured = worn_depth(
-                centres(path, reference), joint.pin_radius, joint.bushing_radius, doubt
-            )
+            places = centres(path, reference, depth, elastic)
+            measured = worn_depth(places, joint.pin_radius, joint.bushing_radius, doubt)
         centre = -1e6 * reference.centre if reference is not None else np.full(2, np.nan)
         run_out = 1e6 * np.hypot(*reference.run_out) if reference is not None else math.nan
         centred = reference is not None and reference.centred

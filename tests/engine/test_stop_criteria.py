@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +18,14 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.recipe import StopSection, TestFile
-from rigapp.engine.criteria import BLIND_REVOLUTIONS, HISTORY_COLUMNS, StopMonitor, described
+from rigapp.engine.criteria import (
+    BLIND_REVOLUTIONS,
+    DEPTH_COLUMNS,
+    HISTORY_COLUMNS,
+    StopMonitor,
+    described,
+)
+from rigapp.engine.guard import PREDICTED_NAMES
 from rigapp.engine.messages import FinishReason, Flag, Prediction, RunState
 from rigapp.engine.reduce import NAMES, PLACE
 from rigapp.engine.run import ENDED
@@ -100,20 +107,50 @@ def test_the_hold_off_lets_a_joint_run_in() -> None:
     assert number == 32
 
 
-def worn(depth_um: Callable[[int], float], numbers: range) -> Iterator[NDArray[np.float64]]:
-    """Yield rows of a pin that moves away from the middle, with noise of the probes."""
-    noise = np.random.default_rng(1).normal(0.0, 0.2, size=(numbers.stop, 2))
+def an_answer(**given_values: float) -> dict[str, float]:
+    """Return the twin's columns: what is given, else not known."""
+    return dict.fromkeys(PREDICTED_NAMES, math.nan) | given_values
+
+
+Step = tuple[NDArray[np.float64], dict[str, float]]
+
+
+def worn(depth_um: Callable[[int], float], numbers: range) -> Iterator[Step]:
+    """Yield rows and the twin's answers to them, the depth with the noise of the probes."""
+    noise = np.random.default_rng(1).normal(0.0, 0.2, size=numbers.stop)
     for n in numbers:
-        x, y = (500.0 + depth_um(n)) * np.array([0.6, 0.8]) + noise[n]
-        yield a_row(n, probe_1_mean=x, probe_2_mean=y)
+        depth = 1e-3 * (depth_um(n) + noise[n]) if n >= 8 else math.nan
+        doubt = 0.5e-3 if n >= 8 else math.nan
+        yield a_row(n), an_answer(measured_wear_depth=depth, measured_wear_depth_uncertainty=doubt)
+
+
+def answered(monitor: StopMonitor, steps: Iterable[Step]) -> tuple[int, Any]:
+    """Return the number of the first revolution whose row or answer met a criterion, and which."""
+    for row, answer in steps:
+        number = int(row[PLACE["revolution"]])
+        met = monitor.row(row) or monitor.prediction(number, answer)
+        if met is not None:
+            return number, met
+    return 0, None
 
 
 def test_the_wear_depth_is_a_planned_end() -> None:
     stop = StopSection(wear_depth_um=50.0, wear_depth_revolutions=20)
-    number, met = feed(StopMonitor(stop), worn(lambda n: 0.05 * n, range(1, 2000)))
+    number, met = answered(StopMonitor(stop), worn(lambda n: 0.05 * n, range(1, 2000)))
     assert met.planned
     assert 1000 <= number <= 1060
     assert "50 um" in met.sentence
+    assert met.sentence.endswith("in the last one, +/- 0.5 um (k = 2).")
+
+
+def test_the_number_judged_is_the_one_of_the_file() -> None:
+    monitor = StopMonitor(StopSection(wear_depth_um=50.0, wear_depth_revolutions=1))
+    # The pin lies anywhere: only what the twin says of the depth counts.
+    assert monitor.row(a_row(1, probe_1_mean=5000.0)) is None
+    assert monitor.prediction(1, an_answer(measured_wear_depth=0.0499)) is None
+    met = monitor.prediction(2, an_answer(measured_wear_depth=0.0501))
+    assert met is not None
+    assert "50.1 um" in met.sentence
 
 
 def test_the_wear_rate_is_a_slope_over_the_window() -> None:
@@ -121,11 +158,11 @@ def test_the_wear_rate_is_a_slope_over_the_window() -> None:
         return 0.002 * n + 0.02 * max(0, n - 3000)
 
     stop = StopSection(wear_rate_um_per_1000_revolutions=15.0, wear_rate_window_revolutions=500)
-    number, met = feed(StopMonitor(stop), worn(breaking, range(1, 6000)))
+    number, met = answered(StopMonitor(stop), worn(breaking, range(1, 6000)))
     assert not met.planned
     assert 3200 <= number <= 3500
     steady = StopMonitor(stop)
-    assert feed(steady, worn(lambda n: 0.002 * n, range(1, 3000))) == (0, None)
+    assert answered(steady, worn(lambda n: 0.002 * n, range(1, 3000))) == (0, None)
 
 
 @pytest.mark.parametrize("cut", [1, 4, 7, 50, 1999, 2519, 3000])
@@ -138,35 +175,41 @@ def test_a_resumed_test_knows_its_past(cut: int, chunk: int) -> None:
         wear_rate_um_per_1000_revolutions=60.0,
         wear_rate_window_revolutions=400,
     )
-    rows = list(worn(lambda n: 0.02 * n, range(1, 3002)))
-    past, rest = rows[:cut], rows[cut:]
+    steps = list(worn(lambda n: 0.02 * n, range(1, 3002)))
+    past, rest = steps[:cut], steps[cut:]
     places = [PLACE[name] for name in HISTORY_COLUMNS]
-    columns = np.array(past).T[places]
+    columns = np.array([row for row, _ in past]).T[places]
+    depths = np.array([(n, answer[DEPTH_COLUMNS[1]]) for n, (_, answer) in enumerate(past, 1)]).T
     resumed = StopMonitor(stop)
     resumed.remember(
         (columns[:, n : n + chunk] for n in range(0, cut, chunk)),
-        int(past[-1][PLACE["revolution"]]),
+        cut,
+        depths,
     )
     assert resumed.running_h == pytest.approx(cut / 3600.0)
-    number, met = feed(resumed, rest)
+    number, met = answered(resumed, rest)
     assert number == max(cut + 1, 2520)
     assert met.name == "running_time_h"
+
+
+def deviating(residual_N: float, force_N: float) -> dict[str, float]:
+    return an_answer(residual_rms=residual_N, force_rms=force_N)
 
 
 def test_the_deviation_is_judged_where_the_twin_answers() -> None:
     monitor = StopMonitor(StopSection(deviation_N=10.0, deviation_revolutions=2))
     for n in (1, 2, 3):
         monitor.row(a_row(n, int(Flag.RAMP) if n == 1 else 0))
-    assert monitor.prediction(1, 50.0, 100.0) is None  # in the ramp
-    assert monitor.prediction(2, 50.0, 100.0) is None
-    assert monitor.prediction(2, math.nan, 100.0) is None
-    met = monitor.prediction(3, 12.0, 100.0)
+    assert monitor.prediction(1, deviating(50.0, 100.0)) is None  # in the ramp
+    assert monitor.prediction(2, deviating(50.0, 100.0)) is None
+    assert monitor.prediction(2, deviating(math.nan, 100.0)) is None
+    met = monitor.prediction(3, deviating(12.0, 100.0))
     assert met is not None
     assert not met.planned
     share = StopMonitor(StopSection(deviation_percent=10.0, deviation_revolutions=1))
     share.row(a_row(1))
-    assert share.prediction(1, 12.0, 0.0) is None
-    found = share.prediction(1, 12.0, 100.0)
+    assert share.prediction(1, deviating(12.0, 0.0)) is None
+    found = share.prediction(1, deviating(12.0, 100.0))
     assert found is not None
     assert "12 %" in found.sentence
 
@@ -174,10 +217,11 @@ def test_the_deviation_is_judged_where_the_twin_answers() -> None:
 def test_a_criterion_that_sees_nothing_is_named() -> None:
     monitor = StopMonitor(StopSection(wear_depth_um=50.0, force_N=300.0))
     for n in range(1, BLIND_REVOLUTIONS + 1):
-        monitor.row(a_row(n, probe_1_mean=math.nan))
-    assert monitor.blind() == ["wear_depth_um"]
-    for n in range(BLIND_REVOLUTIONS + 1, BLIND_REVOLUTIONS + 8):
         monitor.row(a_row(n))
+        monitor.prediction(n, an_answer())
+    assert monitor.blind() == ["wear_depth_um"]
+    monitor.row(a_row(BLIND_REVOLUTIONS + 1))
+    monitor.prediction(BLIND_REVOLUTIONS + 1, an_answer(measured_wear_depth=0.001))
     assert monitor.blind() == []
 
 
@@ -191,6 +235,7 @@ def test_a_criterion_that_sees_nothing_is_named() -> None:
         ("wear_depth_um = inf", "not a finite number"),
         ('wear_depth_um = "deep"', "expected a number"),
         ("deviation_N = 5.0\n[prediction]\nenabled = false", "prediction.enabled is false"),
+        ("wear_depth_um = 5.0\n[prediction]\nenabled = false", "needs the model's"),
     ],
 )
 def test_a_bad_key_is_one_sentence(line: str, words: str) -> None:
@@ -260,8 +305,7 @@ def test_the_twin_ends_the_test_by_its_deviation(rig: MemoryRig) -> None:
     rig.start(with_stop(deviation_N=5.0, deviation_revolutions=1))
     eventually(lambda: rig.engine.state is RunState.RUNNING and len(rig.store.rows) > 8, 60.0)
     number = len(rig.store.rows)
-    values = np.zeros(17)
-    values[:2] = number, 7.5
+    values = np.array([*an_answer(revolution=number, residual_rms=7.5, force_rms=50.0).values()])
     rig.engine.submit_prediction(Prediction(number, values.tobytes(), b"", b"", b""))
     rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
@@ -269,7 +313,7 @@ def test_the_twin_ends_the_test_by_its_deviation(rig: MemoryRig) -> None:
 
 
 def test_time_counts_over_an_interruption(rig: MemoryRig) -> None:
-    past = np.array([np.arange(1, 8), np.arange(1, 8) / 2, *[np.full(7, 120.0)] * 4])
+    past = np.array([np.arange(1, 8), np.full(7, 120.0), np.zeros(7)])
 
     def opened() -> Opened:
         rig.stores.append(FakeStore())

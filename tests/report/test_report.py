@@ -102,7 +102,7 @@ def test_model_and_wear(page: Page) -> None:
     assert rows["minimum of force_2"] == ["-45.3", "-46.0", "0.7"]
     assert "295 revolutions of 295 compared" in page.text
     wear = {row[0]: row[1:] for row in page.rows("Wear")}
-    assert wear["measured (probes)"] == ["7.50", "300", "25"]
+    assert wear["measured (probes)"] == ["7.50 ± 0.40", "300", "25"]
     assert wear["predicted (model)"] == ["6.00", "300", "20"]
 
 

@@ -99,7 +99,7 @@ def test_worn_profile_in_numbers_and_as_a_picture(page: Page) -> None:
     assert "measured (probes) at most 60.00 µm at -3°" in words[0]
     assert "the pin never reached are unknown" in page.text
     assert "A run-out of 3.0 µm was taken out" in page.text
-    assert "it changed by -2.5 µm" in page.text
+    assert "has changed by -2.5 µm; this was taken out" in page.text
 
 
 def test_uncertainty_of_forces_is_stated(page: Page) -> None:

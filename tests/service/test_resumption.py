@@ -196,7 +196,7 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     host: EngineHost, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = tmp_path / "t.h5"
-    test = read_test(recipe(tmp_path, NEVER_OVER, twin=False, every=1000))
+    test = read_test(recipe(tmp_path, NEVER_OVER, twin=True, every=1000))
     host.connect(test.record)
     zeroed = host.engine.zero(operator="Ada", reason="as the daily check says")["load_cell"]
     assert math.hypot(*zeroed) > 0.01
@@ -243,7 +243,9 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
         way = np.hypot(reader.column("probe_1_mean"), reader.column("probe_2_mean"))
     before = way[stopped_at - 6 : stopped_at - 1].mean()
     after = way[stopped_at + 2 : stopped_at + 7].mean()
-    assert before - way[3:8].mean() > 1.5  # um of wear, which a new bushing would not have
+    # The pin has moved by wear less what the approach falls by; a new bushing would be back there.
+    assert before - way[3:8].mean() > 1.0
+    # The cell was zeroed under the spring's load, so that the forces tell little of the approach.
     assert abs(after - before) < 1.5
     with pytest.raises(UnusableInput, match="complete"):
         host.start(test, out, "Ada", resume=True)

@@ -43,7 +43,9 @@ def test_all_round_pressure_widens_the_ring_as_lame_says() -> None:
     lame = 2.0 * shear * POISSON / (1.0 - 2.0 * POISSON)
     conditions = [[2.0 * (lame + shear), -2.0 * shear / INNER**2], [OUTER, 1.0 / OUTER]]
     a, b = np.linalg.solve(conditions, [-1.0, 0.0])
-    assert wave_compliance(0.0, INNER, OUTER, MODULUS, POISSON) == pytest.approx(a * INNER + b / INNER)
+    assert wave_compliance(0.0, INNER, OUTER, MODULUS, POISSON) == pytest.approx(
+        a * INNER + b / INNER
+    )
 
 
 def test_short_waves_move_the_bore_like_a_flat_surface() -> None:

@@ -6,12 +6,15 @@ import shutil
 import stat
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
-from storage_samples import check, curves, cycle, new_test, prediction, row, write
+from storage_samples import PLAN, check, curves, cycle, new_test, prediction, row, write
 
 from rigapp.config.errors import UnusableInput
+from rigapp.engine.columns import prediction_columns
 from rigapp.engine.messages import Event
 from rigapp.storage import FilePlan, open_test, reopen_test
 
@@ -171,3 +174,25 @@ def test_unplanned_samples_grow_into_declared_room(quick_folder: Path) -> None:
 def test_missing_file_is_named(quick_folder: Path) -> None:
     with pytest.raises(UnusableInput, match=r"none\.h5: there is no such file"):
         reopen_test(quick_folder / "none.h5")
+
+
+def test_a_file_with_fewer_columns_takes_what_it_knows(
+    quick_folder: Path,
+) -> None:
+    old = tuple(c for c in prediction_columns() if c.name != "measured_wear_depth_uncertainty")
+    path = quick_folder / "test.h5"
+    with new_test(quick_folder, replace(PLAN, prediction_columns=old)) as writer:
+        write(writer, 1, 5)
+    with reopen_test(path) as writer:
+        writer.append_row(row(6, writer.plan))
+        values = np.arange(float(len(prediction_columns())))
+        values[0] = 6.0
+        writer.append_prediction(values)
+        writer.finish("stopped", "user", "")
+    with open_test(path) as reader:
+        found = reader.predictions()
+    assert "measured_wear_depth_uncertainty" not in found
+    assert found["revolution"].tolist()[-1] == 6
+    for place, one in enumerate(prediction_columns()[1:], 1):
+        if one.name in found:
+            assert found[one.name][-1] == place

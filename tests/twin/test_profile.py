@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rigapp.twin.approach import RIGID, Approach
+from rigapp.twin.measureddepth import MeasuredDepth, measured_depth
 from rigapp.twin.pinpath import (
     PathSum,
+    Reference,
     centres,
-    depth_under_load,
     early_wear,
     path_of,
     reference_from_mean,
@@ -55,6 +59,10 @@ def many(depth: float, revolutions: int, **details: float | complex) -> PathSum:
     return found
 
 
+def depth_of(path: PathSum, reference: Reference, approach: Approach = RIGID) -> MeasuredDepth:
+    return measured_depth(path, reference, CLEARANCE, approach)
+
+
 def truth(depth: float, lean_deg: float = 0.0) -> np.ndarray:
     """The pin's circle sunk in by depth, beyond the bushing's first circle."""
     away = CLEARANCE + depth
@@ -96,7 +104,7 @@ def test_run_out_and_a_load_cell_that_leans_leave_the_profile_alone() -> None:
     np.testing.assert_allclose(new.run_out, [3e-6, -2e-6], atol=1e-7)
     worn = many(2.5e-4, 6, **crooked)
     positions = centres(worn, new)
-    assert depth_under_load(worn, positions, CLEARANCE) == pytest.approx(2.5e-4, abs=2e-7)
+    assert depth_of(worn, new).depth == pytest.approx(2.5e-4, abs=2e-7)
     doubt = depth_uncertainty(new.radial, new.across, np.radians(-2.9))
     depth = worn_depth(positions, R1, R2, doubt)
     seen = np.isfinite(depth)
@@ -126,7 +134,7 @@ def test_any_zero_of_the_probes_and_any_run_out(
         )
         np.testing.assert_allclose(positions[0], expected.real, atol=1e-6)
         np.testing.assert_allclose(positions[1], expected.imag, atol=1e-6)
-    assert depth_under_load(worn, positions, CLEARANCE) == pytest.approx(depth, rel=0.1, abs=4e-6)
+    assert depth_of(worn, new).depth == pytest.approx(depth, rel=0.1, abs=4e-6)
 
 
 def test_wear_of_the_first_revolutions_is_told_from_their_trend() -> None:
@@ -140,15 +148,62 @@ def test_only_the_mean_of_the_new_bushing_is_known() -> None:
     worn = path(1e-4, run_out=3e-6)
     found = reference_from_mean(np.array([CLEARANCE, 0.0]), CLEARANCE, worn)
     np.testing.assert_allclose(found.run_out, [3e-6, 0.0], atol=1e-7)
-    assert depth_under_load(worn, centres(worn, found), CLEARANCE) == pytest.approx(1e-4, abs=2e-7)
+    assert depth_of(worn, found).depth == pytest.approx(1e-4, abs=2e-7)
 
 
-def test_elastic_approach_can_be_taken_away() -> None:
+FALLING = Approach(
+    np.array([0.0, 1e-5, 2e-4]),
+    np.array([30.0, 60.0, 90.0]),
+    1e-6 * np.array([[8.0, 12.0, 16.0], [4.0, 7.0, 10.0], [2.0, 4.0, 6.0]]),
+)
+
+
+def elastic(depth: float) -> PathSum:
+    """A revolution without swing: the pin further along x by the approach at each force."""
+    found = path(depth, swing_deg=0.0)
+    position = found.position.copy()
+    position[0] += FALLING.at(depth, np.hypot(*found.mean_force)) * found.count
+    return replace(found, position=position)
+
+
+@pytest.mark.parametrize("depth", [0.0, 3e-6, 1e-5, 1e-4])
+def test_the_fall_of_the_elastic_approach_is_not_taken_for_less_wear(depth: float) -> None:
+    new = reference_of(elastic(0.0), CLEARANCE, approach=FALLING)
+    assert new is not None
+    assert new.approach == pytest.approx(16e-6, rel=0.01)
+    worn = elastic(depth)
+    found = depth_of(worn, new, FALLING)
+    assert found.depth == pytest.approx(depth, abs=2e-8)
+    assert depth_of(worn, new).depth == pytest.approx(
+        depth + FALLING.mean(depth, worn.mean_force[0])
+    )
+    positions = centres(worn, new, depth, FALLING)
+    np.testing.assert_allclose(np.hypot(*positions), CLEARANCE + depth, atol=2e-8)
+    # The change of the approach is part of the uncertainty.
+    change = FALLING.mean(0.0, worn.mean_force[0]) - FALLING.mean(depth, worn.mean_force[0])
+    assert found.uncertainty >= 0.399 * change
+    # A reference from before that knew no approach holds that of the new bushing.
+    old = reference_of(elastic(0.0), CLEARANCE)
+    assert old is not None
+    told = depth_of(worn, replace(old, elastic=False), FALLING)
+    assert told.depth == pytest.approx(depth, abs=1.5e-6)
+
+
+def test_the_approach_of_any_force() -> None:
+    force = np.array([0.0, 15.0, 45.0, 90.0, 180.0])
+    np.testing.assert_allclose(FALLING.at(0.0, force), 1e-6 * np.array([0, 4, 10, 16, 32]))
+    np.testing.assert_allclose(FALLING.at(5e-6, force[2:3]), [1e-6 * 7.75])
+    for depth in (-2e-6, 0.0, 4e-6, 1e-4, 5e-4):
+        seen = depth + FALLING.mean(depth, force[:4])
+        assert FALLING.depth_of(seen, force[:4]) == pytest.approx(depth, abs=1e-12)
+
+
+def test_an_approach_that_nobody_knows_leaves_no_uncertainty() -> None:
     new = reference_of(path(0.0), CLEARANCE)
     assert new is not None
-    worn = path(1e-4)
-    plain, less = centres(worn, new), centres(worn, new, 5e-6)
-    assert np.hypot(*(plain - less)).max() == pytest.approx(5e-6, rel=1e-3)
+    found = measured_depth(path(1e-4), new, CLEARANCE, None)
+    assert found.depth == pytest.approx(1e-4, abs=2e-7)
+    assert np.isnan(found.uncertainty)
 
 
 def test_too_little_tells_nothing() -> None:
@@ -159,5 +214,8 @@ def test_too_little_tells_nothing() -> None:
         np.linspace(0.0, 6.0, 50), np.full((2, 50), np.nan), np.ones((2, 50)), np.zeros(50)
     )
     assert not lost.filled.any()
-    assert np.isnan(depth_under_load(lost, np.zeros((2, 0)), CLEARANCE))
+    new = reference_of(silent, CLEARANCE)
+    assert new is not None
+    assert np.isnan(depth_of(lost, new).depth)
+    assert np.isnan(measured_depth(silent, None, CLEARANCE, RIGID).depth)
     assert (silent + lost).revolutions == 2

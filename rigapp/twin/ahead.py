@@ -1,0 +1,97 @@
+"""A bushing of the model that wears ahead of the real one, to tell the elastic approach by depth.
+
+Approach and depth belong together whatever the wear coefficient is: it decides only how fast both
+come. So the approach at the *measured* depth is taken out, however wrong the model's wear is.
+"""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from model.errors import ModelError
+from model.parameters import Parameters
+from model.wear.front import Front, contact_pressure, implicit_step, touched
+from model.wear.loads import CycleLoads, gathered, loads_of_cycle
+from model.wear.state import POSITIONS, unworn_state
+from rigapp.twin.approach import Approach
+
+Array = NDArray[np.float64]
+
+GROWTH = 0.15
+"""A step wears by this share of depth and approach together."""
+AHEAD = 1.3
+"""The table reaches further than the depth that is asked for by this factor."""
+FIRST_REACH = 10e-6
+"""The table begins with depths up to this, m."""
+ANY_COEFFICIENT = 1e-12
+"""Wear coefficient of a bushing whose model does not wear, m^2/N; the table is the same for any."""
+
+log = logging.getLogger(__name__)
+
+
+@dataclass(slots=True)
+class BushingAhead:
+    """Wear a new bushing under the loads of a revolution, as far as depths are asked for."""
+
+    parameters: Parameters
+    loads: CycleLoads
+    _front: Front | None = None
+    _depths: list[float] = field(default_factory=list)
+    _rows: list[Array] = field(default_factory=list)
+    _failed: bool = False
+
+    def upto(self, depth: float) -> Approach | None:
+        """Return the approach at depths up to one at least, m; None when the model cannot tell."""
+        try:
+            while not self._failed and self._reach < AHEAD * max(depth, FIRST_REACH):
+                self._step()
+        except (ModelError, ValueError, ArithmeticError) as error:
+            self._failed = True
+            log.warning("The elastic approach is not known beyond %g m: %s", self._reach, error)
+        if not self._rows:
+            return None
+        order = np.argsort(self.loads.magnitude)
+        forces = self.loads.magnitude[order]
+        return Approach(np.array(self._depths), forces, np.array(self._rows)[:, order])
+
+    @property
+    def _reach(self) -> float:
+        return self._depths[-1] if self._depths else -1.0
+
+    def _step(self) -> None:
+        coefficient = self.parameters.bushing.wear_coefficient or ANY_COEFFICIENT
+        state = unworn_state(self.parameters, float(self.loads.magnitude.max()))
+        problem = replace(state.problem, wear_coefficient=coefficient)
+        if self._front is None:
+            front = touched(problem, problem.unworn(), self.loads)
+        else:
+            peak = float(contact_pressure(problem, self._front).max())
+            wanted = GROWTH * (self._depths[-1] + float(self._rows[-1].max()))
+            cycles = wanted / (coefficient * peak * float(self.loads.slip.sum()))
+            front = implicit_step(problem, self._front, self.loads, cycles)
+        assert front.pins is not None
+        ring = problem.ring
+        row = np.array([ring.indentation(front.surface, pin) for pin in front.pins])
+        depth = front.depth_at_contact_point(ring.inner)
+        if depth <= self._reach:
+            raise ArithmeticError("the bushing ahead does not wear where the pin bears")
+        self._front = front
+        self._depths.append(depth)
+        self._rows.append(row)
+
+
+def bushing_ahead(parameters: Parameters, force: Array, slip: Array) -> BushingAhead | None:
+    """Return the bushing ahead under a revolution's forces, None where nothing presses.
+
+    force (2, n): N, on the follower by the pin in the follower frame; slip (n,): m.
+    """
+    mu = parameters.joint.friction_coefficient
+    try:
+        loads = gathered(loads_of_cycle(force, slip, mu).pressing(), POSITIONS).pressing()
+    except ModelError:
+        return None
+    return BushingAhead(parameters, loads) if loads.slip.size else None

@@ -1,0 +1,69 @@
+"""How far a force brings pin and bushing nearer by elasticity, by depth of wear. Pure functions.
+
+The probes see wear and elastic approach together. As the contact conforms the approach falls: what
+they see grows by less than the wear.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Approach:
+    """Hold the elastic approach (D, M), m, at depths (D,), m, and forces (M,), N; both rise.
+
+    Between them straight lines; below the first depth and beyond the last that of the nearest,
+    beyond the largest force in proportion to it.
+    """
+
+    depths: Array
+    forces: Array
+    table: Array
+
+    def at(self, depth: float, force: Array) -> Array:
+        """Return the approach at a depth (m) and some forces (n,), N: (n,), m."""
+        row = np.array([np.interp(depth, self.depths, column) for column in self.table.T])
+        return np.asarray(self._shares(force) @ row)
+
+    def mean(self, depth: float, force: Array) -> float:
+        """Return the mean of ``at`` over the forces, each weighted by itself, m."""
+        return float(np.interp(depth, self.depths, self._means(force)))
+
+    def depth_of(self, beyond: float, force: Array) -> float:
+        """Return the depth (m) at which depth and mean approach together are ``beyond`` (m)."""
+        seen = self.depths + self._means(force)
+        depth = float(np.interp(beyond, seen, self.depths))
+        outside = min(beyond - float(seen[0]), 0.0) + max(beyond - float(seen[-1]), 0.0)
+        return depth + outside
+
+    def _means(self, force: Array) -> Array:
+        """Return the mean approach at each depth of the table, (D,), m."""
+        return np.asarray(self.table @ (force @ self._shares(force) / force.sum()))
+
+    def _shares(self, force: Array) -> Array:
+        """Return how much of each force of the table is in each of some forces, (n, M)."""
+        above = np.minimum(np.searchsorted(self.forces, force), self.forces.size - 1)
+        low = np.where(above > 0, self.forces[above - 1], 0.0)
+        beyond = force > self.forces[-1]
+        part = (force - low) / np.where(beyond, 1.0, self.forces[above] - low)
+        shares = np.zeros((force.size, self.forces.size))
+        each = np.arange(force.size)
+        shares[each, above - 1] = np.where((above > 0) & ~beyond, 1.0 - part, 0.0)
+        shares[each, above] = np.where(beyond, force / self.forces[-1], part)
+        return shares
+
+    def gain(self, depth: float, force: Array) -> float:
+        """Return how many metres of depth a metre of what the probes see is, at a depth (m)."""
+        step = 1e-7
+        seen = self.mean(depth + step, force) - self.mean(depth - step, force)
+        return 1.0 / max(1.0 + seen / (2.0 * step), 0.2)
+
+
+RIGID = Approach(np.zeros(1), np.ones(1), np.zeros((1, 1)))
+"""No approach at all."""
