@@ -48,6 +48,7 @@ class Calibration:
     clock: what makes the device sample; with the encoder's, sample_rate_Hz is nominal, fastest_Hz
     the most pulses a second, and pulse_rate tells where their rate is recorded. correction: run-out
     map and alignment of the probes, None without. probe_uncertainty_um: expanded, of one position.
+    ranges: (4,) signal units, the measuring range that was asked for.
     """
 
     rows: tuple[int, int, int, int]
@@ -73,6 +74,7 @@ class Calibration:
     fastest_Hz: float = 0.0
     correction: ProbeCorrection | None = None
     probe_uncertainty_um: tuple[float, float] | None = None
+    ranges: NDArray[np.float64] = field(default_factory=lambda: np.full(4, np.inf))
 
     @property
     def margins(self) -> Margins:
@@ -202,14 +204,15 @@ def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
     )
 
 
+def analog_inputs(rig: RigFile) -> tuple[str, str, str, str]:
+    """Return the device's names of the inputs that carry ``ANALOG``."""
+    cell, probes = rig.load_cell, rig.probes
+    return cell.input_1, cell.input_2, probes.input_1, probes.input_2
+
+
 def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
     """Freeze the calibration of a rig file for a device set up so; raise UnusableInput."""
-    names = (
-        rig.load_cell.input_1,
-        rig.load_cell.input_2,
-        rig.probes.input_1,
-        rig.probes.input_2,
-    )
+    names = analog_inputs(rig)
     keys = ("load_cell.input_1", "load_cell.input_2", "probes.input_1", "probes.input_2")
     specs = [_spec(setup, name, key) for name, key in zip(names, keys, strict=True)]
     counter_row, counter = _spec(setup, rig.encoder.input, "encoder.input")
@@ -267,6 +270,7 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
         fastest_Hz=rig.spindle.maximum_speed_rpm / 60.0 * turn,
         correction=probe_correction(rig.probes, turn, math.radians(rig.encoder.index_angle_deg)),
         probe_uncertainty_um=rig.probes.uncertainty_um,
+        ranges=np.repeat((rig.load_cell.range_mV_per_V, rig.probes.range_V), 2),
     )
 
 

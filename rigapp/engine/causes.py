@@ -50,11 +50,22 @@ KINDS: Mapping[str, Kind] = {
         "Overload",
         "The drive was switched off to protect the load cell.",
         "Look at joint, spring and guide; check the zero; then reset and start again.",
+        Ends.TEST,
     ),
     "invalid_signal": _critical(
         "Load cell signal invalid",
         "The force is not known, so the drive was switched off.",
         "Check the load cell's cable and the amplifier's input; then reset.",
+    ),
+    "saturated": _critical(
+        "Load cell input saturated: {}",
+        "The force is not known, so the drive was switched off.",
+        "Check plug, cable and bridge of this input, and its range in the rig file; then reset.",
+    ),
+    "input_saturated": _warning(
+        "Input saturated: {}",
+        "What this input shows is cut off at the end of its range; its samples are flagged.",
+        "Check plug, cable and sensor of this input, and its range in the rig file.",
     ),
     "overspeed": _critical(
         "Overspeed",
@@ -288,6 +299,22 @@ def overload(force_N: float, limit_N: float) -> Cause:
 def invalid_signal() -> Cause:
     """A sample of the load cell is not a number."""
     return _cause("invalid_signal", "The load cell sent a value that is not a number.")
+
+
+def saturated(name: str, wired: str, device: str, range_text: str, *, critical: bool) -> Cause:
+    """An input is at the end of its range. critical: it carries a force of the test under way."""
+    return _cause(
+        "saturated" if critical else "input_saturated",
+        f"{name} ({wired} of {device}) is at the end of its range, {range_text}: its cable or plug,"
+        " its range, or a signal beyond it.",
+        key=saturated_key(name, critical=critical),
+        name=name,
+    )
+
+
+def saturated_key(name: str, *, critical: bool) -> str:
+    """Return the key of the alarm that an input is saturated."""
+    return f"{'saturated' if critical else 'input_saturated'}:{name}"
 
 
 def overspeed(speed_rpm: float, limit_rpm: float, by: str) -> Cause:

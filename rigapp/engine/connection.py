@@ -121,7 +121,10 @@ class Connection:
         age = self.data_age_s()
         if age >= stale_data_s:
             return f"no samples came for {age:.1f} s"
-        return "" if self.control.answering else "the drive does not answer"
+        if not self.control.answering:
+            return "the drive does not answer"
+        cut_off = self.processor.saturated & {"force_1", "force_2"}
+        return f"{' and '.join(sorted(cut_off))} at the end of the range" if cut_off else ""
 
     def close(self, timeout_s: float = 5.0) -> tuple[str, ...]:
         """Stop the motor, end the threads, release the devices; return threads that hang."""

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from rigapp.engine import causes
 from rigapp.engine.assembler import Revolution
+from rigapp.engine.calibrate import ANALOG, analog_inputs
 from rigapp.engine.columns import prediction_columns
 from rigapp.engine.core import Core, Session
 from rigapp.engine.criteria import Met
@@ -47,6 +48,9 @@ only while the drive has not answered since."""
 
 BACKWARDS_RPM = -1.0
 """A drive that reports less than this turns backwards."""
+
+FORCES = (0, 1)
+"""Places of the load cell's inputs in ``ANALOG``."""
 
 CALM_REVOLUTIONS = 20
 
@@ -106,28 +110,53 @@ class Guard:
             ending = Ending(FinishReason.LIMIT, cause.cause, off=True)
         if core.state in ACTIVE:
             core.trip(ending, cause)
-        else:
+        elif ending.fault:  # the limit is the test's: without one, weights may hang on the cell
             core.warn(cause)
+
+    def cut_off(self, inputs: frozenset[str]) -> bool:
+        """Take the power off in a test: a saturated input shows a force above the limit."""
+        if self._core.state not in ACTIVE:
+            return False
+        self._saturated(inputs)
+        return True
+
+    def saturated(self, inputs: frozenset[str]) -> None:
+        """Raise the alarms of these inputs, and let those of all others return."""
+        for name in ANALOG:
+            if name not in inputs:
+                for critical in (True, False):
+                    self._core.alarms.clear(causes.saturated_key(name, critical=critical))
+        self._saturated(inputs)
+
+    def _saturated(self, inputs: frozenset[str]) -> None:
+        core = self._core
+        device = self._connection.devices.source.name
+        calibration = self._connection.processor.calibration
+        wired = dict(zip(ANALOG, analog_inputs(core.rig.record), strict=True))
+        for i, name in enumerate(ANALOG):
+            if name not in inputs or core.alarms.is_active(
+                causes.saturated_key(name, critical=True)
+            ):
+                continue
+            span = f"{calibration.ranges[i]:g} {calibration.units[i]}"
+            critical = i in FORCES and core.state in ACTIVE
+            cause = causes.saturated(name, wired[name], device, span, critical=critical)
+            if critical:
+                core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
+            else:
+                core.warn(cause)
 
     def calm(self) -> None:
         """Take note that the force of a whole block is within the limit."""
         self._calm = True
-
-    def _clear_overload(self) -> None:
-        """Clear an overload once it is over for good.
-
-        A crank that runs down after the trip passes the same peak once a revolution.
-        """
-        self._calm = False
-        self._core.alarms.clear("overload")
-        self._core.alarms.clear("invalid_signal")
 
     def motion(self, speed_rpm: float) -> None:
         """Look for overspeed, for a missing index, and for the set speed."""
         core = self._core
         state = core.state
         if self._calm and state not in ACTIVE:
-            self._clear_overload()
+            self._calm = False
+            core.alarms.clear("invalid_signal")
         limit = core.limits.overspeed_rpm
         if abs(speed_rpm) > limit and state in TURNING and not self._connection.swinging:
             cause = causes.overspeed(speed_rpm, limit, "crank encoder")

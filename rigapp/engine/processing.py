@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from drivers.api import Block, Quality, SampleClock
 from rigapp.engine.assembler import Assembler, Revolution
-from rigapp.engine.calibrate import Calibration
+from rigapp.engine.calibrate import ANALOG, Calibration
 from rigapp.engine.checks import PeakForce
 from rigapp.engine.motion import MotionWindow, Point
 from rigapp.engine.sampleclock import TICKS_PER_S, EncoderClock
+from rigapp.engine.saturation import SaturationWatch, full_samples
 from rigapp.engine.signals import Means, RecentSignals
 from rigapp.engine.timewatch import TimeWatch
 
@@ -30,6 +31,14 @@ class Judge(Protocol):
 
     def overload(self, force_N: float) -> None:
         """Act on a force above the limit, or NaN."""
+        ...
+
+    def cut_off(self, inputs: frozenset[str]) -> bool:
+        """Act on a force above the limit that only these saturated inputs show; tell whether."""
+        ...
+
+    def saturated(self, inputs: frozenset[str]) -> None:
+        """Take note of the inputs that stay at the end of their range, names of ``ANALOG``."""
         ...
 
     def calm(self) -> None:
@@ -117,6 +126,7 @@ class Processor:
         self._discard = threading.Event()
         self._lost = 0
         self._over = False
+        self._saturation = SaturationWatch(calibration.sample_rate_Hz)
         self._set(calibration)
         self.assembler = Assembler(
             calibration.encoder,
@@ -139,6 +149,17 @@ class Processor:
     def _set(self, calibration: Calibration) -> None:
         self.calibration = calibration
         self._peak = PeakForce(calibration)
+
+    @property
+    def saturated(self) -> frozenset[str]:
+        """Return the inputs that stay at the end of their range, names of ``ANALOG``."""
+        return self._saturation.inputs
+
+    @property
+    def force_N(self) -> float:
+        """Return |F| of the newest sample, NaN before the first."""
+        live = self.live
+        return math.nan if live is None else math.hypot(*live.values[:2])
 
     @property
     def live(self) -> Live | None:
@@ -209,13 +230,7 @@ class Processor:
                 self._stand(self._clock.quiet(block.host_time_ns), block.host_time_ns * 1e-9)
             return
         ticks = self._clock.times(block) if self._clock is not None else None
-        peak = self._peak.of(block.values)
-        if not peak <= self._overload_N():
-            self._over = True
-            self._judge.overload(peak)
-        elif self._over:
-            self._over = False
-            self._judge.calm()
+        self._look_for_overload(block)
         if self._discard.is_set():
             self._discard.clear()
             self.assembler.discard()
@@ -233,6 +248,26 @@ class Processor:
                 self._watch.restart()
         for revolution in revolutions:
             self._judge.revolution(revolution)
+
+    def _look_for_overload(self, block: Block) -> None:
+        """Look at every force first; one that a saturated input shows is no measured one."""
+        full = full_samples(block, self.calibration)
+        peak, limit_N = self._peak.of(block.values), self._overload_N()
+        over = not peak <= limit_N
+        cut = full[:2] if full is not None else None
+        if over and cut is not None:
+            peak = self._peak.of(block.values.compress(~cut.any(axis=0), axis=1))
+        if not peak <= limit_N:
+            self._judge.overload(peak)
+        elif over and cut is not None:
+            inputs = frozenset(ANALOG[i] for i in np.flatnonzero(cut.any(axis=1)))
+            if self._judge.cut_off(inputs):
+                self._saturation.mark(inputs)
+        elif self._over:
+            self._judge.calm()
+        self._over = over
+        if self._saturation.look(full, block.values.shape[1]):
+            self._judge.saturated(self._saturation.inputs)
 
     def _stand(self, tick: int, host_s: float) -> None:
         """Take note that no pulse has come: the device lives, the crank stands."""

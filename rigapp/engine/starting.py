@@ -34,6 +34,12 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
         raise Refused(f'"{blocking.title}" is on the alarm list: acknowledge and reset it first')
     missing = connection.not_yet(test.limits.stale_data_s)
     core.require(not missing, f"{missing}; check the device")
+    force_N, limit_N = connection.processor.force_N, test.limits.overload_N
+    core.require(
+        not force_N > limit_N,
+        f"the load cell shows {force_N:.0f} N, limits.overload_N is {limit_N:g} N; unload the pin "
+        "or take the zero",
+    )
     samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
     calibration = connection.processor.calibration
     if calibration.clock is SampleClock.ENCODER:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from drivers.api import InputFault, InputFaultKind, InputSupervision
 from rigapp.engine import causes
+from rigapp.engine.calibrate import ANALOG, analog_inputs
 from rigapp.engine.core import Core
 from rigapp.engine.messages import FinishReason
 from rigapp.engine.run import ACTIVE, Ending
@@ -73,6 +74,8 @@ class Watches:
 
     def _tell(self, device: str, port: str, fault: InputFault) -> None:
         core = self._core
+        if fault.kind is InputFaultKind.SATURATED and self._followed(fault):
+            return
         named = ", ".join(self._name(one) for one in fault.inputs)
         broken = fault.kind is InputFaultKind.SENSOR_BROKEN
         if broken and fault.host_time_ns and self._concerns_force(fault) and core.state in ACTIVE:
@@ -89,14 +92,12 @@ class Watches:
 
     def _name(self, wanted: str) -> str:
         """Return what an input carries, beside its name."""
-        rig = self._core.rig.record
-        carries = {
-            rig.load_cell.input_1: "force_1",
-            rig.load_cell.input_2: "force_2",
-            rig.probes.input_1: "probe_1",
-            rig.probes.input_2: "probe_2",
-        }
+        carries = dict(zip(analog_inputs(self._core.rig.record), ANALOG, strict=True))
         return f"{wanted} ({carries[wanted]})" if wanted in carries else wanted
+
+    def _followed(self, fault: InputFault) -> bool:
+        """Tell whether the samples themselves show it, and when it ends (``saturation``)."""
+        return bool(fault.inputs) and set(fault.inputs) <= set(analog_inputs(self._core.rig.record))
 
     def _concerns_force(self, fault: InputFault) -> bool:
         cell = self._core.rig.record.load_cell

@@ -109,6 +109,7 @@ class FakeSource:
         self.index_dead = False
         self.lose_samples = 0
         self.quality = Quality.GOOD
+        self.saturated: int | None = None
         self.opened = False
         self.open_fails = False
         self.streaming = False
@@ -164,6 +165,10 @@ class FakeSource:
         if self.encoder_dead:
             values[4] = self._dead_count
         self._dead_count = float(values[4, -1])
+        quality = np.full(BLOCK, self.quality, np.uint8)
+        if self.saturated is not None:
+            values[self.saturated] = 1.05 * 3.5 if self.saturated < 2 else 10.0
+            quality |= np.uint8(Quality.SATURATED)
         self._sample += lost
         block = Block(
             device=self.name,
@@ -172,7 +177,7 @@ class FakeSource:
             sample_rate_Hz=RATE,
             host_time_ns=time.monotonic_ns(),
             values=values,
-            quality=np.full(BLOCK, self.quality, np.uint8),
+            quality=quality,
             lost_before=lost,
         )
         self._sample += BLOCK

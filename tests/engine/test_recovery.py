@@ -43,7 +43,7 @@ class Bench:
         source, spindle, crank = self.rig.source, self.rig.spindle, self.rig.crank
         source.lost = source.silent = source.encoder_dead = source.index_dead = False
         source.open_fails = False
-        source.broken = None
+        source.broken = source.saturated = None
         source.force_N = 50.0
         spindle.lost = spindle.emergency_stop = spindle.latches_stop = False
         spindle.cause_remains = False
@@ -97,6 +97,8 @@ DEEDS: dict[str, Callable[[Bench], None]] = {
     "overload": _fault(lambda rig: setattr(rig.source, "force_N", 390.0)),
     "critical rule": _fault(lambda rig: setattr(rig.source, "force_N", 320.0)),
     "no number": _fault(lambda rig: setattr(rig.source, "force_N", float("nan"))),
+    "force saturated": _fault(lambda rig: setattr(rig.source, "saturated", 0)),
+    "probe saturated": _fault(lambda rig: setattr(rig.source, "saturated", 3)),
     "samples lost": _fault(lambda rig: setattr(rig.source, "lose_samples", 2000)),
     "drive silent": _fault(lambda rig: setattr(rig.spindle, "lost", True)),
     "drive fault": _fault(lambda rig: setattr(rig.spindle, "faults", ("overcurrent",))),
@@ -200,6 +202,7 @@ def leads_out(deeds: list[str]) -> list[str]:
 @example(["connect", "start", "index missing", "wait for the end", "mend"])
 @example(["connect", "start", "emergency stop", "wait for the end", "mend", "connect"])
 @example(["connect", "start", "overload", "wait for the end", "connect", "mend"])
+@example(["connect", "start", "force saturated", "wait for the end", "connect"])
 @example(["connect", "drive latches stops", "emergency stop", "connect"])
 @example(["connect", "drive fault", "drive fault stays", "acknowledge", "reset"])
 @example(["connect", "start", "drive deaf", "stop", "cable pulled", "wait for the end"])

@@ -159,13 +159,13 @@ def test_other_faults_of_inputs_warn(
     rig.engine.shutdown()
 
 
-def test_the_alarm_of_a_saturated_input_ends_when_the_input_returns() -> None:
+def test_the_alarm_of_a_saturated_further_input_ends_when_the_input_returns() -> None:
     rig = MemoryRig()
     faults = supervised(rig)
     rig.engine.connect()
     for time_ns in (1, 2):
         rig.source.quality = Quality.SATURATED
-        faults.append(InputFault(InputFaultKind.SATURATED, ("analog_1",), "above", time_ns))
+        faults.append(InputFault(InputFaultKind.SATURATED, ("analog_7",), "above", time_ns))
         eventually(lambda: any(one.active for one in rig.engine.status().alarms))
         processor = rig.engine._connection.processor  # type: ignore[union-attr]
         later = processor.next_sample + 2000
