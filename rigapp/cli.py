@@ -76,9 +76,21 @@ BindOption = Annotated[
 
 @app.callback()
 def options(
+    context: typer.Context,
     debug: Annotated[bool, typer.Option("--debug", help="Show a traceback on errors.")] = False,
+    log_level: Annotated[
+        str | None,
+        typer.Option(
+            "--log-level",
+            metavar="LEVEL",
+            help="Remarks on standard error from this level on: debug, info, warning or error.",
+        ),
+    ] = None,
 ) -> None:
     """Take the options that every verb has (``--debug`` is read by ``main``)."""
+    from rigapp.logs import chosen_level, on_terminal
+
+    context.with_resource(on_terminal(chosen_level(log_level)))
 
 
 @app.command()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
+from rigapp.logs import in_file
 
 if TYPE_CHECKING:
     from rigapp.service.client import Client
@@ -42,13 +43,14 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool) -> int:
     def factory() -> Client:
         return attach(rig_path, os.environ.get("USER", ""))
 
-    return main(
-        factory,
-        rig_path=rig_path,
-        tests=tests,
-        results_folder=results,
-        start_test=tests[0] if start and tests else None,
-    )
+    with in_file(results / "window.log"):
+        return main(
+            factory,
+            rig_path=rig_path,
+            tests=tests,
+            results_folder=results,
+            start_test=tests[0] if start and tests else None,
+        )
 
 
 def _tests(rig: Path, test: Path | None) -> list[Path]:

@@ -5,6 +5,7 @@ Lock order: the core's lock is never held while a device, a file or a viewer is 
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections.abc import Iterable
@@ -42,6 +43,8 @@ from rigapp.engine.recorder import Recorder
 from rigapp.engine.run import ACTIVE, Ending, Refused, Trigger, allowed, transition
 from rigapp.engine.testrun import TestRun
 from rigapp.engine.timing import Timing
+
+log = logging.getLogger(__name__)
 
 SLOW_DISK_S = 2.0
 """A commit that takes longer is told; it takes some milliseconds on a sound disk."""
@@ -195,6 +198,7 @@ class Core:
         )  # fmt: skip
 
     def _write(self, event: Event) -> bool:
+        _log(event)
         session, kept = self.session, True
         if session is not None:
             try:
@@ -209,6 +213,7 @@ class Core:
     def gap(self, text: str) -> None:
         """Write an interruption of the data to the log, and count it."""
         event = Event(time.time(), self.revolution, "gap", "engine", text)
+        _log(event)
         if self.session is not None:
             self.session.recorder.gap(event)
         self.publisher.event(event)
@@ -444,3 +449,11 @@ class Core:
         """Raise Refused unless a condition holds."""
         if not condition:
             raise Refused(sentence)
+
+
+def _log(event: Event) -> None:
+    """Repeat a line of the test's log in the program's, but for what drivers have logged there."""
+    if event.kind != "device":
+        log.info(
+            "revolution %d, %s by %s: %s", event.revolution, event.kind, event.source, event.text
+        )

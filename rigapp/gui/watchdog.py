@@ -1,8 +1,9 @@
-"""Watch the event loop: every stall that an operator could feel is logged with its length."""
+"""Watch the event loop: count stalls that an operator could feel, tell of them once a minute."""
 
 from __future__ import annotations
 
 import logging
+import math
 import time
 from collections.abc import Callable
 
@@ -12,6 +13,8 @@ log = logging.getLogger(__name__)
 
 STALL_S = 0.050
 PERIOD_S = 0.020
+AGAIN_AFTER_S = 60.0
+"""After a line in the log, stalls are gathered for so long before the next."""
 
 
 class Watchdog(QObject):
@@ -31,6 +34,8 @@ class Watchdog(QObject):
         self._last_own = 0.0
         self.stalls = 0
         self.worst_s = 0.0
+        self._gathered: list[tuple[float, float]] = []
+        self._told_at = -math.inf
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(int(1000 * PERIOD_S))
@@ -42,8 +47,9 @@ class Watchdog(QObject):
         self._timer.start()
 
     def stop(self) -> None:
-        """Stop watching."""
+        """Stop watching, and tell what was gathered."""
         self._timer.stop()
+        self._tell()
 
     def beat(self) -> None:
         """Note one beat."""
@@ -53,9 +59,21 @@ class Watchdog(QObject):
             self.worst_s = max(self.worst_s, stall)
             if stall > STALL_S:
                 self.stalls += 1
-                log.warning(
-                    "The window stood still for %.0f ms, %.0f ms of them its own work",
-                    1000.0 * stall,
-                    1000.0 * (own - self._last_own),
-                )
+                self._gathered.append((stall, own - self._last_own))
+        if now - self._told_at >= AGAIN_AFTER_S and self._tell():
+            self._told_at = now
         self._last, self._last_own = now, own
+
+    def _tell(self) -> bool:
+        """Say in one line what stalls were gathered; False when there were none."""
+        if not self._gathered:
+            return False
+        longest, own = max(self._gathered)
+        log.warning(
+            "The window stood still %s, %.0f ms the longest, %.0f ms of them its own work",
+            "once" if len(self._gathered) == 1 else f"{len(self._gathered)} times",
+            1000.0 * longest,
+            1000.0 * own,
+        )
+        self._gathered.clear()
+        return True

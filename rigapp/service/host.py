@@ -10,6 +10,7 @@ import re
 import threading
 import time
 from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -37,6 +38,7 @@ from rigapp.engine.publish import Finished
 from rigapp.engine.run import ACTIVE, Refused
 from rigapp.engine.starting import check_fit
 from rigapp.engine.threads import Turn
+from rigapp.logs import beside, in_file
 from rigapp.service.bounds import refusal
 from rigapp.service.command import Command
 from rigapp.service.records import with_records
@@ -119,6 +121,7 @@ class EngineHost:
         )
         self._subscription = self.engine.subscribe()
         self.notices = self.engine.watch()
+        self._log = ExitStack()
         self._starting = Turn(START_WAIT_S)
         self._cancelled = ""
         self.ended = threading.Event()
@@ -219,6 +222,7 @@ class EngineHost:
                 self._take_up(past)
             self._start_twin(test.record, out, past)
             self._go_on()
+            self._keep_log(out)
             self.engine.start(test, out, operator=operator, resume=resume, remarks=notes)
 
     def cancel(self, why: str) -> None:
@@ -228,6 +232,11 @@ class EngineHost:
     def _go_on(self) -> None:
         if self._cancelled:
             raise Refused(self._cancelled)
+
+    def _keep_log(self, out: Path) -> None:
+        """Keep the program's remarks beside this test's file from now on."""
+        self._log.close()
+        self._log.enter_context(in_file(beside(out)))
 
     def resumption(self, path: Path) -> Resumption:
         """Connect where needed and say what a test in a file would meet if it went on here."""
@@ -300,6 +309,7 @@ class EngineHost:
             self._simulated.close()
             self._server.close()
             withdraw(os.getpid())
+            self._log.close()
             self.ended.set()
 
     @property

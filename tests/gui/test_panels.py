@@ -439,6 +439,23 @@ def test_the_watchdog_notes_a_stall(qapp: Any) -> None:
     assert watchdog.worst_s == pytest.approx(STALL_S + 0.001)
 
 
+def test_a_window_that_stalls_for_hours_says_so_once_a_minute(
+    qapp: Any, caplog: pytest.LogCaptureFixture
+) -> None:
+    now = [0.0]
+    watchdog = Watchdog(clock=lambda: now[0], own_clock=lambda: 0.5 * now[0])
+    watchdog.start()
+    while now[0] < 3600.0:
+        watchdog.beat()
+        now[0] += 0.5
+    watchdog.stop()
+    assert watchdog.stalls == 7199
+    lines = [record.getMessage() for record in caplog.records]
+    assert 58 <= len(lines) <= 62
+    assert lines[0].startswith("The window stood still once, 480 ms the longest, 250 ms of them")
+    assert "120 times" in lines[1]
+
+
 def test_the_cursor_reads_values_with_units(
     window: Any, engine: Any, attach: Callable[[], None], qtbot: Any
 ) -> None:

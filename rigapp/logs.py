@@ -1,0 +1,149 @@
+"""Where the program's remarks go: one place for their level, the terminal and files.
+
+Modules write to ``logging.getLogger(__name__)`` and know nothing else. Whoever writes never waits:
+a slow disk or a terminal that stands still costs remarks, not samples.
+"""
+
+from __future__ import annotations
+
+import logging
+import logging.handlers
+import os
+import queue
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+
+LEVELS = ("debug", "info", "warning", "error")
+LEVEL_VARIABLE = "RIGAPP_LOG_LEVEL"
+"""Environment variable that hands the level on to the processes of this one."""
+
+OWN = ("rigapp", "drivers", "model", "calibration")
+MOST_WAITING = 1000
+LARGEST_FILE = 1_000_000
+"""Bytes of a log file; the one before is kept beside it."""
+LAST_WORDS_S = 2.0
+"""How long the end waits for what is not written yet."""
+
+_FORMAT = "%(asctime)s %(levelname)-7s %(name)s: %(message)s"
+
+
+class Outlet(logging.Handler):
+    """Hand records to a handler in a thread of its own; what it cannot take in time is lost."""
+
+    def __init__(self, target: logging.Handler, name: str) -> None:
+        super().__init__(target.level)
+        self._target = target
+        self._waiting: queue.Queue[logging.LogRecord | None] = queue.Queue(MOST_WAITING)
+        self._thread = threading.Thread(target=self._write, name=f"log to {name}", daemon=True)
+        self._thread.start()
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Take a record with its words as they are now; never waits, never raises.
+
+        Of other packages only warnings are of interest.
+        """
+        if record.levelno < logging.WARNING and record.name.partition(".")[0] not in OWN:
+            return
+        with suppress(Exception):
+            said = logging.makeLogRecord({**record.__dict__, "msg": record.getMessage()})
+            said.args = None
+            self._waiting.put_nowait(said)
+
+    def close(self) -> None:
+        """Write what waits, for as long as ``LAST_WORDS_S``."""
+        with suppress(queue.Full):
+            self._waiting.put(None, timeout=LAST_WORDS_S)
+        self._thread.join(LAST_WORDS_S)
+        super().close()
+
+    def _write(self) -> None:
+        while (record := self._waiting.get()) is not None:
+            with suppress(Exception):
+                self._target.handle(record)
+        self._target.close()
+
+
+class _Terminal(logging.StreamHandler):  # type: ignore[type-arg]
+    """Standard error as it is at the moment of writing."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.stream = sys.stderr
+        super().emit(record)
+
+    def handleError(self, record: logging.LogRecord) -> None:
+        """Say nothing: a terminal that is gone cannot be told."""
+
+
+class _File(logging.handlers.RotatingFileHandler):
+    """A bounded file that is made by the first record."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(path, maxBytes=LARGEST_FILE, backupCount=1, encoding="utf-8", delay=True)
+
+    def handleError(self, record: logging.LogRecord) -> None:
+        """Say nothing: a log that cannot be written ends no test."""
+
+
+def chosen_level(option: str | None) -> str:
+    """Return the level of an option, of the environment without one, "warning" by default.
+
+    Raises UnusableInput.
+    """
+    level = (option or os.environ.get(LEVEL_VARIABLE) or "warning").lower()
+    if level not in LEVELS:
+        raise UnusableInput(
+            f"--log-level {level}: choose {', '.join(LEVELS[:-1])} or {LEVELS[-1]}."
+        )
+    return level
+
+
+@contextmanager
+def on_terminal(level: str) -> Iterator[None]:
+    """Show remarks from a level on on standard error while this lasts; hand the level on."""
+    os.environ[LEVEL_VARIABLE] = level
+    terminal = _Terminal()
+    terminal.setLevel(level.upper())
+    terminal.setFormatter(logging.Formatter("rigapp: %(levelname)s: %(message)s"))
+    with _attached(terminal, "the terminal"):
+        yield
+
+
+@contextmanager
+def in_file(path: Path) -> Iterator[None]:
+    """Keep remarks from "info" on, or from the chosen level if that is lower, in a file."""
+    file = _File(path)
+    file.setLevel(min(logging.INFO, getattr(logging, chosen_level(None).upper())))
+    file.setFormatter(logging.Formatter(_FORMAT))
+    with _attached(file, path.name):
+        yield
+
+
+def beside(result: Path) -> Path:
+    """Return the log file of a result file."""
+    return result.with_suffix(".log")
+
+
+@contextmanager
+def _attached(target: logging.Handler, name: str) -> Iterator[None]:
+    """Let the root logger feed a handler while this lasts."""
+    outlet = Outlet(target, name)
+    logging.getLogger().addHandler(outlet)
+    _listen()
+    try:
+        yield
+    finally:
+        logging.getLogger().removeHandler(outlet)
+        _listen()
+        outlet.close()
+
+
+def _listen() -> None:
+    """Let the root logger pass on what the most curious of its outlets takes."""
+    root = logging.getLogger()
+    levels = [handler.level for handler in root.handlers if isinstance(handler, Outlet)]
+    root.setLevel(min(levels, default=logging.WARNING))
