@@ -14,12 +14,12 @@ SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: run test lint search bench soak lock clean
+.PHONY: run test kernels lint search bench soak lock clean
 
-run: $(RUN_READY)
+run: kernels
 	@$(BIN)/python -m rigapp.start
 
-test: $(TEST_READY) lint
+test: lint kernels
 	$(BIN)/python -m pytest -n 2 --dist loadgroup -m "not soak"
 
 lint: $(TEST_READY)
@@ -28,14 +28,14 @@ lint: $(TEST_READY)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-search: $(TEST_READY)
+search: $(TEST_READY) kernels
 	@echo "make search SEED=$(SEED) repeats this search"
 	$(BIN)/python -m pytest -n 2 -m "hypothesis and not soak" --hypothesis-profile search --hypothesis-seed $(SEED)
 
-bench: $(BENCH_READY)
+bench: $(BENCH_READY) kernels
 	$(BIN)/python -m benchmarks
 
-soak: $(TEST_READY)
+soak: $(TEST_READY) kernels
 	$(BIN)/python -m pytest -m soak
 
 $(VENV)/bin/python:
@@ -46,8 +46,11 @@ $(VENV)/bin/python:
 $(RUN_READY): constraints.txt pyproject.toml | $(VENV)/bin/python
 	$(BIN)/python -m pip install --quiet --require-hashes -r constraints.txt
 	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation -e .
-	$(BIN)/python -m rigapp.prepare.kernels
 	@touch $@
+
+# What has changed since the last time is compiled here, and not while something runs.
+kernels: $(RUN_READY)
+	@$(BIN)/python -m rigapp.prepare.kernels
 
 $(TEST_READY): constraints-test.txt $(RUN_READY)
 	@$(BIN)/python rigapp/prepare/system_libraries.py --test

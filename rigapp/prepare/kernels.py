@@ -25,6 +25,7 @@ COMPILERS = ("numba", "model.compiled")
 NO_KERNELS = ("model.compiled", "rigapp.prepare.kernels")
 """Modules that only handle those of others."""
 
+WORTH_TELLING_S = 1.0
 CACHED = (".nbi", ".nbc")
 
 
@@ -97,16 +98,15 @@ def main() -> int:
     modules = []
     for number, name in enumerate(names, 1):
         begin = time.perf_counter()
-        print(
-            f"\rCompiling kernels {number}/{len(names)}: {name:<40}",
-            end="" if terminal else "\n",
-            flush=True,
-        )
+        line = f"Compiling kernels {number}/{len(names)}: {name}"
+        if terminal:
+            print(f"\r{line:<70}", end="", flush=True)
         modules.append(importlib.import_module(name))
-        if terminal and time.perf_counter() - begin > 1.0:
-            print(f" {time.perf_counter() - begin:.0f} s")
+        took = time.perf_counter() - begin
+        if took > WORTH_TELLING_S:
+            print(f"\r{line:<70} {took:.0f} s" if terminal else f"{line} {took:.0f} s", flush=True)
     if terminal and names:
-        print()
+        print(f"\r{'Kernels are compiled.':<70}")
     remove_left_over(modules)
     return 0
 

@@ -20,6 +20,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 
 ANSWER_S = 30.0
+START_S = 180.0
+"""After a change the first start compiles the kernels of the plant; a busy computer needs long."""
 FOLDER = "rigapp-sim-"
 """How the names of temporary folders begin; the process id of the owner follows."""
 _CLOSE_S = 5.0
@@ -121,7 +123,7 @@ def start_simulated_rig(
     parameters: ParameterFile | None,
     faults: Path | None = None,
     truth: Path | None = None,
-    timeout_s: float = 30.0,
+    timeout_s: float = START_S,
 ) -> SimulatedRig:
     """Start the devices of a rig file in a process of their own and wait until they answer.
 
