@@ -6,8 +6,10 @@ import json
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import asdict
 from pathlib import Path
 
+from rigapp.engine.uncertainty import force_uncertainty
 from rigapp.storage.export import export_test
 from rigapp.storage.reader import open_test
 
@@ -16,6 +18,11 @@ def print_info(path: Path, *, as_json: bool) -> int:
     """Print the summary of a test file; return the exit status."""
     with open_test(path) as test:
         summary = test.summary()
+        found = force_uncertainty(test.calibration(), test.configuration())
+    if as_json:
+        summary["force_uncertainty"] = None if found is None else asdict(found)
+    elif found is not None:
+        summary["force_uncertainty"] = found.words
     if as_json:
         print(json.dumps(summary))
     else:

@@ -235,6 +235,7 @@ class Engine:
                 records=self._records,
                 operator=operator,
                 resume=resume,
+                rest=rest,
             )
             core.publisher.restart(session.recorder.rows)
             core.session = session
@@ -477,10 +478,11 @@ class Engine:
                 "this is looked at before a test, with the devices connected",
             )
             assert connection is not None
+            found = signals_at_rest(self._core, connection)
             return Rest(
                 connection.processor.calibration,
                 connection.devices.readback,
-                signals_at_rest(self._core, connection),
+                None if found is None else found.pair,
             )
 
     def hear(self, window_s: float) -> SignalView:

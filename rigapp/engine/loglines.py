@@ -61,10 +61,27 @@ class LimitChange(msgspec.Struct, frozen=True):
 
 
 class RestSignals(msgspec.Struct, frozen=True):
-    """Carry what the load cell showed while the crank stood, mV/V."""
+    """Carry what the load cell showed while the crank stood, mV/V.
+
+    noise: standard deviation of one sample; None where it is not known.
+    """
 
     force_1_mV_per_V: float
     force_2_mV_per_V: float
+    noise_1_mV_per_V: float | None = None
+    noise_2_mV_per_V: float | None = None
+
+    @property
+    def pair(self) -> tuple[float, float]:
+        """Return both signals."""
+        return self.force_1_mV_per_V, self.force_2_mV_per_V
+
+    @property
+    def noise(self) -> tuple[float, float] | None:
+        """Return the noise of both, None where it is not known."""
+        if self.noise_1_mV_per_V is None or self.noise_2_mV_per_V is None:
+            return None
+        return self.noise_1_mV_per_V, self.noise_2_mV_per_V
 
 
 Record = TypeVar("Record", AlarmChange, LimitChange, RestSignals)

@@ -85,6 +85,12 @@ class Averaging:
         """Return the mean signals (4,)."""
         return np.asarray(self.total / max(self.samples, 1), np.float64)
 
+    @property
+    def noise(self) -> NDArray[np.float64]:
+        """Return the standard deviations of one sample (4,)."""
+        spread = self.squares / max(self.samples, 1) - self.mean**2
+        return np.sqrt(np.maximum(spread, 0.0))
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Live:

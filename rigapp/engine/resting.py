@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,6 +9,7 @@ from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.loglines import REST, RestSignals
 from rigapp.engine.messages import RunState
+from rigapp.engine.processing import Averaging
 
 Array = NDArray[np.float64]
 
@@ -30,7 +29,7 @@ def take_zero(core: Core, connection: Connection | None, operator: str, reason: 
     assert connection is not None
     core.require(connection.stands(), "the crank turns; let it stand")
     patience_s = core.timing.zero * 4 + core.timing.start_margin
-    signals = mean_signals(connection, core.timing.zero, patience_s)
+    signals = averaged(connection, core.timing.zero, patience_s).mean
     calibration = connection.processor.calibration
     tare = np.asarray(signals[:2] - calibration.zero, np.float64)
     before = calibration.tare
@@ -41,31 +40,32 @@ def take_zero(core: Core, connection: Connection | None, operator: str, reason: 
     return tare
 
 
-def mean_signals(connection: Connection, seconds: float, patience_s: float) -> Array:
-    """Return the mean electrical signals (4,) over some seconds of samples; raise TimeoutError."""
+def averaged(connection: Connection, seconds: float, patience_s: float) -> Averaging:
+    """Return the electrical signals (4,) averaged over some seconds; raise TimeoutError."""
     rate = connection.setup.sample_rate_Hz
     averaging = connection.processor.average(max(8, round(seconds * rate)))
     if not averaging.done.wait(patience_s):
         raise TimeoutError("the zero needs samples, and none came; check the device")
-    return averaging.mean
+    return averaging
 
 
-def signals_at_rest(core: Core, connection: Connection) -> tuple[float, float] | None:
+def signals_at_rest(core: Core, connection: Connection) -> RestSignals | None:
     """Return what the load cell shows, mV/V; None when the crank moves or no samples come."""
     if not connection.stands():
         return None
     seconds = REST_SHARE * core.timing.zero
     try:
-        mean = mean_signals(connection, seconds, 2.0 * seconds * connection.slow() + 1.0)
+        seen = averaged(connection, seconds, 2.0 * seconds * connection.slow() + 1.0)
     except TimeoutError:
         return None
-    return float(mean[0]), float(mean[1])
+    mean, noise = seen.mean[:2].tolist(), seen.noise[:2].tolist()
+    return RestSignals(*mean, *noise) if np.isfinite(mean).all() else None
 
 
-def note_rest(core: Core, rest: tuple[float, float] | None) -> None:
+def note_rest(core: Core, rest: RestSignals | None) -> None:
     """Write the signals at rest into the log of the test."""
-    if rest is None or not all(map(math.isfinite, rest)):
+    if rest is None:
         return
-    shown = f"{rest[0]:.6f}, {rest[1]:.6f}"
+    shown = f"{rest.force_1_mV_per_V:.6f}, {rest.force_2_mV_per_V:.6f}"
     text = f"the load cell shows {shown} mV/V at rest before the start"
-    core.event(REST, "engine", text, after=shown, data=RestSignals(*rest))
+    core.event(REST, "engine", text, after=shown, data=rest)

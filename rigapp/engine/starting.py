@@ -17,6 +17,7 @@ from rigapp.engine.core import Core, Session
 from rigapp.engine.criteria import StopMonitor
 from rigapp.engine.history import History
 from rigapp.engine.limits import RuleMonitor
+from rigapp.engine.loglines import RestSignals
 from rigapp.engine.reach import FEWEST_SAMPLES, load_cell_reach_N
 from rigapp.engine.recorder import Recorder
 from rigapp.engine.run import Refused
@@ -93,6 +94,7 @@ def open_session(
     records: Mapping[str, str],
     operator: str,
     resume: bool,
+    rest: RestSignals | None,
 ) -> Session:
     """Make the file of a test, or reopen it, and return the session; raise UnusableInput."""
     run = test.record.run
@@ -107,6 +109,7 @@ def open_session(
             records=records,
             operator=operator,
             resume=resume,
+            rest=rest,
         )
     )
     if opened.last_revolution >= run.revolutions:

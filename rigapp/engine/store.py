@@ -19,7 +19,9 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.calibrate import Calibration
 from rigapp.engine.criteria import DEPTH_COLUMNS, HISTORY_COLUMNS, NOTHING
 from rigapp.engine.history import TRIGGERED
+from rigapp.engine.loglines import RestSignals
 from rigapp.engine.messages import Event
+from rigapp.engine.uncertainty import noise_of_sample, stated_uncertainty, uncertainty_record
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,7 +144,7 @@ class Opened:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class OpenRequest:
-    """Everything that goes into a new file before its first row."""
+    """Everything that goes into a new file before its first row. rest: the signals at rest."""
 
     path: Path
     rig: Document[RigFile]
@@ -152,6 +154,7 @@ class OpenRequest:
     records: Mapping[str, str]
     operator: str
     resume: bool
+    rest: RestSignals | None = None
 
 
 OpenStore = Callable[[OpenRequest], Opened]
@@ -183,6 +186,7 @@ def _create(request: OpenRequest) -> Opened:
         parameters=msgspec.to_builtins(test.model),
         calibration={
             **calibration_record(request.calibration),
+            "force_uncertainty": _uncertainty(request),
             **_plain(request.devices),
             **_records(request.records),
         },
@@ -276,6 +280,15 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
             "offset": calibration.offset.tolist(),
         },
     }
+
+
+def _uncertainty(request: OpenRequest) -> dict[str, Any]:
+    """Return what the file says of the uncertainty of its forces."""
+    cell = request.rig.record.load_cell
+    stated = stated_uncertainty(request.records.get("load_cell", ""), cell.uncertainty_N)
+    noise = request.rest.noise if request.rest is not None else None
+    seen = noise_of_sample(request.calibration.matrix, noise, cell.resolution_N)
+    return uncertainty_record(stated, *seen, cell.full_scale_N)
 
 
 def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[str, Any]]:

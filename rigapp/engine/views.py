@@ -22,6 +22,7 @@ from rigapp.engine.messages import (
 from rigapp.engine.recovery import Situation, recovery
 from rigapp.engine.reduce import NAMES, PLACE
 from rigapp.engine.run import ACTIVE
+from rigapp.engine.uncertainty import stated_uncertainty
 
 NO_MARGIN = 1e9
 """Shown when nothing is limited."""
@@ -199,6 +200,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     calibration = connection.processor.calibration
     names = ("force_1", "force_2", "probe_1", "probe_2")
     records = (calibration.names[0],) * 2 + (calibration.names[1],) * 2
+    force = float(np.hypot(live.values[0], live.values[1]))
     views = [
         ChannelView(
             name=name,
@@ -207,13 +209,12 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
             value=float(live.values[i]),
             unit="N" if i < 2 else "um",
             calibration=records[i] or "rig file",
-            uncertainty=force_uncertainty(core, float(live.values[i]))
+            uncertainty=force_uncertainty(core, force)
             if i < 2
             else _position_uncertainty(core, i - 2),
         )
         for i, name in enumerate(names)
     ]
-    force = float(np.hypot(live.values[0], live.values[1]))
     views.insert(
         2,
         ChannelView(
@@ -239,6 +240,9 @@ def _position_uncertainty(core: Core, probe: int) -> float | None:
 
 
 def force_uncertainty(core: Core, force: float) -> float | None:
-    """Return the expanded uncertainty U(F) of a force, N, where the calibration states it."""
-    line = core.rig.record.load_cell.uncertainty_N
-    return None if line is None else line[0] + line[1] * abs(force)
+    """Return U of a force or its component, N, where the calibration states it, noise apart.
+
+    force: magnitude of the whole force.
+    """
+    found = stated_uncertainty("", core.rig.record.load_cell.uncertainty_N)
+    return None if found is None else float(found.at(force))

@@ -6,11 +6,12 @@ import math
 from collections.abc import Sequence
 
 from rigapp.engine.messages import Event
+from rigapp.engine.uncertainty import ForceUncertainty
 from rigapp.report import plots
 from rigapp.report.document import Block, Section, Table, Text
 from rigapp.report.facts import ENDS, Channel, Gap, Peak, Rows
 from rigapp.report.model_facts import Agreement, Burst, CyclePicture, Wear
-from rigapp.report.uncertainty import ForceUncertainty, PositionUncertainty
+from rigapp.report.uncertainty import PositionUncertainty
 from rigapp.report.wording import (
     CHANNELS,
     FLAGS,

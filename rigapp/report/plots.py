@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from rigapp.engine.uncertainty import ForceUncertainty
 from rigapp.report.document import Figure
 from rigapp.report.envelope import envelope
 from rigapp.report.facts import Channel, Gap
 from rigapp.report.model_facts import Agreement, CyclePicture
-from rigapp.report.uncertainty import ForceUncertainty, PositionUncertainty
+from rigapp.report.uncertainty import PositionUncertainty
 from rigapp.report.wording import CHANNELS, THIN, number, quantity, symbol
 
 WIDTH_IN = 7.2
@@ -145,11 +146,15 @@ def trends(
     with canvas_of(_height(len(channels))) as canvas:
         panels = _panels(canvas, len(channels))
         zoomed = False
+        whole = {one.name: one.lines["max"] for one in channels}.get("force")
         for axes, channel in zip(panels, channels, strict=True):
             _mark_gaps(axes, gaps)
             if uncertainty is not None and channel.unit == "N":
                 for one in ("max", "min"):
-                    _band(axes, *channel.lines[one], uncertainty, COLOURS[one])
+                    x, values = channel.lines[one]
+                    # An error of the angle turns the whole force into a component.
+                    force = values if whole is None else np.interp(x, whole[0], whole[1])
+                    _band(axes, x, values, uncertainty.at(force), COLOURS[one])
             doubt = positions.of(channel.name) if positions is not None else None
             if doubt is not None:
                 for one in ("max", "min"):
@@ -197,11 +202,8 @@ def trends(
         return saved(canvas, title, words, caption, vector)
 
 
-def _band(
-    axes: Any, x: Any, values: Any, uncertainty: ForceUncertainty, colour: str, alpha: float = 0.2
-) -> None:
-    """Shade a force's expanded uncertainty about its curve."""
-    doubt = uncertainty.at(values)
+def _band(axes: Any, x: Any, values: Any, doubt: Any, colour: str, alpha: float = 0.2) -> None:
+    """Shade an expanded uncertainty about its curve."""
     axes.fill_between(x, values - doubt, values + doubt, color=colour, alpha=alpha, lw=0)
 
 
@@ -358,8 +360,10 @@ def _curve(axes: Any, picture: CyclePicture, values: Any, **style: Any) -> None:
 def _force_panel(axes: Any, picture: CyclePicture, uncertainty: ForceUncertainty | None) -> None:
     for name in ("force", "force_1", "force_2"):
         if uncertainty is not None:
-            curve = envelope(picture.columns["angle"], picture.columns[name])
-            _band(axes, *curve, uncertainty, COLOURS[name], 0.15)
+            angle = picture.columns["angle"]
+            x, values = envelope(angle, picture.columns[name])
+            doubt = uncertainty.at(np.interp(x, angle, picture.columns["force"]))
+            _band(axes, x, values, doubt, COLOURS[name], 0.15)
         _curve(axes, picture, picture.columns[name], color=COLOURS[name], label=SHORT[name])
     label = "model"
     for name in ("force", "force_1", "force_2"):

@@ -14,15 +14,12 @@ from typing import Any
 
 import numpy as np
 
+from rigapp.engine.uncertainty import ForceUncertainty, force_uncertainty
 from rigapp.report import datasections, logsections, setupsections
 from rigapp.report.document import Block, Document, Section, Table, Text
 from rigapp.report.facts import Rows, rows_of
 from rigapp.report.model_facts import agreement_of, bursts_of, cycles_of
-from rigapp.report.uncertainty import (
-    ForceUncertainty,
-    force_uncertainty,
-    position_uncertainty,
-)
+from rigapp.report.uncertainty import position_uncertainty
 from rigapp.report.wording import (
     REASONS,
     STATUSES,

@@ -137,7 +137,7 @@ def read_past(path: Path) -> Past:
             last_at=float(reader.column("host_time", rows - 1)[0]) if rows else 0.0,
             calibration=reader.calibration(),
             rig=rig,
-            rest=(rests[0].force_1_mV_per_V, rests[0].force_2_mV_per_V) if rests else None,
+            rest=rests[0].pair if rests else None,
             new_position_um=new,
             wear_depth_um=_depth(reader, rows),
         )

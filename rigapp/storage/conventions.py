@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rigapp.engine.messages import Flag
-from rigapp.storage.layout import DETECTORS, Field, Stream
+from rigapp.storage.layout import DETECTORS, FORCE_UNCERTAINTY, Field, Stream
 
 UTC = {
     "units": "seconds since 1970-01-01 00:00:00",
@@ -30,8 +30,11 @@ _SOURCES = (
 )
 
 
-def conventions(stream: Stream, field: Field) -> dict[str, Any]:
-    """Return further attributes of a column."""
+_FORCE = re.compile(r"force(?P<component>_[12])?(_(?P<statistic>max|min|mean|rms))?")
+
+
+def conventions(stream: Stream, field: Field, uncertain: bool = False) -> dict[str, Any]:
+    """Return further attributes of a column. uncertain: the file states that of its forces."""
     found: dict[str, Any] = {}
     if (stream.name, field.name) in _UTC_COLUMNS:
         found |= UTC
@@ -40,7 +43,23 @@ def conventions(stream: Stream, field: Field) -> dict[str, Any]:
     source = next((name for pattern, name in _SOURCES if pattern.match(field.name)), "")
     if source and stream.name in _MEASURED:
         found["detector"] = f"{DETECTORS}/{source}"
+    if uncertain and stream.name in _MEASURED:
+        found |= _uncertainty(field.name)
     return found
+
+
+def _uncertainty(name: str) -> dict[str, str]:
+    """Return where the uncertainty of a measured force stands, and of what it is."""
+    match = _FORCE.fullmatch(name)
+    if match is None:
+        return {}
+    mean = match["statistic"] in ("mean", "rms")
+    what = "one component" if match["component"] else "|F|"
+    return {
+        "uncertainty": FORCE_UNCERTAINTY,
+        "uncertainty_of": f"{'a mean of n samples' if mean else 'one sample'} of {what}",
+        "uncertainty_samples": "samples" if mean else "1",
+    }
 
 
 def _flags(dtype: str) -> dict[str, Any]:

@@ -129,7 +129,10 @@ def _same(old: h5py.Dataset, new: h5py.Dataset, rows: int | None) -> bool:
     if old.dtype != new.dtype:
         return False
     if rows is None:
-        return np.array_equal(np.asarray(old[()]), np.asarray(new[()]))
+        one, two = np.asarray(old[()]), np.asarray(new[()])
+        if one.dtype.kind == "O":
+            return np.array_equal(one, two)
+        return one.shape == two.shape and one.tobytes() == two.tobytes()
     if new.shape != (rows, *old.shape[1:]):
         return False
     if is_bare(old):

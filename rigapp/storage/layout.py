@@ -43,6 +43,7 @@ CONFIGURATION = "/entry/configuration"
 CALIBRATION = "/entry/calibration"
 PLAN = "/entry/configuration/plan"
 DETECTORS = "/entry/instrument"
+FORCE_UNCERTAINTY = "/entry/calibration/force_uncertainty"
 START_TIME = "/entry/start_time"
 END_TIME = "/entry/end_time"
 

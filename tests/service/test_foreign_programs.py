@@ -139,6 +139,10 @@ def test_every_number_says_what_it_is(tests: dict[str, Path], form: str) -> None
             assert detector.attrs["NX_class"] == "NXdetector"
             assert detector["calibration"].asstr()[()] in file
         assert file["/entry/instrument/load_cell/full_scale_N"].attrs["units"] == "N"
+        doubt = file[file["/entry/revolutions/force_1_mean"].attrs["uncertainty"]]
+        # This rig states no uncertainty; the noise of its samples (0.7 N, steps of 2 N) is seen.
+        assert np.isnan(doubt["constant_N"][()])
+        assert 0.55 < doubt["noise_N"][()] < 2.0
 
 
 def test_a_file_knows_its_name(tests: dict[str, Path]) -> None:

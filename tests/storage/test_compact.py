@@ -6,12 +6,13 @@ import signal
 import stat
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
-from storage_samples import check, new_test, write
+from storage_samples import METADATA, PLAN, check, new_test, write
 
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.messages import Event
@@ -19,6 +20,7 @@ from rigapp.storage import (
     StorageFailed,
     compact_in_background,
     compact_test,
+    create_test,
     open_test,
     reopen_test,
 )
@@ -179,3 +181,15 @@ def test_compressed_stopped_test_is_not_resumed(quick_folder: Path) -> None:
         reopen_test(path)
     with open_test(path) as reader:
         np.testing.assert_array_equal(reader.column("revolution", 148), [149, 150])
+
+
+def test_settings_that_are_not_known_are_no_difference(quick_folder: Path) -> None:
+    about = replace(METADATA, calibration={"cell": {"constant_N": float("nan"), "lines": ["a"]}})
+    path = quick_folder / "test.h5"
+    with create_test(path, PLAN, about) as writer:
+        write(writer, 1, 20)
+        writer.finish("stopped", "operator", "done")
+    assert compact_test(path)
+    with open_test(path) as reader:
+        assert np.isnan(reader.calibration()["cell"]["constant_N"])
+        assert reader.calibration()["cell"]["lines"] == ["a"]

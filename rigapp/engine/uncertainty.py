@@ -1,0 +1,188 @@
+"""The expanded uncertainty of a measured force: of one sample, of a mean, of a component, of |F|.
+
+The calibration states U(F) = constant + relative |F| of a reading, which is a mean of many samples:
+scale, angle reference, fit, hysteresis, zero return, and what such means scatter. It is that of one
+component in the worst direction, and, to first order, that of |F|, whose error is the component
+along F. |F| is the magnitude of the whole force also where a component is told: an error of the
+angle turns all of it into the component. A single sample has its noise besides:
+
+    U = sqrt((constant + relative |F|)^2 + (coverage factor noise)^2 / n)
+
+of a mean of n samples, n = 1 of one. What the calibration states does not average out.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from calibration.records import RecordError, unseal
+
+Floats = NDArray[np.float64]
+
+COVERAGE = 0.95
+RIG_FILE_FACTOR = 2.0
+"""Coverage factor of ``load_cell.uncertainty_N`` of a rig file."""
+
+SHARES_OF_FULL_SCALE = (0.0, 0.25, 0.5, 0.75, 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class ForceUncertainty:
+    """The expanded uncertainty of one force. noise_N: standard deviation of one sample of one
+    component, 0 where it is not known; ``source`` says who states the rest."""
+
+    constant_N: float
+    relative: float
+    coverage_factor: float
+    source: str
+    noise_N: float = 0.0
+
+    def at(self, force: ArrayLike, samples: ArrayLike = 1) -> Floats:
+        """Return the expanded uncertainty of forces, N, that are means of so many samples.
+
+        force: magnitudes of the whole force, also for the uncertainty of a component.
+        """
+        stated = self.constant_N + self.relative * np.abs(np.asarray(force, dtype=np.float64))
+        random = (
+            self.coverage_factor * self.noise_N / np.sqrt(np.asarray(samples, dtype=np.float64))
+        )
+        return np.asarray(np.hypot(stated, random), np.float64)
+
+    @property
+    def words(self) -> str:
+        """Return the line as it is printed."""
+        line = f"{self.constant_N:.2f} N + {self.relative:.5f} |F|"
+        noise = (
+            f", one sample besides ± {self.coverage_factor * self.noise_N:.2f} N"
+            if self.noise_N
+            else ""
+        )
+        return f"U(F) = {line}, k = {self.coverage_factor:.2f} ({self.source}){noise}"
+
+
+def force_uncertainty(
+    calibration: Mapping[str, Any], configuration: Mapping[str, Any]
+) -> ForceUncertainty | None:
+    """Return the uncertainty that a file states, or None.
+
+    By its numbers; in files of before by the calibration record of the load cell, else by
+    ``uncertainty_N`` of the rig file.
+    """
+    stored = calibration.get("force_uncertainty")
+    if isinstance(stored, Mapping):
+        return _of_numbers(stored)
+    kept = calibration.get("record_load_cell")
+    text = kept.get("record", "") if isinstance(kept, Mapping) else ""
+    return stated_uncertainty(str(text), _line_of_rig(str(configuration.get("rig", ""))))
+
+
+def stated_uncertainty(record: str, line: tuple[float, float] | None) -> ForceUncertainty | None:
+    """Return what a sealed record states, else the line of the rig file, else None."""
+    found = _of_record(record)
+    if found is None and line is not None:
+        found = ForceUncertainty(line[0], line[1], RIG_FILE_FACTOR, "rig file")
+    return _known(found)
+
+
+def noise_of_sample(
+    matrix: Floats, noise: tuple[float, float] | None, resolution_N: float
+) -> tuple[float, str]:
+    """Return the standard deviation (N) of one sample of a component, and where it is from.
+
+    matrix: (2, 2) N per signal unit. noise: standard deviations of the signals at rest, None when
+    they are not known. Steps that no noise blurs do not show at rest: they count as resolution.
+    """
+    steps = resolution_N / math.sqrt(12.0)
+    if noise is not None and all(map(math.isfinite, noise)):
+        seen = float(np.sqrt((matrix**2 @ np.square(noise)).max()))
+        if seen > steps:
+            return seen, "signals at rest before the start"
+    return steps, "resolution of the load cell"
+
+
+def uncertainty_record(
+    stated: ForceUncertainty | None, noise_N: float, noise_from: str, full_scale_N: float
+) -> dict[str, Any]:
+    """Return the group of the file, units in the keys; NaN where nothing is stated."""
+    nothing = ForceUncertainty(
+        math.nan, math.nan, RIG_FILE_FACTOR, "not stated: calibrate the load cell"
+    )
+    known = replace(stated or nothing, noise_N=noise_N)
+    forces = full_scale_N * np.array(SHARES_OF_FULL_SCALE)
+    return {
+        "description": "expanded uncertainty U of a measured force, of one component as of |F|, "
+        "that is a mean of n samples (n = 1: one sample): "
+        "U = sqrt((constant_N + relative |F|)^2 + (coverage_factor noise_N)^2 / n). "
+        "|F|: magnitude of the whole force, also for a component; for the largest of a revolution "
+        "force_max, for a mean or RMS force_rms",
+        "source": known.source,
+        "coverage_factor": known.coverage_factor,
+        "coverage_probability": COVERAGE,
+        "constant_N": known.constant_N,
+        "relative": known.relative,
+        "noise_N": noise_N,
+        "noise_from": noise_from,
+        "force_N": forces.tolist(),
+        "one_sample_N": known.at(forces).tolist(),
+        "mean_of_many_N": known.at(forces, math.inf).tolist(),
+        "not_included": "drift of the zero during the test, temperature, response of filter and "
+        "cell to fast changes; the largest of n samples reads high by their noise, about "
+        "noise_N sqrt(2 ln n), and so does |F| where it is not larger than its uncertainty; the "
+        "samples of a mean count as independent",
+    }
+
+
+def _of_numbers(stored: Mapping[str, Any]) -> ForceUncertainty | None:
+    try:
+        return _known(
+            ForceUncertainty(
+                float(stored["constant_N"]),
+                float(stored["relative"]),
+                float(stored["coverage_factor"]),
+                str(stored["source"]),
+                float(stored["noise_N"]),
+            )
+        )
+    except (KeyError, TypeError, ValueError):
+        return None
+
+
+def _line_of_rig(text: str) -> tuple[float, float] | None:
+    try:
+        constant, share = tomllib.loads(text)["load_cell"]["uncertainty_N"]
+        return float(constant), float(share)
+    except (tomllib.TOMLDecodeError, KeyError, TypeError, ValueError):
+        return None
+
+
+def _of_record(text: str) -> ForceUncertainty | None:
+    try:
+        record = unseal(text.encode())
+        result = record.content["result"]
+        line = result["uncertainty_line_N"]
+        return ForceUncertainty(
+            float(line["constant_N"]),
+            float(line["per_N"]),
+            float(result["coverage_factor"]),
+            f"record {record.number}",
+        )
+    except (RecordError, KeyError, TypeError, ValueError):
+        return None
+
+
+def _known(found: ForceUncertainty | None) -> ForceUncertainty | None:
+    """Return an uncertainty whose numbers are numbers, else None."""
+    if found is None:
+        return None
+    return (
+        found
+        if np.isfinite([found.constant_N, found.relative, found.coverage_factor]).all()
+        else None
+    )
