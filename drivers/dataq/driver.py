@@ -11,17 +11,22 @@ standing shaft sends nothing: every ``idle_check_s`` the device is asked whether
 Block without samples says that it does.
 
 The device's counter counts one edge of one input and knows no direction: a shaft that turns back
-counts on. Counts per revolution are the encoder's lines, not its edges after quadrature, and there
-is no index; direction and absolute angle must come from elsewhere.
+counts on. Counts per revolution are the encoder's lines, not its edges after quadrature. With the
+encoder clock, lines B and Z on digital inputs (``direction_line``, ``index_line``) tell direction
+and index, see ``sense``; with the internal clock there is neither.
 
-Unknown until commissioning, and so assumed: the edge that is used, the smallest pulse width, the
-highest pulse rate, that a DI-4108 takes ``start 2`` as a DI-2108 does, and that the counter counts
-on while the device does not scan.
+Inputs of a DI-4108: rate D2, counter D3; D6 is the external scan clock only. All digital lines are
+set to input, as one that switches would short the encoder.
+
+Unknown until commissioning, and so assumed: that a DI-2108 has the same inputs, the edge that is
+used, the smallest pulse width, the highest pulse rate, that a DI-4108 takes ``start 2`` as a
+DI-2108 does, and that the counter counts on while the device does not scan.
 """
 
 from __future__ import annotations
 
 import contextlib
+import logging
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
@@ -49,6 +54,8 @@ from drivers.dataq.settings import SETTINGS, defaults
 from drivers.dataq.stream import Pace, Stream, Tally
 from drivers.transport import BytePort, SerialPort, byte_counters
 
+_log = logging.getLogger(__name__)
+
 _USB_VENDOR: Final = 0x0683
 _BAUD_RATE: Final = 115200  # without meaning on USB
 
@@ -71,6 +78,7 @@ class Dataq:
         )
         self._model = 0
         self._firmware = 0
+        self._master_clock = ""
         self._plan: Plan | None = None
         self._stream: Stream | None = None
 
@@ -197,23 +205,18 @@ class Dataq:
         digits = re.sub(r"\D", "", model)
         self._model = int(digits) if digits else 0
         self._check_model(self._settings["model"])
-        clock = self._link.query(Info.MASTER_CLOCK)
-        if clock != str(p.MASTER_CLOCK_HZ):
-            raise WrongDevice(
-                self.name,
-                self.port,
-                f"its scan rates divide {clock} Hz, where {p.MASTER_CLOCK_HZ} Hz is known; this "
-                "firmware is not supported.",
-            )
+        self._master_clock = self._link.query(Info.MASTER_CLOCK)
         firmware = self._link.query(Info.FIRMWARE)
         self._firmware = int(firmware, 16) if re.fullmatch(r"[0-9A-Fa-f]+", firmware) else 0
+        for advice in self._advice().values():
+            _log.warning("%s on %s: %s", self.name, self.port, advice)
         return Identity(
             maker="DATAQ Instruments",
             model=f"DI-{self._model}",
             firmware=_version(self._firmware) if self._firmware else firmware,
             serial_number=self._link.query(Info.SERIAL_NUMBER)[:8],
             port=self.port,
-            details=self._firmware_advice(),
+            details=self._advice(),
         )
 
     def _check_model(self, wanted: int) -> None:
@@ -230,13 +233,20 @@ class Dataq:
             f"a DI-{self._model} answers, and the rig file says DI-{wanted}; {advice}.",
         )
 
-    def _firmware_advice(self) -> dict[str, str]:
-        if not 0 < self._firmware < p.ADVISED_FIRMWARE:
-            return {}
-        return {
-            "advice": f"firmware {_version(self._firmware)} is known to fail in binary mode and at "
-            f"high rates; load {_version(p.ADVISED_FIRMWARE)} or newer."
-        }
+    def _advice(self) -> dict[str, str]:
+        """Return what to look at in this device, as item of a readback."""
+        advice = []
+        if 0 < self._firmware < p.ADVISED_FIRMWARE:
+            advice.append(
+                f"firmware {_version(self._firmware)} is known to fail in binary mode and at "
+                f"high rates; load {_version(p.ADVISED_FIRMWARE)} or newer."
+            )
+        if self._master_clock != str(p.MASTER_CLOCK_HZ):
+            advice.append(
+                f"it says that its scan rates divide {self._master_clock} Hz, where "
+                f"{p.MASTER_CLOCK_HZ} Hz is known: compare its sample rate with a clock."
+            )
+        return {"advice": " ".join(advice)} if advice else {}
 
     def _readback(self, plan: Plan) -> dict[str, str | float | int]:
         encoder = plan.clock is Clock.ENCODER
@@ -253,19 +263,30 @@ class Dataq:
             "scan_list": " ".join(str(word) for word in plan.scan_list),
             "filter": plan.filter_mode,
             "packet_bytes": p.PACKET_SIZES[plan.packet_code],
-            "counter": "16 bit, pulses of one input edge, without direction or index",
+            "counter": _counter_words(plan),
+            "wiring": plan.wiring,
             "pulses_per_revolution": plan.pulses_per_revolution,
             "largest_counter_step": plan.steps.highest,
             "odds_of_unseen_byte_loss_per_scan": plan.steps.odds,
             "assumed": "the counter counts on while the device does not scan; the pulse edge, "
-            "width and highest rate on D6",
-            **self._firmware_advice(),
+            f"width and highest rate on {p.CLOCK_LINE}",
+            **self._advice(),
         }
 
 
 def make(name: str, port: str, settings: Mapping[str, Any]) -> Dataq:
     """Make a driver for a named device on a port."""
     return Dataq(name, port, settings)
+
+
+def _counter_words(plan: Plan) -> str:
+    told = {"direction": plan.direction_line, "index": plan.index_line}
+    known = [name for name, line in told.items() if line is not None]
+    missing = [name for name, line in told.items() if line is None]
+    words = ["16 bit, pulses of one input edge"]
+    words += [f"with {' and '.join(known)} by digital lines"] if known else []
+    words += [f"without {' or '.join(missing)}"] if missing else []
+    return ", ".join(words)
 
 
 def _version(hundredths: int) -> str:

@@ -13,6 +13,7 @@ from drivers.dataq import protocol as p
 from drivers.dataq.protocol import Clock, Function, Model
 from drivers.dataq.rates import NoSuchRate, Rate, encoder_rate, rate_for
 from drivers.dataq.scans import ENCODER_STEPS, Layout, Steps
+from drivers.dataq.settings import NO_LINE
 
 COUNTER: Final = "counter_1"
 _SPARE_STEPS: Final = 2  # lines are not spaced evenly, and an edge falls before or after a scan
@@ -44,7 +45,8 @@ class Analog:
 class Plan:
     """Carry everything that the device is told.
 
-    scan_list: words by position. rows: of the scan, in the order of ``channels``.
+    scan_list: words by position. rows: of the scan, in the order of ``channels``. direction_line,
+    index_line: numbers of the digital lines with B and Z of the encoder. wiring: in words.
     """
 
     model: Model
@@ -59,10 +61,13 @@ class Plan:
     channels: tuple[ChannelSpec, ...]
     rows: tuple[int, ...]
     pulses_per_revolution: float
+    direction_line: int | None
+    index_line: int | None
+    wiring: str
 
     def commands(self, *, end_list: bool) -> tuple[bytes, ...]:
         """Return the command lines of the set-up; ps comes last, as srate may rewrite it."""
-        lines = [p.line("encode", 0)]
+        lines = [p.line("encode", 0), p.line("endo", p.ALL_INPUTS)]
         lines += [p.line("slist", place, word) for place, word in enumerate(self.scan_list)]
         if end_list:
             lines.append(p.line("slist", len(self.scan_list), p.END_OF_LIST))
@@ -83,7 +88,9 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
     clock = Clock(settings["clock"])
     analog = _analog(request, model, settings["bridge_amplifiers"])
     pulses = _pulses_per_revolution(request)
-    digital, rate_range_Hz = settings["digital"], settings["rate_range_Hz"]
+    rate_range_Hz = settings["rate_range_Hz"]
+    direction, index = _lines(settings, clock)
+    digital = settings["digital"] or (direction, index) != (None, None)
     layout = Layout(len(analog), digital, bool(rate_range_Hz), model.mask)
     if layout.words > p.MOST_ENTRIES:
         raise Unplannable(
@@ -111,7 +118,46 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
         channels=channels,
         rows=tuple(range(len(channels))),
         pulses_per_revolution=pulses,
+        direction_line=direction,
+        index_line=index,
+        wiring=_wiring(settings, clock),
     )
+
+
+def _lines(settings: Mapping[str, Any], clock: Clock) -> tuple[int | None, int | None]:
+    """Return the numbers of the digital lines with B and Z of the encoder."""
+    named = {key: settings[key] for key in ("direction_line", "index_line")}
+    used = {key: line for key, line in named.items() if line != NO_LINE}
+    for key, line in used.items():
+        if clock is not Clock.ENCODER:
+            raise Unplannable(
+                f'{key} = "{line}" needs clock = "encoder": scans of the internal clock miss its '
+                "changes; take it out."
+            )
+        if line == p.RATE_LINE and settings["rate_range_Hz"]:
+            raise Unplannable(
+                f'{key} = "{line}" is the rate input, which rate_range_Hz records; choose another '
+                "line."
+            )
+    if len(used) == 2 and len(set(used.values())) == 1:
+        raise Unplannable(
+            f'direction_line and index_line are both "{named["index_line"]}"; each needs its own.'
+        )
+    direction, index = (int(used[key][1:]) if key in used else None for key in named)
+    return direction, index
+
+
+def _wiring(settings: Mapping[str, Any], clock: Clock) -> str:
+    """Say which line of the encoder goes where."""
+    by_encoder = clock is Clock.ENCODER
+    places = [f"{p.CLOCK_LINE} (scan clock)"] if by_encoder else []
+    places.append(f"{p.COUNTER_LINE} (counter)")
+    places += [f"{p.RATE_LINE} (rate)"] if settings["rate_range_Hz"] else []
+    words = [f"line A to {', '.join(places)}"]
+    for name, key in (("B", "direction_line"), ("Z", "index_line")):
+        if settings[key] != NO_LINE:
+            words.append(f"{name} to {settings[key]}")
+    return "encoder " + ", ".join(words)
 
 
 def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -> dict[int, Analog]:

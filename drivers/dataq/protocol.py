@@ -25,6 +25,12 @@ RATE_RANGES_HZ: Final = (50e3, 20e3, 10e3, 5e3, 2e3, 1e3, 500.0, 200.0, 100.0, 5
 COUNTER_SPAN: Final = 1 << 16
 ADVISED_FIRMWARE: Final = 135  # hundredths
 
+RATE_LINE: Final = "D2"
+COUNTER_LINE: Final = "D3"
+CLOCK_LINE: Final = "D6"
+FREE_LINES: Final = ("D0", "D1", "D2", "D4", "D5")
+ALL_INPUTS: Final = 0  # of endo: a bit that is set makes its line a switch
+
 _DIGITAL_LINES: Final = 0x7F
 _RATE_STEPS: Final = 65535.0
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from drivers.api import SettingSpec
-from drivers.dataq.protocol import FILTERS, MODELS, Clock
+from drivers.dataq.protocol import FILTERS, FREE_LINES, MODELS, Clock
+
+NO_LINE = "none"
 
 SETTINGS: Mapping[str, SettingSpec] = {
     "sample_rate_Hz": SettingSpec(
@@ -22,6 +24,18 @@ SETTINGS: Mapping[str, SettingSpec] = {
         Clock.INTERNAL.value,
         "What makes the device scan: its own clock, or each pulse of the encoder on input D6.",
         choices=tuple(clock.value for clock in Clock),
+    ),
+    "direction_line": SettingSpec(
+        str,
+        NO_LINE,
+        "Digital line with line B of the encoder, for the direction; with the encoder clock.",
+        choices=(NO_LINE, *FREE_LINES),
+    ),
+    "index_line": SettingSpec(
+        str,
+        NO_LINE,
+        "Digital line with the index Z of the encoder, for the angle; with the encoder clock.",
+        choices=(NO_LINE, *FREE_LINES),
     ),
     "filter": SettingSpec(
         str,

@@ -18,7 +18,8 @@ from drivers.dataq.protocol import (
 )
 
 Floats = NDArray[np.float64]
-_CLOCK_LINE = 6
+_LINE_A = (2, 3, 6)  # rate, counter and scan clock
+_QUARTER = 0.25
 _RAILS_V = 1000.0
 
 
@@ -34,11 +35,16 @@ class Readings:
 
 @dataclass(frozen=True, slots=True)
 class Pulses:
-    """Rising edges of encoder line A: the interval between samples, and the place within it."""
+    """Rising edges of encoder line A: the interval between samples, and the place within it.
+
+    position: in encoder lines. forward: which way the shaft turns there.
+    """
 
     interval: NDArray[np.int64]
     fraction: Floats
     per_interval: NDArray[np.int64]
+    position: Floats
+    forward: NDArray[np.bool_]
 
 
 def rising_edges(position: Floats) -> Pulses:
@@ -55,18 +61,22 @@ def rising_edges(position: Floats) -> Pulses:
     interval = np.repeat(np.arange(before.size), per_interval)
     ends = np.cumsum(per_interval)
     order = np.arange(interval.size) - np.repeat(ends - per_interval, per_interval)
-    edges = np.where(
-        forward[interval] > 0.0, up[interval] + 1.0 + order, down[interval] + 0.5 - order
-    )
+    ahead = forward[interval] > 0.0
+    edges = np.where(ahead, up[interval] + 1.0 + order, down[interval] + 0.5 - order)
     travel = after - before
     fraction = (edges - before[interval]) / travel[interval]
-    return Pulses(interval, fraction, per_interval)
+    return Pulses(interval, fraction, per_interval, edges, ahead)
 
 
 class Terminals:
-    """Follow the shaft and the voltages from call to call; counts while nobody scans, too."""
+    """Follow the shaft and the voltages from call to call; counts while nobody scans, too.
 
-    def __init__(self, lines: int) -> None:
+    lines: of the encoder. line_b, line_z: digital inputs that its lines B and Z are wired to. Line
+    B rises a quarter of a line behind A; Z is high for one line, from a quarter before a turn.
+    """
+
+    def __init__(self, lines: int, *, line_b: int | None = None, line_z: int | None = None) -> None:
+        self._line_b, self._line_z = line_b, line_z
         self.count = 0
         self.stuck_counter = False
         self.saturated: int | None = None
@@ -91,18 +101,31 @@ class Terminals:
             analog = voltages[:, at] * (1.0 - fraction) + voltages[:, at + 1] * fraction
             counts = first + 1 + np.arange(total)
             rate = rate[at]
-            high = np.ones(total, bool)
+            # A scan stands just behind the edge, where A is high whichever way the shaft turns.
+            states = self._states(pulses.position + np.where(pulses.forward, 1e-6, -1e-6))
         else:
             analog = voltages[:, 1:]
             counts = first + np.cumsum(pulses.per_interval)
-            high = np.mod(shaft, 1.0) < 0.5
+            states = self._states(shaft)
         if self.stuck_counter:
             counts = np.full_like(counts, first)
         else:
             self.count = first + total
         self._position = float(shaft[-1])
         self._voltages = voltages[:, -1]
-        return Readings(analog, counts, rate, high.astype(np.int64) << _CLOCK_LINE)
+        return Readings(analog, counts, rate, states)
+
+    def _states(self, position: Floats) -> NDArray[np.int64]:
+        """Return the states of the digital lines at positions in encoder lines, as bits."""
+        line_a = np.mod(position, 1.0) < 0.5
+        states = sum(line_a.astype(np.int64) << line for line in _LINE_A)
+        if self._line_b is not None:
+            line_b = np.mod(position - _QUARTER, 1.0) < 0.5
+            states |= line_b.astype(np.int64) << self._line_b
+        if self._line_z is not None:
+            line_z = np.mod(position + _QUARTER, self._lines) < 1.0
+            states |= line_z.astype(np.int64) << self._line_z
+        return np.asarray(states, np.int64)
 
     def _inputs(self, signals: RigSignals) -> Floats:
         """Return (8, 1 + samples) in V, the last sample of the call before at first."""

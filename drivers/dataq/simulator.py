@@ -65,6 +65,8 @@ class DataqSimulator:
     "scans" or "bytes", what is missing after the link was full. encoder_rate_Hz: how often the
     rig is to be looked at under the encoder clock; readings are interpolated at the edges.
     bridge_amplifiers: V at an input for 1 mV/V of the bridge before it, by the input's name.
+    direction_line, index_line: digital inputs with lines B and Z of the encoder, "none" or "D0" to
+    "D5". master_clock_Hz: what ``info 9`` says.
     A scan rate above 160 kHz over all entries hangs the device. faults: ``Fault`` records or tables
     of their fields, see ``FaultKind``.
     """
@@ -84,6 +86,9 @@ class DataqSimulator:
         overrun_drops: str = "scans",
         encoder_rate_Hz: float = 2000.0,
         bridge_amplifiers: dict[str, float] | None = None,
+        direction_line: str = "none",
+        index_line: str = "none",
+        master_clock_Hz: int = p.MASTER_CLOCK_HZ,
         faults: Iterable[Fault[FaultKind] | Mapping[str, Any]] = (),
     ) -> None:
         if overrun_drops not in ("scans", "bytes"):
@@ -101,7 +106,10 @@ class DataqSimulator:
         self._gains = {int(name.removeprefix("analog_")): gains[name] for name in gains}
         self._plan = FaultPlan(FaultKind, faults)
         self._rng = np.random.default_rng(seed)
-        self._terminals = Terminals(counts_per_revolution)
+        self._master_clock_Hz = master_clock_Hz
+        self._terminals = Terminals(
+            counts_per_revolution, line_b=_line(direction_line), line_z=_line(index_line)
+        )
         self._state = State()
         self._delayed: list[tuple[float, bytes]] = []
         self._start_s: float | None = None
@@ -298,7 +306,7 @@ class DataqSimulator:
             1: str(self.model.number),
             2: f"{self._firmware:X}",
             6: self._serial_number,
-            9: str(p.MASTER_CLOCK_HZ),
+            9: str(self._master_clock_Hz),
         }
         if len(numbers) != 1 or numbers[0] not in items:
             return None
@@ -358,3 +366,8 @@ class DataqSimulator:
         if garbage is not None:
             data = self._rng.bytes(max(1, int(garbage))) + data
         return data
+
+
+def _line(name: str) -> int | None:
+    """Return the number of a digital line; None for "none"."""
+    return None if name == "none" else int(name.removeprefix("D"))

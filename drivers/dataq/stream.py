@@ -25,6 +25,7 @@ from drivers.dataq.link import READ_BYTES, Link
 from drivers.dataq.plan import Plan
 from drivers.dataq.protocol import Clock, echoes_of, line, start_line
 from drivers.dataq.scans import Run, ScanParser
+from drivers.dataq.sense import Sense
 
 _log = logging.getLogger(__name__)
 
@@ -74,6 +75,8 @@ class Stream:
         self._start = start_line(plan.clock)
         self._parser = ScanParser(plan.layout, plan.steps, echoes_of(self._start))
         self._rows = len(plan.channels)
+        knows_sense = plan.direction_line is not None or plan.index_line is not None
+        self._sense = Sense(plan.direction_line, plan.index_line) if knows_sense else None
         self._wanted = max(1, round(2.0 * plan.layout.words * plan.sample_rate_Hz * pace.block_s))
         self._lock = threading.Lock()
         self._running = False
@@ -245,6 +248,10 @@ class Stream:
             self.tally.gaps += 1
             self.tally.lost_scans += lost
             self._say(f"{lost} scans are missing before sample {self._next_sample + lost}.")
+        self._watch_stuck(run)
+        if self._sense is not None:
+            lines = run.values[self._plan.layout.analog].astype(np.int64)
+            run.values[-1] = self._sense.counts(lines, run.values[-1].astype(np.int64))
         block = Block(
             device=self._link.port.device,
             sequence=self._sequence,
@@ -257,7 +264,6 @@ class Stream:
         )
         self._next_sample = block.first_sample + samples
         self._sequence += 1
-        self._watch_stuck(run)
         self._blocks.append(block)
 
     def _lost_by_time(self, host_time_ns: int) -> int:

@@ -158,7 +158,8 @@ class DeviceView(msgspec.Struct, frozen=True):
     """Show one device: identity, rate, losses, last error.
 
     counters: what its driver counted on the line, by name (``bytes_received``, ``crc_errors``,
-    ``retries``), in the order to show it; empty when it counts nothing.
+    ``retries``), in the order to show it; empty when it counts nothing. wiring: what goes to which
+    input, where the driver says so. advice: what to look at in this device.
     """
 
     name: str
@@ -171,6 +172,8 @@ class DeviceView(msgspec.Struct, frozen=True):
     errors: int
     last_error: str
     counters: dict[str, int] = {}
+    wiring: str = ""
+    advice: str = ""
 
 
 class Status(msgspec.Struct, frozen=True):

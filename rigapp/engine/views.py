@@ -188,6 +188,8 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
                 if source
                 else (error.sentence if error is not None else ""),
                 counters=dict(device.counters()) if isinstance(device, LineCounters) else {},
+                wiring=str(devices.readback.get(device.name, {}).get("wiring", "")),
+                advice=identity.details.get("advice", "") if identity is not None else "",
             )
         )
     return tuple(views)

@@ -239,7 +239,9 @@ def _of_engine(status: Status) -> Iterator[Check]:
 def _of_device(device: DeviceView) -> Check:
     what = f"Device {device.name}"
     if device.connected:
-        return Check(what, Verdict.GOOD, device.identity or device.driver)
+        who = "; ".join(text for text in (device.identity or device.driver, device.wiring) if text)
+        verdict = Verdict.ATTENTION if device.advice else Verdict.GOOD
+        return Check(what, verdict, who, device.advice)
     action = f"Check cable and power of {device.port}, reconnect"
     return Check(what, Verdict.BLOCKS, device.last_error or "not connected", action)
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from engine_doubles import eventually
 
 from drivers.api import ChannelSpec, SampleClock, StreamSetup
 from rigapp.config.errors import UnusableInput
@@ -14,6 +15,7 @@ from rigapp.config.loading import Document, parse_test, read_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.calibrate import calibration_of
 from rigapp.engine.engine import Engine
+from rigapp.engine.messages import Flag
 from rigapp.engine.run import ENDED
 from rigapp.engine.sampleclock import PulseRate
 from rigapp.service.simulated import SimulatedDevices, parse_speed
@@ -23,11 +25,12 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 LINES = 900
 
 
-def patient(folder: Path) -> Document[RigFile]:
+def patient(folder: Path, *changes: tuple[str, str]) -> Document[RigFile]:
     """Return the example rig with a drive that a host held up by other work does not lose."""
-    text = (EXAMPLES / "simulated_encoder_clock.toml").read_text(encoding="utf-8")
-    told = text.replace("watchdog_timeout_s = 0.5", "watchdog_timeout_s = 20.0", 1)
-    assert told != text
+    told = (EXAMPLES / "simulated_encoder_clock.toml").read_text(encoding="utf-8")
+    for old, new in (("watchdog_timeout_s = 0.5", "watchdog_timeout_s = 20.0"), *changes):
+        assert told.count(old) == 1, old
+        told = told.replace(old, new, 1)
     path = folder / "rig.toml"
     path.write_text(told, encoding="utf-8")
     return read_rig(path)
@@ -76,6 +79,64 @@ def test_a_test_by_the_encoders_pulses(tmp_path: Path) -> None:
         begun = reader.column("time")[cycle.revolution - 2]
         assert cycle.columns["time"][0] == pytest.approx(begun, abs=1e-6)
         assert reader.calibration()["acquisition"]["clock"] == "encoder"
+
+
+def test_direction_and_index_come_from_digital_lines(tmp_path: Path) -> None:
+    rig = patient(
+        tmp_path,
+        ("direction = 1\nrestarts_at_index", "direction = -1\nrestarts_at_index"),
+        ("index_angle_deg = 0.0", "index_angle_deg = 30.0"),
+    )
+    rig.record.devices["daq"].settings["idle_check_s"] = 1.5
+    text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    test = Document(Path("quick.toml"), text, parse_test(text, "quick.toml"))
+    devices = SimulatedDevices(rig, parse_speed("20", rig))
+    path = tmp_path / "test.h5"
+    try:
+        engine = Engine(rig, ports=devices.ports(test.record.model))
+        engine.connect()
+        view = next(one for one in engine.status().devices if one.name == "daq")
+        assert "B to D0, Z to D1" in view.wiring
+        engine.start(test, path, operator="Ada")
+        eventually(lambda: engine.status().revolution >= 4)
+        engine.stop("Ada")
+        engine.wait(ENDED, 60.0)
+
+        def apart_deg() -> float:
+            """Return the angle shown less the crank's; the last scans come when asked for."""
+            shown = next(one for one in engine.status().channels if one.name == "crank_angle")
+            return float(
+                (shown.value - devices.process.state()["angle_deg"] + 180.0) % 360.0 - 180.0
+            )
+
+        eventually(lambda: abs(apart_deg()) < 3 * 360.0 / LINES)
+        engine.shutdown()
+    finally:
+        devices.close()
+    with open_test(path) as reader:
+        assert reader.column("speed")[2] == pytest.approx(60.0, rel=0.05)
+        wrong = int(Flag.MISSED_INDEX | Flag.COUNT_MISMATCH)
+        assert not (reader.column("quality").astype(int) & wrong).any()
+
+
+def test_a_reversed_line_b_is_found_in_the_first_turn(tmp_path: Path) -> None:
+    rig = patient(tmp_path)
+    rig.record.devices["daq"].settings["idle_check_s"] = 1.5
+    text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    test = Document(Path("quick.toml"), text, parse_test(text, "quick.toml"))
+    devices = SimulatedDevices(rig, parse_speed("20", rig))
+    try:
+        engine = Engine(rig, ports=devices.ports(test.record.model))
+        engine.connect()
+        devices.process.inject({"kind": "reversed_encoder", "at_s": 0.0})
+        engine.start(test, tmp_path / "test.h5", operator="Ada")
+        engine.wait(ENDED, 60.0)
+        assert engine.outcome is not None
+        assert "encoder.direction = -1" in engine.outcome.sentence
+        assert engine.outcome.revolutions == 0
+        engine.shutdown()
+    finally:
+        devices.close()
 
 
 def test_without_the_pulse_rate_a_simulated_rig_is_refused() -> None:

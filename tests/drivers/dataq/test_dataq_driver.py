@@ -77,7 +77,10 @@ def test_the_device_is_told_what_the_plan_says(bench: Callable[..., Any], clock:
     hertz = np.concatenate([block.values[3] for block in b.blocks]) * rate.scale + rate.offset
     assert np.median(hertz) == pytest.approx(2700.0, rel=0.01)
     lines = set(np.concatenate([block.values[2] for block in b.blocks]).tolist())
-    assert lines == ({64} if clock == "encoder" else {0, 64})
+    high = 1 << 2 | 1 << 3 | 1 << 6  # line A on rate, counter and clock input
+    assert lines == ({high} if clock == "encoder" else {0, high})
+    assert setup.readback["wiring"].startswith("encoder line A to D")
+    assert told["endo"] == 0, "all lines are inputs"
 
 
 def test_a_second_configuration_leaves_nothing_of_the_first(bench: Callable[..., Any]) -> None:
@@ -378,6 +381,47 @@ def test_old_firmware_is_reported(wire: Any) -> None:
     driver.close()
     assert identity.firmware == "1.20"
     assert "load 1.35 or newer" in identity.details["advice"]
+
+
+def test_another_base_of_the_rates_is_told_and_not_refused(
+    wire: Any, caplog: pytest.LogCaptureFixture
+) -> None:
+    simulator = DataqSimulator(master_clock_Hz=48_000_000)
+    driver = Dataq("daq", wire(simulator.receive).port, FAST)
+    identity = driver.open()
+    driver.close()
+    assert "divide 48000000 Hz, where 60000000 Hz is known" in identity.details["advice"]
+    assert "compare its sample rate with a clock" in caplog.text
+
+
+@only_encoder
+def test_a_shaft_that_turns_back_counts_back_and_the_index_sets_the_count_to_0(
+    bench: Callable[..., Any],
+) -> None:
+    lines = {"direction_line": "D0", "index_line": "D1"}
+    b = bench(settings=lines, rev_per_s=3.0, **lines)
+    b.configure()
+    b.driver.start()
+    for speed, turns in ((3.0, 1.6), (-3.0, 0.8), (3.0, 1.4)):
+        b.shaft.rev_per_s = speed
+        begun = b.shaft.revolutions
+
+        def turned(begun: float = begun, turns: float = turns) -> bool:
+            return bool(abs(b.shaft.revolutions - begun) > turns)
+
+        b.read_until(turned, f"{turns} turns at {speed} rev/s")
+    b.rest()
+    volts = np.concatenate([block.values[0] for block in b.blocks]) * 10.0 / 32768.0
+    counts = np.concatenate([block.values[-1] for block in b.blocks])
+    place = volts / 0.25 * 900.0
+    assert np.diff(counts).min() < -100, "the index sets it to 0"
+    backward = np.diff(place) < 0
+    assert 500 < backward.sum() < 1500
+    known = np.flatnonzero(np.diff(counts) < -100)[0] + 1
+    apart = (place - counts)[known:]
+    apart -= 900.0 * np.round(apart / 900.0)
+    assert np.abs(apart).max() < 2.5, "the angle is the shaft's, whichever way it turns"
+    assert b.driver.tally.gaps == 0
 
 
 @pytest.mark.parametrize(

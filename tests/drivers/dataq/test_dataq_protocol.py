@@ -27,6 +27,7 @@ def test_the_set_up_of_a_di_4108_is_these_lines_in_this_order() -> None:
     lines = make_plan(request, settings | {"filter": "average"}).commands(end_list=True)
     assert lines == (
         b"encode 0\r",
+        b"endo 0\r",
         b"slist 0 0\r",
         b"slist 1 257\r",
         b"slist 2 8\r",
@@ -194,6 +195,18 @@ def test_counter_conversion(word: int, count: int) -> None:
         ({"counter_1": ("counter", float("nan"))}, {}, "cannot be"),
         ({"analog_1": ("current", 10.0)}, {}, "a current input does not exist"),
         ({"counter_1": ("counter", 90000.0)}, {"maximum_speed_rpm": 20000.0}, "lower maximum"),
+        ({}, {"direction_line": "D0"}, 'direction_line = "D0" needs clock = "encoder"'),
+        ({}, {"index_line": "D5"}, 'index_line = "D5" needs clock = "encoder"'),
+        (
+            {},
+            {"clock": "encoder", "index_line": "D2", "rate_range_Hz": 10e3},
+            'index_line = "D2" is the rate input',
+        ),
+        (
+            {},
+            {"clock": "encoder", "index_line": "D1", "direction_line": "D1"},
+            'both "D1"; each needs its own',
+        ),
     ],
 )
 def test_refusals_say_what_to_do(
@@ -201,6 +214,22 @@ def test_refusals_say_what_to_do(
 ) -> None:
     with pytest.raises(Unplannable, match=sentence):
         make_plan(_request(**inputs), {**defaults(), **settings})
+
+
+@pytest.mark.parametrize(
+    ("settings", "wiring"),
+    [
+        ({}, "encoder line A to D3 (counter)"),
+        ({"rate_range_Hz": 10e3}, "encoder line A to D3 (counter), D2 (rate)"),
+        (
+            {"clock": "encoder", "direction_line": "D0", "index_line": "D1"},
+            "encoder line A to D6 (scan clock), D3 (counter), B to D0, Z to D1",
+        ),
+    ],
+)
+def test_the_wiring_is_told(settings: dict[str, object], wiring: str) -> None:
+    plan = make_plan(_request(counter_1=("counter", 900.0)), {**defaults(), **settings})
+    assert plan.wiring == wiring
 
 
 def test_the_encoder_clock_refuses_a_nominal_rate_above_its_base_rate() -> None:

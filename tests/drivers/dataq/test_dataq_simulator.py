@@ -103,9 +103,9 @@ def test_scans_of_the_internal_clock() -> None:
     data = simulator.sample(_signals([0.2, 0.3, 0.6, 0.6], a1=-10.0, a2=5.0), 0.0)
     assert _words(data) == [
         *(0x4000, 0x0000, 0x8000, 0x8000),
-        *(0x4000, 0x4000, 0x8001, 0x8000),
-        *(0x4000, 0x4000, 0x8002, 0x8000),
-        *(0x4000, 0x4000, 0x8002, 0x8000),
+        *(0x4000, 0x4C00, 0x8001, 0x8000),
+        *(0x4000, 0x4C00, 0x8002, 0x8000),
+        *(0x4000, 0x4C00, 0x8002, 0x8000),
     ]
     assert simulator.receive(b"stop\r", 0.0) == b"stop\r"
     assert simulator.sample(_signals([0.6]), 0.0) == b""
