@@ -311,12 +311,15 @@ def model_pressure(
 @model_app.command("paper")
 def model_paper(
     to: Annotated[Path, typer.Option("--to", help="Folder for plots and tables.")] = Path("paper"),
+    file: Annotated[
+        Path | None, typer.Option("--file", help="Recorded test (HDF5) for Figs 20 and 21.")
+    ] = None,
+    time_limit_s: TimeLimitOption = None,
 ) -> None:
-    """Make the paper's comparisons (Figs 6-10, 13, 15, Table 2) as plots and tables."""
-    from rigapp.report.paper import make_paper
+    """Make the paper's comparisons (Figs 6-10, 13, 15, 20, 21, Table 2) as plots and tables."""
+    from rigapp.commands.model_paper import write_paper
 
-    for path in make_paper(to):
-        print(path)
+    raise typer.Exit(write_paper(to, file, time_limit_s))
 
 
 ReadingsOption = Annotated[Path, typer.Option("--readings", help="CSV of readings as taken.")]

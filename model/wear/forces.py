@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from model.errors import ModelError
-from model.joints import continuous_contact, perfect_joint
+from model.joints import continuous_contact
 from model.parameters import Joint, Parameters
 from model.wear.front import Front
 from model.wear.impact_forces import SeparateBodies
@@ -60,16 +60,18 @@ def force_source(
     technique: Literal["perfect", "continuous", "contact"],
     tolerance: float = 1e-2,
     alive: Callable[[], None] = lambda: None,
+    evolving: bool = True,
 ) -> ForceSource:
     """Return the source of a technique; raise ModelError for an unknown one.
 
-    tolerance: of the depth, as a part of it, for forces that must be sampled; alive: called in
-    between where that takes long, and may raise.
+    evolving: whether continuous contact lets the clearance grow with the wear; tolerance: of the
+    depth, as a part of it, for forces that must be sampled; alive: called in between where that
+    takes long, and may raise.
     """
     if technique == "perfect":
-        return Constrained(parameters, speed, follows_wear=False)
+        return Constrained(parameters, speed, 0.0, follows_wear=False)
     if technique == "continuous":
-        return Constrained(parameters, speed, follows_wear=True)
+        return Constrained(parameters, speed, parameters.joint.clearance, follows_wear=evolving)
     if technique == "contact":
         return SeparateBodies(parameters, speed, tolerance, alive)
     raise ModelError("technique", technique, "choose perfect, continuous or contact")
@@ -117,15 +119,18 @@ class ConstantForce:
 class Constrained:
     """Give the forces of a joint by constraints: techniques 1 and 2.
 
-    With ``follows_wear`` the clearance R2 - R1 grows by the wear depth at the contact point
-    (paper, section 4.2); else the joint is perfect for the kinematics.
+    ``clearance``: that of the new joint in the kinematics, m; 0 is the perfect joint. With
+    ``follows_wear`` it grows by the wear depth at the contact point (paper, section 4.2).
     """
 
     single = False
 
-    def __init__(self, parameters: Parameters, speed: float, follows_wear: bool) -> None:
+    def __init__(
+        self, parameters: Parameters, speed: float, clearance: float, follows_wear: bool
+    ) -> None:
         self._parameters = parameters
         self._speed = speed
+        self._new = clearance
         self._follows = follows_wear
         self._known: dict[int, CycleLoads] = {}
         self._wide: bool | None = None
@@ -133,8 +138,7 @@ class Constrained:
     def unworn(self, positions: int) -> CycleLoads:
         """Return the loads at equal crank angles of the unworn joint."""
         if positions not in self._known:
-            gap = self._parameters.joint.clearance if self._follows else 0.0
-            self._known[positions] = self._sampled(positions, gap)
+            self._known[positions] = self._sampled(positions, self._new)
         return self._known[positions]
 
     def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
@@ -148,11 +152,11 @@ class Constrained:
         return ()
 
     def clearance(self, front: Front) -> float:
-        """Return the clearance grown by the depth at the contact point, or 0."""
+        """Return the clearance, grown by the depth at the contact point where it follows that."""
         joint = self._parameters.joint
         if not self._follows:
-            return 0.0
-        return joint.clearance + front.depth_at_contact_point(joint.bushing_radius)
+            return self._new
+        return self._new + front.depth_at_contact_point(joint.bushing_radius)
 
     def coupling_error(self, cycles: float) -> float:
         """Return 0: forces follow the wear in every step, so that the steps' error has it."""
@@ -160,7 +164,7 @@ class Constrained:
 
     def notes(self, front: Front) -> Iterable[str]:
         """Say where continuous contact does not hold."""
-        if not self._follows:
+        if self._new == 0.0 and not self._follows:
             return ()
         angle = 2.0 * np.pi * np.arange(360) / 360
         joint = self._parameters.joint
@@ -172,10 +176,7 @@ class Constrained:
     def _loads(self, positions: int, gap: float) -> CycleLoads:
         mechanism, joint = self._parameters.mechanism, self._parameters.joint
         angle = 2.0 * np.pi * np.arange(positions) / positions
-        if self._follows:
-            motion = continuous_contact(mechanism, joint, angle, self._speed, 0.0, gap).motion
-        else:
-            motion = perfect_joint(mechanism, angle, self._speed, 0.0, joint)
+        motion = continuous_contact(mechanism, joint, angle, self._speed, 0.0, gap).motion
         rate = motion.slip_rate(joint.pin_radius)
         weight = np.abs(rate)
         slip = 2.0 * np.pi * joint.pin_radius * weight / weight.sum()

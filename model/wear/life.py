@@ -80,13 +80,15 @@ def life(
     tolerance: float = 1e-3,
     force: float | None = None,
     progress: Callable[[float], None] | None = None,
+    evolving: bool = True,
 ) -> Life:
     """Compute the wear of the bushing over so many crank cycles.
 
     speed: of the crank, rad/s; technique: "perfect" keeps the kinematics, "continuous" lets the
     follower grow by the wear at the contact point, "contact" takes the forces from pin and bushing
     as separate bodies; tolerance: of the depth at the end, as a part of it; force: a constant
-    force along the follower, N, instead of the mechanism's; progress: called with the part done.
+    force along the follower, N, instead of the mechanism's; evolving: False keeps the clearance of
+    "continuous" as it was when new; progress: called with the part done.
     It may raise OutOfTime: the life then ends with the last row reached, or goes on raising when
     there is none. Raises ModelError, ContactError or WornThrough naming what is wrong.
     """
@@ -98,7 +100,7 @@ def life(
         raise ModelError("speed", speed, "a crank that stands still wears nothing", "rad/s")
     tell = progress or (lambda part: None)
     source = (
-        force_source(parameters, speed, technique, tolerance, lambda: tell(0.0))
+        force_source(parameters, speed, technique, tolerance, lambda: tell(0.0), evolving)
         if force is None
         else constant_source(force, parameters.joint)
     )

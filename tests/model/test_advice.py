@@ -63,9 +63,11 @@ def sentences(path: Path) -> Iterator[str]:
         ("rigapp/commands/model_forces.py", ("forces",)),
         ("rigapp/commands/model_impacts.py", ("forces",)),
         ("rigapp/commands/model_wear.py", ("wear", "pressure")),
-        ("rigapp/commands/model_progress.py", ("forces", "wear")),
+        ("rigapp/commands/model_progress.py", ("forces", "wear", "paper")),
+        ("rigapp/commands/model_paper.py", ("paper",)),
         ("rigapp/report/paper/__init__.py", ("paper",)),
         ("rigapp/report/paper/pages.py", ("paper",)),
+        ("rigapp/report/paper/profiles.py", ("paper",)),
     ],
 )
 def test_options_named_exist(module: str, names: tuple[str, ...]) -> None:

@@ -1,8 +1,10 @@
-"""The paper's comparisons again: Figs 6 to 10, 13 and 15 and Table 2, as plots and tables."""
+"""The paper's comparisons again, as plots and tables: Figs 6 to 10, 13, 15, 20, 21 and Table 2."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,45 +22,89 @@ SIMULATION = PARAMETERS / "table2_simulation.toml"
 EXPERIMENT = PARAMETERS / "table2_experiment.toml"
 SPEED_RPM = 30.0
 
+Tell = Callable[[float], None]
+Part = Callable[[Tell], "Iterable[Chapter]"]
 
-def make_paper(folder: Path) -> list[Path]:
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """Hold the files that were written, and whether all comparisons are among them."""
+
+    files: tuple[Path, ...]
+    complete: bool
+
+
+def make_paper(
+    folder: Path, recorded: Path | None = None, progress: Tell = lambda part: None
+) -> Made:
     """Write the comparisons into a folder, made if it is not there; return what was written.
 
     One CSV table and one PNG picture a comparison, and index.html and index.md that say in plain
     sentences what they show and where every parameter comes from; files of these names are
-    replaced. Raises UnusableInput when the folder cannot be written.
+    replaced. recorded: a test file for Figs 20 and 21; progress: called with the part done. When it
+    raises the model's OutOfTime the pages hold what was reached. Raises UnusableInput when the
+    folder cannot be written or the test file not be read.
     """
+    from model.errors import OutOfTime
     from rigapp.report.paper.pages import provenance, write_chapter, write_pages
 
+    todo = parts(recorded)
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise UnusableInput(f"--to {folder}: cannot be made ({error.strerror}).") from error
     written, sections = [], []
-    for chapter in chapters():
-        files, section = write_chapter(folder, chapter)
-        written += files
-        sections.append(section)
+    complete = True
+    try:
+        for number, part in enumerate(todo):
+            progress(number / len(todo))
+            for chapter in part(lambda done, n=number: progress((n + done) / len(todo))):  # type: ignore[misc]
+                files, section = write_chapter(folder, chapter)
+                written += files
+                sections.append(section)
+    except OutOfTime:
+        complete = False
     sections += [provenance(path) for path in (STEEL, SIMULATION, EXPERIMENT)]
-    return written + write_pages(folder, sections)
+    return Made((*written, *write_pages(folder, sections)), complete)
 
 
-def chapters() -> Iterator[Chapter]:
-    """Yield the comparisons in the paper's order."""
-    from rigapp.report.paper import kinematics, table2, wear
+def parts(recorded: Path | None = None) -> tuple[Part, ...]:
+    """Return what computes the comparisons, in the paper's order."""
+    from rigapp.report.paper import kinematics, profiles, table2, techniques, wear
+    from rigapp.report.paper.recorded import recorded_chapters
 
     steel, simulation, experiment = (
         read_parameters(path) for path in (STEEL, SIMULATION, EXPERIMENT)
     )
     speed = SPEED_RPM * np.pi / 30.0
-    yield from kinematics.same_without_clearance(steel, speed)
-    yield kinematics.force_over_gap(steel, speed)
-    yield kinematics.slip(steel, speed)
-    yield wear.constant_and_evolving(
-        steel, speed, "fig15_steel", "steel as in section 4.3, K = 1e-8 mm³/(N m)"
-    )
-    yield wear.constant_and_evolving(
-        simulation, speed, "fig15_soft", "the soft bushing assumed for Table 2"
-    )
-    yield table2.table_2(simulation, experiment, speed)
+    fig15 = partial(wear.constant_and_evolving, speed=speed)
+    found: list[Part] = [
+        lambda tell: kinematics.same_without_clearance(steel, speed),
+        lambda tell: [kinematics.force_over_gap(steel, speed)],
+        lambda tell: [techniques.forces(simulation, speed, tell)],
+        lambda tell: [techniques.wear(simulation, speed, tell)],
+        lambda tell: [kinematics.slip(steel, speed)],
+        lambda tell: [
+            fig15(
+                steel,
+                name="fig15_steel",
+                bushing="steel as in section 4.3, K = 1e-8 mm³/(N m)",
+                tell=tell,
+            )
+        ],
+        lambda tell: [
+            fig15(
+                simulation,
+                name="fig15_soft",
+                bushing="the soft bushing assumed for Table 2",
+                tell=tell,
+            )
+        ],
+    ]
+    if recorded is not None:
+        measured = tuple(recorded_chapters(recorded))
+        found.append(lambda tell: measured)
+    found.append(lambda tell: [table2.table_2(simulation, experiment, speed, tell)])
+    found.append(lambda tell: [profiles.worn_profiles(simulation, experiment, speed, tell)])
+    return tuple(found)

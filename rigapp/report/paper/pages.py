@@ -16,9 +16,10 @@ from rigapp.report.plots import STYLE
 
 TITLE = "The paper's comparisons, computed again"
 INTRODUCTION = (
-    "Dynamic modeling of a slider-crank mechanism under joint wear: its Figs 6 to 10, 13 and 15 and"
-    " its Table 2 from the parameter files listed at the end, with where every value comes from."
-    " Each picture has its numbers in the CSV table of the same name."
+    "Dynamic modeling of a slider-crank mechanism under joint wear: its Figs 6 to 10, 13, 15 and"
+    " 21, its three techniques side by side and its Table 2 from the parameter files listed at the"
+    " end, with where every value comes from; Figs 20 and 21 from a recorded test where one is"
+    " given. Each picture has its numbers in the CSV table of the same name."
 )
 _ENTRY = re.compile(r"^(\w+)\s*=\s*(.+?)\s+#\s*(.+)$")
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, MM
+from rigapp.report.paper.wear import Tell, whole_life
 
 if TYPE_CHECKING:
     from model.parameters import Parameters
@@ -21,11 +22,12 @@ MEASURED_MASS_G, MEASURED_DEPTH_MM = 0.1714, 0.4850
 CLEARANCES_MM = np.linspace(0.2, 1.2, 51)
 
 
-def table_2(simulation: Parameters, experiment: Parameters, speed: float) -> Chapter:
+def table_2(simulation: Parameters, experiment: Parameters, speed: float, tell: Tell) -> Chapter:
     """Return Table 2 beside two lives, and the map of clearance and K F that fit."""
-    from model.wear.life import life
-
-    lives = [life(p, speed, CYCLES, "continuous", TOLERANCE) for p in (simulation, experiment)]
+    lives = [
+        whole_life(p, speed, CYCLES, "continuous", tolerance=TOLERANCE, progress=tell)
+        for p in (simulation, experiment)
+    ]
     density = simulation.bushing.density * simulation.joint.bushing_width
     measured_area = MEASURED_MASS_G / density * 1e3
     columns = fitting_map(simulation, AREA_MM2, measured_area)
@@ -174,5 +176,13 @@ def _rows(
         "not given",
         1e3 * experiment.estimated_error[-1],
         ".4f",
+    )
+    row(
+        "error bound of the mass, g",
+        "not given",
+        1e3 * simulation.mass_error[-1],
+        "not given",
+        1e3 * experiment.mass_error[-1],
+        ".5f",
     )
     return rows

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from rigapp.commands.model_paper import write_paper
 from rigapp.config.errors import UnusableInput
 from rigapp.report.paper import EXPERIMENT, SIMULATION, STEEL, make_paper
 from rigapp.report.paper.pages import provenance
@@ -18,10 +20,13 @@ NAMES = (
     "fig8_acceleration",
     "fig9_force",
     "fig10_force_over_gap",
+    "techniques_force",
+    "techniques_wear",
     "fig13_slip",
     "fig15_steel",
     "fig15_soft",
     "table2",
+    "fig21_profile",
 )
 
 
@@ -29,8 +34,9 @@ NAMES = (
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with everything that make_paper writes."""
     target = tmp_path_factory.mktemp("paper") / "new"
-    written = make_paper(target)
-    assert sorted(written) == sorted(target.iterdir())
+    made = make_paper(target)
+    assert made.complete
+    assert sorted(made.files) == sorted(target.iterdir())
     return target
 
 
@@ -80,16 +86,72 @@ def test_slip_is_once_round_the_pin(folder: Path) -> None:
     assert table["slip_mm"].sum() == pytest.approx(2.0 * np.pi * 9.5, rel=1e-12)
 
 
-@pytest.mark.parametrize(("name", "depth"), [("fig15_steel", 1.76e-4), ("fig15_soft", 0.481)])
-def test_evolving_kinematics_wear_less_and_the_difference_grows(
-    folder: Path, name: str, depth: float
+@pytest.mark.parametrize(
+    ("name", "depth", "by_wear", "whole"),
+    [("fig15_steel", 1.76e-4, -6.4e-7, -3.1e-3), ("fig15_soft", 0.481, -1.22e-3, -4.1e-3)],
+)
+def test_what_wear_does_is_told_apart_from_what_clearance_does(
+    folder: Path, name: str, depth: float, by_wear: float, whole: float
 ) -> None:
     table = columns(folder, name)
     assert table["cycles"][-1] == 23000
-    assert table["depth_constant_mm"][-1] == pytest.approx(depth, rel=5e-3)
-    assert np.all(np.diff(table["difference_mm"]) <= 0.0)
-    share = table["difference_mm"][-1] / table["depth_constant_mm"][-1]
-    assert -0.006 < share < -0.002
+    assert table["depth_perfect_mm"][-1] == pytest.approx(depth, rel=5e-3)
+    for one, other, difference in (
+        ("evolving", "constant", "evolving_less_constant_mm"),
+        ("constant", "perfect", "constant_less_perfect_mm"),
+        ("evolving", "perfect", "evolving_less_perfect_mm"),
+    ):
+        apart = table[f"depth_{one}_mm"] - table[f"depth_{other}_mm"]
+        np.testing.assert_allclose(table[difference], apart, rtol=1e-3, atol=1e-14 + 1e-12 * depth)
+        late = table["cycles"] >= 1000
+        assert np.all(np.diff(table[difference][late]) < 0.0)
+    share = table["evolving_less_constant_mm"][-1] / table["depth_constant_mm"][-1]
+    assert share == pytest.approx(by_wear, rel=0.02)
+    share = table["evolving_less_perfect_mm"][-1] / table["depth_perfect_mm"][-1]
+    assert share == pytest.approx(whole, rel=0.02)
+    page = (folder / "index.md").read_text()
+    assert page.count("First difference, what wear does to itself through the kinematics") == 2
+    assert page.count("which is no effect of wear") == 2
+
+
+def test_three_techniques_stand_side_by_side(folder: Path) -> None:
+    table = columns(folder, "techniques_force")
+    two, three = table["f_continuous_spring_N"], table["f_contact_spring_N"]
+    assert np.abs(two - three).max() < 0.05
+    assert 0.3 < np.abs(table["f_perfect_spring_N"] - two).max() < 0.5
+    mean = table["f_contact_no_spring_N_mean"]
+    error = table["f_contact_no_spring_N_standard_error"]
+    assert np.all(error >= 0.0)
+    assert np.abs(table["f_contact_no_spring_sample_N"] - mean).max() > 10.0
+    lives = columns(folder, "techniques_wear")
+    assert lives["cycles"][-1] == 21377
+    apart = np.abs(lives["depth_contact_mm"] - lives["depth_continuous_mm"])
+    assert np.all(apart <= lives["error_contact_mm"] + lives["error_continuous_mm"])
+    page = (folder / "index.md").read_text()
+    assert "Without the spring technique 2 does not hold" in page
+    assert "one sample, the line the mean over 40 revolutions" in page
+
+
+def test_profile_of_the_simulations(folder: Path) -> None:
+    table = columns(folder, "fig21_profile")
+    assert table["depth_simulation_mm"].max() == pytest.approx(0.4524, rel=1e-3)
+    assert table["depth_experiment_mm"].max() == pytest.approx(0.4850, rel=1e-3)
+    assert table["angle_deg"][np.argmax(table["depth_simulation_mm"])] == pytest.approx(0.0, abs=1)
+
+
+def test_time_that_runs_out_leaves_pages_of_what_was_made(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Each look at the clock finds a second gone.
+    clock = itertools.count()
+    monkeypatch.setattr("rigapp.commands.model_progress.monotonic", lambda: float(next(clock)))
+    assert write_paper(tmp_path, None, 3.0) == 1
+    printed = capsys.readouterr()
+    assert "--time-limit-s 3: over before all comparisons were made" in printed.err
+    made = {path.name for path in tmp_path.iterdir()}
+    assert {"fig6_position.png", "fig10_force_over_gap.csv", "index.html"} <= made
+    assert "fig15_steel.csv" not in made
+    assert set(printed.out.split()) == {str(path) for path in tmp_path.iterdir()}
 
 
 def test_table_2_is_reproduced_and_called_assumed(folder: Path) -> None:

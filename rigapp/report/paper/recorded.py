@@ -1,0 +1,193 @@
+"""The paper's Figs 20 and 21 from a recorded test: forces and worn profile beside the model's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rigapp.config.errors import UnusableInput
+from rigapp.report.facts import UNSTEADY
+from rigapp.report.model_facts import CyclePicture, cycles_of
+from rigapp.report.paper.chapter import Chapter
+from rigapp.report.paper.kinematics import COLOURS, DEGREES
+from rigapp.report.worn import CURVES, worn_of
+from rigapp.storage.reader import TestReader, open_test
+
+COMPONENTS = {"force_1": "component 1", "force_2": "component 2", "force": "magnitude"}
+EXTREMA = ("max", "rms", "min")
+MOST_ROWS = 2000
+"""Rows of the table of extrema; more revolutions are gathered, each peak kept."""
+
+
+def recorded_chapters(path: Path) -> Iterator[Chapter]:
+    """Yield what of Figs 20 and 21 a test file holds; raise UnusableInput when that is nothing."""
+    with open_test(path) as reader:
+        chapters = [*_force_of_a_cycle(reader), *_extrema(reader), *_profile(reader)]
+    if not chapters:
+        raise UnusableInput(f"{path}: it holds no whole revolution; give a test with data.")
+    yield from chapters
+
+
+def _force_of_a_cycle(reader: TestReader) -> Iterator[Chapter]:
+    """Yield Fig. 20 as its text says: components and magnitude over the crank angle."""
+    pictures = [one for one in cycles_of(reader) if one.model and set(COMPONENTS) <= set(one.model)]
+    if not pictures:
+        return
+    last = pictures[-1]
+    degrees = np.arange(360.0)
+    columns = {"crank_angle_deg": degrees}
+    for name in COMPONENTS:
+        columns[f"{name}_measured_N"] = _on(degrees, last.columns["angle"], last.columns[name])
+        columns[f"{name}_model_N"] = _on(degrees, last.model["angle"], last.model[name])
+
+    def draw(axes: Sequence[Any]) -> None:
+        for panel, (name, words) in zip(axes, COMPONENTS.items(), strict=True):
+            panel.plot(degrees, columns[f"{name}_measured_N"], color=COLOURS[1], label="measured")
+            panel.plot(degrees, columns[f"{name}_model_N"], "--", color=COLOURS[4], label="model")
+            panel.set_title(words, loc="left")
+            panel.set_ylabel("force, N")
+        axes[0].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+        axes[-1].set_xlabel(DEGREES)
+
+    yield Chapter(
+        name="fig20_force",
+        title=f"Fig. 20: force in revolution {last.revolution:,}, measured and by the model",
+        columns=columns,
+        sentences=(
+            "Components in the frame of the crank, in which the load cell measures; the model's"
+            f" curve is that of revolution {last.model_revolution:,}, from the measured angle.",
+            _agreement(last),
+        ),
+        draw=draw,
+        words="both components and the magnitude of the joint force over the crank angle,"
+        " measured and by the model",
+        panels=3,
+    )
+
+
+def _on(degrees: np.ndarray, angle: np.ndarray, values: np.ndarray) -> np.ndarray:
+    return np.asarray(np.interp(degrees, angle, values, period=360.0))
+
+
+def _agreement(picture: CyclePicture) -> str:
+    """Return how far the model is off, and the shift along the angle that fits best."""
+    degrees = np.arange(0.0, 360.0, 0.1)
+    parts, shifts = [], []
+    for name, words in COMPONENTS.items():
+        measured = _on(degrees, picture.columns["angle"], picture.columns[name])
+        model = _on(degrees, picture.model["angle"], picture.model[name])
+        share = np.sqrt(np.mean(np.square(measured - model)) / np.mean(np.square(measured)))
+        parts.append(f"{100.0 * share:.1f} % for {words}")
+        swing = [one - one.mean() for one in (measured, model)]
+        match = np.fft.irfft(np.fft.rfft(swing[0]) * np.conj(np.fft.rfft(swing[1])))
+        shift = 0.1 * float(np.argmax(match))
+        shifts.append(f"{(shift + 180.0) % 360.0 - 180.0:+.1f}°")
+    return (
+        f"Root mean square of the difference, of that of the measured force: {', '.join(parts)}."
+        f" Shifted along the crank angle the model fits best by {', '.join(shifts)}, in the same"
+        " order: the paper saw a slight shift in the components and none in the magnitude."
+    )
+
+
+def _extrema(reader: TestReader) -> Iterator[Chapter]:
+    """Yield Fig. 20 as its caption says: extrema of the force over the cycles."""
+    known = reader.column_units()
+    count = reader.committed()
+    names = [f"force_{one}" for one in EXTREMA if f"force_{one}" in known]
+    if not names or not count:
+        return
+    starts = np.unique(np.linspace(0, count, min(count, MOST_ROWS), endpoint=False).astype(int))
+    columns = {"revolution": reader.column("revolution", 0, count)[starts].astype(float)}
+    unsteady = reader.column("quality", 0, count).astype(np.int64) & UNSTEADY != 0
+    for name in names:
+        values = np.where(unsteady, np.nan, reader.column(name, 0, count))
+        columns[f"{name}_N"] = _gathered(name, values, starts)
+
+    def draw(axes: Sequence[Any]) -> None:
+        for colour, name in zip((COLOURS[1], COLOURS[0], COLOURS[2]), names, strict=False):
+            label = {"max": "maximum", "rms": "RMS", "min": "minimum"}[name.split("_")[1]]
+            axes[0].plot(columns["revolution"], columns[f"{name}_N"], color=colour, label=label)
+        axes[0].set_xlabel("revolution")
+        axes[0].set_ylabel("|F|, N")
+        axes[0].legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+    yield Chapter(
+        name="fig20_extrema",
+        title="Fig. 20: extrema of the force over the cycles",
+        columns=columns,
+        sentences=(_scatter(columns["force_max_N"]),) if "force_max_N" in columns else (),
+        draw=draw,
+        words="largest, root mean square and smallest force of each revolution over the test",
+    )
+
+
+def _gathered(name: str, values: np.ndarray, starts: np.ndarray) -> np.ndarray:
+    """Return a statistic of parts of a test from that of their revolutions."""
+    if name.endswith("max"):
+        return np.fmax.reduceat(values, starts)
+    if name.endswith("min"):
+        return np.fmin.reduceat(values, starts)
+    known = np.isfinite(values)
+    sums = np.add.reduceat(np.where(known, np.square(values), 0.0), starts)
+    numbers = np.add.reduceat(known.astype(float), starts)
+    return np.sqrt(sums / np.where(numbers > 0.0, numbers, np.nan))
+
+
+def _scatter(largest: np.ndarray) -> str:
+    """Return how the maximum varies early and late in the test."""
+    tenth = max(len(largest) // 10, 2)
+    first, last = (float(np.nanstd(part)) for part in (largest[:tenth], largest[-tenth:]))
+    return (
+        f"At steady speed the maximum of a revolution varies by {first:.3g} N (standard deviation)"
+        f" in the first tenth of the test and by {last:.3g} N in the last; the paper's grows."
+    )
+
+
+def _profile(reader: TestReader) -> Iterator[Chapter]:
+    """Yield Fig. 21: the worn profile by the probes beside the model's."""
+    found = worn_of(reader)
+    if found is None:
+        return
+    columns = {"angle_deg": found.angle}
+    columns |= {f"depth_{name}_mm": curve for name, curve in found.curves.items()}
+    columns["uncertainty_mm"] = found.uncertainty
+
+    def draw(axes: Sequence[Any]) -> None:
+        measured, doubt = found.curves["measured"], found.uncertainty
+        axes[0].fill_between(
+            found.angle,
+            np.maximum(measured - doubt, 0.0),
+            measured + doubt,
+            color=COLOURS[1],
+            alpha=0.2,
+            lw=0,
+        )
+        for colour, style, (name, words) in zip(
+            (COLOURS[1], COLOURS[4], COLOURS[5]), ("-", "--", "-."), CURVES.items(), strict=True
+        ):
+            axes[0].plot(found.angle, found.curves[name], style, color=colour, label=words)
+        axes[0].set_xlim(-120.0, 120.0)
+        axes[0].set_ylim(bottom=0.0)
+        axes[0].set_xlabel("angle from the initial contact point, °, follower frame")
+        axes[0].set_ylabel("depth, mm")
+        axes[0].legend(loc="upper center", bbox_to_anchor=(0.5, -0.25), ncols=2)
+
+    depths = ", ".join(
+        f"{found.extents[name].depth:.4g} mm {words}"
+        for name, words in CURVES.items()
+        if np.isfinite(found.extents[name].depth)
+    )
+    yield Chapter(
+        name="fig21_recorded",
+        title=f"Fig. 21: worn profile after revolution {found.revolution:,} of a recorded test",
+        columns=columns,
+        sentences=(
+            f"Largest depth: {depths}. Shaded: the expanded uncertainty (k = 2) of the measured"
+            " one. Where the pin never was nothing is known, and nothing is drawn.",
+        ),
+        draw=draw,
+        words="measured worn profile with its uncertainty, and the model's",
+    )
