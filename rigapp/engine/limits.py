@@ -162,6 +162,26 @@ def limit_refusal(name: str, value: object) -> str:
     return f"{quantity}.{wrong}" if wrong else ""
 
 
+def least_margin(
+    monitor: RuleMonitor, limits: LimitsSection, values: Mapping[str, float]
+) -> tuple[float, str]:
+    """Return the least distance of a judged revolution to any limit, in percent, and which one.
+
+    values: the columns of its row. Infinite and unnamed when nothing of it is limited.
+    """
+    return min(
+        monitor.worst_margin(values),
+        margin_to(limits.overload_N, values["force_max"], "overload"),
+        margin_to(limits.overspeed_rpm, abs(values["speed_max"]), "overspeed"),
+        key=lambda one: math.inf if math.isnan(one[0]) else one[0],
+    )
+
+
+def margin_to(limit: float, value: float, name: str) -> tuple[float, str]:
+    """Return the distance of a value to its upper limit in percent of the limit, with its name."""
+    return 100.0 * (limit - value) / limit, name
+
+
 def changed_limits(
     limits: LimitsSection, name: str, value: float
 ) -> tuple[float | None, LimitsSection]:

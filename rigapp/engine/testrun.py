@@ -72,6 +72,7 @@ class TestRun:
         self.start_sample: int | None = None
         self.complete = False
         self.newest: Row | None = None
+        self.judged: Row | None = None
         self._reducer = Reducer(calibration)
         self._utc = utc
         self._resumed = resumed
@@ -109,10 +110,12 @@ class TestRun:
         )
         row[PLACE["quality"]] = int(flags)
         verdicts: tuple[Verdict, ...] = ()
-        if not flags & NOT_STEADY:
+        steady = not flags & NOT_STEADY
+        if steady:
             verdicts = tuple(self.monitor.judge(dict(zip(NAMES, row.tolist(), strict=True))))
         self.number = number
         self.complete = number >= self.planned
         met = self.stops.row(row)
         self.newest = Row(number, row, revolution, verdicts, self.complete, met)
+        self.judged = self.newest if steady else self.judged
         return self.newest

@@ -11,11 +11,13 @@ import numpy as np
 from drivers.api import LineCounters
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
+from rigapp.engine.limits import least_margin, margin_to
 from rigapp.engine.messages import (
     ChannelView,
     DeviceView,
     DriveView,
     Recovery,
+    RunState,
     Status,
     as_array,
 )
@@ -95,24 +97,18 @@ def next_step(core: Core, connection: Connection | None) -> Recovery:
 def _margin(
     core: Core, connection: Connection | None, session: Session | None
 ) -> tuple[float, str]:
-    """Return the smallest distance to any limit in percent, and which limit."""
-    if session is None or session.run.newest is None:
+    """Return the least distance to a limit in percent, and which; of what is judged now alone.
+
+    Revolutions are judged at the set speed, the age of the data while a test is open.
+    """
+    if session is None or connection is None or core.state not in ACTIVE:
         return NO_MARGIN, ""
-    values = dict(zip(NAMES, session.run.newest.values.tolist(), strict=True))
-    worst, name = session.run.monitor.worst_margin(values)
-    limits = session.limits
-    for value, limit, label in (
-        (values["force_max"], limits.overload_N, "overload"),
-        (abs(values["speed_max"]), limits.overspeed_rpm, "overspeed"),
-    ):
-        margin = 100.0 * (limit - value) / limit
-        if margin < worst:
-            worst, name = margin, label
-    if core.state in ACTIVE and connection is not None:
-        margin = 100.0 * (1.0 - connection.data_age_s() / limits.stale_data_s)
-        if margin < worst:
-            worst, name = margin, "stale data"
-    return (worst, name) if math.isfinite(worst) else (NO_MARGIN, "")
+    limits, judged = session.limits, session.run.judged
+    margin = margin_to(limits.stale_data_s, connection.data_age_s(), "stale data")
+    if core.state is RunState.RUNNING and judged is not None:
+        values = dict(zip(NAMES, judged.values.tolist(), strict=True))
+        margin = min(margin, least_margin(session.run.monitor, limits, values))
+    return margin if math.isfinite(margin[0]) else (NO_MARGIN, "")
 
 
 def _simulated_speed(core: Core, connection: Connection | None) -> float:

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.engine.messages import NOTE_CHARACTERS, Alarm, RunState, Severity
+from rigapp.engine.words import explained
 from rigapp.gui.guarded import GuardedButton
 from rigapp.gui.palette import Theme
 
@@ -200,7 +201,7 @@ class AlarmPanel(QWidget):
         ink = "#ffffff" if back == theme.critical and theme.name == "light" else theme.on_signal
         for column, text in enumerate(texts):
             item = QTableWidgetItem(text)
-            item.setToolTip(text)
+            item.setToolTip(explained("first") if text.endswith(", first") else explained(text))
             item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
             if column == 0 and not alarm.acknowledged:
                 item.setBackground(QBrush(QColor(back)))

@@ -153,7 +153,8 @@ def _age(status: Status, data_age_s: float | None) -> Field:
 
 def _margin(status: Status) -> Field:
     if not status.worst_margin or not math.isfinite(status.worst_margin_percent):
-        return Field("–", "no limit watched")
+        running = status.state in ACTIVE_STATES
+        return Field("–", "nothing judged yet" if running else "no test running")
     percent = status.worst_margin_percent
     level = Level.NORMAL
     if percent <= 0.0:

@@ -10,7 +10,7 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitsSection
-from rigapp.engine.limits import RuleMonitor, changed_limits
+from rigapp.engine.limits import RuleMonitor, changed_limits, least_margin
 from rigapp.engine.loglines import (
     ALARM,
     LIMIT_CHANGED,
@@ -20,6 +20,7 @@ from rigapp.engine.loglines import (
     severity_of,
 )
 from rigapp.engine.messages import Alarm, Event
+from rigapp.engine.testrun import NOT_STEADY
 
 
 class RecordedAlarms:
@@ -40,22 +41,15 @@ class RecordedAlarms:
         return self._alarms
 
     def margin(self, revolution: int, values: Mapping[str, float]) -> tuple[float, str]:
-        """Return the least distance to a limit in percent, and which; NaN without limits.
+        """Return the least distance to a limit in percent, and which; NaN where nothing is judged.
 
         values: the columns of the revolution's row.
         """
         self._go_to(revolution)
-        limits = self._limits
-        if limits is None or self._monitor is None:
+        judged = not int(values.get("quality", 0)) & NOT_STEADY
+        if self._limits is None or self._monitor is None or not judged:
             return math.nan, ""
-        worst, name = self._monitor.worst_margin(values)
-        for value, limit, label in (
-            (values["force_max"], limits.overload_N, "overload"),
-            (abs(values["speed_max"]), limits.overspeed_rpm, "overspeed"),
-        ):
-            margin = 100.0 * (limit - value) / limit
-            if margin < worst:
-                worst, name = margin, label
+        worst, name = least_margin(self._monitor, self._limits, values)
         return (worst, name) if math.isfinite(worst) else (math.nan, "")
 
     def _go_to(self, revolution: int) -> None:

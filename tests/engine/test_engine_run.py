@@ -19,6 +19,7 @@ from rigapp.engine.publish import AlarmChanged, Committed, Finished, Notice, Sta
 from rigapp.engine.reduce import PLACE
 from rigapp.engine.run import ENDED, Refused
 from rigapp.engine.store import Opened
+from rigapp.engine.testrun import NOT_STEADY
 
 LONG = 1_000_000
 
@@ -410,6 +411,35 @@ def test_status_shows_the_run(rig: MemoryRig) -> None:
     assert status.drive is not None
     assert status.drive.enabled
     assert status.simulated
+
+
+def test_the_least_margin_is_of_what_is_judged_now(rig: MemoryRig) -> None:
+    def margin() -> tuple[str, bool]:
+        status = rig.engine.status()
+        return status.worst_margin, status.worst_margin_percent < 100.0 + 1e-9
+
+    assert margin() == ("", False)
+    rig.start(a_test(LONG))
+    recorded(rig, 5)
+    eventually(lambda: rig.engine.state is RunState.RUNNING)
+    eventually(lambda: margin() == ("overspeed", True))
+    rig.engine.pause("Ada")
+    rig.engine.wait((RunState.PAUSED,), 20.0)
+    assert margin() == ("stale data", True)  # no revolution is judged now
+    rig.engine.stop("Ada")
+    rig.engine.wait(ENDED, 20.0)
+    assert margin() == ("", False)
+
+
+def test_a_ramp_is_no_judged_revolution(rig: MemoryRig) -> None:
+    rig.start(a_test(LONG))
+    recorded(rig, 5)
+    session = rig.engine._core.session
+    assert session is not None
+    assert int(rig.store.column("quality")[0]) & Flag.RAMP
+    eventually(lambda: session.run.judged is not None)
+    assert session.run.judged is not None
+    assert not int(session.run.judged.values[PLACE["quality"]]) & NOT_STEADY
 
 
 def test_what_a_driver_warns_of_is_in_the_log(rig: MemoryRig) -> None:

@@ -15,7 +15,7 @@ from rigapp.config.loading import parse_test
 from rigapp.engine import causes
 from rigapp.engine.alarms import AlarmBook
 from rigapp.engine.loglines import AlarmChange, alarm_line
-from rigapp.engine.messages import Alarm, Event, RunState, Severity
+from rigapp.engine.messages import Alarm, Event, Flag, RunState, Severity
 from rigapp.gui.link import Link
 from rigapp.gui.palette import LIGHT
 from rigapp.gui.pyramid import Pyramid
@@ -193,6 +193,8 @@ def test_margins_follow_the_limits_in_force() -> None:
     margin, name = recorded.margin(0, {"force_max": 1.0, "speed_max": 88.0})
     assert (round(margin, 3), name) == (round(100.0 * 2.0 / 90.0, 3), "overspeed")
     assert np.isnan(RecordedAlarms([], None).margin(1, values)[0])
+    in_a_ramp = {**values, "quality": float(Flag.RAMP)}
+    assert np.isnan(recorded.margin(50, in_a_ramp)[0])
 
 
 def test_the_window_shows_margin_of_a_recorded_test(

@@ -1,0 +1,27 @@
+"""The words of the alarm list, each with its one meaning.
+
+The window shows them as tool tips; the table of the operator's guide says the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+WORDS: Mapping[str, str] = {
+    "unacknowledged": "the condition holds, and nobody has acknowledged it",
+    "acknowledged": "the condition holds, and somebody has acknowledged it",
+    "returned": "a warning whose condition is over before anybody has acknowledged it;"
+    " acknowledging takes it off the list",
+    "latched": "a critical alarm whose condition is over; it forbids a start until it is"
+    " acknowledged and reset",
+    "shelved": "hidden for a limited time, with a reason; limits act all the same",
+    "first": "the critical alarm that came first since the last reset: look there first",
+    "Drive warning": "the drive itself warns, as a rule of its supply, temperature or load; what is"
+    " damaged on its line is counted beside the device and is no warning",
+}
+"""A word as the window shows it, and what it means."""
+
+
+def explained(word: str) -> str:
+    """Return a word with its meaning, the word alone where it needs none."""
+    return f"{word}: {WORDS[word]}" if word in WORDS else word

@@ -1,0 +1,55 @@
+"""The words of the alarm list mean the same in the window and in the operator's guide."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from rigapp.engine.alarms import AlarmBook
+from rigapp.engine.causes import KINDS, drive_warning, index_missed
+from rigapp.engine.words import WORDS
+from rigapp.gui.alarms import COLUMNS, AlarmPanel
+from rigapp.gui.palette import LIGHT
+
+GUIDE = Path(__file__).parents[2] / "docs" / "operator.md"
+
+
+def test_the_guide_has_the_table_of_words() -> None:
+    text = GUIDE.read_text(encoding="utf-8")
+    for word, meaning in WORDS.items():
+        assert f"| *{word}* | {meaning} |\n" in text
+
+
+def test_every_state_of_an_alarm_is_in_the_table() -> None:
+    now = [1000.0]
+    book = AlarmBook(lambda: now[0], lambda alarm, change, who: None)
+    seen: set[str] = set()
+
+    def look() -> None:
+        seen.update(alarm.state for alarm in book.alarms())
+
+    book.raise_alarm(drive_warning("drive", "hot"))
+    book.raise_alarm(index_missed(3.0))
+    look()
+    book.acknowledge("index_missed", "Ada")
+    look()
+    book.clear("index_missed")
+    book.clear("drive_warning")
+    look()
+    book.shelve("drive_warning", "known", 60.0, "Ada")
+    look()
+    assert seen == {"unacknowledged", "acknowledged", "latched", "returned", "shelved"}
+    assert seen <= set(WORDS)
+    assert KINDS["drive_warning"].title in WORDS
+
+
+def test_the_window_explains_a_word_where_it_stands(qtbot: Any, qapp: Any, alarm: Any) -> None:
+    panel = AlarmPanel("x", LIGHT)
+    qtbot.addWidget(panel)
+    panel.show_alarms((msgspec.structs.replace(alarm, state="latched", title="Drive warning"),))
+    for column in ("State", "Alarm"):
+        item = panel.table.item(0, COLUMNS.index(column))
+        assert item is not None
+        assert item.toolTip() == f"{item.text()}: {WORDS[item.text()]}"
