@@ -27,11 +27,15 @@ FOLLOWED = 1000
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One line of a trend: its column, the role of its colour, its name in the legend."""
+    """One line of a trend: its column, the role of its colour, its name in the legend.
+
+    doubt: the column of its expanded uncertainty (k = 2), where it has one.
+    """
 
     column: str
     role: str
     text: str
+    doubt: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +73,12 @@ QUANTITIES = {
         0.002,
         (),
         (
-            Line("measured_wear_depth", "max", "measured by the probes"),
+            Line(
+                "measured_wear_depth",
+                "max",
+                "measured by the probes",
+                "measured_wear_depth_uncertainty",
+            ),
             Line("wear_depth", "model", "model"),
         ),
     ),
@@ -244,7 +253,7 @@ class TrendPanel(QWidget):
             if np.isfinite(value):
                 model = "model " if predicted and self.quantity.measured else ""
                 if self._cursor is not None or not model:
-                    texts.append(f"{model}{line.text} {value:.4g}")
+                    texts.append(f"{model}{line.text} {value:.4g}{self._doubt(table, line)}")
         when = "Now" if self._cursor is None else f"At cycle {self._cursor:.0f}"
         self.values.show_text(f"{when}: " + ", ".join(texts) if texts else "")
         self._set_y(low, high)
@@ -262,6 +271,10 @@ class TrendPanel(QWidget):
         if place >= len(table) or table.revolutions[place] != self._cursor:
             return float("nan")
         return float(table.series(column).values[place])
+
+    def _doubt(self, table: Table, line: Line) -> str:
+        doubt = self._value(table, line.doubt) if line.doubt else float("nan")
+        return f" ± {doubt:.2g} (k = 2)" if np.isfinite(doubt) else ""
 
     def _set_y(self, low: float, high: float) -> None:
         steady = self._ranges.setdefault(self._name, SteadyRange(self.quantity.minimum_span))

@@ -198,7 +198,10 @@ WANDER = 0.137
 """Turns of the slow wander of the speed a turn of the crank."""
 
 
-@njit(types.UniTuple(F, 9)(CONSTANTS, F, F), cache=True)
+POSITION = types.UniTuple(F, 9)
+
+
+@njit(POSITION(CONSTANTS, F, F), cache=True)
 def geometry(k: Constants, angle: float, depth: float) -> Numbers:
     """Return (sin t, cos t, sin p, cos p, p', p'', x3, x3', x3'')."""
     length = k.follower_length + k.lengthening_sign * (k.clearance + depth)
@@ -409,12 +412,12 @@ def delayed(ring: Array, row: int, head: int, steps: float) -> float:
     )
 
 
-@njit(types.UniTuple(F, 4)(CONSTANTS, SQUARE, ROW, F, F, F, F, F), cache=True)
+@njit(types.UniTuple(F, 4)(CONSTANTS, SQUARE, ROW, POSITION, F, F, F, F), cache=True)
 def views(
     k: Constants,
     table: Array,
     wall_state: Array,
-    angle: float,
+    position: Numbers,
     depth: float,
     fx: float,
     fy: float,
@@ -425,12 +428,11 @@ def views(
     F is the normal force turned by the friction angle in the sense of sliding; an eccentric pin
     adds its run-out, which turns with the pin against the follower. On the bench the pin carries
     the weight alone (its force on the pin is -F, so the sign turns) and the probes see micrometers.
+    position: from ``geometry``.
     """
+    sin_t, cos_t, sin_p, cos_p, _, _, _, _, _ = position
     if k.bench == 1.0:
-        sin_t = math.sin(angle)
-        cos_t = math.cos(angle)
         return k.weight * sin_t, k.weight * cos_t, k.micrometer_1, k.micrometer_2
-    sin_t, cos_t, sin_p, cos_p, _, _, _, _, _ = geometry(k, angle, depth)
     e1 = fx * cos_t + fy * sin_t
     n1 = -fx * sin_t + fy * cos_t
     e2 = fx * cos_p + fy * sin_p
@@ -512,12 +514,13 @@ def friction_sense(k: Constants, d: Drive, state: Array, fraction: float) -> tup
     return sense, (1.0 if slowed * sense <= 0.0 else 0.0)
 
 
-@njit(types.void(CONSTANTS, DRIVE, SQUARE, ROW, float64[::1], F, F, F, F, F), cache=True)
+@njit(types.void(CONSTANTS, DRIVE, SQUARE, ROW, POSITION, float64[::1], F, F, F, F, F), cache=True)
 def turn(
     k: Constants,
     d: Drive,
     table: Array,
     wall_state: Array,
+    position: Numbers,
     state: Array,
     dt: float,
     start: float,
@@ -525,7 +528,8 @@ def turn(
     sense: float,
     first: float,
 ) -> None:
-    """Advance the turning crank by one step; first is the acceleration at its start.
+    """Advance the turning crank by one step; first is the acceleration at its start, position what
+    ``geometry`` says of it.
 
     start and end are the step's place in the chunk, 0 ... 1, for the set-point between its ends.
     """
@@ -555,8 +559,7 @@ def turn(
     turned = sixth * (speed + 2.0 * v2 + 2.0 * v3 + v4)
     reached = speed + sixth * (first + 2.0 * a2 + 2.0 * a3 + a4)
     mean = (n1 + 2.0 * n2 + 2.0 * n3 + n4) / 6.0
-    _, _, _, _, p1, _, _, _, _ = geometry(k, angle + 0.5 * turned, depth)
-    slip = k.pin_radius * abs(turned) * (1.0 - p1)
+    slip = k.pin_radius * abs(turned) * (1.0 - position[4] - 0.5 * turned * position[5])
     deeper, area = worn(table, wall_state, k.wear_coefficient, mean, slip)
     state[ANGLE] = angle + turned
     state[SPEED] = reached if reached * sense > 0.0 else 0.0
@@ -627,9 +630,10 @@ def advance(
                 k, angle, speed, depth, left, sense, state[FORCE]
             )
             sliding = sense
+        position = geometry(k, angle, depth)
         head = (counters[HEAD] + 1) % size
         ring[0, head], ring[1, head], ring[2, head], ring[3, head] = views(
-            k, table, wall_state, angle, depth, fx, fy, sliding
+            k, table, wall_state, position, depth, fx, fy, sliding
         )
         counters[HEAD] = head
         state[TORQUE] = torque
@@ -653,7 +657,17 @@ def advance(
             state[INTEGRAL] += dt * rate
         else:
             turn(
-                k, d, table, wall_state, state, dt, start, (step + 1.0) / steps, sense, acceleration
+                k,
+                d,
+                table,
+                wall_state,
+                position,
+                state,
+                dt,
+                start,
+                (step + 1.0) / steps,
+                sense,
+                acceleration,
             )
         state[TIME] += dt
     return samples

@@ -253,9 +253,10 @@ class Plant:
             return self._ring[:, int(self._counters[kernels.HEAD])].copy()
         angle, depth = self._state[kernels.ANGLE], self._state[kernels.DEPTH]
         fx, fy, _ = kernels.resting(self.constants, angle, depth)
+        position = kernels.geometry(self.constants, angle, depth)
         wall = self._wall
         return np.array(
-            kernels.views(self.constants, wall.table, wall.state, angle, depth, fx, fy, 0.0)
+            kernels.views(self.constants, wall.table, wall.state, position, depth, fx, fy, 0.0)
         )
 
 

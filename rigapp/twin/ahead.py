@@ -43,6 +43,7 @@ class BushingAhead:
     _depths: list[float] = field(default_factory=list)
     _rows: list[Array] = field(default_factory=list)
     _failed: bool = False
+    _told: Approach | None = None
 
     def upto(self, depth: float) -> Approach | None:
         """Return the approach at depths up to one at least, m; None when the model cannot tell."""
@@ -52,11 +53,11 @@ class BushingAhead:
         except (ModelError, ValueError, ArithmeticError) as error:
             self._failed = True
             log.warning("The elastic approach is not known beyond %g m: %s", self._reach, error)
-        if not self._rows:
-            return None
-        order = np.argsort(self.loads.magnitude)
-        forces = self.loads.magnitude[order]
-        return Approach(np.array(self._depths), forces, np.array(self._rows)[:, order])
+        if self._rows and (self._told is None or self._told.depths.size < len(self._rows)):
+            order = np.argsort(self.loads.magnitude)
+            table = np.array(self._rows)[:, order]
+            self._told = Approach(np.array(self._depths), self.loads.magnitude[order], table)
+        return self._told
 
     @property
     def _reach(self) -> float:

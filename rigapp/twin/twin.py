@@ -193,14 +193,14 @@ class Twin:
         return self.ahead.upto(depth) if self.ahead is not None else None
 
     def _measured_depth(self, path: PathSum) -> MeasuredDepth:
-        """Return how deep the bushing is worn by the probes, the approach told far enough for it.
-
-        The table of the approach need not reach further than what the probes see, approach and all.
-        """
+        """Return how deep the bushing is worn, the approach told far enough for that depth."""
         clearance = self.parameters.joint.clearance
-        found = measured_depth(path, self.reference, clearance, self._approach(0.0))
+        approach = self._approach(0.0)
+        found = measured_depth(path, self.reference, clearance, approach)
         if math.isfinite(found.depth):
-            found = measured_depth(path, self.reference, clearance, self._approach(found.depth))
+            further = self._approach(found.depth)
+            if further is not approach:
+                found = measured_depth(path, self.reference, clearance, further)
         return found
 
     def _profile(self, revolution: int, path: PathSum) -> WornProfile | None:

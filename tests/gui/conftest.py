@@ -156,6 +156,7 @@ def make_predictions(first: int, count: int) -> np.ndarray:
         "residual_2_rms": np.full(count, 0.9),
         "wear_depth": 0.02 * wear,
         "measured_wear_depth": 0.02 * wear + 0.001,
+        "measured_wear_depth_uncertainty": np.full(count, 0.0011),
         "force_max": 96.5 - wear,
         "force_min": 26.4 + 0.3 * wear,
         "force_rms": 71.1 - 0.7 * wear,

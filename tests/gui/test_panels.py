@@ -525,6 +525,8 @@ def test_every_trend_draws_what_it_names(
         window.draw_now()
         assert trend._curves
         assert all(len(curve.getData()[0]) > 0 for _, _, curve in trend._curves)
+        if trend.choice.currentData() == "wear":
+            assert "± 0.0011 (k = 2)" in trend.values.whole
     trend.choice.setCurrentIndex(0)
     trend.last.click()
     window.draw_now()

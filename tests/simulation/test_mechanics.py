@@ -125,7 +125,7 @@ def test_plant_and_model_agree_on_one_instant(
     )
     assert fx == pytest.approx(float(motion.force[0]), abs=1e-5 * scale)
     assert fy == pytest.approx(float(motion.force[1]), abs=1e-5 * scale)
-    e1, n1, _, _ = kernels.views(k, *RIGID, angle, depth, fx, fy, sense)
+    e1, n1, _, _ = kernels.views(k, *RIGID, kernels.geometry(k, angle, depth), depth, fx, fy, sense)
     assert (e1, n1) == pytest.approx(tuple(motion.force_crank), abs=1e-5 * scale)
 
 
