@@ -14,7 +14,13 @@ import sys
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.storage.create import refuse_little_space, short_reason, sync_folder
+from rigapp.storage.create import (
+    hidden_name,
+    refuse_little_space,
+    remove_stale,
+    short_reason,
+    sync_folder,
+)
 from rigapp.storage.duplicate import first_difference, write_duplicate
 from rigapp.storage.errors import StorageFailed
 from rigapp.storage.layout import streams_of
@@ -77,14 +83,14 @@ def _refuse_unended(reader: TestReader) -> None:
 
 def _replace_by_copy(reader: TestReader) -> None:
     target = reader.path
-    hidden = target.parent / f".{target.name}.compact"
+    hidden = hidden_name(target, "compact")
     sizes = sizes_of(reader)
     needed = sum(
         reader.committed(name) * stream.row_bytes
         for name, stream in streams_of(reader.plan).items()
     )
     refuse_little_space(target.parent, target, needed, "the compressed copy")
-    hidden.unlink(missing_ok=True)
+    remove_stale(target.parent)
     with contextlib.ExitStack() as undo:
         undo.callback(lambda: hidden.unlink(missing_ok=True))
         try:

@@ -15,7 +15,7 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.names import name_refusal
-from rigapp.leftovers import remove_left_behind
+from rigapp.leftovers import left_behind, remove_left_behind
 from rigapp.storage.build import build_file
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import StorageFailed
@@ -85,7 +85,7 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
     nothing is left behind.
     """
     refuse_bad_target(path, plan)
-    _remove_stale(path)
+    remove_stale(path.parent)
     hidden = hidden_name(path)
     fd = -1
     with contextlib.ExitStack() as undo:
@@ -110,9 +110,9 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
     return disk, places
 
 
-def hidden_name(path: Path) -> Path:
+def hidden_name(path: Path, what: str = "new") -> Path:
     """Return the name of a file that is being made; what a killed process leaves is known by it."""
-    return path.parent / f".{path.name}.new-{os.getpid()}"
+    return path.parent / f".{path.name}.{what}-{os.getpid()}"
 
 
 def places_of(path: Path) -> Places:
@@ -240,6 +240,12 @@ def move_into_place(hidden: Path, path: Path) -> None:
         hidden.unlink()
 
 
-def _remove_stale(path: Path) -> None:
-    """Remove hidden files that a killed process left behind when it created ``path``."""
-    remove_left_behind(path.parent, r"\..+\.new-(?P<pid>\d+)")
+def remove_stale(folder: Path) -> None:
+    """Remove what killed processes left in a folder of results; protect what they had opened."""
+    for mark, match in left_behind(folder, r"\.(?P<name>.+)\.opening-(?P<pid>\d+)"):
+        left = folder / match["name"]
+        with contextlib.suppress(OSError):
+            if not left.is_symlink():
+                left.chmod(0o444)
+            mark.unlink()
+    remove_left_behind(folder, r"\..+\.(?:new|compact)-(?P<pid>\d+)")

@@ -9,6 +9,7 @@ import threading
 from pathlib import Path
 
 from rigapp.storage.errors import StorageFailed
+from rigapp.storage.holes import punch_hole
 from rigapp.storage.rescue import copy_ranges
 
 Bytes = bytes | bytearray | memoryview
@@ -71,6 +72,16 @@ class Disk:
         except OSError as error:
             if error.errno not in (errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL):
                 raise
+
+    def give_back(self, offset: int, length: int) -> None:
+        """Give the disk space of a range back; it reads as zeros then, the file's length stays.
+
+        A file system that cannot do so keeps the space. Raises StorageFailed after a failure.
+        """
+        self.refuse_broken()
+        if length > 0:
+            with self._writing:
+                punch_hole(self.fd, offset, length)
 
     def forget(self, offset: int, length: int) -> None:
         """Let go of synced pages in memory, so that a long test keeps no more than it needs."""

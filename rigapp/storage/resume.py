@@ -16,9 +16,11 @@ from rigapp.engine.messages import Event
 from rigapp.storage.create import (
     Places,
     fitted_streams,
+    hidden_name,
     places_of,
     protect,
     refuse_little_space,
+    remove_stale,
     reserve_stream,
 )
 from rigapp.storage.disk import Disk
@@ -90,12 +92,22 @@ def _refuse_finished(reader: TestReader) -> None:
 
 
 def _open_for_writing(path: Path) -> int:
-    """Open a write-protected file of our own; it is protected again when this returns."""
+    """Open a write-protected file of our own; it is protected again when this returns.
+
+    A kill on the way leaves the mark by which it is protected when the next test begins.
+    """
+    remove_stale(path.parent)
+    mark = hidden_name(path, "opening")
     try:
         if not os.access(path, os.W_OK):
+            with contextlib.suppress(OSError):
+                mark.touch()
             path.chmod(0o644)
-        fd = os.open(path, os.O_RDWR)
-        protect(fd)
+        try:
+            fd = os.open(path, os.O_RDWR)
+            protect(fd)
+        finally:
+            mark.unlink(missing_ok=True)
         return fd
     except OSError as error:
         raise UnusableInput(

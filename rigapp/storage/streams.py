@@ -49,6 +49,13 @@ class Room:
             self._disk.reserve(start, (rows - self.reserved) * one.row_bytes)
         self.reserved = max(self.reserved, rows)
 
+    def give_back(self, rows: int) -> None:
+        """Give the disk space after the first ``rows`` rows back."""
+        for one in self._stream.fields:
+            start = self._offsets[one.name] + rows * one.row_bytes
+            self._disk.give_back(start, (self._stream.capacity - rows) * one.row_bytes)
+        self.reserved = min(self.reserved, rows)
+
 
 class RowBuffer:
     """Collect rows of scalar columns and hand them to the backlog a column at a time.

@@ -407,6 +407,24 @@ class TestWriter:
         found = self.look_after()
         if found is not None and not found.saved:
             raise StorageFailed(found.sentence)
+        self._give_back()
+
+    def _give_back(self) -> None:
+        """Give the room back that the test did not need; going on with it reserves it again."""
+        with self._commit_lock:
+            for name, room in self._rooms.items():
+                rows = self._rows_of(name)
+                if rows is not None:
+                    room.give_back(rows)
+
+    def _rows_of(self, stream: str) -> int | None:
+        """Return the rows that a stream has now, None for one whose rows are not counted."""
+        if stream == "revolutions":
+            return self._rows.count
+        if stream == "prediction":
+            return self._predictions.count
+        with self._count_lock:
+            return getattr(self._counts, stream, None)
 
     def close(self) -> None:
         """Let go of the file; what was not committed is committed if the disk allows it."""

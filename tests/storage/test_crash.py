@@ -40,14 +40,17 @@ WRITER = Path(__file__).with_name("crash_writer.py")
 # ------------------------------------------------------------------------------------------- kills
 
 
-def kill_one_writer(folder: Path, chance: random.Random, number: int) -> None:
-    """Start a writer, kill it at a random moment, check the file, resume it, kill that, check."""
+def kill_one_writer(folder: Path, chance: random.Random, number: int, *words: str) -> None:
+    """Start a writer, kill it at a random moment, check the file, resume it, kill that, check.
+
+    words: "ending" for one that ends the test again and again.
+    """
     path = folder / f"kill-{number}.h5"
     announced = 0
     for _ in range(2):
         before = announced
         process = subprocess.Popen(
-            [sys.executable, WRITER, path], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+            [sys.executable, WRITER, path, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE
         )
         assert process.stdout is not None
         assert process.stderr is not None
@@ -62,7 +65,7 @@ def kill_one_writer(folder: Path, chance: random.Random, number: int) -> None:
         with open_test(path) as reader:
             number_safe = check(reader)
             assert number_safe >= announced >= before
-            assert reader.summary()["status"] == "interrupted"
+            assert reader.summary()["status"] in ("interrupted", "stopped" if words else "")
             assert reader.first_altered_event() is None
             announced = number_safe
     path.unlink()
@@ -76,12 +79,21 @@ def test_killed_writers_lose_no_committed_row(quick_folder: Path) -> None:
         assert len(list(pool.map(kill, range(20)))) == 20
 
 
+def test_kills_while_a_file_is_ended_and_gives_room_back_lose_no_row(quick_folder: Path) -> None:
+    def kill(number: int) -> None:
+        kill_one_writer(quick_folder, random.Random(number), number, "ending")
+
+    with ThreadPoolExecutor(2) as pool:
+        assert len(list(pool.map(kill, range(4)))) == 4
+
+
 @pytest.mark.soak
 @pytest.mark.timeout(3600)
-def test_many_killed_writers_lose_no_committed_row(tmp_path: Path) -> None:
+@pytest.mark.parametrize("words", [(), ("ending",)], ids=["writing", "ending"])
+def test_many_killed_writers_lose_no_committed_row(tmp_path: Path, words: tuple[str, ...]) -> None:
     chance = random.Random(time.time_ns())
     for number in range(200):
-        kill_one_writer(tmp_path, chance, number)
+        kill_one_writer(tmp_path, chance, number, *words)
 
 
 # ------------------------------------------------------------------------- cuts and power failures
@@ -108,6 +120,7 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Recording:
     path = folder / "test.h5"
     found = Recording(path, path.read_bytes())
     honest_write, honest_sync = Disk.write, Disk.sync
+    honest_give_back = Disk.give_back
 
     def write_and_note(disk: Disk, data: bytes | memoryview, offset: int) -> None:
         honest_write(disk, data, offset)
@@ -117,13 +130,19 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Recording:
         honest_sync(disk)
         found.steps.append(("sync", 0, b""))
 
+    def give_back_and_note(disk: Disk, offset: int, length: int) -> None:
+        honest_give_back(disk, offset, length)
+        found.steps.append(("write", offset, bytes(length)))
+
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Disk, "write", write_and_note)
+        patch.setattr(Disk, "give_back", give_back_and_note)
         patch.setattr(Disk, "sync", sync_and_note)
         for last in (7, 23, 60):
             write(writer, writer.revolutions + 1, last)
             writer.append_event(Event(1.0, last, "note", "operator", "a note"))
             found.announce(writer.commit())
+        writer.finish("stopped", "operator", "enough for today")
         writer.close()
         writer = reopen_test(path)
         write(writer, 61, 75)
@@ -139,7 +158,7 @@ def examine(image: bytes, folder: Path, announced: int) -> None:
     path.write_bytes(image)
     with open_test(path) as reader:
         assert check(reader) >= announced
-        assert reader.summary()["status"] in ("interrupted", "complete")
+        assert reader.summary()["status"] in ("interrupted", "stopped", "complete")
         assert reader.first_altered_event() is None
         assert len(reader.summary()["started"]) == 32
     with h5py.File(path) as file:
