@@ -182,18 +182,19 @@ class Core:
         after: str = "",
         *,
         key: str = "",
+        level: str = "information",
         data: msgspec.Struct | None = None,
     ) -> bool:
         """Write to the log of the test under way and show it to every viewer.
 
-        key: what the line is about. data: what programs read of it. False when the log has no room
-        for it.
+        key: what the line is about. level: how bad it is. data: what programs read of it. False
+        when the log has no room for it.
         """
         details = msgspec.to_builtins(data) if data is not None else {}
         return self._write(
             Event(
                 time.time(), self.revolution, kind, source, text, before, after,
-                key=key, data=details,
+                key=key, level=level, data=details,
             )
         )  # fmt: skip
 
@@ -212,7 +213,7 @@ class Core:
 
     def gap(self, text: str) -> None:
         """Write an interruption of the data to the log, and count it."""
-        event = Event(time.time(), self.revolution, "gap", "engine", text)
+        event = Event(time.time(), self.revolution, "gap", "engine", text, level="warning")
         _log(event)
         if self.session is not None:
             self.session.recorder.gap(event)

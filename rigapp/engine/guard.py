@@ -320,7 +320,8 @@ class Guard:
             core.alarms.clear(cause.key)
             return
         if verdict.action == "none":
-            core.event("limit", "limits", cause.cause)
+            level = cause.severity.value
+            core.event("limit", "limits", cause.cause, key=cause.key, level=level)
         elif verdict.action == "warn":
             core.warn(cause)
         elif verdict.action == "pause":

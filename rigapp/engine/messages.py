@@ -292,8 +292,8 @@ class Snapshot(msgspec.Struct, frozen=True):
 class Event(msgspec.Struct, frozen=True):
     """One line of the append-only log: who did what, with values before and after.
 
-    text: for people. key: what it is about, of an alarm or a limit its key. level: how bad it is.
-    data: what programs read, see ``rigapp.engine.loglines``.
+    text: for people. key: what it is about, of an alarm or a limit its key. level: how bad it is,
+    ``information`` or a ``Severity``. data: what programs read, see ``rigapp.engine.loglines``.
     """
 
     time: float

@@ -58,7 +58,7 @@ class Keeper:
         what, reasons = fate.sentence(self._disk.path), []
         for target in places_for(self._disk.path, fate):
             try:
-                linked = self._save_as(target, bool(fate.named))
+                linked = self._save_as(target, fate.named)
             except UnusableInput as error:
                 reasons.append(str(error))
             except OSError as error:

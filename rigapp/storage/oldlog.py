@@ -7,7 +7,7 @@ they never change any more.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 import msgspec
 
@@ -52,11 +52,13 @@ _TITLES = [
 def translated(events: Iterable[Event]) -> list[Event]:
     """Return the events of an old log with key, level and data, as the engine writes them now."""
     known: dict[str, tuple[str, Severity, AlarmChange]] = {}
-    return [
-        _alarm(one, known) if one.kind == ALARM else _limit(one) if one.kind == LIMIT_CHANGED
-        else _rest(one) if one.kind == REST else one
-        for one in events
-    ]  # fmt: skip
+    by_kind: dict[str, Callable[[Event], Event]] = {
+        ALARM: lambda event: _alarm(event, known),
+        LIMIT_CHANGED: _limit,
+        REST: _rest,
+        "gap": lambda event: msgspec.structs.replace(event, level="warning"),
+    }
+    return [by_kind[one.kind](one) if one.kind in by_kind else one for one in events]
 
 
 def _alarm(event: Event, known: dict[str, tuple[str, Severity, AlarmChange]]) -> Event:

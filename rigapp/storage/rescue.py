@@ -7,7 +7,6 @@ link on Linux; it is copied while writing goes on.
 
 from __future__ import annotations
 
-import contextlib
 import os
 import tempfile
 from collections.abc import Iterable, Iterator
@@ -20,18 +19,20 @@ PIECE = 1 << 22
 
 @dataclass(frozen=True, slots=True)
 class Fate:
-    """Say what happened to a name: another file has it, or none; and the open file's name now.
+    """Say what happened to a name: another file has it, or none.
 
-    named: empty when the open file has no name any more.
+    named: the open file has a name still. where: that name, empty when the kernel does not tell.
     """
 
     replaced: bool
-    named: str
+    named: bool
+    where: str = ""
 
     def sentence(self, path: Path) -> str:
         """Return what happened in words."""
         if self.named:
-            words = f"{path} was moved to {self.named} while the test writes it"
+            where = f" to {self.where}" if self.where else ""
+            words = f"{path} was moved{where} while the test writes it"
             return f"{words}, and another file has its name" if self.replaced else words
         if self.replaced:
             return f"{path} was replaced by another file while the test writes it"
@@ -51,11 +52,17 @@ def fate_of(fd: int, path: Path) -> Fate | None:
         if (mine.st_ino, mine.st_dev) == (there.st_ino, there.st_dev):
             return None
         replaced = True
-    named = ""
-    if mine.st_nlink:
-        with contextlib.suppress(OSError):
-            named = os.readlink(f"/proc/self/fd/{fd}")
-    return Fate(replaced, named)
+    named = mine.st_nlink > 0
+    return Fate(replaced, named, _name_of(fd) if named else "")
+
+
+def _name_of(fd: int) -> str:
+    """Return the name of an open file; empty when it is not the one by which it was opened."""
+    try:
+        name = os.readlink(f"/proc/self/fd/{fd}")
+    except OSError:
+        return ""
+    return "" if name.endswith(" (deleted)") else name
 
 
 def places_for(path: Path, fate: Fate) -> Iterator[Path]:

@@ -187,7 +187,8 @@ def _reserve(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> di
 def _log_resumption(writer: TestWriter, last: int) -> None:
     gap = writer.revolutions > 0
     text = f"the test was resumed after revolution {last}"
-    event = Event(time.time(), last, "gap" if gap else "resumed", "storage", text)
+    kind, level = ("gap", "warning") if gap else ("resumed", "information")
+    event = Event(time.time(), last, kind, "storage", text, level=level)
     try:
         writer.begin_again(event, gap)
     except BaseException:

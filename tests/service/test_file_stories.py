@@ -49,5 +49,5 @@ def test_deleted_and_moved_the_file_holds_every_revolution(
         told = [one for one in reader.events() if one.key == "file_moved"]
         assert [one.data["what"] for one in told] == ["raised", "cleared"] * 2
         assert "was deleted" in told[0].text
-        assert "was moved to" in told[2].text
+        assert "was moved" in told[2].text
         assert reader.first_altered_event() is None

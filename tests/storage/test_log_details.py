@@ -100,6 +100,7 @@ def test_a_log_of_either_form_says_the_same(quick_folder: Path, details: bool) -
             writer.append_event(one)
     with open_test(quick_folder / "test.h5") as reader:
         found = [one for one in reader.events() if one.kind != "gap"]
+        assert [one.level for one in reader.events() if one.kind == "gap"] == ["warning"]
         assert reader.first_altered_event() is None
         assert ("key" in reader.column_units("events")) is details
     assert len(found) == len(wanted)

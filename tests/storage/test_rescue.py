@@ -179,6 +179,17 @@ def test_an_interrupted_test_goes_on_in_the_saved_file(quick_folder: Path) -> No
         assert check(reader) == PLAN.revolutions
 
 
+def test_where_a_file_was_moved_is_told_where_the_kernel_knows(quick_folder: Path) -> None:
+    with begun(quick_folder / "results") as writer:
+        path = writer.path
+        _move(path)
+        assert "(deleted)" not in saved(writer.look_after())
+        path.with_name("elsewhere.h5").unlink()
+    with reopen_test(path) as writer:
+        _move(path)
+        assert f"{path} was moved to {path.with_name('elsewhere.h5')}" in saved(writer.look_after())
+
+
 def test_a_file_deleted_just_before_the_end_is_there_after_it(quick_folder: Path) -> None:
     with begun(quick_folder / "results") as writer:
         path = writer.path
