@@ -32,7 +32,7 @@ def rig() -> Iterator[MemoryRig]:
 
 def ended(rig: MemoryRig, reason: FinishReason, *words: str) -> Finished:
     """Wait for the end; check what must hold at every end."""
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     outcome = rig.engine.outcome
     assert outcome is not None
     assert outcome.reason is reason
@@ -49,7 +49,7 @@ def back_to_work(rig: MemoryRig) -> None:
     rig.engine.acknowledge(operator="Ada")
     rig.engine.reset("Ada")
     rig.start(a_test(5))
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.reason is FinishReason.COMPLETE
 
@@ -322,7 +322,7 @@ def test_a_hanging_drive_call_is_no_hanging_test() -> None:
     rig.start(a_test(LONG))
     eventually(lambda: len(rig.store.rows) >= 5)
     rig.spindle.hang = threading.Event()
-    rig.engine.wait(ENDED, 30.0)
+    rig.engine.wait(ENDED, 60.0)
     outcome = rig.engine.outcome
     assert outcome is not None
     assert outcome.reason is FinishReason.INTERNAL
@@ -334,7 +334,7 @@ def test_a_hanging_drive_call_is_no_hanging_test() -> None:
 def test_a_spindle_that_does_not_stop_raises_the_loudest_alarm(rig: MemoryRig) -> None:
     rig.crank.deaf = True
     rig.engine.stop("Ada")
-    assert rig.engine.wait(ENDED, 20.0) is RunState.FAULT
+    assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
     keys = [alarm.key for alarm in rig.engine.status().alarms]
     assert "will_not_stop" in keys
     offs = [what for what, _ in rig.spindle.commands]
@@ -347,7 +347,7 @@ def test_a_spindle_that_does_not_stop_raises_the_loudest_alarm(rig: MemoryRig) -
 
 def test_a_crank_that_moves_in_a_pause_ends_the_test(rig: MemoryRig) -> None:
     rig.engine.pause("Ada")
-    rig.engine.wait((RunState.PAUSED,), 20.0)
+    rig.engine.wait((RunState.PAUSED,), 60.0)
     with rig.crank.lock:
         rig.crank.target = 0.5
     ended(rig, FinishReason.DEVICE, "paused")
@@ -358,7 +358,7 @@ def test_a_device_lost_while_ready_is_a_fault() -> None:
     memory = MemoryRig()
     memory.engine.connect()
     memory.source.lost = True
-    memory.engine.wait((RunState.FAULT,), 10.0)
+    memory.engine.wait((RunState.FAULT,), 60.0)
     assert "cable" in memory.engine.status().reason
     memory.source.lost = False
     back_to_work(memory)
@@ -382,7 +382,7 @@ def test_no_thread_is_left_behind() -> None:
     memory = MemoryRig()
     memory.engine.connect()
     memory.start(a_test(5))
-    memory.engine.wait(ENDED, 20.0)
+    memory.engine.wait(ENDED, 60.0)
     memory.engine.shutdown()
     eventually(lambda: set(threading.enumerate()) <= before)
 
@@ -411,7 +411,7 @@ def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
     rows = len(rig.store.rows)
     eventually(lambda: len(rig.store.rows) >= rows + 3)
     rig.engine.stop("Ada")
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert rig.store.column("lost_samples").sum() == connection.processor.assembler.lost_samples
     assert len(rig.store.gaps) == 1
     rig.engine.shutdown()

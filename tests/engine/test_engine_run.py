@@ -35,7 +35,7 @@ def rig() -> Iterator[MemoryRig]:
 
 def run(rig: MemoryRig, revolutions: int = 20, **options: object) -> Finished:
     rig.start(a_test(revolutions, **options))  # type: ignore[arg-type]
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     return rig.engine.outcome
 
@@ -97,7 +97,7 @@ def test_the_last_cycle_of_a_stopped_test_is_kept_too(rig: MemoryRig) -> None:
     rig.start(a_test(LONG, every=LONG))
     recorded(rig, 5)
     rig.engine.stop("Ada", "lunch")
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert [number for number, _ in rig.store.cycles] == [len(rig.store.rows)]
 
 
@@ -106,7 +106,7 @@ def test_the_operator_ends_a_test(rig: MemoryRig, off: bool) -> None:
     rig.start(a_test(LONG))
     recorded(rig, 5)
     (rig.engine.drive_off if off else rig.engine.stop)("Ada", "enough")
-    assert rig.engine.wait(ENDED, 20.0) is RunState.STOPPED
+    assert rig.engine.wait(ENDED, 60.0) is RunState.STOPPED
     outcome = rig.engine.outcome
     assert outcome is not None
     assert (outcome.reason, outcome.status) == (FinishReason.OPERATOR, "stopped")
@@ -123,14 +123,14 @@ def test_a_pause_holds_at_the_safe_angle_and_loses_no_revolution(rig: MemoryRig)
     rig.start(a_test(60))
     recorded(rig, 5)
     rig.engine.pause("Ada")
-    rig.engine.wait((RunState.PAUSED,), 20.0)
+    rig.engine.wait((RunState.PAUSED,), 60.0)
     rows = len(rig.store.rows)
     assert rig.stands
     reads = rig.source.reads
     eventually(lambda: rig.source.reads > reads + 40)
     assert len(rig.store.rows) == rows
     rig.engine.resume("Ada")
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 61))
     quality = rig.store.column("quality").astype(int)
     assert quality[rows] & Flag.PAUSED
@@ -146,7 +146,7 @@ def test_a_limit_of_the_test_stops_it(rig: MemoryRig) -> None:
     eventually(lambda: any(a.severity == "warning" for a in rig.engine.status().alarms))
     assert rig.engine.state is RunState.RUNNING
     rig.source.force_N = 75.0
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     outcome = rig.engine.outcome
     assert outcome is not None
     assert (outcome.reason, outcome.status) == (FinishReason.LIMIT, "stopped")
@@ -171,7 +171,7 @@ def test_a_limit_pauses(rig: MemoryRig) -> None:
     rig.start(a_test(LONG, rules=(rule,)))
     recorded(rig, 5)
     rig.source.force_N = 75.0
-    rig.engine.wait((RunState.PAUSED,), 20.0)
+    rig.engine.wait((RunState.PAUSED,), 60.0)
     assert rig.stands
     rig.source.force_N = 50.0
 
@@ -181,7 +181,7 @@ def test_overload_takes_the_power_off_within_a_revolution(rig: MemoryRig) -> Non
     recorded(rig, 5)
     before = rig.crank.position_rev
     rig.source.force_N = 390.0
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert rig.spindle.off_at is not None
     first_zero = next(what for what, speed in rig.spindle.commands if speed == 0.0)
     assert first_zero == "off"
@@ -197,7 +197,7 @@ def test_a_signal_that_is_no_number_is_an_overload(rig: MemoryRig) -> None:
     rig.start(a_test(LONG))
     recorded(rig, 3)
     rig.source.force_N = math.nan
-    assert rig.engine.wait(ENDED, 20.0) is RunState.FAULT
+    assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
     assert "not a number" in rig.engine.status().reason
 
 
@@ -214,7 +214,7 @@ def test_limits_change_with_an_entry_in_the_log(rig: MemoryRig) -> None:
     with pytest.raises(UnusableInput, match=r"overload_N = 9000 can never be seen"):
         rig.engine.set_limit("overload_N", 9000.0)
     rig.engine.set_limit("force_max.critical_above", 40.0, "Ada", "try it")
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.reason is FinishReason.LIMIT
     change = next(e for e in rig.store.events if e.kind == "limit_changed")
@@ -283,7 +283,7 @@ def test_a_resumed_test_goes_on_with_number_time_and_a_flag() -> None:
     rig.opened = Opened(rig.store, 6, 6, 3.0, 0.0)
     rig.store.closed = False
     rig.start(a_test(10), resume=True)
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     np.testing.assert_array_equal(rig.store.column("revolution"), np.arange(1, 11))
     quality = rig.store.column("quality").astype(int)
     assert quality[6] & Flag.GAP_BEFORE
@@ -384,7 +384,7 @@ def test_predictions_are_stored_judged_and_shown(rig: MemoryRig) -> None:
     assert update.prediction is not None
     assert update.predictions[0, 1] == 3.0
     rig.engine.submit_prediction(predicted(7, 30.0))
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     assert "residual_rms" in rig.engine.outcome.sentence
 

@@ -187,7 +187,7 @@ class Operating(RuleBasedStateMachine):
     def it_comes_to_rest(self) -> None:
         if self.rig.engine.state not in (RunState.PAUSING, RunState.STOPPING):
             return
-        self.rig.engine.wait((*ENDED, RunState.PAUSED), 10.0)
+        self.rig.engine.wait((*ENDED, RunState.PAUSED), 60.0)
 
     # --- what always holds -----------------------------------------------------------------------
 
@@ -205,7 +205,7 @@ class Operating(RuleBasedStateMachine):
         try:
             if engine.state in ACTIVE:
                 self.command(engine.stop, "Ada")
-                engine.wait(ENDED, 10.0)
+                engine.wait(ENDED, 60.0)
             if rig.stores:
                 outcome = engine.outcome
                 assert outcome is not None
@@ -228,6 +228,4 @@ TestOperating.settings = settings(
     stateful_step_count=14,
     deadline=None,
     suppress_health_check=list(HealthCheck),
-    derandomize=True,
-    print_blob=False,
 )

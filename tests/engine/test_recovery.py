@@ -180,7 +180,7 @@ def leads_out(deeds: list[str]) -> list[str]:
         bench.mend()
         if engine.state in ACTIVE:
             engine.stop("Ada")
-            engine.wait(ENDED, 20.0)
+            engine.wait(ENDED, 60.0)
         bench.let_it_look()
         steps = follow(bench)
         if engine.state is RunState.STOPPED:
@@ -188,7 +188,7 @@ def leads_out(deeds: list[str]) -> list[str]:
         assert engine.state is RunState.READY
         assert engine.status().recovery.step is Step.GO_ON
         bench.rig.start(a_test(2))
-        engine.wait(ENDED, 20.0)
+        engine.wait(ENDED, 60.0)
         assert engine.outcome is not None
         assert engine.outcome.reason is FinishReason.COMPLETE, engine.outcome
         return steps

@@ -41,7 +41,7 @@ def test_a_saturated_load_cell_ends_the_test_by_its_own_name_and_returns(
     rig.start(a_test(LONG))
     eventually(lambda: len(rig.store.rows) >= 3)
     rig.source.saturated = row
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     outcome = rig.engine.outcome
     assert outcome is not None
     assert outcome.reason is FinishReason.DEVICE
@@ -60,7 +60,7 @@ def test_a_saturated_load_cell_ends_the_test_by_its_own_name_and_returns(
     rig.engine.acknowledge(operator="Ada")
     rig.engine.reset("Ada")
     rig.start(a_test(3))
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.reason is FinishReason.COMPLETE
 
@@ -72,7 +72,7 @@ def test_a_force_that_is_measured_stays_an_overload_though_a_probe_is_cut_off(
     eventually(lambda: len(rig.store.rows) >= 3)
     rig.source.saturated = 2
     rig.source.force_N = 390.0
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.reason is FinishReason.LIMIT
     assert "390.0 N" in rig.engine.outcome.sentence
@@ -90,7 +90,7 @@ def test_a_saturated_probe_warns_while_it_is_and_the_test_goes_on(rig: MemoryRig
     rig.source.saturated = None
     eventually(lambda: not alarms(rig)["input_saturated:probe_1"].active)
     rig.engine.stop("Ada")
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert np.any(rig.store.column("quality").astype(int) & Flag.SATURATED)
 
 
@@ -107,7 +107,7 @@ def test_a_weight_without_a_test_raises_no_overload_and_leaves_the_last_one(
     rig.start(a_test(LONG))
     eventually(lambda: len(rig.store.rows) >= 3)
     rig.source.force_N = 392.4
-    rig.engine.wait(ENDED, 20.0)
+    rig.engine.wait(ENDED, 60.0)
     assert alarms(rig)["overload"].state == "latched"  # the weight still hangs
     rig.engine.acknowledge(operator="Ada")
     rig.engine.reset("Ada")
