@@ -24,6 +24,7 @@ from rigapp.service.host import (
     EngineHost,
     close_host,
     compress_complete,
+    end_whole_test,
     recorded_test,
     with_revolutions,
 )
@@ -88,6 +89,11 @@ def resume_test(
 
     reason: why it may go on in spite of what ``resumption`` found; goes into the log.
     """
+    ended = end_whole_test(file)
+    if ended is not None:
+        if progress == "json":
+            _Json().notice(ended)
+        return _report(ended)
     test = recorded_test(file)
     return _conduct(test, rig, file, progress, speed, bind, resume=True, reason=reason)
 

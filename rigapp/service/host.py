@@ -27,6 +27,7 @@ from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, Remark
 from rigapp.engine.messages import (
     PROTOCOL_VERSION,
+    FinishReason,
     Reply,
     Request,
     RevolutionMeasured,
@@ -349,7 +350,7 @@ class EngineHost:
             return refusal(str(error))
         except (KeyError, TypeError, ValueError) as error:
             return refusal(f"The arguments of {request.verb!r} are not usable: {error}.")
-        return Reply(ok=True, result=result)
+        return result if isinstance(result, Reply) else Reply(ok=True, result=result)
 
     def _table(self) -> dict[str, Callable[[dict[str, Any], str], Any]]:
         engine = self.engine
@@ -400,10 +401,14 @@ class EngineHost:
         test = with_revolutions(read_test(Path(arguments["test"])), arguments.get("revolutions"))
         self.start(test, Path(arguments["out"]), operator, resume=False)
 
-    def _resume_request(self, arguments: dict[str, Any], operator: str) -> None:
+    def _resume_request(self, arguments: dict[str, Any], operator: str) -> Reply | None:
         path = Path(arguments["file"])
+        ended = end_whole_test(path)
+        if ended is not None:
+            return Reply(ok=True, sentence=ended.sentence)
         reason = str(arguments.get("reason", ""))
         self.start(recorded_test(path), path, operator, resume=True, reason=reason)
+        return None
 
 
 def _plain(verb: Callable[[dict[str, Any], str], Any]) -> Callable[[Request], Any]:
@@ -436,6 +441,21 @@ def recorded_test(path: Path) -> Document[TestFile]:
         planned = reader.state("planned_revolutions")
     test = Document(path, text, parse_test(text, f"{path} (its test)"))
     return with_revolutions(test, planned or None)
+
+
+def end_whole_test(path: Path) -> Finished | None:
+    """End an interrupted file that has all its revolutions already; None for any other."""
+    from rigapp.storage.reader import open_test
+    from rigapp.storage.resume import finish_whole_test
+
+    revolutions = finish_whole_test(path)
+    if not revolutions:
+        return None
+    with open_test(path) as reader:
+        sentence = str(reader.summary()["reason"])
+    end = Finished(FinishReason.COMPLETE, sentence, "complete", revolutions, str(path))
+    compress_complete(end)
+    return end
 
 
 def _checkpoint(path: Path) -> bytes:

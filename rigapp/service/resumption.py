@@ -112,6 +112,7 @@ def read_past(path: Path) -> Past:
     A complete test and one that another process writes are refused here, before a device is opened.
     """
     from rigapp.storage.reader import open_test
+    from rigapp.storage.resume import has_all_revolutions
 
     with open_test(path) as reader:
         status = reader.summary()["status"]
@@ -123,6 +124,11 @@ def read_past(path: Path) -> Past:
         if status == "running":
             raise UnusableInput(f"{path}: this test is running; stop it first")
         rows = reader.committed()
+        if has_all_revolutions(reader):
+            raise UnusableInput(
+                f"{path}: the test was {status} with all its {rows} revolutions; there is nothing"
+                " to go on with, begin a new test"
+            )
         try:
             rig = parse_rig(reader.configuration()["rig"], f"{path} (its rig)", recorded=True)
         except (KeyError, UnusableInput):

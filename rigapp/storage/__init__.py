@@ -9,7 +9,7 @@ from rigapp.storage.layout import FilePlan
 from rigapp.storage.metadata import TestMetadata
 from rigapp.storage.reader import StoredCycle, TestReader, open_test
 from rigapp.storage.resample import on_grid
-from rigapp.storage.resume import reopen_test
+from rigapp.storage.resume import finish_whole_test, reopen_test
 from rigapp.storage.writer import TestWriter, create_test
 
 __all__ = [
@@ -24,6 +24,7 @@ __all__ = [
     "compact_test",
     "create_test",
     "export_test",
+    "finish_whole_test",
     "on_grid",
     "open_test",
     "reopen_test",

@@ -83,7 +83,7 @@ def _refuse_unended(reader: TestReader) -> None:
 
 def _replace_by_copy(reader: TestReader) -> None:
     target = reader.path
-    hidden = hidden_name(target, "compact")
+    hidden = hidden_name(target, "packed")
     sizes = sizes_of(reader)
     needed = sum(
         reader.committed(name) * stream.row_bytes

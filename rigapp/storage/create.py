@@ -111,7 +111,10 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
 
 
 def hidden_name(path: Path, what: str = "new") -> Path:
-    """Return the name of a file that is being made; what a killed process leaves is known by it."""
+    """Return the name of a file that is being made; what a killed process leaves is known by it.
+
+    what: at most 6 letters, see ``LONGEST_NAME_BYTES``.
+    """
     return path.parent / f".{path.name}.{what}-{os.getpid()}"
 
 
@@ -242,10 +245,10 @@ def move_into_place(hidden: Path, path: Path) -> None:
 
 def remove_stale(folder: Path) -> None:
     """Remove what killed processes left in a folder of results; protect what they had opened."""
-    for mark, match in left_behind(folder, r"\.(?P<name>.+)\.opening-(?P<pid>\d+)"):
+    for mark, match in left_behind(folder, r"\.(?P<name>.+)\.opened-(?P<pid>\d+)"):
         left = folder / match["name"]
         with contextlib.suppress(OSError):
             if not left.is_symlink():
                 left.chmod(0o444)
             mark.unlink()
-    remove_left_behind(folder, r"\..+\.(?:new|compact)-(?P<pid>\d+)")
+    remove_left_behind(folder, r"\..+\.(?:new|packed)-(?P<pid>\d+)")

@@ -6,6 +6,7 @@ import contextlib
 import errno
 import os
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -42,20 +43,58 @@ def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
     target = Path(path).absolute()
     with open_test(target) as reader:
         _refuse_finished(reader)
-    fd = open_exclusively(target)
+    writer, last = _writer_at_end(target, _reserve)
+    _log_resumption(writer, last)
+    return writer
+
+
+def finish_whole_test(path: str | os.PathLike[str]) -> int:
+    """End a test that was killed after its last revolution was safe and before its file was ended.
+
+    Return its revolutions, 0 when there is nothing to do: the test has not all of them, has been
+    ended, or is being written. Raises UnusableInput as ``reopen_test``.
+    """
+    target = Path(path).absolute()
+    with open_test(target) as reader:
+        if reader.summary()["status"] != "interrupted" or not has_all_revolutions(reader):
+            return 0
+    writer, last = _writer_at_end(target, _as_planned)
+    with writer:
+        text = f"all {last} revolutions were in the file; it was ended after an interruption"
+        writer.append_event(Event(time.time(), last, "resumed", "storage", text))
+        writer.finish("complete", "complete", f"The test is complete: {text}.")
+        return writer.revolutions
+
+
+def has_all_revolutions(reader: TestReader) -> bool:
+    """Tell whether the last revolution of the plan is committed."""
+    rows = reader.committed()
+    planned = reader.state("planned_revolutions")
+    return rows > 0 and int(reader.column("revolution", rows - 1)[0]) >= planned
+
+
+def _writer_at_end(
+    path: Path, reserve: Callable[[Disk, FilePlan, Places, int], dict[str, int]]
+) -> tuple[TestWriter, int]:
+    """Return a writer after the committed rows, and the last revolution; raises UnusableInput."""
+    fd = open_exclusively(path)
     with contextlib.ExitStack() as undo:
         undo.callback(os.close, fd)
-        with open_test(target) as reader:
+        with open_test(path) as reader:
             _refuse_finished(reader)
             counts, digest, last = _counts(reader)
             plan = reader.plan
-        places = places_of(target)
-        disk = Disk(fd, target)
-        reserved = _reserve(disk, plan, places, counts.planned_revolutions)
+        places = places_of(path)
+        disk = Disk(fd, path)
+        reserved = reserve(disk, plan, places, counts.planned_revolutions)
         writer = TestWriter(disk, places, plan, counts, reserved, digest)
         undo.pop_all()
-    _log_resumption(writer, last)
-    return writer
+    return writer, last
+
+
+def _as_planned(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> dict[str, int]:
+    """Reserve nothing: nothing more comes."""
+    return {name: stream.planned for name, stream in fitted_streams(plan, places).items()}
 
 
 def open_exclusively(path: Path) -> int:
@@ -97,7 +136,7 @@ def _open_for_writing(path: Path) -> int:
     A kill on the way leaves the mark by which it is protected when the next test begins.
     """
     remove_stale(path.parent)
-    mark = hidden_name(path, "opening")
+    mark = hidden_name(path, "opened")
     try:
         if not os.access(path, os.W_OK):
             with contextlib.suppress(OSError):

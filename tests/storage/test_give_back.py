@@ -126,8 +126,8 @@ def test_what_killed_processes_leave_is_cleaned_when_the_next_test_begins(
     old = quick_folder / "old.h5"
     with monkeypatch.context() as patch:
         patch.setattr(os, "getpid", lambda: ended.pid)
-        left = [hidden_name(quick_folder / "gone.h5", what) for what in ("new", "compact")]
-        left.append(hidden_name(old, "opening"))
+        left = [hidden_name(quick_folder / "gone.h5", what) for what in ("new", "packed")]
+        left.append(hidden_name(old, "opened"))
     own = hidden_name(quick_folder / "mine.h5")
     for path in (*left, own):
         path.touch()
