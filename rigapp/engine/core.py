@@ -347,7 +347,7 @@ class Core:
         if session is None or session.finished:
             return
         try:
-            found = session.recorder.look_after()
+            found = session.recorder.look_after(lambda what: self.warn(causes.file_moved(what)))
         except Exception as error:
             if not session.finished:
                 self.storage_failed(error)
@@ -359,7 +359,7 @@ class Core:
         self.alarms.clear("file_unsaved")
         if found is not None:
             self.warn(causes.file_moved(found.sentence))
-            self.alarms.clear("file_moved")
+        self.alarms.clear("file_moved")
 
     def disk_slow(self, seconds: float) -> None:
         """Warn of a disk that takes long over a commit."""

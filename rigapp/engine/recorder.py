@@ -235,9 +235,12 @@ class Recorder:
         """Return where the file is."""
         return self._store.path
 
-    def look_after(self) -> LookedAfter | None:
-        """Give the file its name back when it was deleted, moved or replaced; may take long."""
-        return None if self._closed else self._store.look_after()
+    def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
+        """Give the file its name back when it was deleted, moved or replaced; may take long.
+
+        notice: told before that.
+        """
+        return None if self._closed else self._store.look_after(notice)
 
     def extend(self, revolutions: int) -> None:
         """Make room for another number of revolutions; raise UnusableInput when there is none."""

@@ -40,8 +40,11 @@ class Store(Protocol):
         """Return where the file is; another place when it had to be saved there."""
         ...
 
-    def look_after(self) -> LookedAfter | None:
-        """Give the file its name back when it lost it; None when it has not. May take long."""
+    def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
+        """Give the file its name back when it lost it; None when it has not.
+
+        It may take long; notice is told before.
+        """
         ...
 
     @property

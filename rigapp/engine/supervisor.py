@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rigapp.engine.connection import Connection
 
 ANCHOR_S = 60.0
-FILE_S = 2.0
+FILE_S = 1.0
 SPEED_LOST = 0.3
 SPEED_LOST_S = 1.0
 CLOCK_JUMP_S = 1.0

@@ -39,10 +39,11 @@ class Keeper:
         self._committing = committing
         self._length = os.fstat(disk.fd).st_size
 
-    def look(self) -> LookedAfter | None:
+    def look(self, notice: Callable[[str], object]) -> LookedAfter | None:
         """Bring the file back when it was deleted, moved or replaced; writing goes on meanwhile.
 
-        To be called while ``looking`` is held. Return what happened, None when nothing has. Raises
+        notice: told what happened before the file is saved, which may take long. To be called while
+        ``looking`` is held. Return what became of it, None when nothing has happened. Raises
         StorageFailed when another program has cut the file short.
         """
         disk = self._disk
@@ -52,10 +53,14 @@ class Keeper:
                 "keep a copy of what is left of it, and see what rigapp info says of it"
             )
         fate = fate_of(disk.fd, disk.path)
-        return None if fate is None else self._bring_back(fate)
+        if fate is None:
+            return None
+        what = fate.sentence(disk.path)
+        notice(f"{what}; everything in it is being saved.")
+        return self._bring_back(fate, what)
 
-    def _bring_back(self, fate: Fate) -> LookedAfter:
-        what, reasons = fate.sentence(self._disk.path), []
+    def _bring_back(self, fate: Fate, what: str) -> LookedAfter:
+        reasons = []
         for target in places_for(self._disk.path, fate):
             try:
                 linked = self._save_as(target, fate.named)

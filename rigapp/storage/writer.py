@@ -7,7 +7,7 @@ import socket
 import threading
 import time
 import zlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -381,10 +381,10 @@ class TestWriter:
             if not self._closed:
                 self._backlog.drain()
 
-    def look_after(self) -> LookedAfter | None:
+    def look_after(self, notice: Callable[[str], object] = lambda _: None) -> LookedAfter | None:
         """Give the file a name again when it was deleted, moved or replaced; see ``Keeper``."""
         with self._keeper.looking:
-            return None if self._closed else self._keeper.look()
+            return None if self._closed else self._keeper.look(notice)
 
     def _reserve(self, disk: Disk) -> None:
         for name, stream in self._streams.items():

@@ -315,7 +315,9 @@ class FakeStore:
     path: Path = Path("test.h5")
     looked_after: LookedAfter | None = None
 
-    def look_after(self) -> LookedAfter | None:
+    def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
+        if self.looked_after is not None:
+            notice("t.h5 lost its name; everything in it is being saved.")
         return self.looked_after
 
     def extend(self, revolutions: int) -> None:

@@ -136,9 +136,13 @@ def test_writing_while_the_file_is_copied_is_not_lost(
     with begun(path.parent) as writer:
         path.unlink()
         found: list[LookedAfter | None] = []
-        looking = threading.Thread(target=lambda: found.append(writer.look_after()))
+        told: list[str] = []
+        looking = threading.Thread(target=lambda: found.append(writer.look_after(told.append)))
         looking.start()
         assert inside.wait(60.0)
+        assert told == [
+            f"{path} was deleted while the test writes it; everything in it is being saved."
+        ]
         write(writer, 141, 220)
         writer.append_event(Event(1.0, 220, "note", "Ann", "while it was copied"))
         assert writer.commit() == 220
