@@ -74,7 +74,7 @@ def smooth_history(time: ArrayLike, angle: ArrayLike, harmonics: int = HARMONICS
     most = min(harmonics, len(taus) // 8, int(len(taus) * np.pi / max(2.0 * abs(mean_rate), 1.0)))
     orders = np.arange(1, most + 1) if abs(mean_rate) > LEAST_TURN else np.arange(0)
     raw = slice(per_block // 2, len(taus) * per_block, per_block)
-    counted = Counted(tau[raw], turned[raw], _quantum(turned))
+    counted = Counted(tau[raw], turned[raw], quantum_of(turned))
     phase = np.array([0.0, mean_rate, 0.0])
     values, noise = _fit(taus, angles, phase, orders, counted)
     if abs(values[2]) > LEAST_GAIN * abs(values[1]) and len(orders):
@@ -139,7 +139,7 @@ class Counted:
     quantum: float
 
 
-def _quantum(angle: Array) -> float:
+def quantum_of(angle: Array) -> float:
     """Return the angle of one count (rad), or 0 when the angles are no whole counts."""
     steps = np.unique(np.rint(np.abs(np.diff(angle)) / RESOLVED)) * RESOLVED
     apart = np.diff(steps, prepend=0.0)

@@ -104,7 +104,23 @@ def prediction_columns() -> tuple[Column, ...]:
         for channel in ("force_1", "force_2", "force")
         for statistic in ("max", "min", "rms")
     )
-    return head + body
+    sure = (
+        Column(
+            "force_uncertainty",
+            "<f8",
+            "N",
+            "largest expanded uncertainty (k = 2) of the predicted force over the revolution, from"
+            " the uncertainty of the measured angle",
+        ),
+        Column(
+            "unfollowed_acceleration",
+            "<f8",
+            "rad/s^2",
+            "largest acceleration of the crank that the angle shows and the prediction does not"
+            " follow, 0 when none",
+        ),
+    )
+    return head + body + sure
 
 
 PREDICTION_POINTS = 360

@@ -76,6 +76,7 @@ class OverlayPanel(QWidget):
         self._cursor: float | None = None
         self._reference: StoredRevolution | None = None
         self._drawn: tuple[object, ...] = ()
+        self._doubt = ""
         self.frame = Frame.CRANK
         self.held = False
         self.shown: Shown | None = None
@@ -195,9 +196,10 @@ class OverlayPanel(QWidget):
             return
         if self.held and self.shown is not None:
             return
+        doubt = data.doubt(prediction.revolution) if prediction is not None else ""
         token = (cycle.revolution, prediction and prediction.revolution, self.frame, self._ratio)
-        if token != self._drawn:
-            self._drawn = token
+        if token != self._drawn or doubt != self._doubt:
+            self._drawn, self._doubt = token, doubt
             self._draw_reference()
             self.draw(compose(cycle, prediction, self.frame, self._ratio))
 
@@ -263,6 +265,7 @@ class OverlayPanel(QWidget):
             text += ".  No prediction yet"
         else:
             text += f".  Model: revolution {shown.model_revolution}"
+            text += f", {self._doubt}" if self._doubt else ""
         if self._reference is not None:
             text += f".  Grey: revolution {self._reference.cycle.revolution}"
         self.title.show_text(text + (".  HELD" if self.held else ""))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import OrderedDict
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -18,6 +19,9 @@ Floats = NDArray[np.float64]
 
 KEPT_CYCLES = 8
 """Newest whole cycles kept, so that a prediction that comes late still meets its own cycle."""
+
+UNFOLLOWED_SHARE = 0.05
+"""Of the predicted maximum: a smaller doubt about the speed is not worth a word."""
 
 NOT_DRAWN = ("revolution", "samples", "lost_samples")
 
@@ -190,6 +194,22 @@ class LiveData:
         """Take the rows of a file; the next live row is the one after them."""
         self.rows.load(columns)
         self._next_row = len(self.rows)
+
+    def doubt(self, revolution: int) -> str:
+        """Return how sure the predicted force of a revolution is, in words; empty when unknown."""
+        place = int(np.searchsorted(self.predictions.revolutions, revolution))
+        if place == len(self.predictions) or self.predictions.revolutions[place] != revolution:
+            return ""
+        sure, unfollowed, most = (
+            float(self.predictions.series(name).values[place])
+            for name in ("force_uncertainty", "unfollowed_acceleration", "force_max")
+        )
+        if not math.isfinite(sure):
+            return ""
+        text = f"\u00b1 {sure:.2g} N (k = 2)"
+        if unfollowed > 0.0 and sure > UNFOLLOWED_SHARE * most:
+            text += ", SPEED CHANGES FASTER THAN THE PREDICTION CAN FOLLOW"
+        return text
 
     def partner(self, prediction: PredictedCycle) -> MeasuredCycle | None:
         """Return the measured cycle of a prediction while it is still kept."""

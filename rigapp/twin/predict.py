@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import functools
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from model.dynamics import Motion
-from model.history import FEWEST_SAMPLES, motion_from_history
+from model.history import FEWEST_SAMPLES, smooth_history
 from model.joints import continuous_contact, perfect_joint
 from model.parameters import Parameters
 from rigapp.engine.columns import PREDICTION_POINTS
 from rigapp.engine.messages import Prediction, RevolutionMeasured, as_array
+from rigapp.twin.uncertainty import ForceUncertainty, force_uncertainty
 
 Array = NDArray[np.float64]
 
-GRID = np.arange(PREDICTION_POINTS) * (2.0 * np.pi / PREDICTION_POINTS)
+GRID: Array = np.arange(PREDICTION_POINTS, dtype=np.float64) * (2.0 * np.pi / PREDICTION_POINTS)
 
 
 class Unpredictable(ValueError):
@@ -80,8 +83,25 @@ def predict_motion(parameters: Parameters, joint: str, measured: Measured, depth
     joint: "perfect", or "continuous" with the clearance of the bushing worn by depth (m) at the
     contact point (paper, Eq. 12), on the wall that the sign of the force asks for.
     """
-    rates = motion_from_history(measured.time, measured.angle)
-    speed, acceleration = (_on_grid(measured.angle, rate) for rate in rates)
+    return predict_force(parameters, joint, measured, depth)[0]
+
+
+def predict_force(
+    parameters: Parameters, joint: str, measured: Measured, depth: float
+) -> tuple[Motion, ForceUncertainty]:
+    """Compute what ``predict_motion`` does, and how uncertain the angle leaves the force."""
+    history = smooth_history(measured.time, measured.angle)
+    speed, acceleration = (
+        _on_grid(measured.angle, rate) for rate in (history.speed, history.acceleration)
+    )
+    compute = functools.partial(_motion, parameters, joint, depth)
+    doubt = force_uncertainty(measured.time, measured.angle, history, GRID, compute)
+    return compute(speed, acceleration), doubt
+
+
+def _motion(
+    parameters: Parameters, joint: str, depth: float, speed: Array, acceleration: Array
+) -> Motion:
     mechanism, surfaces = parameters.mechanism, parameters.joint
     if joint != "continuous":
         return perfect_joint(mechanism, GRID, speed, acceleration, surfaces)
@@ -96,8 +116,10 @@ def measured_force(measured: Measured) -> Array:
     )
 
 
-def compare(measured: Measured, motion: Motion, wear: Wear) -> Prediction:
-    """Say what was predicted for a revolution and how far the measurement is from it."""
+def compare(
+    measured: Measured, motion: Motion, wear: Wear, doubt: ForceUncertainty | None = None
+) -> Prediction:
+    """Say what was predicted for a revolution, how surely, and how far the measurement is off."""
     force_1, force_2 = motion.force_crank
     force = motion.force_magnitude
     size = np.hypot(measured.force_1, measured.force_2)
@@ -112,10 +134,11 @@ def compare(measured: Measured, motion: Motion, wear: Wear) -> Prediction:
         1e3 * wear.measured_uncertainty,
         1e3 * wear.driven_depth,
     )
+    sure = (math.nan, math.nan) if doubt is None else (doubt.largest, doubt.unfollowed)
     body = [f(curve) for curve in (force_1, force_2, force) for f in (np.max, np.min, _rms)]
     return Prediction(
         revolution=measured.revolution,
-        values=np.array([*head, *body], dtype="<f8").tobytes(),
+        values=np.array([*head, *body, *sure], dtype="<f8").tobytes(),
         force_1=force_1.astype("<f4").tobytes(),
         force_2=force_2.astype("<f4").tobytes(),
         force=force.astype("<f4").tobytes(),

@@ -47,7 +47,7 @@ from rigapp.twin.predict import (
     Wear,
     compare,
     measured_force,
-    predict_motion,
+    predict_force,
 )
 from rigapp.twin.profile import depth_uncertainty, on_angles, worn_depth
 
@@ -142,7 +142,7 @@ class Twin:
     def predict(self, measured: Measured) -> Prediction:
         """Predict a revolution, wear the bushings on, compare."""
         depth = self.predicted.depth
-        motion = predict_motion(
+        motion, doubt = predict_force(
             self.parameters, self.joint, measured, 0.0 if np.isnan(depth) else depth
         )
         slip = motion.slip_increments(self.parameters.joint.pin_radius)
@@ -161,7 +161,7 @@ class Twin:
         self.newest = measured.revolution
         profile = self._profile(measured.revolution, path)
         self.changed = changed or profile is not None
-        return msgspec.structs.replace(compare(measured, motion, wear), profile=profile)
+        return msgspec.structs.replace(compare(measured, motion, wear, doubt), profile=profile)
 
     def _learn(self, revolution: int, path: PathSum) -> bool:
         """Gather the new bushing's revolutions into the reference; True when something is new."""

@@ -166,6 +166,7 @@ def make_predictions(first: int, count: int) -> np.ndarray:
         "force_2_max": np.full(count, 51.0),
         "force_2_min": np.full(count, -51.0),
         "force_2_rms": np.full(count, 30.0),
+        "force_uncertainty": np.full(count, 0.94),
     }
     for name, column in values.items():
         rows[:, PREDICTION_NAMES.index(name)] = column

@@ -22,6 +22,7 @@ from rigapp.twin.predict import (
     Wear,
     compare,
     phase_shift,
+    predict_force,
     predict_motion,
     unpack,
 )
@@ -140,3 +141,60 @@ def test_no_history_makes_the_twin_fail(columns: tuple[list[float], ...], number
         reply = serve(Twin(PARAMETERS, "continuous"), msgspec.msgpack.encode(message))
     assert not reply.failed, reply.failed
     assert (reply.prediction is None) == bool(reply.refused)
+
+
+TURN = np.linspace(0.0, 1.0, 96_000, endpoint=False)
+
+
+def uneven(ratio: np.ndarray, rpm: float = 60.0, fine: int = 100) -> RevolutionMeasured:
+    """Make a revolution whose speed over the mean is given finely, with the true forces."""
+    mean = rpm * np.pi / 30.0
+    step = 60.0 / rpm / len(ratio)
+    speed = mean * ratio
+    angle = np.concatenate(([0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * step)))[::fine]
+    acceleration = np.gradient(speed, step)[::fine]
+    motion = inverse_dynamics(PARAMETERS.mechanism, angle, speed[::fine], acceleration, CLEARANCE)
+    count = 2.0 * np.pi / 3600.0
+    counts = np.floor(angle / count + 0.37) * count
+    zeros = np.zeros(len(angle))
+    time = np.arange(len(angle)) * step * fine
+    arrays = (time, counts, *motion.force_crank, zeros, zeros)
+    return RevolutionMeasured(7, *(np.asarray(a, "<f8").tobytes() for a in arrays))
+
+
+@pytest.mark.parametrize(
+    ("ratio", "followed"),
+    [
+        (1.0 + 0.0 * TURN, True),
+        (1.0 + 0.01 * np.cos(4.0 * np.pi * TURN), True),
+        (1.0 - 0.03 * np.exp(-0.5 * ((TURN - 0.4) / 0.01) ** 2), False),
+        (1.0 - 0.03 * np.exp(-0.5 * ((TURN - 0.4) / 0.005) ** 2), False),
+        (1.0 + 0.01 * np.cos(50.0 * np.pi * TURN), False),
+    ],
+)
+@pytest.mark.parametrize("rpm", [60.0, 300.0])
+def test_the_force_is_as_uncertain_as_it_is_wrong(
+    ratio: np.ndarray, followed: bool, rpm: float
+) -> None:
+    measured = unpack(uneven(ratio[:: round(rpm / 60.0)], rpm))
+    motion, doubt = predict_force(PARAMETERS, "continuous", measured, 0.0)
+    at_grid = [np.interp(GRID, measured.angle, f) for f in (measured.force_1, measured.force_2)]
+    error = np.hypot(*(motion.force_crank - np.array(at_grid)))
+    assert np.mean(error <= doubt.curve) >= 0.95
+    assert (doubt.unfollowed == 0.0) is followed
+    found = values(compare(measured, motion, Wear(), doubt))
+    assert found["force_uncertainty"] == pytest.approx(doubt.largest)
+    assert found["unfollowed_acceleration"] == pytest.approx(doubt.unfollowed)
+    if followed:
+        assert doubt.largest < (0.04 if rpm < 100.0 else 0.2) * found["force_max"]
+    elif rpm < 100.0:
+        assert doubt.largest >= error.max()
+
+
+def test_the_twin_says_how_sure_it_is() -> None:
+    twin = Twin(PARAMETERS, "continuous")
+    steady = values(twin.predict(unpack(uneven(1.0 + 0.0 * TURN))))
+    dip = 1.0 - 0.03 * np.exp(-0.5 * ((TURN - 0.4) / 0.01) ** 2)
+    sudden = values(twin.predict(unpack(uneven(dip))))
+    assert 0.0 < steady["force_uncertainty"] < 0.2 * sudden["force_uncertainty"]
+    assert steady["unfollowed_acceleration"] == 0.0 < sudden["unfollowed_acceleration"]

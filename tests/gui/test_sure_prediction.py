@@ -1,0 +1,48 @@
+"""The overlay says how sure the predicted force is, and when the speed was too fast for it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+from rigapp.gui.overlay import OverlayPanel
+from rigapp.gui.palette import LIGHT
+from rigapp.gui.series import LiveData
+from tests.gui.conftest import PREDICTION_NAMES, make_predictions, make_snapshot
+
+
+def seen(overlay: OverlayPanel, **columns: float) -> str:
+    rows = make_predictions(1, 9)
+    for name, value in columns.items():
+        rows[:, PREDICTION_NAMES.index(name)] = value
+    data = LiveData()
+    data.take(msgspec.structs.replace(make_snapshot(1, 9), predictions=rows.tobytes()))
+    overlay.refresh(data, stale=False)
+    return overlay.title.whole
+
+
+@pytest.fixture
+def overlay(qtbot: Any, qapp: Any) -> OverlayPanel:
+    overlay = OverlayPanel("x", LIGHT)
+    qtbot.addWidget(overlay)
+    return overlay
+
+
+def test_the_uncertainty_stands_beside_the_prediction(overlay: OverlayPanel) -> None:
+    text = seen(overlay)
+    assert "Model: revolution 9, ± 0.94 N (k = 2)" in text
+    assert "FASTER" not in text
+
+
+def test_a_speed_that_is_not_followed_is_told_where_it_matters(overlay: OverlayPanel) -> None:
+    text = seen(overlay, force_uncertainty=22.0, unfollowed_acceleration=54.0)
+    assert "± 22 N (k = 2), SPEED CHANGES FASTER THAN THE PREDICTION CAN FOLLOW" in text
+    assert "FASTER" not in seen(overlay, force_uncertainty=1.2, unfollowed_acceleration=2.0)
+
+
+def test_a_file_of_before_says_nothing(overlay: OverlayPanel) -> None:
+    text = seen(overlay, force_uncertainty=np.nan, unfollowed_acceleration=np.nan)
+    assert text.endswith("Model: revolution 9")
