@@ -51,6 +51,11 @@ class Bench:
         for store in self.rig.stores:
             store.broken = None
 
+    def shelve(self) -> None:
+        """Hide every alarm."""
+        for alarm in self.rig.engine.status().alarms:
+            self.rig.engine.shelve(alarm.key, "known", 10.0, "Ada")
+
     def let_it_look(self) -> None:
         """Wait until the engine has seen the rig as it is now, where it sees it at all."""
         engine, source, spindle = self.rig.engine, self.rig.source, self.rig.spindle
@@ -118,6 +123,7 @@ DEEDS: dict[str, Callable[[Bench], None]] = {
     "stop": lambda bench: bench.rig.engine.stop("Ada"),
     "drive off": lambda bench: bench.rig.engine.drive_off("Ada"),
     "acknowledge": lambda bench: bench.rig.engine.acknowledge(operator="Ada"),
+    "shelve": lambda bench: bench.shelve(),
     "reset": lambda bench: bench.rig.engine.reset("Ada"),
     "wait for the end": lambda bench: bench.rig.engine.wait(ENDED, 0.5) and None,
 }
@@ -203,6 +209,7 @@ def leads_out(deeds: list[str]) -> list[str]:
 @example(["connect", "start", "emergency stop", "wait for the end", "mend", "connect"])
 @example(["connect", "start", "overload", "wait for the end", "connect", "mend"])
 @example(["connect", "start", "force saturated", "wait for the end", "connect"])
+@example(["connect", "start", "cable pulled", "wait for the end", "shelve"])
 @example(["connect", "drive latches stops", "emergency stop", "connect"])
 @example(["connect", "drive fault", "drive fault stays", "acknowledge", "reset"])
 @example(["connect", "start", "drive deaf", "stop", "cable pulled", "wait for the end"])

@@ -1,0 +1,80 @@
+"""Whatever fault the simulated rig offers, the steps that the engine names lead back to a test."""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from stories import RIG, recipe, until
+
+from rigapp.config.loading import read_rig
+from rigapp.engine.messages import FinishReason, Request, RunState, Step
+from rigapp.engine.run import ACTIVE, ENDED
+from rigapp.gui.faults import FaultChoice, fault_choices
+from rigapp.service.host import EngineHost, read_test
+
+CHOICES = fault_choices((("daq", "gsv8"), ("drive", "roboclaw")))
+LONG = 5000
+SEEN_S = 4.0
+STEPS_AT_MOST = 12
+
+
+@pytest.fixture
+def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[EngineHost]:
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+    host = EngineHost(read_rig(RIG), 5.0)
+    yield host
+    host.close()
+
+
+def ask(host: EngineHost, verb: str, **arguments: object) -> str:
+    """Ask as a window does; return the sentence of a refusal."""
+    reply = host.handle(Request(verb=verb, arguments=dict(arguments), operator="Ada"))
+    return "" if reply.ok else reply.sentence
+
+
+def recovers(host: EngineHost, choice: FaultChoice, folder: Path) -> None:
+    """Let a fault happen in a test, mend it, follow the steps, and go on to the end."""
+    engine = host.engine
+    host.start(read_test(recipe(folder, LONG, twin=False)), folder / "t.h5", "Ada", resume=False)
+    until(lambda: engine.status().revolution >= 1, "the test runs")
+    where = {"channel": "force_1"} if choice.where == "signal" else {"device": choice.where}
+    assert not ask(host, "inject_fault", kind=choice.kind, **where)
+    with contextlib.suppress(TimeoutError):
+        engine.wait(ENDED, SEEN_S)
+    ask(host, "clear_fault", kind=choice.kind)
+    if engine.state in ACTIVE:  # a fault that a test lives with
+        ask(host, "stop")
+        engine.wait(ENDED, 60.0)
+    steps: list[str] = []
+    while engine.state is not RunState.READY or engine.status().recovery.step is not Step.GO_ON:
+        until(lambda: engine.status().recovery.step is not Step.NONE, f"a step after {steps}")
+        told = engine.status().recovery
+        steps.append(told.step.value)
+        assert len(steps) <= STEPS_AT_MOST, (steps, engine.status())
+        if told.step is Step.CAUSE:
+            until(lambda: engine.status().recovery.step is not Step.CAUSE, "the cause goes")
+        else:
+            ask(host, "reset" if told.step is Step.GO_ON else told.verb)
+            time.sleep(0.05)
+    assert not ask(host, "resume_file", file=str(folder / "t.h5"), reason="the fault is mended")
+    until(lambda: engine.state is RunState.RUNNING, "the test runs again")
+    engine.extend(engine.status().revolution + 4)
+    engine.wait(ENDED, 60.0)
+    assert engine.outcome is not None
+    assert engine.outcome.reason is FinishReason.COMPLETE, (steps, engine.outcome)
+
+
+def test_the_steps_lead_back_from_an_emergency_stop(host: EngineHost, tmp_path: Path) -> None:
+    recovers(host, FaultChoice("emergency_stop", "drive"), tmp_path)
+
+
+@pytest.mark.soak
+@pytest.mark.parametrize("choice", CHOICES, ids=lambda one: f"{one.where}-{one.kind}")
+def test_the_steps_lead_back_from_every_fault_of_the_simulated_rig(
+    host: EngineHost, choice: FaultChoice, tmp_path: Path
+) -> None:
+    recovers(host, choice, tmp_path)
