@@ -24,7 +24,7 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.calibrate import Calibration
 from rigapp.engine.engine import Remark
 from rigapp.engine.loglines import rest_signals
-from rigapp.engine.run import Refused
+from rigapp.engine.run import Refused, refuse_long
 from rigapp.engine.store import calibration_record
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
@@ -353,6 +353,7 @@ def remarks(found: Resumption, operator: str, reason: str) -> list[Remark]:
     if found.blocked:
         raise Refused(f"{found.file} cannot go on here: {found.blocked}")
     why = reason.strip()
+    refuse_long("reason", why)
     if found.asks_reason and not why:
         raise Refused(
             f"{found.file} goes on only with a reason: {found.asks_reason}; put it right, or give"

@@ -113,6 +113,8 @@ def test_another_calibration_needs_a_reason_that_is_recorded(
     assert fits(found) == {f"Calibration of the {what}": Fit.REASON}
     with pytest.raises(Refused, match=f"{what} is not that of the test"):
         remarks(found, "Ada", " ")
+    with pytest.raises(Refused, match="the reason has 2,001 characters; shorten it to 2,000"):
+        remarks(found, "Ada", "r" * 2001)
     (_, changed) = remarks(found, "Ada", "calibrated on Monday")
     assert changed.text.endswith("accepted: calibrated on Monday")
     assert changed.before != changed.after
