@@ -65,8 +65,10 @@ def test_the_published_benchmark_at_5000_rpm() -> None:
     smooth = clearance_system(FAST, BEARING, HARD, HARD, RPM_5000, location="wrist")
     start = centred_state(smooth)
     cycle = contact_cycle(smooth, revolutions=200, settling_revolutions=10, start=start)
-    assert 0.74 < cycle.contact_fraction < 0.82
-    assert 11.5 < len(cycle.impacts) / 200 < 14.0
+    # Samples of 200 revolutions scatter by 0.016 and 0.7 (standard deviation), and another
+    # processor's rounding is another sample.
+    assert 0.715 < cycle.contact_fraction < 0.835
+    assert 10.3 < len(cycle.impacts) / 200 < 15.3
     rough = clearance_system(
         FAST,
         replace(BEARING, friction_coefficient=0.1),
