@@ -130,9 +130,11 @@ def test_what_hangs_at_the_end_is_left_after_some_time_or_when_asked_again(folde
     program = (
         "import threading\n"
         "from rigapp.ending import asked_to_end, finish_in_time\n"
-        "with asked_to_end() as asked:\n"
+        "def hang():\n"
         "    print('closing', flush=True)\n"
-        "    finish_in_time(lambda: threading.Event().wait(), asked, lambda: False,\n"
+        "    threading.Event().wait()\n"
+        "with asked_to_end() as asked:\n"
+        "    finish_in_time(hang, asked, lambda: False,\n"
         "        lambda: print('given up', flush=True), {limit})\n"
     )
     for limit, number in ((0.2, None), (1000.0, signal.SIGINT), (1000.0, signal.SIGHUP)):
