@@ -2,6 +2,7 @@
 # make test   everything: style, types, import rules, tests
 # make search random search for what breaks a property; it prints its seed, SEED=N repeats it
 # make bench  performance as ratios, measured side by side in one run
+# make pictures   the pictures of README and guides, anew; needs Xvfb, openbox, xdotool, ImageMagick
 # make soak   the long tests: hours
 PYTHON ?= $(shell for p in python3.11 python3.12 python3.13 python3; do \
 	$$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))' 2>/dev/null && { command -v $$p; break; }; done)
@@ -14,7 +15,7 @@ SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: run test kernels lint search bench soak lock clean
+.PHONY: run test kernels lint search bench soak lock pictures clean
 
 run: kernels
 	@$(BIN)/python -m rigapp.start
@@ -60,6 +61,9 @@ $(TEST_READY): constraints-test.txt $(RUN_READY)
 $(BENCH_READY): constraints-bench.txt $(TEST_READY)
 	$(BIN)/python -m pip install --quiet --require-hashes -r constraints-bench.txt
 	@touch $@
+
+pictures: $(RUN_READY)
+	$(BIN)/python docs/make_pictures.py
 
 # New versions of what pyproject.toml names; needs uv.
 lock:

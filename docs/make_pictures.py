@@ -1,6 +1,6 @@
-"""Make the pictures of the guide: a real window on a virtual screen, driven by real keys.
+"""Make all pictures of README and guides: real windows on a virtual screen, driven by real keys.
 
-python docs/make_pictures.py; needs Xvfb, openbox, xdotool and ImageMagick's import.
+make pictures; needs Xvfb, openbox, xdotool and ImageMagick's import.
 """
 
 from __future__ import annotations
@@ -13,15 +13,19 @@ import time
 from pathlib import Path
 from typing import Any
 
+from calibration_pictures import take_calibrations
+
 ROOT = Path(__file__).resolve().parents[1]
 IMAGES = ROOT / "docs" / "images"
 TABS = ("overview", "cycle", "trends", "alarms", "prepare", "devices", "log", "results", "faults")
-REVOLUTIONS = 150
+REVOLUTIONS = 250
+PLANNED = 20_000
+"""The test outlasts the pictures, however slow the computer is."""
 
 
 def main() -> int:
-    """Start a test in the window and take a picture of every tab while it runs."""
-    with tempfile.TemporaryDirectory() as folder:
+    """Take a picture of every tab during a test, of a fault, and of the calibrations."""
+    with tempfile.TemporaryDirectory(prefix="rigapp-guide-") as folder:
         screen, display = _screen()
         os.environ.update(
             DISPLAY=display,
@@ -29,20 +33,31 @@ def main() -> int:
             RIGAPP_RUNTIME_DIR=f"{folder}/run",
             XDG_CONFIG_HOME=f"{folder}/config",
         )
+        test = Path(folder) / "quick.toml"
+        text = (ROOT / "examples/quick.toml").read_text("utf-8")
+        test.write_text(text.replace("revolutions = 500", f"revolutions = {PLANNED}"), "utf-8")
         manager = subprocess.Popen(["openbox"])
         window = subprocess.Popen(
             [sys.executable, "-m", "rigapp", "gui", "--rig", ROOT / "examples/simulated.toml",
-             "--test", ROOT / "examples/quick.toml", "--start"],
+             "--test", test, "--start"],
             cwd=folder,
         )  # fmt: skip
         try:
             _take_all()
+            _end(window)
+            _end_engine()
+            take_calibrations(Path(folder), ROOT / "examples/simulated.toml", IMAGES)
         finally:
             for process in (window, manager, screen):
-                process.terminate()
-                process.wait()
+                _end(process)
             _end_engine()
     return 0
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    if process.poll() is None:
+        process.terminate()
+        process.wait()
 
 
 def _screen() -> tuple[subprocess.Popen[bytes], str]:
@@ -81,7 +96,7 @@ def _take_all() -> None:
         _shoot(f"guide-{name}.png")
     client.request("note", {"text": "picture for the guide"})
     _viewer(identity)
-    client.request("stop", {"reason": "pictures are taken"})
+    _fault(client, identity)
     client.close()
 
 
@@ -101,6 +116,21 @@ def _viewer(identity: str) -> None:
     _shoot("guide-viewer.png")
     client.request("release_command")
     client.close()
+
+
+def _fault(client: Any, identity: str) -> None:
+    """Let somebody press the emergency stop, and look at the way back."""
+    client.request("take_command")
+    reply = client.request("inject_fault", {"kind": "emergency_stop"})
+    assert reply.ok, reply.sentence
+    deadline = time.monotonic() + 60.0
+    while client.request("status").result["state"] != "fault" and time.monotonic() < deadline:
+        time.sleep(0.2)
+    client.request("clear_fault", {"kind": "emergency_stop"})
+    client.request("release_command")
+    subprocess.run(["xdotool", "key", "--window", identity, "F2"], check=True)
+    time.sleep(3.0)
+    _shoot("guide-recover.png")
 
 
 def attach_first() -> Any:

@@ -79,17 +79,6 @@ class WearState:
         inside = 0.5 * float(self.front.touching.sum(axis=1).max())
         return self.step_error + float(mesh_error(np.array(inside))) * self.max_depth
 
-    @property
-    def approach(self) -> float:
-        """Return how far the pin of the last advance sinks in elastically, m; NaN before one.
-
-        The largest over the crank positions: what a position of the pin has of wear too much.
-        """
-        if self.front.pins is None:
-            return float("nan")
-        surface = self.front.surface
-        return max(self.problem.ring.indentation(surface, pin) for pin in self.front.pins)
-
     def profile(self) -> tuple[Array, Array]:
         """Return angles (rad, from -pi, 0 at the initial contact point) and depths (m)."""
         sectors = self.problem.sectors

@@ -76,7 +76,7 @@ QUANTITIES = {
             Line(
                 "measured_wear_depth",
                 "max",
-                "measured by the probes",
+                "measured",
                 "measured_wear_depth_uncertainty",
             ),
             Line("wear_depth", "model", "model"),

@@ -1,0 +1,138 @@
+"""The pictures of docs/calibration.md: both wizards on the simulated rig, with simulated hands."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+SETTINGS = """schema = 1
+[cell]
+name = "Pin cell"
+[place]
+gravity_m_s2 = 9.8123
+"""
+WITHIN_S = 400.0
+LOAD_CELL_READINGS, PROBE_READINGS = 25, 40
+LEAST_REACH_UM = 100.0
+RESULT_HEIGHT = 420
+"""Below it there is only where the record goes on this computer."""
+
+
+class Line:
+    """Ask an engine of this process as the window's link does: on a worker, answers in ``deliver``."""
+
+    def __init__(self, host: Any) -> None:
+        from rigapp.gui.tasks import Worker
+
+        self._host = host
+        self.worker = Worker("pictures", bound=64)
+
+    def __call__(self, verb: str, arguments: dict[str, Any], handler: Any) -> None:
+        """Queue a request."""
+        from rigapp.engine.messages import Request
+
+        request = Request(verb=verb, arguments=arguments, operator="E. Sample")
+        self.worker.submit(lambda: self._host.handle(request), handler, _raise)
+
+
+def _raise(error: Exception) -> None:
+    raise error
+
+
+def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
+    """Calibrate load cell and probes half-way and to the end; pictures go to ``images``."""
+    from PySide6.QtWidgets import QApplication
+
+    from rigapp.config.loading import read_rig
+    from rigapp.service.host import EngineHost
+
+    application = QApplication.instance() or QApplication([])
+    host = EngineHost(read_rig(rig), 20.0)
+    line = Line(host)
+    try:
+        host.connect()
+        _load_cell(line, folder, rig, images, application)
+        _probes(line, folder, rig, images, application)
+    finally:
+        line.worker.close()
+        host.close()
+
+
+def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
+    from rigapp.commands.live_calibration import Rig
+    from rigapp.gui.calibration.wizard import CalibrationWizard
+    from rigapp.gui.palette import LIGHT
+
+    settings = folder / "settings.toml"
+    settings.write_text(SETTINGS, "utf-8")
+    mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
+    wizard = CalibrationWizard(line, mine, LIGHT, folder, settings)
+    wizard.resize(1040, 820)
+    wizard.show()
+    bench = wizard.bench
+
+    def pump(until: Callable[[], bool], what: str) -> None:
+        _pump(wizard, line, application, until, what)
+
+    wizard.next()
+    bench.lend_a_hand()
+    pump(wizard.angle.isComplete, "the angle")
+    wizard.next()
+    bench.goes_ahead = True
+    pump(lambda: len(bench.session.procedure.taken) > LOAD_CELL_READINGS, "half of the readings")
+    bench.goes_ahead = False
+    pump(lambda: wizard.readings.record.isEnabled(), "a steady reading")
+    _grab(wizard, application, images / "calibration-reading.png")
+    bench.goes_ahead = True
+    pump(wizard.readings.isComplete, "all readings")
+    wizard.next()
+    pump(lambda: bench.outcome is not None, "the verdict")
+    _grab(wizard, application, images / "calibration-result.png", RESULT_HEIGHT)
+    wizard.reject()
+
+
+def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
+    from rigapp.commands.live_calibration import Rig
+    from rigapp.gui.calibration.probe_wizard import ProbeWizard
+    from rigapp.gui.palette import LIGHT
+
+    mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
+    wizard = ProbeWizard(line, mine, LIGHT, folder, "both")
+    wizard.resize(1040, 820)
+    wizard.show()
+    bench = wizard.bench
+
+    def pump(until: Callable[[], bool], what: str) -> None:
+        _pump(wizard, line, application, until, what)
+
+    pump(lambda: wizard.plan.reach.value() > LEAST_REACH_UM, "the probes' range")
+    wizard.next()
+    bench.goes_ahead = True
+    pump(lambda: len(bench.session.procedure.taken) > PROBE_READINGS, "some of the steps")
+    bench.goes_ahead = False
+    pump(lambda: wizard.readings.record.isEnabled(), "a steady reading")
+    _grab(wizard, application, images / "calibration-probes.png")
+    wizard.reject()
+
+
+def _pump(
+    wizard: Any, line: Line, application: Any, until: Callable[[], bool], what: str
+) -> None:
+    deadline = time.monotonic() + WITHIN_S
+    while not until():
+        if time.monotonic() > deadline:
+            raise TimeoutError(f"{what} did not come in {WITHIN_S:g} s: {wizard.bench.readiness}")
+        wizard.bench.tick()
+        line.worker.deliver()
+        application.processEvents()
+        time.sleep(0.005)
+
+
+def _grab(wizard: Any, application: Any, path: Path, height: int = 0) -> None:
+    for _ in range(20):
+        application.processEvents()
+        time.sleep(0.02)
+    picture = wizard.grab()
+    picture.copy(0, 0, picture.width(), height or picture.height()).save(str(path))
