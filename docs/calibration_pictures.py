@@ -117,9 +117,7 @@ def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any)
     wizard.reject()
 
 
-def _pump(
-    wizard: Any, line: Line, application: Any, until: Callable[[], bool], what: str
-) -> None:
+def _pump(wizard: Any, line: Line, application: Any, until: Callable[[], bool], what: str) -> None:
     deadline = time.monotonic() + WITHIN_S
     while not until():
         if time.monotonic() > deadline:

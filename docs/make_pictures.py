@@ -103,7 +103,9 @@ def _take_all() -> None:
 def _tab_bar() -> bytes:
     """Return how the row of tabs looks, to know when another one is in front."""
     area = ["-crop", "800x30+0+175", "+repage", "-depth", "8", "rgb:-"]
-    return subprocess.run(["import", "-window", "root", *area], check=True, capture_output=True).stdout
+    return subprocess.run(
+        ["import", "-window", "root", *area], check=True, capture_output=True
+    ).stdout
 
 
 def _viewer(identity: str) -> None:
@@ -121,7 +123,7 @@ def _viewer(identity: str) -> None:
 def _fault(client: Any, identity: str) -> None:
     """Let somebody press the emergency stop, and look at the way back."""
     client.request("take_command")
-    reply = client.request("inject_fault", {"kind": "emergency_stop"})
+    reply = client.request("inject_fault", {"kind": "emergency_stop", "device": "drive"})
     assert reply.ok, reply.sentence
     deadline = time.monotonic() + 60.0
     while client.request("status").result["state"] != "fault" and time.monotonic() < deadline:
@@ -141,7 +143,9 @@ def attach_first() -> Any:
 
 
 def _shoot(name: str) -> None:
-    subprocess.run(["import", "-window", "root", "-depth", "8", "-colors", "128", IMAGES / name], check=True)
+    subprocess.run(
+        ["import", "-window", "root", "-depth", "8", "-colors", "128", IMAGES / name], check=True
+    )
 
 
 def _end_engine() -> None:

@@ -133,6 +133,7 @@ class FaultPanel(QWidget):
         self.kind.clear()
         for choice in self._choices:
             self.kind.addItem(f"{choice.where}: {choice.kind.replace('_', ' ')}")
+        self.kind.setCurrentIndex(0 if choices else -1)
 
     def _choice(self) -> FaultChoice | None:
         index = self.kind.currentIndex()

@@ -315,6 +315,7 @@ def test_faults_of_the_simulated_rig_are_caused_and_ended(
         return panel.kind.count() > 10
 
     qtbot.waitUntil(offered, timeout=30_000)
+    assert panel.kind.currentText() == panel.kind.itemText(0)  # not what is shown before
     panel.kind.setCurrentIndex(panel.kind.findText("signal: stuck value"))
     panel.channel.setCurrentText("probe_1")
     panel.cause.click()
