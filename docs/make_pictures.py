@@ -154,7 +154,10 @@ def _end_engine() -> None:
 
     for entry in running_engines():
         client = Client(entry)
-        client.request("shutdown")
+        client.request("stop", {"reason": "pictures are taken"})
+        deadline = time.monotonic() + 60.0
+        while not client.request("shutdown").ok and time.monotonic() < deadline:
+            time.sleep(0.5)
         client.close()
 
 
