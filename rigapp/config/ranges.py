@@ -82,11 +82,15 @@ MISTAKEN: Final[Mapping[str, tuple[tuple[str, float, float], ...]]] = {
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """What a number may be, both ends included. size: its size is judged, the sign is free."""
+    """What a number may be, both ends included.
+
+    size: its size is judged, the sign is free. whole: of things that are counted.
+    """
 
     low: float
     high: float
     size: bool = False
+    whole: bool = False
 
     def holds(self, value: float) -> bool:
         """Tell whether a finite number lies within."""
@@ -111,19 +115,19 @@ MODULUS_MPA: Final = Range(0.1, 2e6)
 POISSON: Final = Range(0.0, 0.499)
 
 TEST: Final = {
-    "run.revolutions": Range(1, COUNT),
+    "run.revolutions": Range(1, COUNT, whole=True),
     "run.speed_rpm": Range(0.1, 3000.0),
     "run.acceleration_rpm_per_s": Range(0.1, 10_000.0),
     "run.pause_angle_deg": Range(0.0, 359.999),
-    "cycles.every_revolutions": Range(1, 1_000_000),
-    "cycles.per_decade": Range(1, 1000),
-    "cycles.before_alarm": Range(0, 1000),
-    "cycles.after_alarm": Range(0, 1000),
+    "cycles.every_revolutions": Range(1, 1_000_000, whole=True),
+    "cycles.per_decade": Range(1, 1000, whole=True),
+    "cycles.before_alarm": Range(0, 1000, whole=True),
+    "cycles.after_alarm": Range(0, 1000, whole=True),
     "limits.overload_N": FORCE_N,
     "limits.overspeed_rpm": Range(0.1, 5000.0),
     "limits.stale_data_s": Range(0.05, 60.0),
     "limits.rule.hysteresis": Range(0.0, 1e9),
-    "limits.rule.delay_revolutions": Range(1, 1_000_000),
+    "limits.rule.delay_revolutions": Range(1, 1_000_000, whole=True),
     "limits.rule.warning_above": ANY,
     "limits.rule.critical_above": ANY,
     "limits.rule.warning_below": ANY,
@@ -131,15 +135,15 @@ TEST: Final = {
     "stop.elapsed_time_h": Range(0.001, 100_000.0),
     "stop.running_time_h": Range(0.001, 100_000.0),
     "stop.wear_depth_um": DEPTH_UM,
-    "stop.wear_depth_revolutions": Range(1, 1_000_000),
+    "stop.wear_depth_revolutions": Range(1, 1_000_000, whole=True),
     "stop.force_N": FORCE_N,
-    "stop.force_revolutions": Range(1, 1_000_000),
+    "stop.force_revolutions": Range(1, 1_000_000, whole=True),
     "stop.wear_rate_um_per_1000_revolutions": Range(0.001, 10_000.0),
-    "stop.wear_rate_window_revolutions": Range(20, 1_000_000),
+    "stop.wear_rate_window_revolutions": Range(20, 1_000_000, whole=True),
     "stop.deviation_N": Range(0.1, 10_000.0),
     "stop.deviation_percent": Range(0.1, 1000.0),
-    "stop.deviation_revolutions": Range(1, 1_000_000),
-    "stop.hold_off_revolutions": Range(0, COUNT),
+    "stop.deviation_revolutions": Range(1, 1_000_000, whole=True),
+    "stop.hold_off_revolutions": Range(0, COUNT, whole=True),
 }
 """A test file, less its [model]."""
 
@@ -170,7 +174,7 @@ MODEL: Final = {
 """A parameter file, and the [model] of a test."""
 
 RIG: Final = {
-    "simulation.seed": Range(0, 2**63 - 1),
+    "simulation.seed": Range(0, 2**63 - 1, whole=True),
     "simulation.speed": Range(0.001, 10_000.0),
     "simulation.plant.slider_mass_factor": FACTOR,
     "simulation.plant.spring_stiffness_factor": FACTOR,
@@ -188,11 +192,11 @@ RIG: Final = {
     "simulation.plant.outboard_mass_factor": Range(0.0, 100.0),
     "simulation.plant.probe_misalignment_deg": TURN,
     "simulation.plant.probe_sensitivity_error_percent": Range(-99.0, 1000.0),
-    "spindle.encoder_counts_per_revolution": Range(1, COUNT),
+    "spindle.encoder_counts_per_revolution": Range(1, COUNT, whole=True),
     "spindle.maximum_speed_rpm": Range(0.1, 5000.0),
     "spindle.watchdog_timeout_s": Range(0.05, 25.5),
     "spindle.gear_ratio": Range(0.01, 1000.0),
-    "encoder.counts_per_revolution": Range(1, COUNT),
+    "encoder.counts_per_revolution": Range(1, COUNT, whole=True),
     "encoder.index_angle_deg": TURN,
     "load_cell.matrix_N_per_mV_per_V": Range(-1e6, 1e6),
     "load_cell.zero_mV_per_V": Range(-1000.0, 1000.0),
@@ -235,7 +239,7 @@ CALIBRATION: Final = {
     "angle.standard_uncertainty_deg": Range(0.0, 10.0),
     "angle.setting_standard_uncertainty_deg": Range(0.0, 10.0),
     "angle.level_readings_deg": Range(-1e6, 1e6),
-    "paperwork.valid_days": Range(1, 36_500),
+    "paperwork.valid_days": Range(1, 36_500, whole=True),
     "probe.range_V": Range(0.001, 1000.0),
     "probe.resolution_V": Range(0.0, 100.0),
     "probe.micrometer_standard_uncertainty_um": Range(0.0, 1000.0),
@@ -290,6 +294,8 @@ def refusal(key: str, value: Any, allowed: Range | None = None, unit: str | None
         return f"{key} = {shown} is not a number{range_words}"
     if isinstance(value, float) and not math.isfinite(value):
         return f"{key} = {value} is not a finite number{range_words}"
+    if allowed.whole and not isinstance(value, int):
+        return f"{key} = {value} is not a whole number{range_words}"
     if allowed.holds(value):
         return ""
     return f"{key} = {_shown(value)} is outside {allowed.words(unit)}{_meant(value, allowed, unit)}"

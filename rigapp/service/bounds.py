@@ -15,9 +15,12 @@ NAME_CHARACTERS = 100
 SENTENCE_CHARACTERS = 2000
 PATH_CHARACTERS = 4096
 DEEPEST = 8
+MOST = 1e9
 
 _WORDS = {"text": "note", "reason": "reason"}
 _TEXTS = frozenset({"text", "reason", "key", "name", "kind", "test", "out", "file"})
+_NUMBERS = frozenset({"minutes", "window_s"})
+"""Arguments that no table of ranges judges."""
 
 
 def bounded(request: Request) -> Request:
@@ -37,14 +40,22 @@ def bounded(request: Request) -> Request:
     else:
         _refuse_deep(request.verb, arguments)
         for key, value in arguments.items():
-            _refuse_bad_text(request.verb, key, value)
+            if key in _NUMBERS:
+                _refuse_no_number(request.verb, key, value)
+            else:
+                _refuse_bad_text(request.verb, key, value)
     operator = " ".join(request.operator[:NAME_CHARACTERS].split())
     return msgspec.structs.replace(request, arguments=arguments, operator=operator)
 
 
 def refusal(words: str, identifier: int = 0) -> Reply:
-    """Return the answer that says why not, as one sentence no longer than anybody reads."""
-    text = words[:1].upper() + words[1:SENTENCE_CHARACTERS]
+    """Return the answer that says why not, as one sentence no longer than anybody reads.
+
+    A key that it begins with stays as it is typed.
+    """
+    first = words.split(" ", 1)[0].rstrip(".,:;")
+    begin = words[:1] if set(first) & {"_", "."} else words[:1].upper()
+    text = begin + words[1:SENTENCE_CHARACTERS]
     sentence = text if text.endswith((".", "?", "!")) else text + "."
     return Reply(ok=False, sentence=sentence, identifier=identifier)
 
@@ -57,6 +68,12 @@ def _refuse_bad_text(verb: str, key: str, value: Any) -> None:
         return
     most = NOTE_CHARACTERS if key in _WORDS else PATH_CHARACTERS
     refuse_long(what[:NAME_CHARACTERS], value, most)
+
+
+def _refuse_no_number(verb: str, key: str, value: Any) -> None:
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not number or not 0 <= value <= MOST:
+        raise Refused(f"{key} of {verb!r} is not a number from 0 to {MOST:g}")
 
 
 def _refuse_deep(verb: str, arguments: Any) -> None:

@@ -20,6 +20,7 @@ import msgspec
 from drivers.api import DeviceError
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig, read_test
+from rigapp.config.ranges import refusal as range_refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.ending import Background, asked_to_end, finish_in_time
@@ -348,7 +349,9 @@ class EngineHost:
             result = verb(request)
         except EXPECTED as error:
             return refusal(str(error))
-        except (KeyError, TypeError, ValueError) as error:
+        except KeyError as error:
+            return refusal(f"{request.verb!r} needs {error}.")
+        except (TypeError, ValueError) as error:
             return refusal(f"The arguments of {request.verb!r} are not usable: {error}.")
         return result if isinstance(result, Reply) else Reply(ok=True, result=result)
 
@@ -420,6 +423,9 @@ def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Docum
     """Return a test with another number of revolutions, in its text as well; UnusableInput."""
     if revolutions is None or revolutions == test.record.run.revolutions:
         return test
+    wrong = range_refusal("run.revolutions", revolutions)
+    if wrong:
+        raise UnusableInput(wrong + ".")
     text, count = re.subn(
         r"(?m)^(\s*revolutions\s*=\s*)\S+", rf"\g<1>{revolutions}", test.text, count=1
     )

@@ -92,14 +92,19 @@ def test_any_text_is_refused_in_one_sentence(text: str) -> None:
     assert str(caught.value).startswith("any.toml: ")
 
 
-def numbers(kind: type[msgspec.Struct], prefix: str = "") -> Iterator[str]:
-    """Yield the dotted path of every key of a file that takes a number."""
+ANY_NUMBER = frozenset({int, float})
+
+
+def numbers(
+    kind: type[msgspec.Struct], of: frozenset[type] = ANY_NUMBER, prefix: str = ""
+) -> Iterator[str]:
+    """Yield the dotted path of every key of a file that takes a number, of one type or both."""
     for name, hint in typing.get_type_hints(kind).items():
-        if hint in (int, float) or {int, float} & {*parts(hint)}:
+        if of & {hint, *parts(hint)}:
             yield f"{prefix}{name}"
         for part in (hint, *parts(hint)):
             if isinstance(part, type) and issubclass(part, msgspec.Struct):
-                yield from numbers(part, f"{prefix}{name}.")
+                yield from numbers(part, of, f"{prefix}{name}.")
 
 
 def parts(hint: object) -> Iterator[object]:
@@ -114,6 +119,12 @@ def parts(hint: object) -> Iterator[object]:
 def test_every_number_of_a_file_has_a_range(kind: type[msgspec.Struct]) -> None:
     missing = {key for key in numbers(kind) if not key.endswith("schema") and key not in RANGES}
     assert missing == set()
+
+
+def test_the_whole_numbers_of_files_are_those_of_the_table() -> None:
+    kinds = (TestFile, RigFile, ParameterFile, LoadCellFile, ProbeFile)
+    counted = {key for kind in kinds for key in numbers(kind, frozenset({int}))} & set(RANGES)
+    assert counted == {key for key, one in RANGES.items() if one.whole}
 
 
 def test_every_range_belongs_to_a_number() -> None:

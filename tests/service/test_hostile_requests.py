@@ -14,7 +14,7 @@ from typing import Any
 import msgspec
 import pytest
 import zmq
-from stories import RIG, recipe, until
+from stories import NEVER_OVER, RIG, recipe, until
 
 from rigapp.config.loading import read_rig
 from rigapp.engine.messages import NOTE_CHARACTERS, Event, Reply, Request, RunState
@@ -176,6 +176,34 @@ def test_a_note_has_a_bounded_length(client: Client) -> None:
     for _ in range(DEEPEST + 1):
         deep = [deep]
     assert "nested" in client.request("zero", {"what": deep}).sentence
+
+
+NO_NUMBER_OF_REVOLUTIONS = (True, 5.5, 5.0, float("nan"), 0, 10**12, "7", "7\n[junk]")
+
+
+def test_a_number_of_revolutions_that_is_none_is_refused(client: Client, tmp_path: Path) -> None:
+    test, out = recipe(tmp_path, NEVER_OVER, twin=False), tmp_path / "out.h5"
+    start = {"test": str(test), "out": str(out)}
+    for bad in NO_NUMBER_OF_REVOLUTIONS:
+        reply = client.request("start", start | {"revolutions": bad}, 120.0)
+        assert reply.sentence.startswith("run.revolutions = "), bad
+    assert not out.exists()
+    assert client.request("start", start, 120.0).ok
+    for bad in NO_NUMBER_OF_REVOLUTIONS:
+        reply = client.request("extend", {"revolutions": bad})
+        assert reply.sentence.startswith("run.revolutions = "), bad
+    assert client.request("stop").ok
+
+
+def test_what_a_request_lacks_or_has_of_another_kind_is_named(client: Client) -> None:
+    assert client.request("note").sentence == "'note' needs 'text'."
+    shelve = {"key": "overload", "reason": "known"}
+    for bad in (True, "7", float("nan"), 1e300, [1.0], None):
+        for verb, arguments in (
+            ("shelve", shelve | {"minutes": bad}),
+            ("signals", {"window_s": bad}),
+        ):
+            assert "is not a number" in client.request(verb, arguments).sentence, (verb, bad)
 
 
 def test_a_message_of_megabytes_reaches_nobody(client: Client) -> None:
