@@ -63,6 +63,9 @@ def _of_rig(rig: RigFile) -> Iterator[str]:
             "encoder, load_cell and probes must come from one device, so that their samples are"
             f" taken together; they name {', '.join(sorted(sources))}"
         )
+    for name, device in rig.devices.items():
+        if not device.port.strip():
+            yield f"devices.{name}.port is empty; name the port"
     if rig.simulation is None:
         for name, device in rig.devices.items():
             if device.port == "simulated":

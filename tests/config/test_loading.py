@@ -70,6 +70,7 @@ def test_mistake_in_a_test_file(old: str, new: str, key: str, remedy: str) -> No
     [
         ('device = "daq"', 'device = "dax"', "not among the devices"),
         ("[simulation]\nseed = 1\nspeed = 20.0", "", "there is no [simulation]"),
+        ('port = "simulated"', 'port = " "', "devices.daq.port is empty"),
         ("direction = 1", "direction = 2", "spindle.direction"),
     ],
 )
