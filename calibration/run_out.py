@@ -7,8 +7,10 @@ could be told from that, so the map has none.
 
 What one roll cannot tell from run-out: every motion of the pin in the follower that repeats each
 turn. Inertia moves it with the square of the speed; rolls at two speeds or more are extrapolated to
-speed 0, map = roll - c speed^2. A changing direction of the load moves it too: rolls under
-different loads show it, and what differs between them is part of the uncertainty.
+speed 0, map = roll - c speed^2. Elasticity moves it into the bushing with the force: where a turn
+tells by how much, that is taken off it, so that the map holds at any load. A changing direction of
+the load moves it too: rolls under different loads show it, and what differs between them is part of
+the uncertainty.
 """
 
 from __future__ import annotations
@@ -47,12 +49,16 @@ class RunOutError(ValueError):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Turn:
-    """One whole slow revolution. angle (n,) crank angle, rad; probes (2, n), m; saturated."""
+    """One whole slow revolution. angle (n,) crank angle, rad; probes (2, n), m; saturated.
+
+    elastic (2, n): how elasticity moves the pin under the force, as the probes see it, m; or None.
+    """
 
     number: int
     angle: Array
     probes: Array
     saturated: bool = False
+    elastic: Array | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,12 +74,14 @@ class Roll:
 class Harmonics:
     """What one revolution showed: coefficients (2, 2 N) as cos 1, sin 1, cos 2 ...; rest (2,), m.
 
-    rest: standard deviation of what the orders do not explain.
+    elastic (2, 2 N): what was taken off as elastic motion. rest: standard deviation of what the
+    orders do not explain.
     """
 
     roll: int
     number: int
     coefficients: Array
+    elastic: Array
     rest: Array
 
 
@@ -83,6 +91,7 @@ class RunOutMap:
 
     combined, expanded (2,): uncertainty of the map where it is largest, m. inertia (2,): largest
     motion with the speed that was taken off the slowest roll, m, None for rolls of one speed.
+    elastic (2,): largest elastic motion that was taken off, m, None where the turns tell none.
     between (2,): largest deviation of a roll from the map, m, None where nothing is left to show
     it. drift (2,): largest change from the first to the last half, m. peak (2,): largest less
     smallest value of the map, m. rest (2,): what the orders leave of a revolution, m.
@@ -98,6 +107,7 @@ class RunOutMap:
     coverage_factor: float | None = None
     peak: Array | None = None
     inertia: Array | None = None
+    elastic: Array | None = None
     between: Array | None = None
     drift: Array | None = None
     rest: Array | None = None
@@ -115,11 +125,17 @@ def spread_at(covariance: Array, angle: Array) -> Array:
     return np.asarray(np.sqrt(np.maximum(variance, 0.0)), np.float64)
 
 
-def make_map(rolls: Sequence[Roll], orders: int, range_metres: float | None = None) -> RunOutMap:
+def make_map(
+    rolls: Sequence[Roll],
+    orders: int,
+    range_metres: float | None = None,
+    elastic_doubts: Sequence[Array] = (),
+) -> RunOutMap:
     """Develop slow revolutions into a map of ``orders`` orders and judge it.
 
-    range_metres: what a probe can show at most either way; used to find saturation. Raises
-    RunOutError where there is nothing to develop.
+    range_metres: what a probe can show at most either way; used to find saturation. elastic_doubts:
+    a matrix (2, 2) for each independent error of the elastic motion; times the motion it is one
+    standard uncertainty. Raises RunOutError where there is nothing to develop.
     """
     if not 1 <= orders <= MOST_ORDERS:
         raise RunOutError(f"orders: choose 1 to {MOST_ORDERS}")
@@ -129,12 +145,13 @@ def make_map(rolls: Sequence[Roll], orders: int, range_metres: float | None = No
     found = tuple(
         _develop(index, turn, orders) for index, roll in enumerate(rolls) for turn in roll.turns
     )
-    part = _combine(found, rolls)
+    part = _combine(found, rolls, elastic_doubts)
     grid = np.linspace(0.0, 2.0 * math.pi, GRID, endpoint=False)
     curve = evaluate(part.coefficients, grid)
     combined = spread_at(part.covariance, grid).max(axis=1)
     within = spread_at(part.within, grid).max(axis=1)
     inertia = _largest([part.inertia], grid) if part.inertia is not None else None
+    elastic = _largest([part.elastic], grid) if part.elastic.any() else None
     between = _largest(part.away, grid) if part.away else None
     drift = _drift(found, grid)
     rest = np.asarray(np.mean([h.rest for h in found], axis=0), np.float64)
@@ -152,6 +169,7 @@ def make_map(rolls: Sequence[Roll], orders: int, range_metres: float | None = No
         coverage_factor=factor,
         peak=peak,
         inertia=inertia,
+        elastic=elastic,
         between=between,
         drift=drift,
         rest=rest,
@@ -175,10 +193,12 @@ def _develop(roll: int, turn: Turn, orders: int) -> Harmonics:
     """
     turned = (turn.angle - turn.angle.mean()) / (2.0 * math.pi)
     design = np.column_stack((_basis(turn.angle, orders), np.ones_like(turned), turned))
-    found = np.linalg.lstsq(design, turn.probes.T, rcond=None)[0]
-    left = turn.probes.T - design @ found
-    rest = left.std(axis=0, ddof=design.shape[1])
-    return Harmonics(roll, turn.number, np.asarray(found[: 2 * orders].T, np.float64), rest)
+    moved = np.zeros_like(turn.probes) if turn.elastic is None else turn.elastic
+    shown = np.concatenate((turn.probes - moved, moved)).T
+    found = np.linalg.lstsq(design, shown, rcond=None)[0]
+    rest = (shown - design @ found)[:, :2].std(axis=0, ddof=design.shape[1])
+    orders_of = np.asarray(found[: 2 * orders].T, np.float64)
+    return Harmonics(roll, turn.number, orders_of[:2], orders_of[2:], rest)
 
 
 def _rolls(found: Sequence[Harmonics]) -> list[int]:
@@ -193,10 +213,13 @@ class _Combined:
     covariance: Array
     within: Array
     inertia: Array | None
+    elastic: Array
     away: tuple[Array, ...]
 
 
-def _combine(found: Sequence[Harmonics], rolls: Sequence[Roll]) -> _Combined:
+def _combine(
+    found: Sequence[Harmonics], rolls: Sequence[Roll], elastic_doubts: Sequence[Array]
+) -> _Combined:
     """Extrapolate to speed 0 where the speeds differ, else take the mean of the rolls."""
     count = len(rolls)
     groups = [np.array([h.coefficients for h in found if h.roll == i]) for i in range(count)]
@@ -212,6 +235,8 @@ def _combine(found: Sequence[Harmonics], rolls: Sequence[Roll]) -> _Combined:
     for weight, group in zip(weights[0], groups, strict=True):
         for probe in range(2):
             within[probe] += weight**2 * np.cov(group[:, probe].T) / len(group)
+    moved = [np.mean([h.elastic for h in found if h.roll == i], axis=0) for i in range(count)]
+    elastic = np.tensordot(weights[0], np.array(moved), axes=1)
     total, free = within.copy(), count - design.shape[1]
     inertia = parts[1] * squares.min() if distinct else None
     for probe in range(2):
@@ -220,8 +245,11 @@ def _combine(found: Sequence[Harmonics], rolls: Sequence[Roll]) -> _Combined:
             total[probe] += scatter * float(weights[0] @ weights[0])
         if inertia is not None:
             total[probe] += MODEL**2 * np.outer(inertia[probe], inertia[probe])
+        for doubt in elastic_doubts:
+            error = doubt[probe] @ elastic
+            total[probe] += np.outer(error, error)
     shown = tuple(away) if free > 0 else ()
-    return _Combined(parts[0], total, within, inertia, shown)
+    return _Combined(parts[0], total, within, inertia, elastic, shown)
 
 
 def _largest(parts: Sequence[Array], grid: Array) -> Array:

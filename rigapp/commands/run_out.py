@@ -7,6 +7,7 @@ import math
 import os
 import sys
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +28,8 @@ from rigapp.commands.probe_results import UM, problems_of
 from rigapp.commands.slow_roll import take_roll
 from rigapp.config.calibration_settings import RunOutFile, read_run_out_settings
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_rig
+from rigapp.config.loading import parse_test, read_rig
+from rigapp.config.parameters import ParameterFile
 from rigapp.engine.messages import Flag
 
 Array = NDArray[np.float64]
@@ -62,9 +64,11 @@ def calibrate_run_out(
         files = [
             take_roll(rig, test, speed, revolutions, to, operator, say) for speed in speeds_of(rpm)
         ]
+    from rigapp.twin.elasticmotion import DOUBTS
+
     rolls = [read_roll(path) for path in files]
     try:
-        found = make_map([roll for roll, _ in rolls], orders)
+        found = make_map([roll for roll, _ in rolls], orders, elastic_doubts=DOUBTS)
     except RunOutError as error:
         raise UnusableInput(f"run-out: {error}.") from error
     result = run_out_result(found)
@@ -93,8 +97,9 @@ def speeds_of(text: str) -> list[float]:
 def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
     """Read the undisturbed whole cycles of a test file, as the probes showed them.
 
-    A map and an alignment that were applied while it was recorded are taken back. Returns the roll
-    and what the record tells of the file. Raises UnusableInput.
+    A map and an alignment that were applied while it was recorded are taken back. Each cycle tells
+    how its forces move the pin in an unworn bushing of the file's test. Returns the roll and what
+    the record tells of the file. Raises UnusableInput.
     """
     from rigapp.storage.reader import open_test
 
@@ -108,7 +113,8 @@ def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
             zip(reader.column("revolution").tolist(), reader.column("speed").tolist(), strict=True)
         )
         probes = reader.calibration().get("probes", {})
-        turns, rpm = [], []
+        test = parse_test(reader.configuration()["test"], f"{path} (its test)", recorded=True)
+        turns, forces, rpm = [], [], []
         digest = hashlib.sha256()
         for cycle in reader.cycles():
             number = int(cycle.revolution)
@@ -118,9 +124,13 @@ def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
             shown = np.array([cycle.columns["probe_1"], cycle.columns["probe_2"]], np.float64)
             saturated = bool(quality[number] & int(Flag.SATURATED))
             turns.append(Turn(number, angle, _as_read(shown, angle, probes) / UM, saturated))
+            forces.append(
+                np.array([cycle.columns["force_1"], cycle.columns["force_2"]], np.float64)
+            )
             rpm.append(speed[number])
-            for name in ("angle", "probe_1", "probe_2"):
+            for name in ("angle", "probe_1", "probe_2", "force_1", "force_2"):
                 digest.update(np.ascontiguousarray(cycle.columns[name]).tobytes())
+    turns = _with_elastic(turns, forces, test.model, probes, path)
     mean = float(np.mean(rpm)) if rpm else 0.0
     facts = {
         "name": path.name,
@@ -131,10 +141,41 @@ def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
     return Roll(f"{path.name}", mean * 2.0 * math.pi / 60.0, tuple(turns)), facts
 
 
+def _with_elastic(
+    turns: Sequence[Turn],
+    forces: Sequence[Array],
+    model: ParameterFile,
+    probes: Mapping[str, Any],
+    path: Path,
+) -> list[Turn]:
+    """Return the revolutions with how their forces (2, n) each, N, move the pin elastically."""
+    from model.errors import ModelError
+    from rigapp.config.model_parameters import to_parameters
+    from rigapp.twin.elasticmotion import elastic_motions
+    from rigapp.twin.predict import Unpredictable
+
+    parameters = to_parameters(model, f"{path} (its test)", "model")
+    try:
+        motions = elastic_motions(parameters, [turn.angle for turn in turns], forces)
+    except (ModelError, Unpredictable) as error:
+        raise UnusableInput(
+            f"{path}: the elastic motion of the pin cannot be taken off: {error}; roll again with"
+            " --test and the test file of this bushing."
+        ) from error
+    matrix = _alignment(probes)
+    return [
+        replace(turn, elastic=np.asarray(np.linalg.solve(matrix, motion), np.float64))
+        for turn, motion in zip(turns, motions, strict=True)
+    ]
+
+
+def _alignment(probes: Mapping[str, Any]) -> Array:
+    return np.asarray(probes.get("alignment", np.eye(2)), np.float64)
+
+
 def _as_read(shown: Array, angle: Array, probes: Mapping[str, Any]) -> Array:
     """Return what the probes read (2, n), um, before alignment and map were applied."""
-    matrix = np.asarray(probes.get("alignment", np.eye(2)), np.float64)
-    read = np.linalg.solve(matrix, shown)
+    read = np.linalg.solve(_alignment(probes), shown)
     cosines = probes.get("run_out_cos_um")
     if cosines is None or not np.size(cosines):
         return np.asarray(read, np.float64)
@@ -169,6 +210,7 @@ def run_out_result(found: RunOutMap) -> dict[str, Any]:
         "map_step_deg": GRID_DEG,
         "peak_to_peak_um": _listed(found.peak),
         "inertia_um": _listed(found.inertia),
+        "elastic_um": _listed(found.elastic),
         "between_rolls_um": _listed(found.between),
         "drift_um": _listed(found.drift),
         "rest_um": _listed(found.rest),
@@ -215,5 +257,10 @@ def run_out_lines(found: RunOutMap) -> list[str]:
         lines.append(
             f"Motion with the speed, taken off the slowest roll: up to"
             f" {UM * found.inertia.max():.2f} um."
+        )
+    if found.elastic is not None:
+        lines.append(
+            "Elastic motion of the pin with the force, by the model of the unworn bushing, taken"
+            f" off: up to {UM * found.elastic.max():.2f} um about its mean."
         )
     return lines

@@ -57,6 +57,13 @@ def run_out_statements(content: Content) -> list[str]:
             f" {moved:.3f} {MICROMETRE} in the slowest roll, was taken off, and 30 % of it (one"
             " standard deviation) counted as uncertainty."
         )
+    if result.get("elastic_um"):
+        texts.append(
+            "Elasticity moves the pin into the bushing with the force: by the measured force and"
+            " the model of the unworn bushing this motion, up to"
+            f" {max(result['elastic_um']):.3f} {MICROMETRE} about its mean, was taken off, and its"
+            " size (20 %) and direction (0.1 rad, one standard deviation) counted as uncertainty."
+        )
     if result["between_rolls_um"] is None:
         texts.append(
             "The direction of the load was the same in all rolls: a motion of the pin in the"
@@ -84,6 +91,7 @@ def run_out_tables(content: Content) -> list[Table]:
     traits = (
         ("Lowest to highest", "peak_to_peak_um"),
         ("Motion with the speed, slowest roll", "inertia_um"),
+        ("Elastic motion with the force", "elastic_um"),
         ("Rolls from the map, largest", "between_rolls_um"),
         ("First to last half, largest", "drift_um"),
         ("Not explained by the orders, standard deviation", "rest_um"),
@@ -96,7 +104,7 @@ def run_out_tables(content: Content) -> list[Table]:
         ),
         Table(
             "What the rolls showed",
-            tuple((words, *_pair(result[key])) for words, key in traits),
+            tuple((words, *_pair(result.get(key))) for words, key in traits),
             ("", "probe 1", "probe 2"),
         ),
         _turns_table(content),

@@ -24,6 +24,8 @@ from rigapp.report.pdf import as_pdf
 
 POSITION = np.concatenate((np.linspace(-800e-6, 800e-6, 6), np.linspace(480e-6, -800e-6, 5)))
 
+ANGLE = np.linspace(0.0, 6.2, 120)
+
 
 def readings(probe: int) -> ProbeReadings:
     rng = np.random.default_rng(probe)
@@ -45,24 +47,24 @@ def csv_of(*tables: ProbeReadings) -> str:
 
 
 def record(folder: Path, kind: str, text: str, given: Any, result: Any, taken: Any) -> Record:
+    folder.mkdir(exist_ok=True)
     path = folder / "record.json"
     keep_record(path, kind, text, given, result, taken)
     return unseal(path.read_bytes())
 
 
-def run_out(folder: Path, speeds: tuple[float, ...]) -> Record:
+def run_out(folder: Path, speeds: tuple[float, ...], elastic: Any = None) -> Record:
     rng = np.random.default_rng(1)
-    angle = np.linspace(0.0, 6.2, 120)
     rolls = []
     for speed in speeds:
         turns = tuple(
-            Turn(i, angle, evaluate(np.array([[3e-6, 0.0], [0.0, 3e-6]]), angle)
-                 + rng.normal(0.0, 1e-7, (2, 120)))
+            Turn(i, ANGLE, evaluate(np.array([[3e-6, 0.0], [0.0, 3e-6]]), ANGLE)
+                 + rng.normal(0.0, 1e-7, (2, 120)), elastic=elastic)
             for i in range(10)
         )  # fmt: skip
         rolls.append(Roll("roll", speed, turns))
     found = make_map(rolls, 1)
-    assert len(run_out_lines(found)) == 3
+    assert len(run_out_lines(found)) == (3 if elastic is None else 4)
     files = [
         {"name": "a.h5", "speed_rpm": 3.0, "revolutions": 10, "sha256_of_samples": "ab" * 32}
         for _ in speeds
@@ -95,6 +97,13 @@ def test_run_out_of_one_speed_says_what_it_does_not_know(tmp_path: Path) -> None
     html = as_html(certificate_of(run_out(tmp_path, (0.3,))))
     text = html.decode() if isinstance(html, bytes) else html
     assert "a motion of the pin by inertia is contained in the map" in text
+    assert "Elasticity moves the pin" not in text
+    known = run_out(tmp_path / "known", (0.3,), np.outer([8e-6, 0.0], np.cos(ANGLE)))
+    html = as_html(certificate_of(known))
+    text = html.decode() if isinstance(html, bytes) else html
+    assert (
+        "model of the unworn bushing this motion, up to 8.000 µm about its mean, was taken" in text
+    )
 
 
 @pytest.mark.parametrize("kind", ["probe", "probe pair"])

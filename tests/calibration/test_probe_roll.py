@@ -43,6 +43,9 @@ def test_live_roll_makes_a_record_and_its_file_makes_it_again(
     assert make(tmp_path / "map.json", RIG, []) == 0
     result = json.loads(capsys.readouterr().out)
     assert result["peak_to_peak_um"] == pytest.approx([6.0, 6.0], abs=0.5)
+    # The bushing gives way by more than that; it is taken off and counted as uncertainty.
+    assert result["elastic_um"][0] > 5.0
+    assert result["expanded_uncertainty_um"] > 2.0 * 0.2 * result["elastic_um"][0]
     assert [one["code"] for one in result["problems"]] == ["few_revolutions"]
     record = unseal((tmp_path / "map.json").read_bytes())
     assert record.kind == "run-out map"

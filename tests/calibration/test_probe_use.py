@@ -13,10 +13,10 @@ import pytest
 from calibration.alignment import calibrate_pair
 from calibration.probe_procedure import ProbePlan, begin_probes
 from calibration.records import seal
-from calibration.run_out import evaluate
+from calibration.run_out import Turn, evaluate
 from calibration.settings import ProbeSettings
 from drivers.api import Block
-from rigapp.commands.run_out import _as_read
+from rigapp.commands.run_out import _as_read, _with_elastic
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig
 from rigapp.config.rig import RigFile
@@ -196,6 +196,22 @@ def test_file_tells_what_was_applied_and_a_roll_takes_it_back() -> None:
     assert _as_read(read, angle, {}) == pytest.approx(read)
     plain = calibration_record(calibration(correction=None, probe_uncertainty_um=None))["probes"]
     assert not {"alignment", "run_out_cos_um", "uncertainty_um"} & set(plain)
+
+
+def test_elastic_motion_is_told_as_the_probes_read_it() -> None:
+    angle = np.linspace(0.0, 2.0 * math.pi, 60, endpoint=False)
+    turn, force = Turn(1, angle, np.zeros((2, 60))), np.array([-60.0 - 20.0 * np.cos(angle)] * 2)
+    roll = Path("roll.h5")
+    plain = _with_elastic([turn], [force], packaged_parameters(), {}, roll)[0].elastic
+    aligned = {"alignment": MATRIX}
+    read = _with_elastic([turn], [force], packaged_parameters(), aligned, roll)[0].elastic
+    assert plain is not None
+    assert read is not None
+    assert np.ptp(plain) > 10e-6
+    assert np.array(MATRIX) @ read == pytest.approx(plain, abs=1e-12)
+    force[0, 3] = math.nan
+    with pytest.raises(UnusableInput, match=r"roll\.h5: the elastic motion .* --test"):
+        _with_elastic([turn], [force], packaged_parameters(), {}, roll)
 
 
 @pytest.mark.parametrize(
