@@ -124,6 +124,8 @@ def prediction(plan: FilePlan, revolution: int, measured_wear: bool) -> dict[str
         "driven_wear_depth": 2.2e-5 * revolution,
         "measured_wear_depth": 2.5e-5 * revolution if measured_wear else math.nan,
         "measured_wear_depth_uncertainty": 4e-4 if measured_wear else math.nan,
+        "force_uncertainty": 0.8,
+        "unfollowed_acceleration": 0.0,
     }
     for name, array in curves(ANGLES).items():
         found |= {
