@@ -23,7 +23,7 @@ from model.bushing.contact import simpson_weights, solve_contact
 from model.bushing.ring import Ring, ring_of
 from model.bushing.sector import SectorMesh, surface_spectrum
 from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
-from model.wear.explicit import explicit_life, stable_step
+from model.wear.explicit import explicit_step, stable_step
 from model.wear.forces import force_source
 from model.wear.front import Front, implicit_step, touched, wear_problem
 from model.wear.life import life
@@ -132,9 +132,12 @@ def lives(rounds: int) -> None:
     loads = force_source(PARAMETERS, SPEED, "perfect").unworn(6)
     ring = ring_of(PARAMETERS.joint, PARAMETERS.bushing.material)
     problem = wear_problem(ring, 180, WIDTH, K, loads, 1.2)
-    limit = stable_step(problem, loads)
+    limit = stable_step(ring, problem.sectors, K, loads)
+    count = int(np.ceil(CYCLES / limit))
+    front = problem.unworn()
     start = time.perf_counter()
-    *_, (_, front) = explicit_life(problem, loads, CYCLES)
+    for _ in range(count):
+        front = explicit_step(problem, front, loads, CYCLES / count)
     explicit = time.perf_counter() - start
     off = abs(float(front.depth(ring.inner).max()) / exact - 1.0)
     print(f"life of {CYCLES} cycles, six crank positions, elastic forces of the mechanism")

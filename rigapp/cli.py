@@ -282,6 +282,20 @@ def model_wear(
     tolerance: Annotated[
         float, typer.Option("--tolerance", help="Largest relative error of the depth.")
     ] = 1e-3,
+    method: Annotated[
+        str,
+        typer.Option("--method", help="implicit, or explicit: extrapolated as in the paper."),
+    ] = "implicit",
+    extrapolation: Annotated[
+        float | None,
+        typer.Option(
+            "--extrapolation",
+            help="Method explicit: most cycles of a step; by default half the stability limit.",
+        ),
+    ] = None,
+    contact: Annotated[
+        str, typer.Option("--contact", help="finite-element, or winkler: a bed of springs.")
+    ] = "finite-element",
     profile: Annotated[
         Path | None,
         _file("--profile", "CSV of the worn profile at the end."),
@@ -289,10 +303,13 @@ def model_wear(
     time_limit_s: TimeLimitOption = None,
 ) -> None:
     """Write the life of the bushing as CSV."""
-    from rigapp.commands.model_wear import write_wear
+    from rigapp.commands.model_wear import Scheme, write_wear
 
+    scheme = Scheme(method, extrapolation, contact)
     raise typer.Exit(
-        write_wear(params, rpm, cycles, joint, force_n, tolerance, to, profile, time_limit_s)
+        write_wear(
+            params, rpm, cycles, joint, force_n, tolerance, to, profile, time_limit_s, scheme
+        )
     )
 
 

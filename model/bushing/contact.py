@@ -24,6 +24,10 @@ class ContactError(ModelError):
     """Say why a load cannot be carried by the contact."""
 
 
+class ArcTooSmall(ContactError):
+    """Say that the contact reaches beyond the arc of nodes chosen for it."""
+
+
 @dataclass(frozen=True, slots=True)
 class Contact:
     """Hold one contact: where the pin is and what presses where.
@@ -56,7 +60,8 @@ def solve_contact(
     metre of width, (2,), N/m; extra: what an implicit wear step adds to the diagonal of the
     compliance, (N,), m^2/N; start: a contact to start from. Holds at the end, and is verified:
     gap >= 0, force >= 0, force x gap = 0, sum of force x normal = the given force.
-    Raises ContactError when the surface given cannot carry the force.
+    Raises ContactError when the surface given cannot carry the force, ArcTooSmall when more nodes
+    would touch than may.
     """
     load = np.ascontiguousarray(force, dtype=np.float64)
     size = float(np.hypot(load[0], load[1]))
@@ -89,7 +94,7 @@ def solve_contact(
         raise ContactError("force", size, _REASONS[status], "N per metre of width")
     contact = Contact(pin, pressed, frame, gap, touching, iterations)
     if touching[compliance.ends].any():
-        raise ContactError("force", size, _BEYOND_ARC, "N per metre of width")
+        raise ArcTooSmall("force", size, _BEYOND_ARC, "N per metre of width")
     return contact
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,10 +20,13 @@ from model.bushing.contact import (
 )
 from model.bushing.element import Plane, elasticity
 from model.bushing.sector import SectorMesh, suitable_mesh
+from model.bushing.winkler import winkler_compliance, winkler_half_angle
 from model.errors import ModelError, require_positive
 from model.parameters import Joint, Material
 
 Array = NDArray[np.float64]
+
+ContactModel = Literal["finite-element", "winkler"]
 
 # Most nodes of one contact problem: its matrices grow with the square.
 MOST_NODES = 900
@@ -34,7 +38,10 @@ SECTORS = tuple(
 
 @dataclass(frozen=True, slots=True)
 class Ring:
-    """Hold the bushing's radii and the pin's (m), and the bushing's material; the rim is fixed."""
+    """Hold the bushing's radii and the pin's (m), and the bushing's material; the rim is fixed.
+
+    ``contact``: whether the bushing gives way like an elastic body or like a bed of springs.
+    """
 
     inner: float
     outer: float
@@ -42,6 +49,7 @@ class Ring:
     youngs_modulus: float
     poissons_ratio: float
     plane: Plane = "strain"
+    contact: ContactModel = "finite-element"
 
     def __post_init__(self) -> None:
         for name in ("inner", "outer", "pin_radius"):
@@ -74,7 +82,12 @@ class Ring:
         return self.inner * np.stack([np.cos(angle), np.sin(angle)], axis=1)
 
     def half_angle(self, force: float) -> float:
-        """Return Persson's estimate of the unworn contact's half-angle for a force in N/m, rad."""
+        """Return an estimate of the unworn contact's half-angle for a force in N/m, rad.
+
+        Persson's, or that of the bed of springs.
+        """
+        if self.contact == "winkler":
+            return winkler_half_angle(self, force)
         return persson.half_angle(force, self.clearance, self.modulus)
 
     def indentation(self, surface: Array, pin: Array) -> float:
@@ -91,7 +104,12 @@ class Ring:
         return suitable_mesh(sectors, self.inner, self.outer)
 
 
-def ring_of(joint: Joint, material: Material, plane: Plane = "strain") -> Ring:
+def ring_of(
+    joint: Joint,
+    material: Material,
+    plane: Plane = "strain",
+    contact: ContactModel = "finite-element",
+) -> Ring:
     """Return the ring of a joint with a bushing of this material."""
     return Ring(
         inner=joint.bushing_radius,
@@ -100,12 +118,17 @@ def ring_of(joint: Joint, material: Material, plane: Plane = "strain") -> Ring:
         youngs_modulus=material.youngs_modulus,
         poissons_ratio=material.poissons_ratio,
         plane=plane,
+        contact=contact,
     )
 
 
 @lru_cache(maxsize=8)
 def _compliance(ring: Ring, mesh: SectorMesh, nodes: bytes) -> SurfaceCompliance:
     """Gather a compliance; the nodes as bytes, which can be a key."""
+    chosen = np.frombuffer(nodes, dtype=np.int64)
+    if ring.contact == "winkler":
+        weights = simpson_weights(ring.circle(mesh.sectors))
+        return winkler_compliance(ring, mesh, weights, chosen)
     return circular_compliance(
         ring.inner,
         ring.outer,
@@ -113,7 +136,7 @@ def _compliance(ring: Ring, mesh: SectorMesh, nodes: bytes) -> SurfaceCompliance
         ring.poissons_ratio,
         ring.plane,
         mesh,
-        np.frombuffer(nodes, dtype=np.int64),
+        chosen,
     )
 
 

@@ -2,22 +2,77 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
 from model.bushing.contact import simpson_weights
-from model.errors import ModelError, require_positive
+from model.bushing.ring import Ring
+from model.bushing.winkler import foundation_modulus
+from model.errors import ModelError, OutOfTime, require_positive
 from model.wear.archard import largest_explicit_step
-from model.wear.front import Front, WearProblem, refuse_worn_through, touched
+from model.wear.front import Array, Front, WearProblem, refuse_worn_through, touched, worn_area
 from model.wear.loads import CycleLoads
+from model.wear.richardson import Estimate, LoadsAt, Moment, first_moment, moment_of
+
+STABLE_SHARE = 0.5
+"""Part of the stability limit that a step takes where nobody chose one."""
 
 
-def stable_step(problem: WearProblem, loads: CycleLoads) -> float:
-    """Return the most cycles that one explicit step may take on this mesh."""
-    spacing = np.pi * problem.ring.inner / problem.sectors
-    slip = float(loads.slip.sum())
-    return largest_explicit_step(spacing, problem.wear_coefficient, slip, problem.ring.modulus)
+class UnstableStep(ModelError):
+    """Say that an explicit step is beyond the stability limit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Extrapolation:
+    """Hold the most cycles of an explicit step, and the most that would be stable on the mesh."""
+
+    step: float
+    limit: float
+
+
+def stable_step(ring: Ring, sectors: int, wear_coefficient: float, loads: CycleLoads) -> float:
+    """Return the most cycles that one explicit step may take on a mesh of so many sectors.
+
+    Wear takes less in a step than twice what its pressure indents: of the shortest wave on the
+    mesh (``largest_explicit_step``), and of the wall as a bed of springs of k Pa/m, which decides
+    in a thin one: 2 / (K s k). All slip of a revolution counts, wherever it presses.
+    """
+    slip = float(loads.slip.sum()) + loads.idle
+    rate = wear_coefficient * slip * foundation_modulus(ring)
+    bed = 2.0 / rate if rate > 0.0 else float("inf")
+    if ring.contact == "winkler":
+        return bed
+    spacing = np.pi * ring.inner / sectors
+    return min(largest_explicit_step(spacing, wear_coefficient, slip, ring.modulus), bed)
+
+
+def extrapolation(
+    ring: Ring,
+    sectors: int,
+    wear_coefficient: float,
+    loads: CycleLoads,
+    step: float | None = None,
+) -> Extrapolation:
+    """Return the steps to take: of so many cycles, by default half the stability limit.
+
+    Raises UnstableStep for more than the limit, because the pressure then rattles and the depth
+    overshoots while the worn area stays right.
+    """
+    limit = stable_step(ring, sectors, wear_coefficient, loads)
+    if step is None:
+        return Extrapolation(STABLE_SHARE * limit, limit)
+    require_positive("step", step, "cycles")
+    if step > limit:
+        raise UnstableStep(
+            "step",
+            step,
+            f"explicit extrapolation is stable up to {limit:.4g} cycles on this mesh of {sectors} "
+            "sectors; give fewer, or use implicit steps",
+            "cycles",
+        )
+    return Extrapolation(step, limit)
 
 
 def explicit_step(problem: WearProblem, front: Front, loads: CycleLoads, cycles: float) -> Front:
@@ -45,33 +100,70 @@ def explicit_step(problem: WearProblem, front: Front, loads: CycleLoads, cycles:
     return Front(surface, solved.pins, solved.touching, solved.force)
 
 
-def explicit_life(
+def explicit_moments(
     problem: WearProblem,
-    loads: CycleLoads,
-    cycles: float,
-    step: float | None = None,
-    beyond_limit: bool = False,
-) -> Iterator[tuple[float, Front]]:
-    """Yield cycles and front after every explicit step, loads unchanged.
+    loads_at: LoadsAt,
+    rows: Array,
+    step: float,
+    alive: Callable[[float], None] = lambda done: None,
+) -> Iterator[Moment]:
+    """Yield the moment at every row, from 0 cycles on, by steps of at most so many cycles.
 
-    step: cycles of a step, None for the stability limit. A larger one is refused with ModelError,
-    because the pressure then rattles and the depth overshoots while the worn area stays right;
-    ``beyond_limit`` takes it all the same, to show just that.
+    A step that would pass a row ends there. A second life with half the steps goes beside it; the
+    scheme is of first order, so that twice their difference is the error. rows: increasing cycles
+    above 0; step: not compared with the stability limit, see ``extrapolation``; alive: called with
+    the cycles done after every step; where it raises OutOfTime, the moment reached is the last.
+    Raises ContactError, WornThrough or ModelError.
     """
-    require_positive("cycles", cycles)
-    limit = stable_step(problem, loads)
-    chosen = min(limit, cycles) if step is None else step
-    require_positive("step", chosen)
-    if chosen > limit and not beyond_limit:
-        raise ModelError(
-            "step",
-            chosen,
-            f"explicit extrapolation is stable up to {limit:.4g} cycles on this mesh; give fewer, "
-            "or use implicit steps",
-            "cycles",
-        )
-    count = int(np.ceil(cycles / chosen - 1e-9))
-    front = problem.unworn()
-    for number in range(1, count + 1):
-        front = explicit_step(problem, front, loads, cycles / count)
-        yield cycles * number / count, front
+    runs = (problem.unworn(), problem.unworn())
+    yield first_moment(problem, loads_at, runs[0])
+    since, taken = 0.0, 0
+    for row in rows:
+        count = max(int(np.ceil((row - since) / step - 1e-9)), 1)
+        for number in range(1, count + 1):
+            done = since + (row - since) * number / count
+            begin = since + (row - since) * (number - 1) / count
+            runs = _advance(problem, loads_at, runs, begin, done)
+            taken += 1 + 2
+            try:
+                alive(done)
+            except OutOfTime:
+                yield _moment(problem, loads_at, runs, done, taken)
+                return
+        yield _moment(problem, loads_at, runs, row, taken)
+        since, taken = row, 0
+
+
+def _advance(
+    problem: WearProblem,
+    loads_at: LoadsAt,
+    runs: tuple[Front, Front],
+    begin: float,
+    end: float,
+) -> tuple[Front, Front]:
+    """Advance one run by a step and the other by two halves of it."""
+    whole, halves = runs
+    whole = explicit_step(problem, whole, loads_at(whole, begin), end - begin)
+    for at in (begin, 0.5 * (begin + end)):
+        halves = explicit_step(problem, halves, loads_at(halves, at), 0.5 * (end - begin))
+    return whole, halves
+
+
+def _moment(
+    problem: WearProblem,
+    loads_at: LoadsAt,
+    runs: tuple[Front, Front],
+    cycles: float,
+    steps: int,
+) -> Moment:
+    """Return the moment of the whole steps, its contacts solved on the surface as it is."""
+    whole, halves = runs
+    loads = loads_at(whole, cycles)
+    area = worn_area(problem, whole.surface)
+    found = Estimate(
+        whole.surface,
+        2.0 * (whole.surface - halves.surface),
+        area,
+        2.0 * abs(area - worn_area(problem, halves.surface)),
+    )
+    return moment_of(problem, cycles, touched(problem, whole, loads), loads, found, steps)

@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 
 from model.bushing import active_set
 from model.bushing.compliance import SurfaceCompliance
-from model.bushing.contact import Contact, ContactError, simpson_weights, solve_contact
+from model.bushing.contact import (
+    ArcTooSmall,
+    Contact,
+    ContactError,
+    simpson_weights,
+    solve_contact,
+)
 from model.bushing.ring import Ring, arc_nodes
 from model.errors import ModelError, require_not_negative, require_positive
 from model.wear.coupled import wear_step
@@ -198,10 +204,6 @@ def _check(problem: WearProblem, status: int, touching: Flags, force: float) -> 
         raise ArcTooSmall(
             "force", force, "the contact reaches beyond the arc", "N per metre of width"
         )
-
-
-class ArcTooSmall(ContactError):
-    """Say that the contact grew out of the arc of nodes chosen for it."""
 
 
 class WornThrough(ModelError):

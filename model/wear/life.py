@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from model.bushing.compliance import surface_angles
-from model.bushing.contact import refuse_beyond_elasticity
-from model.bushing.ring import Ring, ring_of
+from model.bushing.contact import ArcTooSmall, refuse_beyond_elasticity
+from model.bushing.ring import ContactModel, Ring, pressure_distribution, ring_of
 from model.errors import ModelError, OutOfTime, require_finite, require_positive
 from model.parameters import Parameters
+from model.wear.explicit import Extrapolation, explicit_moments, extrapolation
 from model.wear.forces import ForceSource, constant_source, force_source
-from model.wear.front import ArcTooSmall, Front, WearProblem, wear_problem
+from model.wear.front import Front, WearProblem, wear_problem
+from model.wear.loads import CycleLoads
 from model.wear.plan import (
     TIME_SHARE,
     Plan,
@@ -29,6 +31,7 @@ from model.wear.richardson import Moment, integrate
 
 Array = NDArray[np.float64]
 Technique = Literal["perfect", "continuous", "contact"]
+Method = Literal["implicit", "explicit"]
 
 # What the tolerance of the coupled contact solution can add, as a part of the depth.
 _SOLUTION_ERROR = 3e-5
@@ -48,6 +51,7 @@ class Life:
     ``depth`` (m). ``positions``, ``sectors``, ``steps``: what it took. ``notes``: sentences that
     the user must read. ``tolerance_met``: whether the error at the end is within the tolerance.
     ``complete``: whether the last row is the end asked for, not where time ran out.
+    ``extrapolation``: of explicit steps; None of implicit ones.
     """
 
     technique: Technique
@@ -70,6 +74,7 @@ class Life:
     notes: tuple[str, ...]
     tolerance_met: bool
     complete: bool
+    extrapolation: Extrapolation | None
 
 
 def life(
@@ -81,6 +86,9 @@ def life(
     force: float | None = None,
     progress: Callable[[float], None] | None = None,
     evolving: bool = True,
+    method: Method = "implicit",
+    step: float | None = None,
+    contact: ContactModel = "finite-element",
 ) -> Life:
     """Compute the wear of the bushing over so many crank cycles.
 
@@ -88,14 +96,17 @@ def life(
     follower grow by the wear at the contact point, "contact" takes the forces from pin and bushing
     as separate bodies; tolerance: of the depth at the end, as a part of it; force: a constant
     force along the follower, N, instead of the mechanism's; evolving: False keeps the clearance of
-    "continuous" as it was when new; progress: called with the part done.
-    It may raise OutOfTime: the life then ends with the last row reached, or goes on raising when
-    there is none. Raises ModelError, ContactError or WornThrough naming what is wrong.
+    "continuous" as it was when new; method: "implicit" steps as the tolerance needs them, or
+    "explicit" ones, the paper's, of at most ``step`` cycles, None for half the stability limit;
+    contact: of an elastic bushing or of a bed of springs, "winkler"; progress: called with the
+    part done. It may raise OutOfTime: the life then ends with the last row reached, or goes on
+    raising when there is none. Raises ModelError, ContactError or WornThrough naming what is wrong,
+    UnstableStep for a step beyond the stability limit.
     """
     require_positive("cycles", cycles)
     require_finite("speed", speed, "rad/s")
     require_positive("tolerance", tolerance)
-    ring = ring_of(parameters.joint, parameters.bushing.material)
+    ring = ring_of(parameters.joint, parameters.bushing.material, contact=contact)
     if force is None and speed == 0.0:
         raise ModelError("speed", speed, "a crank that stands still wears nothing", "rad/s")
     tell = progress or (lambda part: None)
@@ -115,17 +126,27 @@ def life(
         source.single,
         lambda: tell(0.0),
     )
+    unworn = source.unworn(plan.positions)
+    chosen = (
+        extrapolation(ring, plan.sectors, coefficient, unworn, step)
+        if method == "explicit"
+        else None
+    )
+    simplified = simplification(ring, float(unworn.magnitude.max()) / width)
     sampling = sampling_errors(
         ring,
         width,
         coefficient,
         plan,
-        source.unworn(plan.positions).pressing(),
+        unworn.pressing(),
         source.samples(plan.positions),
         cycles,
     )
-    moments = _moments(parameters, ring, source, plan, cycles, tolerance, tell)
-    return _life(parameters, ring, source, plan, sampling, moments, technique, tolerance, cycles)
+    moments = _moments(parameters, ring, source, plan, cycles, tolerance, tell, chosen)
+    found = _life(
+        parameters, ring, source, plan, sampling, moments, technique, tolerance, cycles, chosen
+    )
+    return replace(found, notes=simplified + found.notes)
 
 
 def _moments(
@@ -136,12 +157,18 @@ def _moments(
     cycles: float,
     tolerance: float,
     tell: Callable[[float], None],
+    explicit: Extrapolation | None,
 ) -> list[Moment]:
     """Run the life on its plan, again on a larger arc when the contact outgrows it.
 
     Where ``tell`` raises OutOfTime after the first step, what was reached is returned.
     """
     window = plan.half_angle
+    rows = row_cycles(cycles)
+
+    def loads_at(front: Front, at: float) -> CycleLoads:
+        return source.at(front, at, plan.positions)
+
     while True:
         problem = wear_problem(
             ring,
@@ -153,12 +180,14 @@ def _moments(
         )
         moments: list[Moment] = []
         try:
-            for moment in integrate(
-                problem,
-                lambda front, at: source.at(front, at, plan.positions),
-                row_cycles(cycles),
-                TIME_SHARE * tolerance,
-            ):
+            course = (
+                integrate(problem, loads_at, rows, TIME_SHARE * tolerance)
+                if explicit is None
+                else explicit_moments(
+                    problem, loads_at, rows, explicit.step, lambda done: tell(done / cycles)
+                )
+            )
+            for moment in course:
                 if not moments:
                     _refuse_overload(problem, moment)
                 moments.append(moment)
@@ -173,6 +202,26 @@ def _moments(
             window = min(1.7 * window, np.pi)
         else:
             return moments
+
+
+def simplification(ring: Ring, force: float) -> tuple[str, ...]:
+    """Return what a bed of springs makes of the unworn pressure under a force (N/m), in words.
+
+    Nothing of an elastic bushing. Raises ContactError when that cannot carry the force.
+    """
+    if ring.contact == "finite-element":
+        return ()
+    bed, elastic = (
+        1e-6 * float(pressure_distribution(each, (force, 0.0)).pressure.max())
+        for each in (ring, replace(ring, contact="finite-element"))
+    )
+    side = "below" if bed < elastic else "above"
+    return (
+        f"Contact winkler: the bushing is a bed of springs. Unworn, its peak pressure of"
+        f" {bed:.4g} MPa is {abs(bed / elastic - 1.0):.0%} {side} the {elastic:.4g} MPa of an"
+        " elastic bushing; the stated errors are those of the computation, not of this"
+        " simplification.",
+    )
 
 
 def _refuse_overload(problem: WearProblem, unworn: Moment) -> None:
@@ -205,6 +254,7 @@ def _life(
     technique: Technique,
     tolerance: float,
     cycles: float,
+    explicit: Extrapolation | None,
 ) -> Life:
     """Return the record of a run's moments."""
     fronts = [Front(m.surface) for m in moments]
@@ -221,9 +271,11 @@ def _life(
     notes = list(source.notes(moments[-1].front))
     if not met:
         worst = max(by_depth, key=lambda name: float(by_depth[name][-1]))
+        shorter = explicit is not None and worst == "time steps"
         notes.append(
             f"The estimated error of the depth, {error[-1] / depth[-1]:.2g} of it, exceeds the"
-            f" tolerance of {tolerance:g}; most of it is by the {worst}."
+            f" tolerance of {tolerance:g}; most of it is by the {worst}"
+            f"{': take shorter explicit steps' if shorter else ''}."
         )
     notes += below_archard(area[-1], area_error[-1], _least_area(parameters, done, mean_force))
     if done[-1] < cycles:
@@ -249,10 +301,11 @@ def _life(
         depth=np.append(ends, ends[0]),
         positions=plan.positions,
         sectors=plan.sectors,
-        steps=7 * (len(moments) - 1),
+        steps=sum(m.steps for m in moments),
         notes=tuple(notes),
         tolerance_met=met,
         complete=bool(done[-1] >= cycles),
+        extrapolation=explicit,
     )
 
 

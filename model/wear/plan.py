@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from model.bushing.contact import ArcTooSmall
 from model.bushing.ring import MOST_NODES, SECTORS, Ring, arc_nodes, sectors_at_least
 from model.errors import ModelError
 from model.wear.archard import rigid_half_angle, rigid_wear
 from model.wear.front import (
-    ArcTooSmall,
     Front,
     WearProblem,
     implicit_step,

@@ -37,7 +37,7 @@ class Moment:
     ``time_error``, ``area_error``: bounds of the depth's (m) and the area's (m^2) error by the
     steps; ``peak_pressure``, Pa;
     ``mean_force`` and ``peak_force``, N; ``nodes_in_contact``: of the widest contact;
-    ``front``: of the run with the finest steps.
+    ``front``: of the run with the finest steps; ``steps``: of all runs since the last moment.
     """
 
     cycles: float
@@ -50,13 +50,16 @@ class Moment:
     peak_force: float
     nodes_in_contact: int
     front: Front
+    steps: int
 
 
 def first_moment(problem: WearProblem, loads_at: LoadsAt, start: Front) -> Moment:
     """Return the moment before the first cycle."""
     loads = loads_at(start, 0.0)
     front = touched(problem, start, loads)
-    return _moment(problem, 0.0, (front, front, front), loads)
+    nothing = np.zeros_like(front.surface)
+    area = worn_area(problem, front.surface)
+    return moment_of(problem, 0.0, front, loads, Estimate(front.surface, nothing, area, 0.0), 0)
 
 
 def integrate(
@@ -127,22 +130,46 @@ def _moment(
     coarse, middle, fine = runs
     better = 2.0 * fine.surface - middle.surface
     worse = 2.0 * middle.surface - coarse.surface
-    difference = better - worse
-    depth = fine.depth(problem.ring.inner)
-    # Where the contact's edge passes, steps on a mesh are never smooth; the depth is made inside.
-    deep = depth >= 0.5 * depth.max()
     areas = [worn_area(problem, run.surface) for run in runs]
     area = 2.0 * areas[2] - areas[1]
-    assert fine.touching is not None
+    area_error = abs(area - (2.0 * areas[1] - areas[0]))
+    found = Estimate(better, better - worse, area, area_error)
+    return moment_of(problem, cycles, fine, loads, found, sum(_RUNS))
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """Hold a worn surface (m) and what it may be off by, its area (m^2) and the area's error."""
+
+    surface: Array
+    off: Array
+    area: float
+    area_error: float
+
+
+def moment_of(
+    problem: WearProblem,
+    cycles: float,
+    front: Front,
+    loads: CycleLoads,
+    found: Estimate,
+    steps: int,
+) -> Moment:
+    """Return the moment of a front whose contacts are solved."""
+    depth = front.depth(problem.ring.inner)
+    # Where the contact's edge passes, steps on a mesh are never smooth; the depth is made inside.
+    deep = depth >= 0.5 * depth.max()
+    assert front.touching is not None
     return Moment(
         cycles=cycles,
-        surface=better,
-        area=area,
-        time_error=float(np.hypot(difference[deep, 0], difference[deep, 1]).max()),
-        area_error=abs(area - (2.0 * areas[1] - areas[0])),
-        peak_pressure=float(contact_pressure(problem, fine).max()),
+        surface=found.surface,
+        area=found.area,
+        time_error=float(np.hypot(found.off[deep, 0], found.off[deep, 1]).max()),
+        area_error=found.area_error,
+        peak_pressure=float(contact_pressure(problem, front).max()),
         mean_force=loads.mean_force,
         peak_force=float(loads.magnitude.max()),
-        nodes_in_contact=int(fine.touching.sum(axis=1).max()),
-        front=fine,
+        nodes_in_contact=int(front.touching.sum(axis=1).max()),
+        front=front,
+        steps=steps,
     )

@@ -6,6 +6,7 @@ import math
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
@@ -20,10 +21,25 @@ if TYPE_CHECKING:
     from model.wear.life import Life
 
 JOINTS = ("perfect", "continuous", "contact")
+METHODS = ("implicit", "explicit")
+CONTACTS = ("finite-element", "winkler")
 MM2 = 1e-6
 GRAM = 1e-3
 LARGEST_TOLERANCE = 0.1
 SMALLEST_TOLERANCE = 1e-5
+
+
+@dataclass(frozen=True, slots=True)
+class Scheme:
+    """Hold how a life is computed.
+
+    method: implicit or explicit; extrapolation: most cycles of an explicit step, None for half the
+    stability limit; contact: finite-element or winkler.
+    """
+
+    method: str = "implicit"
+    extrapolation: float | None = None
+    contact: str = "finite-element"
 
 
 def write_wear(
@@ -36,12 +52,14 @@ def write_wear(
     target: Path,
     profile: Path | None,
     time_limit_s: float | None = None,
+    scheme: Scheme | None = None,
 ) -> int:
     """Write the life of the bushing as CSV, and its worn profile if a name is given.
 
     joint: perfect, continuous or contact; force_N: a constant force along the follower, positive
     in tension, instead of the mechanism's; tolerance: largest relative error of the depth at the
-    end; time_limit_s: after it what was reached is written. What the user must know about the
+    end; time_limit_s: after it what was reached is written; scheme: implicit steps and finite
+    elements if None. What the user must know about the
     result goes to stderr. Returns the exit status: 0, or 1 when the tolerance was missed or time
     ran out. Raises UnusableInput naming what cannot be used.
     """
@@ -49,6 +67,8 @@ def write_wear(
     from model.wear.life import life
 
     _check_wear(params_path, rpm, cycles, joint, force_N, tolerance, target, profile)
+    scheme = scheme or Scheme()
+    _check_scheme(scheme)
     check_time_limit(time_limit_s)
     parameters = read_parameters(params_path)
     try:
@@ -61,6 +81,9 @@ def write_wear(
                 tolerance,
                 force_N,
                 tell,
+                method=cast(Literal["implicit", "explicit"], scheme.method),
+                step=scheme.extrapolation,
+                contact=cast(Literal["finite-element", "winkler"], scheme.contact),
             )
     except OutOfTime:
         print(
@@ -137,6 +160,23 @@ def _check_wear(
             raise UnusableInput(f"--profile {profile}: that is the --to file; give another name.")
 
 
+def _check_scheme(scheme: Scheme) -> None:
+    """Refuse what the options of the computation cannot mean."""
+    for name, value, known in (
+        ("--method", scheme.method, METHODS),
+        ("--contact", scheme.contact, CONTACTS),
+    ):
+        if value not in known:
+            raise UnusableInput(f"{name} {value}: choose one of {', '.join(known)}.")
+    step = scheme.extrapolation
+    if step is not None and scheme.method != "explicit":
+        raise UnusableInput(
+            f"--extrapolation has no meaning for --method {scheme.method}; use --method explicit."
+        )
+    if step is not None and not (math.isfinite(step) and step > 0.0):
+        raise UnusableInput(f"--extrapolation {step:g}: give a finite number of cycles above 0.")
+
+
 def _wear_columns(result: Life) -> dict[str, Any]:
     """Return the columns in the units of their names."""
     return {
@@ -159,7 +199,18 @@ def _summary(target: Path, result: Life, joint: str, force_N: float | None) -> s
         f"{target}: {len(result.cycles)} rows, {kind}; after {result.cycles[-1]:.0f} cycles"
         f" {result.max_depth[-1] / MM:.6g} mm deep (error at most"
         f" {result.estimated_error[-1] / MM:.2g} mm), {result.worn_mass[-1] / GRAM:.6g} g worn"
-        f" (error at most {result.mass_error[-1] / GRAM:.2g} g)."
+        f" (error at most {result.mass_error[-1] / GRAM:.2g} g).{_steps(result)}"
+    )
+
+
+def _steps(result: Life) -> str:
+    """Return what to print about explicit steps; nothing of implicit ones or without wear."""
+    if result.extrapolation is None or math.isinf(result.extrapolation.limit):
+        return ""
+    step, limit = result.extrapolation.step, result.extrapolation.limit
+    return (
+        f" Explicit steps of at most {step:.4g} cycles, {step / limit:.0%} of the stability limit"
+        f" of {limit:.4g} cycles on this mesh of {result.sectors} sectors."
     )
 
 
@@ -167,9 +218,12 @@ def _summary(target: Path, result: Life, joint: str, force_N: float | None) -> s
 def _plain(params_path: Path, force_N: float | None) -> Iterator[None]:
     """Turn the model's refusals into a sentence that names the file."""
     from model.bushing.contact import ContactError
+    from model.wear.explicit import UnstableStep
 
     try:
         yield
+    except UnstableStep as error:
+        raise UnusableInput(f"--extrapolation {error.value:g}: {error.remedy}.") from error
     except ContactError as error:
         load = "the mechanism's force" if force_N is None else f"--force-N {force_N:g}"
         raise UnusableInput(f"{params_path}: {load}: {error.remedy}.") from error

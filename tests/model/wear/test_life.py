@@ -101,6 +101,84 @@ def test_error_reported_is_not_below_the_true_one(parameters, case: str) -> None
         assert found.tolerance_met
 
 
+@pytest.mark.parametrize("case", ["constant", "continuous", "thin", "close", "friction"])
+def test_explicit_steps_agree_with_implicit_ones_within_their_errors(parameters, case: str) -> None:
+    change, cycles, technique, force, _ = CASES[case]
+    chosen = change(parameters) if change else parameters
+    cycles = min(cycles, 1000)
+    fine = life(chosen, RPM30, cycles, technique, 1e-3, force)
+    half = life(chosen, RPM30, cycles, technique, 1e-2, force, method="explicit")
+    assert half.extrapolation is not None
+    limit = half.extrapolation.limit
+    assert half.extrapolation.step == 0.5 * limit
+    most = life(chosen, RPM30, cycles, technique, 1e-2, force, method="explicit", step=limit)
+    for found in (half, most):
+        at = np.searchsorted(fine.cycles, found.cycles)
+        assert found.cycles == pytest.approx(fine.cycles[at])
+        off = np.abs(found.max_depth - fine.max_depth[at])
+        assert np.all(off <= found.estimated_error + fine.estimated_error[at])
+        off = np.abs(found.worn_area - fine.worn_area[at])
+        assert np.all(off <= found.area_error + fine.area_error[at])
+        assert np.all(found.estimated_error[1:] > 0.0)
+    assert most.steps < half.steps
+    # Longer steps are less exact, and that is told.
+    assert most.estimated_error[-1] > half.estimated_error[-1]
+
+
+def test_explicit_life_goes_on_where_separate_bodies_are_refreshed(parameters) -> None:
+    found = life(parameters, RPM30, 1500, "contact", 1e-2, method="explicit")
+    joined = life(parameters, RPM30, 1500, "continuous", 1e-2)
+    assert found.clearance[-1] == pytest.approx(joined.clearance[-1], rel=3e-3)
+    assert abs(found.max_depth[-1] - joined.max_depth[-1]) <= found.estimated_error[-1]
+
+
+def test_an_explicit_life_ends_where_time_runs_out(parameters) -> None:
+    def tell(part: float) -> None:
+        if part > 0.7:
+            raise OutOfTime
+
+    found = life(
+        parameters, RPM30, 500, tolerance=1e-2, force=110.0, progress=tell, method="explicit"
+    )
+    assert not found.complete
+    assert 350.0 < found.cycles[-1] < 350.0 + 20.0
+    whole = life(parameters, RPM30, 500, tolerance=1e-2, force=110.0, method="explicit")
+    np.testing.assert_array_equal(found.max_depth[:-1], whole.max_depth[: len(found.cycles) - 1])
+    assert found.steps < whole.steps
+    assert "Time ran out after" in found.notes[-1]
+
+
+def test_bed_of_springs_is_low_in_early_pressure_and_right_at_the_end(
+    parameters, wear_reference
+) -> None:
+    found = life(parameters, RPM30, 21377, tolerance=1e-3, force=110.0, contact="winkler")
+    elastic = life(parameters, RPM30, 21377, tolerance=1e-3, force=110.0)
+    assert found.peak_pressure[0] / elastic.peak_pressure[0] == pytest.approx(0.74, abs=0.01)
+    # The worn area follows the force, whatever the elasticity; the depth only in the end.
+    early = int(np.flatnonzero(found.cycles == 10)[0])
+    assert 1e3 * found.max_depth[early] < 0.8 * wear_reference[0, 1]
+    assert 1e3 * found.max_depth[-1] == pytest.approx(wear_reference[-1, 1], rel=2e-3)
+    assert 1e6 * found.worn_area[-1] == pytest.approx(wear_reference[-1, 2], rel=1e-3)
+    assert found.peak_pressure[-1] == pytest.approx(elastic.peak_pressure[-1], rel=5e-3)
+    assert "2.182 MPa is 26% below the 2.94" in found.notes[0]
+    for coarse in (
+        life(parameters, RPM30, 21377, tolerance=1e-2, force=110.0, contact="winkler"),
+        life(
+            parameters,
+            RPM30,
+            21377,
+            tolerance=1e-2,
+            force=110.0,
+            contact="winkler",
+            method="explicit",
+        ),
+    ):
+        at = [int(np.flatnonzero(coarse.cycles == row)[0]) for row in row_cycles(21377)]
+        same = [int(np.flatnonzero(found.cycles == row)[0]) for row in row_cycles(21377)]
+        off = np.abs(coarse.max_depth[at] - found.max_depth[same])
+        assert np.all(off <= coarse.estimated_error[at] + found.estimated_error[same])
+
+
 def test_worn_outboard_spring_lowers_force_and_wear(parameters) -> None:
     constant = life(parameters, RPM30, 20000, "perfect", 2e-3)
     evolving = life(parameters, RPM30, 20000, "continuous", 2e-3)
@@ -195,11 +273,12 @@ def test_speed_sets_force_and_sense_does_not_matter(parameters) -> None:
 
 def test_without_wear_coefficient_nothing_is_lost(parameters) -> None:
     hard = replace(parameters, bushing=replace(parameters.bushing, wear_coefficient=0.0))
-    found = life(hard, RPM30, 1000, "perfect", 1e-2)
-    assert np.all(found.max_depth == 0.0)
-    assert np.all(found.worn_area == 0.0)
-    assert found.peak_pressure[-1] > 1e6
-    assert found.tolerance_met
+    for method in ("implicit", "explicit"):
+        found = life(hard, RPM30, 1000, "perfect", 1e-2, method=method)
+        assert np.all(found.max_depth == 0.0)
+        assert np.all(found.worn_area == 0.0)
+        assert found.peak_pressure[-1] > 1e6
+        assert found.tolerance_met
 
 
 def test_rows_are_round_and_end_with_the_life() -> None:

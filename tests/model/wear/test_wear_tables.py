@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rigapp.cli import main
 from rigapp.commands import model_progress
 from rigapp.commands.model_wear import write_pressure, write_wear
 from rigapp.config.errors import UnusableInput
@@ -95,6 +96,87 @@ def test_wear_has_the_promised_columns_and_ends_with_the_life(
     printed = capsys.readouterr()
     assert "after 21377 cycles 0.4624" in printed.out
     assert printed.err == ""
+
+
+@pytest.fixture
+def wear(source, tmp_path, monkeypatch):
+    """Return the command with some more options: its exit status."""
+
+    def call(*options: str) -> int:
+        to = ["--to", str(tmp_path / "wear.csv")]
+        monkeypatch.setattr(
+            sys, "argv", ["rigapp", "model", "wear", str(source), "--rpm", "30", *to, *options]
+        )
+        with pytest.raises(SystemExit) as ended:
+            main()
+        assert isinstance(ended.value.code, int)
+        return ended.value.code
+
+    return call
+
+
+def test_explicit_steps_and_bed_of_springs_on_the_command_line(wear, tmp_path, capsys) -> None:
+    table = tmp_path / "wear.csv"
+    life = ("--cycles", "1000", "--tolerance", "1e-2", "--force-N", "110")
+    found = {}
+    for name, options in {
+        "implicit": (),
+        "half": ("--method", "explicit"),
+        "five": ("--method", "explicit", "--extrapolation", "5"),
+        "winkler": ("--contact", "winkler"),
+    }.items():
+        assert wear(*life, *options) == 0
+        printed = capsys.readouterr()
+        found[name] = (*read(table), printed.out, printed.err)
+    implicit = found["implicit"]
+    for name, (header, rows, _, _) in found.items():
+        assert header == implicit[0]
+        assert np.all(rows[1:, 6:] > 0.0), name
+        assert rows[-1, 0] == 1000
+    for name, sentence in {
+        "half": "steps of at most 12.62 cycles, 50% of the stability limit of 25.23 cycles",
+        "five": "steps of at most 5 cycles, 20% of the stability limit of 25.23 cycles",
+    }.items():
+        _, rows, out, err = found[name]
+        assert sentence in out
+        assert err == ""
+        last, other = rows[-1], implicit[1][-1]
+        assert abs(last[1] - other[1]) <= last[6] + other[6]
+    assert "Explicit" not in implicit[2]
+    assert found["winkler"][1][0, 4] == pytest.approx(0.74 * implicit[1][0, 4], rel=0.02)
+    assert "26% below" in found["winkler"][3]
+    # What steps of so many cycles miss of the tolerance is said like any other miss.
+    early = ("--cycles", "30", "--tolerance", "5e-3", "--force-N", "110", "--method", "explicit")
+    assert wear(*early) == 1
+    assert "most of it is by the time steps: take shorter explicit" in capsys.readouterr().err
+    assert wear(*early, "--extrapolation", "1") == 0
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (
+            ("--method", "explicit", "--extrapolation", "22"),
+            "--extrapolation 22: explicit extrapolation is stable up to 21.03 cycles on this mesh"
+            " of 108 sectors; give fewer, or use implicit steps.",
+        ),
+        (("--extrapolation", "5"), "--extrapolation has no meaning for --method implicit"),
+        (("--method", "explicit", "--extrapolation", "0"), "--extrapolation 0: give a finite"),
+        (("--method", "explicit", "--extrapolation", "nan"), "--extrapolation nan: give a finite"),
+        (("--method", "runge"), "--method runge: choose one of implicit, explicit."),
+        (("--contact", "rigid"), "--contact rigid: choose one of finite-element, winkler."),
+        (
+            ("--contact", "winkler", "--method", "explicit", "--extrapolation", "1000"),
+            "stable up to 708.9 cycles",
+        ),
+    ],
+)
+def test_unusable_schemes_are_refused(wear, tmp_path, capsys, options, sentence: str) -> None:
+    assert wear("--cycles", "300", "--tolerance", "1e-2", "--force-N", "110", *options) == 2
+    printed = capsys.readouterr()
+    assert sentence in printed.err
+    assert printed.out == ""
+    assert not list(tmp_path.glob("*.csv"))
 
 
 def test_mechanisms_forces_and_their_warning(source, tmp_path, capsys) -> None:
