@@ -15,7 +15,7 @@ from model.joints import continuous_contact, perfect_joint
 from model.parameters import Parameters
 from rigapp.engine.columns import PREDICTION_POINTS
 from rigapp.engine.messages import Prediction, RevolutionMeasured, as_array
-from rigapp.twin.uncertainty import ForceUncertainty, force_uncertainty
+from rigapp.twin.uncertainty import PredictionUncertainty, prediction_uncertainty
 
 Array = NDArray[np.float64]
 
@@ -88,14 +88,14 @@ def predict_motion(parameters: Parameters, joint: str, measured: Measured, depth
 
 def predict_force(
     parameters: Parameters, joint: str, measured: Measured, depth: float
-) -> tuple[Motion, ForceUncertainty]:
+) -> tuple[Motion, PredictionUncertainty]:
     """Compute what ``predict_motion`` does, and how uncertain the angle leaves the force."""
     history = smooth_history(measured.time, measured.angle)
     speed, acceleration = (
         _on_grid(measured.angle, rate) for rate in (history.speed, history.acceleration)
     )
     compute = functools.partial(_motion, parameters, joint, depth)
-    doubt = force_uncertainty(measured.time, measured.angle, history, GRID, compute)
+    doubt = prediction_uncertainty(measured.time, measured.angle, history, GRID, compute)
     return compute(speed, acceleration), doubt
 
 
@@ -117,7 +117,7 @@ def measured_force(measured: Measured) -> Array:
 
 
 def compare(
-    measured: Measured, motion: Motion, wear: Wear, doubt: ForceUncertainty | None = None
+    measured: Measured, motion: Motion, wear: Wear, doubt: PredictionUncertainty | None = None
 ) -> Prediction:
     """Say what was predicted for a revolution, how surely, and how far the measurement is off."""
     force_1, force_2 = motion.force_crank

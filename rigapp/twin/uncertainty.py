@@ -19,7 +19,7 @@ COVERAGE_FACTOR = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class ForceUncertainty:
+class PredictionUncertainty:
     """Hold the expanded uncertainty (k = 2, N) of the predicted force at crank angles.
 
     unfollowed: the largest angular acceleration (rad/s^2) that the angle shows and the prediction
@@ -35,13 +35,13 @@ class ForceUncertainty:
         return float(self.curve.max())
 
 
-def force_uncertainty(
+def prediction_uncertainty(
     time: Array,
     angle: Array,
     history: AngleHistory,
     grid: Array,
     compute: Compute,
-) -> ForceUncertainty:
+) -> PredictionUncertainty:
     """Return the uncertainty of the force that ``compute`` gives of speed and acceleration.
 
     time (s), angle (rad): as measured; history: what was fitted to them; grid: the crank angles
@@ -59,4 +59,6 @@ def force_uncertainty(
     step = grid[1] - grid[0]
     turned = doubt.angle * (np.roll(force, -1, axis=-1) - np.roll(force, 1, axis=-1)) / (2.0 * step)
     parts = np.concatenate([np.asarray(part) for part in (faster, pushed, turned)])
-    return ForceUncertainty(COVERAGE_FACTOR * np.sqrt(np.sum(parts**2, axis=0)), doubt.unfollowed)
+    return PredictionUncertainty(
+        COVERAGE_FACTOR * np.sqrt(np.sum(parts**2, axis=0)), doubt.unfollowed
+    )
