@@ -6,6 +6,7 @@ device failed. One plain sentence on stderr; a traceback only with ``--debug``.
 
 from __future__ import annotations
 
+import errno
 import os
 import sys
 from pathlib import Path
@@ -611,6 +612,10 @@ def engine(
         raise typer.Exit(serve(rig, speed, bind))
 
 
+INTERRUPTED = 130
+"""What the command line's library returns after Ctrl-C."""
+
+
 def main() -> NoReturn:
     """Run the command line and exit with its status."""
     # Threads of the linear algebra would fight the acquisition for the cores.
@@ -620,18 +625,24 @@ def main() -> NoReturn:
     try:
         status = app(args=arguments, prog_name="rigapp", standalone_mode=False)
     except (KeyboardInterrupt, typer.Abort):
-        print("rigapp: interrupted.", file=sys.stderr)
-        status = 1
+        status = INTERRUPTED
     except Exception as error:
         if debug:
             raise
         status = _report(error)
+    if status == INTERRUPTED:
+        print("rigapp: interrupted.", file=sys.stderr)
+        status = 1
     sys.stdout.flush()
     raise SystemExit(status or 0)
 
 
 def _report(error: Exception) -> int:
     """Say what went wrong in one sentence and return the exit status that it stands for."""
+    if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+        start = str(error.filename)[:40]
+        print(f"rigapp: the name {start}... is too long; shorten it.", file=sys.stderr)
+        return 2
     wrong_call = getattr(error, "format_message", None)
     if wrong_call is None:
         print(f"rigapp: {error or type(error).__name__}", file=sys.stderr)

@@ -8,11 +8,23 @@ from pathlib import Path
 LONGEST_NAME_BYTES = 239
 """Most file systems keep names of 255 bytes; files under way have up to 16 more than their own."""
 
+LONGEST_PATH_BYTES = 4000
+"""Systems take paths of 4,096 bytes, with the names of files under way."""
+
 
 def name_refusal(path: Path) -> str:
     """Return why a file of that name cannot be made, without a full stop; empty when it can."""
     if path.name in ("", ".."):
         return f"{str(path)!r} names no file; give the name of a file"
+    control = next((one for one in path.name if not one.isprintable()), "")
+    if control:
+        return f"the file name {path.name!r} holds the character {control!r}; take it out"
+    length = len(os.fsencode(path.absolute()))
+    if length > LONGEST_PATH_BYTES:
+        return (
+            f"the path that ends with {path.name[-40:]} has {length} bytes, {LONGEST_PATH_BYTES} at"
+            " most; choose a folder nearer to the root"
+        )
     length = len(os.fsencode(path.name))
     if length > LONGEST_NAME_BYTES:
         start = path.name[:40]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import select
 import stat
@@ -32,13 +33,15 @@ def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
 def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
     """Return the text of a file, its lines ended by a newline alone; raise UnusableInput.
 
-    A byte order mark before the text is left out.
+    A byte order mark before the text is left out. A name that no file can have raises OSError.
     """
     try:
         text = read_bytes(path, largest).decode("utf-8-sig")
     except FileNotFoundError as error:
         raise UnusableInput(f"{path}: there is no such file; check the name.") from error
     except (OSError, ValueError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+            raise
         raise UnusableInput(f"{path}: cannot be read as text ({error}).") from error
     return text.replace("\r\n", "\n").replace("\r", "\n")
 

@@ -14,6 +14,7 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_bytes
+from rigapp.ending import ending_as_interrupt
 from rigapp.engine.messages import PROTOCOL_VERSION
 from rigapp.leftovers import process_alive, remove_left_behind
 from rigapp.service.private import SMALL_BYTES, private_folder, read_own
@@ -86,12 +87,16 @@ def announce_start(rig: Path, pid: int) -> None:
 
 @contextmanager
 def starting(rig: Path) -> Iterator[None]:
-    """Announce this process as the coming engine of a rig, and withdraw all of it at the end."""
-    announce_start(rig, os.getpid())
-    try:
-        yield
-    finally:
-        withdraw(os.getpid())
+    """Announce this process as the coming engine of a rig, and withdraw all of it at the end.
+
+    A signal that asks for the end interrupts it until somebody else listens to signals.
+    """
+    with ending_as_interrupt():
+        try:
+            announce_start(rig, os.getpid())
+            yield
+        finally:
+            withdraw(os.getpid())
 
 
 def starting_engine(rig: Path) -> int | None:

@@ -9,6 +9,7 @@ from typing import Literal
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.parameters import ParameterFile
+from rigapp.config.ranges import refusal
 from rigapp.config.rig import RigFile
 from rigapp.simulation.process import SimulatedRig, start_simulated_rig
 
@@ -33,8 +34,9 @@ def parse_speed(text: str | None, rig: Document[RigFile]) -> Speed | None:
         speed = float(text)
     except ValueError as error:
         raise UnusableInput(f"--speed {text}: give a number of times real time, or max.") from error
-    if not 0.0 < speed < float("inf"):
-        raise UnusableInput(f"--speed {text}: give a number above 0, or max.")
+    wrong = refusal("simulation.speed", speed).removeprefix("simulation.speed = ")
+    if wrong:
+        raise UnusableInput(f"--speed {wrong}; or give max.")
     return speed
 
 

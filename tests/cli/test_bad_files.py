@@ -240,6 +240,8 @@ def test_a_number_of_a_parameter_file(
         ("", "--out: '.' names no file; give the name of a file."),
         ("é" * 120 + ".h5", "has 243 bytes, 239 at most; shorten it."),
         ("a" * 300, "has 300 bytes, 239 at most; shorten it."),
+        ("folder/" * 600 + "a.h5", "bytes, 4000 at most; choose a folder nearer to the root."),
+        ("a\x1b[2J\nb.h5", "holds the character '\\x1b'; take it out."),
     ],
 )
 def test_a_name_that_no_file_can_have(rigapp: Run, tmp_path: Path, name: str, words: str) -> None:
@@ -257,3 +259,13 @@ def test_a_name_that_no_file_can_have(rigapp: Run, tmp_path: Path, name: str, wo
         status, sentence = rigapp(*verb, "--to", out)
         assert status == 2
         assert words.replace("--out", "--to") in sentence
+
+
+@pytest.mark.parametrize("name", ["a" * 300, "folder/" * 600 + "a.h5"])
+def test_a_name_that_no_file_has(rigapp: Run, name: str) -> None:
+    rig = EXAMPLES / "simulated.toml"
+    for verb in (("info", name), ("resume", name, "--rig", rig), ("check", rig, name)):
+        status, sentence = rigapp(*verb)
+        assert status == 2
+        assert sentence.count("\n") == 1
+        assert len(sentence) < 200

@@ -269,9 +269,10 @@ def test_limit_stops_the_test(tmp_path: Path) -> None:
         (lambda p: p.write_bytes(b"precious"), (), "not overwritten"),
         (lambda p: None, ("--speed", "fast"), "--speed fast"),
         (lambda p: None, ("--speed", "-1"), "--speed -1"),
+        (lambda p: None, ("--speed", "1e300"), "--speed 1e+300 is outside 0.001 to 10000"),
         (lambda p: None, ("--progress", "xml"), "--progress xml"),
     ],
-    ids=["existing", "speed", "negative speed", "progress"],
+    ids=["existing", "speed", "negative speed", "endless speed", "progress"],
 )
 def test_unusable_input_is_one_sentence(
     tmp_path: Path, prepare: Callable[[Path], Any], arguments: tuple[str, ...], needle: str

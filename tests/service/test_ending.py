@@ -71,6 +71,35 @@ def test_a_closed_terminal_ends_a_test_as_kill_does(running: Running, folder: Pa
     assert list((folder / "temporary").glob("rigapp-sim-*")) == []
 
 
+@pytest.mark.parametrize("number", [signal.SIGHUP, signal.SIGTERM, signal.SIGINT])
+def test_a_signal_while_the_program_is_still_loaded_ends_it_too(
+    folder: Path, number: signal.Signals
+) -> None:
+    end_itself = f"""
+import os, sys
+from rigapp.cli import main
+class AtFirstImport:
+    def find_spec(self, name, *_):
+        if name == "rigapp.commands.run":
+            sys.meta_path.remove(self)
+            os.kill(os.getpid(), {int(number)})
+sys.meta_path.insert(0, AtFirstImport())
+main()
+"""
+    test = recipe(folder, 5, twin=False)
+    arguments = ("run", test, "--rig", RIG, "--out", folder / "t.h5")
+    ended = subprocess.run(
+        [sys.executable, "-c", end_itself, *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        timeout=60.0,
+        check=False,
+    )
+    assert ended.returncode == 1
+    assert ended.stderr == "rigapp: interrupted.\n"
+    assert list(runtime_folder().iterdir()) == []
+
+
 def test_a_hang_up_that_is_ignored_stays_so() -> None:
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
