@@ -207,7 +207,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
             value=float(live.values[i]),
             unit="N" if i < 2 else "um",
             calibration=records[i] or "rig file",
-            uncertainty=_force_uncertainty(core, force)
+            uncertainty=uncertainty_of_force(core, force)
             if i < 2
             else _position_uncertainty(core, i - 2),
         )
@@ -222,7 +222,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
             force,
             "N",
             "from force_1 and force_2",
-            _force_uncertainty(core, force),
+            uncertainty_of_force(core, force),
         ),
     )
     angle = connection.processor.motion.angle_deg(live.host_s)
@@ -237,7 +237,7 @@ def _position_uncertainty(core: Core, probe: int) -> float | None:
     return None if stated is None else stated[probe]
 
 
-def _force_uncertainty(core: Core, force: float) -> float | None:
+def uncertainty_of_force(core: Core, force: float) -> float | None:
     """Return U of a force or its component, N, where the calibration states it, noise apart.
 
     force: magnitude of the whole force.

@@ -109,8 +109,8 @@ def test_rig_without_records_is_left_alone() -> None:
 def test_uncertainty_of_the_record_is_shown_beside_the_live_force(tmp_path: Path) -> None:
     from rigapp.engine.core import Core
     from rigapp.engine.timing import Timing
-    from rigapp.engine.views import force_uncertainty
+    from rigapp.engine.views import uncertainty_of_force
 
     found = with_records(rig_with(tmp_path, CELL), IN_TIME)
-    assert force_uncertainty(Core(found.rig, Timing()), -100.0) == pytest.approx(2.6)
-    assert force_uncertainty(Core(read_rig(RIG), Timing()), 100.0) is None
+    assert uncertainty_of_force(Core(found.rig, Timing()), -100.0) == pytest.approx(2.6)
+    assert uncertainty_of_force(Core(read_rig(RIG), Timing()), 100.0) is None
