@@ -19,7 +19,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.ending import Background, asked_to_end, end_at_once, ending_as_interrupt
 from rigapp.engine.messages import FinishReason
 from rigapp.engine.publish import Committed, Finished, Notice, StateChanged
-from rigapp.engine.run import ACTIVE, Refused
+from rigapp.engine.run import ACTIVE, Ending, InFault, Refused
 from rigapp.service.host import (
     EngineHost,
     close_host,
@@ -267,13 +267,19 @@ def _not_started(
     """Return the exit status of an interrupted start; raise what else kept it from starting."""
     if not isinstance(error, Refused):
         raise error
-    if not interruption.cause:
+    if interruption.cause:
+        why, sentence = FinishReason.OPERATOR, f"interrupted by {interruption.cause}."
+    elif isinstance(error, InFault):
+        why, sentence = error.code, str(error)
+    else:
         raise UnusableInput(f"The test cannot start: {error}.") from error
-    sentence = f"The test did not start: interrupted by {interruption.cause}."
-    shown.notice(Finished(FinishReason.OPERATOR, sentence, "stopped", 0, str(out)))
+    end = Finished(
+        why, f"The test did not start: {sentence}", Ending(why, sentence).status, 0, str(out)
+    )
+    shown.notice(end)
     with suppress(OSError):
-        print(sentence, file=sys.stderr)
-    return STATUS[FinishReason.OPERATOR]
+        print(end.sentence, file=sys.stderr)
+    return STATUS[why]
 
 
 class _Json:

@@ -109,6 +109,7 @@ class Core:
         self.committing_since = 0.0
         self._state = RunState.IDLE
         self._reason = ""
+        self.fault_code = FinishReason.DEVICE
         self._changed = threading.Condition()
 
     # --- state -----------------------------------------------------------------------------------
@@ -257,6 +258,7 @@ class Core:
                 and allowed(self._state, Trigger.FAILED)
             ):
                 announce = self._set(RunState.FAULT, ending.sentence)
+                self.fault_code = ending.code
                 command = True
         control = self.control
         if first and cause is not None:
@@ -406,6 +408,7 @@ class Core:
             outcome = Finished(ending.code, sentence, ending.status, rows, str(session.path))
             session.outcome = outcome
         self.settle()
+        self.fault_code = ending.code
         self.fire_if(Trigger.FAILED if fault else Trigger.ENDED, sentence)
         self.publisher.notice(outcome)
 

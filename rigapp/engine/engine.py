@@ -46,6 +46,7 @@ from rigapp.engine.run import (
     ACTIVE,
     ENDED,
     Ending,
+    InFault,
     Refused,
     Trigger,
     allowed,
@@ -126,6 +127,7 @@ class Engine:
         """
         with self._command:
             self._core.fire(Trigger.CONNECT)
+            self._core.fault_code = FinishReason.DEVICE
             self._release()
             try:
                 if ports is not None:
@@ -142,15 +144,18 @@ class Engine:
             self._refuse_in_fault()
 
     def _refuse_in_fault(self) -> None:
-        """Raise DeviceFault or Refused with the cause while the state is fault."""
+        """Raise DeviceFault or InFault with the cause while the state is fault."""
         core, connection = self._core, self._connection
         if core.state is not RunState.FAULT:
             return
-        for alarm in core.alarms.alarms():
+        alarms = core.alarms.alarms()
+        for alarm in alarms:
             if connection is not None and alarm.active and alarm.ends is Ends.DRIVE:
                 spindle = connection.devices.spindle
                 raise DeviceFault(spindle.name, spindle.port, f"{alarm.cause} {alarm.action}")
-        raise Refused(f"{core.reason} {next_step(core, connection).sentence}".strip())
+        then = next((alarm.action for alarm in alarms if alarm.cause == core.reason), "")
+        then = then or next_step(core, connection).sentence
+        raise InFault(f"{core.reason} {then}".strip(), core.fault_code)
 
     def reconnect(self) -> None:
         """Close and open the devices again; as ``connect``."""
@@ -213,51 +218,65 @@ class Engine:
         """Make the file of a test (or reopen it: ``resume``) and start to turn.
 
         remarks: go into the log before the crank turns.
-        Raises Refused, UnusableInput (the test contradicts the rig, the file cannot be made) or
-        DeviceError (the drive refuses); the spindle does not turn then.
+        Raises Refused (InFault with the cause where there is a fault, whenever it came),
+        UnusableInput (the test contradicts the rig, the file cannot be made) or DeviceError (the
+        drive refuses); the spindle does not turn then.
         """
         with self._command:
-            core, connection = self._core, self._connection
-            self._refuse_in_fault()
-            transition(core.state, Trigger.START)
-            if connection is None:
-                raise Refused("no devices are connected; connect first")
-            self._operator = operator
-            monitor = check_start(core, connection, test)
-            rest = signals_at_rest(core, connection)
-            session = open_session(
-                core,
-                connection,
-                test,
-                path,
-                monitor,
-                self._open_store,
-                records=self._records,
-                operator=operator,
-                resume=resume,
-                rest=rest,
-            )
-            core.publisher.restart(session.recorder.rows)
-            core.session = session
-            run = test.record.run
-            connection.control.arm(Ramp(run.speed_rpm, run.acceleration_rpm_per_s))
             try:
-                core.fire(Trigger.START, f"started by {operator}" if operator else "")
-            except Refused as error:
-                session.finished = True
-                sentence = f"The test did not start: {core.reason or error}"
-                session.recorder.finish("fault", FinishReason.DEVICE.value, sentence)
-                session.outcome = Finished(FinishReason.DEVICE, sentence, "fault", 0, str(path))
+                self._start(test, path, operator, resume, remarks)
+            except Refused:
+                self._refuse_in_fault()
                 raise
-            for remark in remarks:
-                core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
-            note_rest(core, rest)
-            connection.begin_test()
-            try:
-                connection.control.run()
-            except DeviceError as error:
-                core.trip(Ending(FinishReason.DEVICE, str(error)))
-                raise
+
+    def _start(
+        self,
+        test: Document[TestFile],
+        path: Path,
+        operator: str,
+        resume: bool,
+        remarks: Sequence[Remark],
+    ) -> None:
+        core, connection = self._core, self._connection
+        transition(core.state, Trigger.START)
+        if connection is None:
+            raise Refused("no devices are connected; connect first")
+        self._operator = operator
+        monitor = check_start(core, connection, test)
+        rest = signals_at_rest(core, connection)
+        session = open_session(
+            core,
+            connection,
+            test,
+            path,
+            monitor,
+            self._open_store,
+            records=self._records,
+            operator=operator,
+            resume=resume,
+            rest=rest,
+        )
+        core.publisher.restart(session.recorder.rows)
+        core.session = session
+        run = test.record.run
+        connection.control.arm(Ramp(run.speed_rpm, run.acceleration_rpm_per_s))
+        try:
+            core.fire(Trigger.START, f"started by {operator}" if operator else "")
+        except Refused as error:
+            session.finished = True
+            sentence = f"The test did not start: {core.reason or error}"
+            session.recorder.finish("fault", core.fault_code.value, sentence)
+            session.outcome = Finished(core.fault_code, sentence, "fault", 0, str(path))
+            raise
+        for remark in remarks:
+            core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
+        note_rest(core, rest)
+        connection.begin_test()
+        try:
+            connection.control.run()
+        except DeviceError as error:
+            core.trip(Ending(FinishReason.DEVICE, str(error)))
+            raise
 
     def pause(self, operator: str = "", reason: str = "") -> None:
         """Slow down and come to rest at the safe angle; the drive holds the crank there."""

@@ -91,6 +91,14 @@ class Refused(Exception):
     """Say in one sentence why a command cannot be carried out now, and what to do."""
 
 
+class InFault(Refused):
+    """Say why the engine is in fault and what to do. code: what kind of failure led there."""
+
+    def __init__(self, sentence: str, code: FinishReason) -> None:
+        super().__init__(sentence)
+        self.code = code
+
+
 def refuse_long(what: str, text: str, most: int = NOTE_CHARACTERS) -> None:
     """Raise Refused when a text is longer than what is stored and shown."""
     if len(text) > most:

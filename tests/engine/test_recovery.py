@@ -17,7 +17,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
 from rigapp.engine.messages import Alarm, Ends, FinishReason, RunState, Severity, Step
 from rigapp.engine.recovery import AT_REST, WAITING, Situation, recovery
-from rigapp.engine.run import ACTIVE, ENDED, Refused
+from rigapp.engine.run import ACTIVE, ENDED, InFault, Refused
+from rigapp.engine.store import Opened, OpenRequest
 
 LONG = 1_000_000
 QUIET = (Refused, UnusableInput, DeviceError, TimeoutError)
@@ -238,6 +239,38 @@ def test_what_forbids_to_turn_is_said_by_connect_and_start(
         with pytest.raises(DeviceFault, match=words):
             rig.start(a_test(2))
         assert not rig.stores
+    finally:
+        rig.engine.shutdown(20.0)
+
+
+@pytest.mark.parametrize(
+    ("happens", "words", "code"),
+    [
+        ("lost", "daq on memory: .*reconnect", FinishReason.DEVICE),
+        ("silent", "daq on memory has sent no samples.*reconnect", FinishReason.DEVICE),
+        ("broken", "thread 'read daq' died .ValueError: a defect.", FinishReason.INTERNAL),
+    ],
+)
+def test_a_fault_that_comes_during_the_start_is_its_refusal(
+    happens: str, words: str, code: FinishReason
+) -> None:
+    def fault_meanwhile(request: OpenRequest) -> Opened:
+        setattr(rig.source, happens, ValueError("a defect") if happens == "broken" else True)
+        rig.engine.wait([RunState.FAULT], 30.0)
+        return rig._open(request)
+
+    rig = MemoryRig(open_store=fault_meanwhile)
+    try:
+        rig.engine.connect()
+        eventually(lambda: rig.source.reads > 3)
+        with pytest.raises(InFault, match=words) as refused:
+            rig.start(a_test(2))
+        assert refused.value.code is code
+        assert rig.store.ending is not None
+        assert rig.store.ending[:2] == ("fault", code.value)
+        assert rig.stands
+        with pytest.raises(InFault, match=words):
+            rig.start(a_test(2))
     finally:
         rig.engine.shutdown(20.0)
 
