@@ -16,7 +16,7 @@ from rigapp.gui.link import Link
 from rigapp.gui.palette import DARK
 from rigapp.gui.picture import save_picture
 from rigapp.gui.recording import load_events, load_revolution
-from rigapp.gui.replay import ReplayClient, replay_factory
+from rigapp.gui.replay import ReplayClient
 from rigapp.gui.session import Session
 from rigapp.gui.window import MainWindow
 
@@ -24,20 +24,27 @@ from rigapp.gui.window import MainWindow
 def test_a_recorded_test_plays_from_its_first_to_its_last_row(
     recorded: Path, qtbot: Any, qapp: Any
 ) -> None:
-    window = MainWindow(Link(replay_factory(recorded, speed=400.0)), Session(), DARK)
+    client = ReplayClient(recorded, speed=4.0)
+    window = MainWindow(Link(lambda: client), Session(), DARK)
     qtbot.addWidget(window)
     window.show()
     lengths: list[int] = []
 
-    def ended() -> bool:
+    def playing() -> bool:
         window.tick()
         lengths.append(len(window._session.data.rows))
+        return len(set(lengths)) > 3
+
+    def ended() -> bool:
+        playing()
         status = window._link.status
         return status is not None and status.state is RunState.STOPPED and window.settled
 
+    qtbot.waitUntil(playing, timeout=60_000)
+    assert lengths[-1] < 300
+    assert client.request("replay", {"speed": 400.0}).ok
     qtbot.waitUntil(ended, timeout=90_000)
     assert lengths == sorted(lengths)
-    assert len(set(lengths)) > 3
     assert lengths[-1] == 300
     data = window._session.data
     assert len(data.predictions) == 300

@@ -44,7 +44,12 @@ NEVER_OVER = 5000
 """More revolutions than a simulated rig makes while a test waits for something."""
 
 
-def until(condition: Callable[[], Any], what: str, seconds: float = 60.0) -> None:
+PATIENCE_S = 240.0
+"""Whatever is waited for comes within seconds where nothing else runs; a loaded computer may take
+minutes. A test has 300 s in all."""
+
+
+def until(condition: Callable[[], Any], what: str, seconds: float = PATIENCE_S) -> None:
     """Wait for a condition with a deadline."""
     deadline = time.monotonic() + seconds
     while not condition():
@@ -111,7 +116,9 @@ class Running:
         """Return the states so far."""
         return [event["state"] for event in list(self.events) if event["event"] == "state"]
 
-    def wait_for(self, condition: Callable[[], Any], what: str, seconds: float = 60.0) -> None:
+    def wait_for(
+        self, condition: Callable[[], Any], what: str, seconds: float = PATIENCE_S
+    ) -> None:
         """Wait for a condition while the test lives."""
 
         def come() -> bool:
@@ -121,7 +128,7 @@ class Running:
 
         until(come, what, seconds)
 
-    def end(self, seconds: float = 90.0) -> dict[str, Any]:
+    def end(self, seconds: float = PATIENCE_S) -> dict[str, Any]:
         """Wait for the end and return the last milestone of the test."""
         self.process.wait(seconds)
         self._reader.join(10.0)
