@@ -25,6 +25,7 @@ from rigapp.engine.devicelog import DeviceLog
 from rigapp.engine.devices import Devices
 from rigapp.engine.driving import SpindleControl
 from rigapp.engine.guard import Guard
+from rigapp.engine.lateness import Lateness
 from rigapp.engine.messages import FinishReason, RevolutionMeasured, RunState
 from rigapp.engine.processing import Processor
 from rigapp.engine.run import ACTIVE, TURNING, Ending, Trigger
@@ -61,7 +62,7 @@ class Connection:
         self.devices = devices
         self.setup = setup
         timing = core.timing
-        simulated = core.rig.record.simulation is not None
+        self._simulated = simulated = core.rig.record.simulation is not None
         self.guard = Guard(core, self, on_measured)
         self.processor = Processor(
             calibration, self.guard, lambda: core.limits.overload_N, real_time=not simulated
@@ -89,11 +90,12 @@ class Connection:
         self._judging = threading.Lock()
         self._unsupervised = False
         self._looked_s = self._awake_since = time.monotonic()
-        silence = timing.silence
-        self.reader = Worker(f"read {devices.source.name}", self._read, self._died, silence)
-        self.process = Worker("process", self._process, self._died, silence)
-        self.commit = Worker("commit", self._commit, self._died, timing.silence_commit)
-        self.drive = Worker("drive", self._drive, self._died, silence)
+        self.lateness = Lateness(time.monotonic(), 0.0)
+        silence, died, age = timing.silence, self._died, self.age_s
+        self.reader = Worker(f"read {devices.source.name}", self._read, died, silence, age)
+        self.process = Worker("process", self._process, died, silence, age)
+        self.commit = Worker("commit", self._commit, died, timing.silence_commit, age)
+        self.drive = Worker("drive", self._drive, died, silence, age)
         self.supervisor = Supervisor(core, self)
         self._log = DeviceLog(lambda name, text: core.event("device", name, text))
         self.supervise = Worker("supervise", self.supervisor.step, self._died, silence)
@@ -118,10 +120,10 @@ class Connection:
 
     def not_yet(self, stale_data_s: float) -> str:
         """Return what a start has to wait for, in words; empty when nothing."""
-        age = self.data_age_s()
+        age = self.age_s(self.received_s)
         if age >= stale_data_s:
             return f"no samples came for {age:.1f} s"
-        if not self.control.answering:
+        if self.age_s(self.control.answered_s) >= self.control.prompt_s:
             return "the drive does not answer"
         cut_off = self.processor.saturated & {"force_1", "force_2"}
         return f"{' and '.join(sorted(cut_off))} at the end of the range" if cut_off else ""
@@ -251,7 +253,7 @@ class Connection:
     def all_well(self) -> bool:
         """Tell whether the drive's watchdog may be fed: threads well and data fresh."""
         others = (self.reader, self.process, self.commit, self.supervise)
-        age = time.monotonic() - self.received_s
+        age = self.age_s(self.received_s)
         return all(one.well for one in others) and age < self.core.limits.stale_data_s
 
     def _watch_drive(self) -> None:
@@ -263,7 +265,7 @@ class Connection:
                 self._judge_drive(status)
                 return
         error = control.last_error
-        silent = time.monotonic() - control.answered_s
+        silent = self.age_s(control.answered_s)
         watchdog_s = self.devices.drive_request.watchdog_timeout_s
         simulated = core.rig.record.simulation is not None
         share = SILENT_SHARE_SIMULATED if simulated else SILENT_SHARE
@@ -387,6 +389,16 @@ class Connection:
     def data_age_s(self) -> float:
         """Return the seconds since the last samples came."""
         return time.monotonic() - self.received_s
+
+    def age_s(self, since_s: float) -> float:
+        """Return how long ago a host time was, as a silence is judged.
+
+        Simulated devices run on this computer: a time for which it did not let the engine run is
+        not held against them. A real rig is judged by the clock alone.
+        """
+        now = time.monotonic()
+        late = self.lateness.since(since_s, now) if self._simulated else 0.0
+        return now - since_s - late
 
     def stands(self) -> bool:
         """Tell whether the crank stands; waits for enough data to tell."""

@@ -158,7 +158,12 @@ class SpindleControl:
     @property
     def answering(self) -> bool:
         """Tell whether the drive answered lately."""
-        return time.monotonic() - self.answered_s < max(0.5, 3 * self._timing.poll)
+        return time.monotonic() - self.answered_s < self.prompt_s
+
+    @property
+    def prompt_s(self) -> float:
+        """Return the age up to which an answer counts as a late one."""
+        return max(0.5, 3 * self._timing.poll)
 
     def seen(self) -> Seen:
         """Return what drive and encoder show now."""

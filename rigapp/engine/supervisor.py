@@ -41,9 +41,11 @@ class Supervisor:
         self._anchored_s = self._file_seen_s = time.monotonic()
         self._slow_since: float | None = None
         self._watches = Watches(core, connection)
+        self._waited_s = 0.0
 
     def step(self) -> None:
         """Look once."""
+        self._connection.lateness.tick(time.monotonic(), time.thread_time(), self._waited_s)
         self._look_at_threads()
         self._look_at_data()
         self._watches.look()
@@ -59,6 +61,7 @@ class Supervisor:
         """Pause; tell when the pause was far too long, and do not blame the threads for it."""
         connection, period = self._connection, self._core.timing.supervise
         before = time.monotonic()
+        self._waited_s = period
         connection.supervise.pause(period)
         lost = time.monotonic() - before - period
         if lost < SUSPENDED_S:
@@ -68,6 +71,7 @@ class Supervisor:
         text = f"the engine did not run for {lost:.1f} s; this computer was suspended or overloaded"
         self._core.event("suspended", "engine", text)
         connection.supervise.pause(WAKING_S)
+        self._waited_s += WAKING_S
 
     def _look_at_threads(self) -> None:
         for worker in self._connection.workers:
@@ -84,7 +88,7 @@ class Supervisor:
 
     def _look_at_data(self) -> None:
         core, connection = self._core, self._connection
-        age = connection.data_age_s()
+        age = connection.age_s(connection.received_s)
         if age <= core.limits.stale_data_s:
             core.alarms.clear("stale_data")
             return

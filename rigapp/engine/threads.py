@@ -15,7 +15,8 @@ class Worker:
     """Run a step again and again in a thread of its own.
 
     step: does a piece of work and returns within a fraction of a second; returning False ends the
-    thread as intended. on_death: told once, in the dying thread, when step raised.
+    thread as intended. on_death: told once, in the dying thread, when step raised. age_s: tells how
+    long ago a host time was, as a silence is judged.
     """
 
     def __init__(
@@ -24,8 +25,10 @@ class Worker:
         step: Callable[[], bool | None],
         on_death: Callable[[Worker, BaseException], None],
         silence_s: float,
+        age_s: Callable[[float], float] = lambda since_s: time.monotonic() - since_s,
     ) -> None:
         self.name = name
+        self._age_s = age_s
         self.silence_s = silence_s
         self.error: BaseException | None = None
         self.ended = False
@@ -66,7 +69,7 @@ class Worker:
 
     def silent_for(self) -> float:
         """Return the seconds since the last sign of life."""
-        return time.monotonic() - self._beat
+        return self._age_s(self._beat)
 
     @property
     def well(self) -> bool:

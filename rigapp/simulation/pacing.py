@@ -5,9 +5,7 @@ Never faster than the chosen speed, nor than the host takes the data. Without a 
 the plant runs in real time, since the drive's watchdog runs on the wall clock: whatever the speed,
 a dead engine stops the spindle within its time-out and the coasting lasts as long as it would.
 
-The devices' own time (``OwnTime``), on which the drive's watchdog runs, is the wall clock less the
-time for which this process could not run: on a computer that is overloaded, or stands still for a
-second, host and devices are late together, and that is no reason for a watchdog to fire.
+The devices' own time, on which the drive's watchdog runs, is that of their process (``owntime``).
 """
 
 from __future__ import annotations
@@ -16,10 +14,6 @@ import math
 
 LONGEST_CATCH_UP_S = 1.0
 BURST_S = 0.1
-LONGEST_PASS_S = 0.05
-"""No pass and no wait of the loop is longer unless the computer makes it so."""
-LATENESS_S = 0.001
-"""How late a process may be woken on a computer that has nothing else to do."""
 
 
 class Pace:
@@ -65,25 +59,3 @@ class Pace:
             fast_wait = 0.0 if math.isinf(self.speed) else (chunk_s - self._may) / self.speed
             wait = min(wait, fast_wait)
         return max(0.0, wait)
-
-
-class OwnTime:
-    """Tell the devices' time: what this process ran or chose to wait since the last ``tick``.
-
-    The time for which it stood in line for a processor, or the whole computer stood still, is left
-    out, but for ``LATENESS_S`` a tick. Where nothing else runs it is the wall clock.
-    """
-
-    def __init__(self, now_s: float, ran_s: float) -> None:
-        """Start with the wall clock; ran_s: processor time of this process so far."""
-        self.time_s = now_s
-        self._wall_s = now_s
-        self._ran_s = ran_s
-
-    def tick(self, now_s: float, ran_s: float, waited_s: float) -> float:
-        """Return the devices' time; waited_s: wait that was asked for since the last call."""
-        passed = max(0.0, now_s - self._wall_s)
-        own = max(0.0, ran_s - self._ran_s) + waited_s + LATENESS_S
-        self._wall_s, self._ran_s = now_s, ran_s
-        self.time_s += min(passed, own, LONGEST_PASS_S)
-        return self.time_s

@@ -127,8 +127,8 @@ def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], An
 
 
 def _loop(rig: Any, stopping: list[str], *, exit_with_parent: bool) -> None:
+    from rigapp.owntime import OwnTime
     from rigapp.simulation.control import Lines, answer
-    from rigapp.simulation.pacing import OwnTime
 
     lines = Lines()
     stdin = _command_input()

@@ -112,7 +112,7 @@ class RigSimulation:
     def step(self, now_s: float, device_s: float | None = None) -> float:
         """Do what is due; return for how many seconds nothing else will be.
 
-        device_s: the devices' own time (``pacing.OwnTime``), the wall clock's if None.
+        device_s: the devices' own time (``owntime.OwnTime``), the wall clock's if None.
         """
         self._now = now_s
         self._device_s = now_s if device_s is None else device_s

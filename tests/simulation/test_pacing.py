@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, LONGEST_PASS_S, OwnTime, Pace
+from rigapp.owntime import LONGEST_PASS_S, OwnTime
+from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, Pace
 
 
 def run(pace: Pace, wall_s: float, *, taken: bool, chunk_s: float = 0.01) -> float:

@@ -28,9 +28,9 @@ from drivers.api import (
     StreamSetup,
 )
 from drivers.registry import check_settings, load_simulator
+from rigapp.owntime import OwnTime
 from rigapp.simulation.endpoints import PtyEndpoint
 from rigapp.simulation.link import Wire, WireFault
-from rigapp.simulation.pacing import OwnTime
 
 PATIENCE = 3.0
 """So many times longer may a driver take on a busy computer than ``contract.toml`` says."""
