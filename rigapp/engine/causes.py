@@ -91,6 +91,12 @@ KINDS: Mapping[str, Kind] = {
         "Set it right, connect again, and watch the first turn.",
         Ends.TEST,
     ),
+    "speeds_differ": _critical(
+        "Speeds differ",
+        "Speed, revolutions or every angle would be wrong by their ratio, so the test was stopped.",
+        "Set it right in the rig file, connect again, and compare both speeds on the Devices tab.",
+        Ends.TEST,
+    ),
     "index_missed": _critical(
         "Encoder index missing",
         "Revolutions cannot be cut at the index, so the test was stopped.",
@@ -361,6 +367,16 @@ def senses_differ(encoder_back: bool, drive_back: bool, directions: tuple[int, i
             "A and B of the drive's own encoder."
         )
     return _cause("senses_differ", words)
+
+
+def speeds_differ(encoder_rpm: float, drive_rpm: float) -> Cause:
+    """Encoder and drive tell different speeds of the crank, steadily."""
+    return _cause(
+        "speeds_differ",
+        f"The crank encoder shows {encoder_rpm:.1f} rpm, the drive {drive_rpm:.1f} rpm: "
+        "spindle.gear_ratio, the drive's counts per revolution or encoder.counts_per_revolution "
+        "is not what the rig has, or a belt or coupling slips.",
+    )
 
 
 def index_missed(revolutions: float) -> Cause:

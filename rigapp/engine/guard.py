@@ -21,6 +21,7 @@ from rigapp.engine.messages import FinishReason, Flag, RevolutionMeasured, RunSt
 from rigapp.engine.recorder import cycle_message, measured_history
 from rigapp.engine.reduce import PLACE
 from rigapp.engine.run import ACTIVE, TURNING, Ending, Trigger
+from rigapp.engine.speeds import SpeedComparison
 from rigapp.engine.testrun import Row
 
 if TYPE_CHECKING:
@@ -81,6 +82,7 @@ class Guard:
         self._missed = 0
         self._start_count: int | None = None
         self._turning_s = 0.0
+        self._speeds = SpeedComparison()
         self._turned_before = 0.0
         self._calm = False
         self._sound: dict[str, int] = {}
@@ -92,6 +94,7 @@ class Guard:
         """Start the test's time."""
         session = self._core.session
         self._start_count = self._connection.processor.assembler.motion.travel[1]
+        self._speeds.begin()
         self._missed = 0
         self._blind = set()
         if session is not None:
@@ -184,8 +187,19 @@ class Guard:
             session.steady_from = None
             if abs(speed_rpm - session.target_rpm) <= AT_SPEED * session.target_rpm:
                 core.fire_if(Trigger.AT_SPEED, only=(RunState.STARTING,))
-        elif session.steady_from is None:
+            return
+        if session.steady_from is None:
             session.steady_from = self._connection.processor.assembler.ordinal + 1
+        self._compare_speeds(speed_rpm, session.target_rpm)
+
+    def _compare_speeds(self, speed_rpm: float, target_rpm: float) -> None:
+        control = self._connection.control
+        if control.status is None:
+            return
+        drive_rpm = control.status.speed_rev_per_s * 60.0
+        if self._speeds.differs(control.answered_s, speed_rpm, drive_rpm, target_rpm):
+            cause = causes.speeds_differ(speed_rpm, drive_rpm)
+            self._core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
 
     def _senses_differ(self, start_count: int) -> bool:
         """End a test in whose first quarter turn encoder or drive show the crank going backwards.

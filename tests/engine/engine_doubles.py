@@ -218,7 +218,7 @@ class FakeSpindle:
         self.latches_stop = False
         self._stop_latched = False
         self.commands: list[tuple[str, float]] = []
-        self.tells_back = False
+        self.tells_ratio = 1.0
         self.off_at: float | None = None
         self.polls = 0
 
@@ -265,7 +265,7 @@ class FakeSpindle:
         self._stop_latched |= self.emergency_stop and self.latches_stop
         return DriveStatus(
             host_time_ns=time.monotonic_ns(),
-            speed_rev_per_s=-self.crank.speed if self.tells_back else self.crank.speed,
+            speed_rev_per_s=self.tells_ratio * self.crank.speed,
             setpoint_rev_per_s=self.crank.target,
             position_count=round(self.crank.position_rev * COUNTS),
             current_A=1.0,

@@ -14,6 +14,7 @@ from drivers.api import Block, DeviceError, ProtocolError
 from rigapp.engine.messages import Alarm, FinishReason, Flag, RunState
 from rigapp.engine.publish import Finished
 from rigapp.engine.run import ENDED, Refused
+from rigapp.engine.speeds import ANSWERS
 from rigapp.engine.store import LookedAfter
 from rigapp.engine.timing import Timing
 
@@ -133,7 +134,8 @@ def test_a_wrong_sense_ends_the_test_in_the_first_quarter_turn(
     encoder: bool, drive: bool, words: tuple[str, ...]
 ) -> None:
     memory = MemoryRig()
-    memory.source.encoder_back, memory.spindle.tells_back = encoder, drive
+    memory.source.encoder_back = encoder
+    memory.spindle.tells_ratio = -1.0 if drive else 1.0
     memory.engine.connect()
     try:
         begun = memory.crank.position_rev
@@ -152,6 +154,34 @@ def test_a_wrong_sense_ends_the_test_in_the_first_quarter_turn(
             assert named == encoder
     finally:
         memory.engine.shutdown(20.0)
+
+
+@pytest.mark.parametrize("ratio", [0.6, 0.8, 1.25])
+def test_a_drive_that_tells_another_speed_ends_the_test_and_names_the_keys(ratio: float) -> None:
+    memory = MemoryRig()
+    memory.spindle.tells_ratio = ratio
+    memory.engine.connect()
+    try:
+        memory.start(a_test(LONG))
+        keys = ("spindle.gear_ratio", "encoder.counts_per_revolution")
+        ended(memory, FinishReason.DEVICE, "the drive", *keys)
+        assert memory.stands
+        assert [alarm.key for alarm in memory.engine.status().alarms] == ["speeds_differ"]
+        memory.spindle.tells_ratio = 1.0
+        for verb in ("acknowledge", "reset"):
+            getattr(memory.engine, verb)()
+        assert memory.engine.status().alarms == ()
+    finally:
+        memory.engine.shutdown(20.0)
+
+
+def test_a_drive_that_once_told_the_encoders_speed_may_stammer_later(rig: MemoryRig) -> None:
+    answers = rig.spindle.polls
+    eventually(lambda: rig.spindle.polls > answers + 2 * ANSWERS)
+    rig.spindle.tells_ratio = 0.5
+    answers = rig.spindle.polls
+    eventually(lambda: rig.spindle.polls > answers + 2 * ANSWERS)
+    assert rig.engine.status().alarms == ()
 
 
 def test_a_missing_index_ends_the_test(rig: MemoryRig) -> None:
