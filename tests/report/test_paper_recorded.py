@@ -83,6 +83,20 @@ def test_long_tests_keep_every_peak(monkeypatch: pytest.MonkeyPatch, quick_folde
     assert np.isfinite(table["force_rms_N"]).all()
 
 
+@pytest.mark.parametrize("steady", [0, 1, 3])
+def test_a_test_that_hardly_left_its_ramp_says_so(tmp_path: Path, steady: int) -> None:
+    path = tmp_path / "ramp.h5"
+    plan = FilePlan(20, cycles=20, samples_per_cycle=960, events=16)
+    with create_test(path, plan, metadata()) as writer:
+        for revolution in range(1, 6):
+            append(writer, revolution, 0 if revolution > 5 - steady else int(Flag.RAMP), keep=False)
+        writer.finish("stopped", "operator", "Stopped at once.")
+    chapters = {one.name: one for one in recorded_chapters(path)}
+    chapter = chapters["fig20_extrema"]
+    assert chapter.sentences[0].startswith("Too few revolutions are at steady speed")
+    write_chapter(tmp_path, chapter)
+
+
 def test_profile_is_compared_where_it_is_known(chapters: dict[str, Chapter]) -> None:
     table = chapters["fig21_recorded"].columns
     assert np.nanmax(table["depth_measured_mm"]) == pytest.approx(0.030, rel=1e-3)

@@ -137,9 +137,12 @@ def _gathered(name: str, values: np.ndarray, starts: np.ndarray) -> np.ndarray:
 
 
 def _scatter(largest: np.ndarray) -> str:
-    """Return how the maximum varies early and late in the test."""
-    tenth = max(len(largest) // 10, 2)
-    first, last = (float(np.nanstd(part)) for part in (largest[:tenth], largest[-tenth:]))
+    """Return how the maximum varies early and late in the test, where the speed was steady."""
+    known = largest[np.isfinite(largest)]
+    tenth = max(len(known) // 10, 2)
+    if len(known) < 2 * tenth:
+        return "Too few revolutions are at steady speed to tell how their maximum varies."
+    first, last = (float(np.std(part)) for part in (known[:tenth], known[-tenth:]))
     return (
         f"At steady speed the maximum of a revolution varies by {first:.3g} N (standard deviation)"
         f" in the first tenth of the test and by {last:.3g} N in the last; the paper's grows."
