@@ -25,6 +25,7 @@ from drivers.dataq.simulator import COMMANDS, DataqSimulator
 from drivers.registry import load_driver, load_simulator
 
 FAST = {"command_pause_s": 0.0, "reply_timeout_s": 0.2}
+SILENT = {"silence_s": 1.0, "idle_check_s": 1.0}
 only_internal = pytest.mark.parametrize("clock", ["internal"])
 only_encoder = pytest.mark.parametrize("clock", ["encoder"])
 
@@ -254,7 +255,7 @@ def test_a_counter_that_is_dead_ends_the_stream_with_its_name(bench: Callable[..
 
 
 def test_a_hang_is_lost_and_says_so(bench: Callable[..., Any]) -> None:
-    b = bench()
+    b = bench(settings=SILENT)
     b.configure()
     b.driver.start()
     b.read_until(lambda: b.samples >= 100, "samples")
@@ -266,7 +267,7 @@ def test_a_hang_is_lost_and_says_so(bench: Callable[..., Any]) -> None:
 
 
 def test_a_reset_is_lost_and_says_so(bench: Callable[..., Any], clock: str) -> None:
-    b = bench()
+    b = bench(settings=SILENT)
     b.configure()
     b.driver.start()
     b.read_until(lambda: b.samples >= 100, "samples")
@@ -290,7 +291,7 @@ def test_a_cable_that_is_pulled(bench: Callable[..., Any]) -> None:
 @only_encoder
 @pytest.mark.parametrize("sends_rest", [True, False])
 def test_a_standing_shaft_is_not_a_fault(bench: Callable[..., Any], sends_rest: bool) -> None:
-    b = bench(stop_sends_rest=sends_rest, settings={"idle_check_s": 0.2})
+    b = bench(stop_sends_rest=sends_rest, settings=SILENT)
     b.configure()
     b.driver.start()
     b.read_until(lambda: b.samples >= 300, "samples")
