@@ -127,9 +127,10 @@ class LimitPanel(QGroupBox):
 
     def _number(self) -> float | None:
         try:
-            return float(self.value.text())
+            number = float(self.value.text())
         except ValueError:
             return None
+        return int(number) if number.is_integer() else number
 
     def _enable(self) -> None:
         name, number = self._name(), self._number()
@@ -155,7 +156,7 @@ class LimitPanel(QGroupBox):
         reason = self.reason.text().strip()
         self.reason.clear()
         if name == REVOLUTIONS:
-            self.wanted.emit("extend", {"revolutions": round(number), "reason": reason})
+            self.wanted.emit("extend", {"revolutions": number, "reason": reason})
         else:
             self.wanted.emit("set_limit", {"name": name, "value": number, "reason": reason})
 

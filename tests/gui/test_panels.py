@@ -144,8 +144,10 @@ def test_limits_are_changed_with_a_reason_while_a_test_runs(
     rows = panel.table.texts()
     panel.table.selectRow([row[0] for row in rows].index("revolutions"))
     assert panel.value.text() == "21377"
-    panel.value.setText("30000")
     panel.reason.setText("the joint is still good")
+    panel.value.setText("30000.5")
+    assert "not a whole number" in panel.problem.text()
+    panel.value.setText("30000")
     panel.change.click()
     assert asked[-1] == ("extend", {"revolutions": 30_000, "reason": "the joint is still good"})
     panel.show_limits(RunState.RUNNING, test, {"force_max.critical_above": 180.0})
