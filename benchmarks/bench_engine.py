@@ -22,14 +22,14 @@ import numpy as np
 
 from drivers.api import Block
 from rigapp.config.recipe import CyclesSection, LimitRule
-from rigapp.engine.assembler import Assembler, EncoderSetup, Revolution
-from rigapp.engine.calibrate import Calibration
-from rigapp.engine.history import History
-from rigapp.engine.limits import RuleMonitor
+from rigapp.engine.judging.limits import RuleMonitor
+from rigapp.engine.judging.testrun import TestRun
 from rigapp.engine.processing import Processor
-from rigapp.engine.recorder import Recorder
-from rigapp.engine.reduce import Reducer
-from rigapp.engine.testrun import TestRun
+from rigapp.engine.recording.history import History
+from rigapp.engine.recording.recorder import Recorder
+from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
+from rigapp.engine.values.calibrate import Calibration
+from rigapp.engine.values.reduce import Reducer
 from rigapp.storage.layout import FilePlan
 from rigapp.storage.metadata import TestMetadata
 from rigapp.storage.writer import create_test

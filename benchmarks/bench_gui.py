@@ -20,13 +20,13 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QApplication, QGridLayout, QWidget
 
-from rigapp.engine.columns import prediction_columns, revolution_columns
-from rigapp.gui.comparison import CURVES, compose
-from rigapp.gui.frames import Frame
-from rigapp.gui.overlay import OverlayPanel
-from rigapp.gui.palette import LIGHT, apply_theme
-from rigapp.gui.series import LiveData, MeasuredCycle, PredictedCycle
-from rigapp.gui.trend import TrendPanel
+from rigapp.gui.data.comparison import CURVES, compose
+from rigapp.gui.data.frames import Frame
+from rigapp.gui.data.series import LiveData, MeasuredCycle, PredictedCycle
+from rigapp.gui.plots.overlay import OverlayPanel
+from rigapp.gui.plots.palette import LIGHT, apply_theme
+from rigapp.gui.plots.trend import TrendPanel
+from rigapp.schema.columns import prediction_columns, revolution_columns
 
 FRAMES = 25
 POINTS = 3600

@@ -134,10 +134,10 @@ def revolution_ms(folder: Path) -> list[float]:
 
     from PySide6.QtWidgets import QApplication
 
-    from rigapp.gui.link import Link
-    from rigapp.gui.palette import LIGHT, apply_theme
-    from rigapp.gui.session import Session
-    from rigapp.gui.window import MainWindow
+    from rigapp.gui.data.link import Link
+    from rigapp.gui.data.session import Session
+    from rigapp.gui.plots.palette import LIGHT, apply_theme
+    from rigapp.gui.window.window import MainWindow
     from rigapp.service.launch import attach
 
     text = (ROOT / "examples" / "simulated.toml").read_text(encoding="utf-8")

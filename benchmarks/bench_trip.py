@@ -15,7 +15,7 @@ from pathlib import Path
 
 from rigapp.config.loading import read_rig, read_test
 from rigapp.engine.engine import Engine
-from rigapp.engine.messages import RunState
+from rigapp.schema.messages import RunState
 from rigapp.service.simulated import SimulatedDevices
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"

@@ -24,14 +24,14 @@ class Line:
     """Ask an engine of this process as the window's link does: on a worker, answers in ``deliver``."""
 
     def __init__(self, host: Any) -> None:
-        from rigapp.gui.tasks import Worker
+        from rigapp.gui.data.tasks import Worker
 
         self._host = host
         self.worker = Worker("pictures", bound=64)
 
     def __call__(self, verb: str, arguments: dict[str, Any], handler: Any) -> None:
         """Queue a request."""
-        from rigapp.engine.messages import Request
+        from rigapp.schema.messages import Request
 
         request = Request(verb=verb, arguments=arguments, operator="E. Sample")
         self.worker.submit(lambda: self._host.handle(request), handler, _raise)
@@ -61,9 +61,9 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
 
 
 def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
-    from rigapp.commands.live_calibration import Rig
-    from rigapp.gui.calibration.wizard import CalibrationWizard
-    from rigapp.gui.palette import LIGHT
+    from rigapp.calibrating.live_calibration import Rig
+    from rigapp.gui.wizard.wizard import CalibrationWizard
+    from rigapp.gui.plots.palette import LIGHT
 
     settings = folder / "settings.toml"
     settings.write_text(SETTINGS, "utf-8")
@@ -94,9 +94,9 @@ def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: A
 
 
 def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
-    from rigapp.commands.live_calibration import Rig
-    from rigapp.gui.calibration.probe_wizard import ProbeWizard
-    from rigapp.gui.palette import LIGHT
+    from rigapp.calibrating.live_calibration import Rig
+    from rigapp.gui.wizard.probe_wizard import ProbeWizard
+    from rigapp.gui.plots.palette import LIGHT
 
     mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
     wizard = ProbeWizard(line, mine, LIGHT, folder, "both")

@@ -260,8 +260,8 @@ def model_forces(
     time_limit_s: TimeLimitOption = None,
 ) -> None:
     """Write motion and forces over one cycle of the mechanism as CSV."""
-    from rigapp.commands.model_forces import write_forces
-    from rigapp.commands.model_impacts import Impacting
+    from rigapp.commands.model.forces import write_forces
+    from rigapp.commands.model.impacts import Impacting
 
     impacting = Impacting(revolutions, tolerance, time_limit_s)
     raise typer.Exit(write_forces(params, rpm, joint, clearance_mm, points, to, impacting))
@@ -304,7 +304,7 @@ def model_wear(
     time_limit_s: TimeLimitOption = None,
 ) -> None:
     """Write the life of the bushing as CSV."""
-    from rigapp.commands.model_wear import Scheme, write_wear
+    from rigapp.commands.model.wear import Scheme, write_wear
 
     scheme = Scheme(method, extrapolation, contact)
     raise typer.Exit(
@@ -321,7 +321,7 @@ def model_pressure(
     to: ToOption,
 ) -> None:
     """Write the contact pressure of one load as CSV and print the pin displacement."""
-    from rigapp.commands.model_wear import write_pressure
+    from rigapp.commands.model.wear import write_pressure
 
     raise typer.Exit(write_pressure(params, force_n, to))
 
@@ -335,7 +335,7 @@ def model_paper(
     time_limit_s: TimeLimitOption = None,
 ) -> None:
     """Make the paper's comparisons (Figs 6-10, 13, 15, 20, 21, Table 2) as plots and tables."""
-    from rigapp.commands.model_paper import write_paper
+    from rigapp.commands.model.paper import write_paper
 
     raise typer.Exit(write_paper(to, file, time_limit_s))
 
@@ -546,7 +546,7 @@ def calibrate_history(
     json: JsonOption = False,
 ) -> None:
     """Show the daily checks and their control charts; status 1 when a rule asks for action."""
-    from rigapp.commands.daily_history import show_history
+    from rigapp.calibrating.daily_history import show_history
 
     raise typer.Exit(show_history(store, to, rig, as_json=json))
 

@@ -17,7 +17,7 @@ from rigapp.config.loading import read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
-from rigapp.engine.messages import Status
+from rigapp.schema.messages import Status
 from rigapp.service.preflight import Check, Verdict, blocked, disk_facts, preflight
 from rigapp.service.records import RigRecords, with_records
 from rigapp.simulation.handle import SimulationFailed

@@ -294,7 +294,7 @@ def _window() -> Iterator[Finding]:
     """Test the window's libraries in a process of its own: a broken Qt may abort."""
     script = (
         "import sys\n"
-        "from rigapp.gui.selftest import run_self_test\n"
+        "from rigapp.gui.window.selftest import run_self_test\n"
         "problems = run_self_test()\n"
         "print('; '.join(problems))\n"
         "sys.exit(bool(problems))\n"

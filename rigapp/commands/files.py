@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 
-from rigapp.engine.uncertainty import force_uncertainty
+from rigapp.engine.values.uncertainty import force_uncertainty
 from rigapp.storage.export import export_test
 from rigapp.storage.reader import open_test
 

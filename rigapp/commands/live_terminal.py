@@ -11,10 +11,8 @@ from pathlib import Path
 from calibration.live import Readiness, Window
 from calibration.plans import PlanKind, StepKind
 from calibration.procedure import ProcedureError
-from rigapp.commands.calibrate import cell_lines, refuse_existing, say_result
-from rigapp.commands.daily_history import STORE, History, history_result, verdict_lines
-from rigapp.commands.engine_line import Ask, engine_line
-from rigapp.commands.live_calibration import (
+from rigapp.calibrating.daily_history import STORE, History, history_result, verdict_lines
+from rigapp.calibrating.live_calibration import (
     PLANS,
     LiveSession,
     Outcome,
@@ -23,7 +21,9 @@ from rigapp.commands.live_calibration import (
     parse_pieces,
     window_of,
 )
-from rigapp.commands.practice import Mistake, preparation, step_actions, tidy_up
+from rigapp.calibrating.practice import Mistake, preparation, step_actions, tidy_up
+from rigapp.commands.calibrate import cell_lines, refuse_existing, say_result
+from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.commands.terminal_parts import LISTEN_S, act, ask_rejection, take_all, wait_ready
 from rigapp.config.calibration_settings import read_load_cell_settings
 from rigapp.config.errors import UnusableInput

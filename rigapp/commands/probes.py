@@ -13,23 +13,23 @@ from calibration.probe import calibrate_probe
 from calibration.probe_live import ProbeWindow
 from calibration.probe_procedure import ProbeStepKind
 from calibration.readings import ReadingsError, parse_probe
-from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
-from rigapp.commands.engine_line import Ask, engine_line
-from rigapp.commands.live_calibration import Rig
-from rigapp.commands.live_probes import (
+from rigapp.calibrating.live_calibration import Rig
+from rigapp.calibrating.live_probes import (
     PROBES,
     LiveProbeSession,
     ProbeOutcome,
     plan_of,
     usual_reach_um,
 )
-from rigapp.commands.probe_practice import (
+from rigapp.calibrating.probe_practice import (
     ProbeMistake,
     probe_actions,
     probe_preparation,
     probe_tidy_up,
 )
-from rigapp.commands.probe_results import pair_lines, pair_result, probe_lines, probe_result
+from rigapp.calibrating.probe_results import pair_lines, pair_result, probe_lines, probe_result
+from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
+from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.commands.terminal_parts import LISTEN_S, act, ask_rejection, take_all, wait_ready
 from rigapp.config.calibration_settings import read_probe_settings
 from rigapp.config.errors import UnusableInput

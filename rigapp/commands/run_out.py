@@ -23,14 +23,14 @@ from calibration.run_out import (
     make_map,
     spread_at,
 )
+from rigapp.calibrating.probe_results import UM, problems_of
 from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
-from rigapp.commands.probe_results import UM, problems_of
 from rigapp.commands.slow_roll import take_roll
 from rigapp.config.calibration_settings import RunOutFile, read_run_out_settings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test, read_rig
 from rigapp.config.parameters import ParameterFile
-from rigapp.engine.messages import Flag
+from rigapp.schema.messages import Flag
 
 Array = NDArray[np.float64]
 GRID_DEG = 5

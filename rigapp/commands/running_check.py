@@ -18,9 +18,9 @@ import msgspec
 import numpy as np
 
 from calibration.running_check import Known, RunningCheck, SpeedRun, running_check
+from rigapp.calibrating.practice import preparation
 from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
 from rigapp.commands.engine_line import Ask, engine_line
-from rigapp.commands.practice import preparation
 from rigapp.config.calibration_settings import CellSection, LoadCellFile, read_load_cell_settings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig
@@ -34,7 +34,7 @@ from rigapp.config.recipe import (
 )
 from rigapp.config.rig import RigFile
 from rigapp.ending import ending_as_interrupt
-from rigapp.engine.messages import Flag, Request, RunState
+from rigapp.schema.messages import Flag, Request, RunState
 
 RAMP_REVOLUTIONS = 3
 """Revolutions beyond those wanted; the first ones carry the ramp."""

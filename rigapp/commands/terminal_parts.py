@@ -8,8 +8,8 @@ from typing import Protocol, TypeVar
 
 from calibration.live import WINDOW_S, Readiness
 from calibration.procedure import ProcedureError
+from rigapp.calibrating.practice import Action
 from rigapp.commands.engine_line import Ask
-from rigapp.commands.practice import Action
 
 LISTEN_S = WINDOW_S + 1.0
 PATIENCE_S = 60.0

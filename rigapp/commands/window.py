@@ -33,7 +33,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool) -> int:
     results = Path.cwd() / "results"
     results.mkdir(exist_ok=True)
     try:
-        from rigapp.gui.app import main
+        from rigapp.gui.window.app import main
     except ImportError as error:
         raise UnusableInput(
             f"The window's libraries are missing ({error}); run 'rigapp doctor'."
@@ -78,8 +78,8 @@ def replay_file(path: Path) -> int:
 
     with open_test(path):
         pass
-    from rigapp.gui.app import main
-    from rigapp.gui.replay import ReplayClient
+    from rigapp.gui.data.replay import ReplayClient
+    from rigapp.gui.window.app import main
 
     return main(
         lambda: ReplayClient(path), rig_path=path, tests=[], results_folder=path.resolve().parent
@@ -91,7 +91,7 @@ def draw_picture(path: Path, target: Path) -> int:
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     # The offscreen platform warns of what no picture needs.
     os.environ.setdefault("QT_LOGGING_RULES", "default.warning=false")
-    from rigapp.gui.picture import save_picture
+    from rigapp.gui.window.picture import save_picture
 
     save_picture(path, target)
     return 0

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from rigapp.config.errors import UnusableInput
 from rigapp.config.ranges import LEVELS, OTHER_LEVEL, RANGES, refusal
 from rigapp.config.recipe import LimitRule
-from rigapp.engine.columns import prediction_columns, revolution_columns
+from rigapp.schema.columns import prediction_columns, revolution_columns
 
 _NOT_LIMITED = {"revolution", "time", "host_time"}
 

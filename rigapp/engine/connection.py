@@ -18,20 +18,20 @@ import time
 from collections.abc import Callable
 
 from drivers.api import Block, DataOverrun, DeviceError, DeviceLost, DriveStatus, StreamSetup
-from rigapp.engine import causes
-from rigapp.engine.calibrate import Calibration
 from rigapp.engine.core import Core
-from rigapp.engine.devicelog import DeviceLog
 from rigapp.engine.devices import Devices
-from rigapp.engine.driving import SpindleControl
-from rigapp.engine.guard import Guard
-from rigapp.engine.lateness import Lateness
-from rigapp.engine.messages import FinishReason, RevolutionMeasured, RunState
+from rigapp.engine.drive.driving import SpindleControl
+from rigapp.engine.drive.sequences import Do, Seen
+from rigapp.engine.judging import causes
+from rigapp.engine.judging.guard import Guard
+from rigapp.engine.judging.lateness import Lateness
 from rigapp.engine.processing import Processor
+from rigapp.engine.recording.devicelog import DeviceLog
 from rigapp.engine.run import ACTIVE, TURNING, Ending, Trigger
-from rigapp.engine.sequences import Do, Seen
 from rigapp.engine.supervisor import Supervisor
 from rigapp.engine.threads import BlockQueue, Worker
+from rigapp.engine.values.calibrate import Calibration
+from rigapp.schema.messages import FinishReason, RevolutionMeasured, RunState
 
 SMALLEST_QUEUE = 16384
 

@@ -17,13 +17,24 @@ import msgspec
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection, TestFile
 from rigapp.config.rig import RigFile
-from rigapp.engine import causes
-from rigapp.engine.alarms import AlarmBook
-from rigapp.engine.causes import Cause
-from rigapp.engine.columns import prediction_columns, revolution_columns
-from rigapp.engine.driving import SpindleControl
-from rigapp.engine.loglines import AlarmChange, alarm_line
-from rigapp.engine.messages import (
+from rigapp.engine.drive.driving import SpindleControl
+from rigapp.engine.judging import causes
+from rigapp.engine.judging.alarms import AlarmBook
+from rigapp.engine.judging.causes import Cause
+from rigapp.engine.judging.testrun import TestRun
+from rigapp.engine.publish import (
+    AlarmChanged,
+    Committed,
+    Finished,
+    Publisher,
+    StateChanged,
+)
+from rigapp.engine.recording.recorder import Recorder
+from rigapp.engine.run import ACTIVE, Ending, Refused, Trigger, allowed, transition
+from rigapp.engine.timing import Timing
+from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.loglines import AlarmChange, alarm_line
+from rigapp.schema.messages import (
     Alarm,
     Ends,
     Event,
@@ -32,17 +43,6 @@ from rigapp.engine.messages import (
     RunState,
     Severity,
 )
-from rigapp.engine.publish import (
-    AlarmChanged,
-    Committed,
-    Finished,
-    Publisher,
-    StateChanged,
-)
-from rigapp.engine.recorder import Recorder
-from rigapp.engine.run import ACTIVE, Ending, Refused, Trigger, allowed, transition
-from rigapp.engine.testrun import TestRun
-from rigapp.engine.timing import Timing
 
 log = logging.getLogger(__name__)
 

@@ -22,25 +22,15 @@ from rigapp.config.loading import Document
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.engine import causes
-from rigapp.engine.calibrate import Calibration, calibration_of
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.devices import LoadDriver, make_devices
-from rigapp.engine.driving import Ramp
-from rigapp.engine.limits import changed_limits
+from rigapp.engine.drive.driving import Ramp
+from rigapp.engine.judging import causes
+from rigapp.engine.judging.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
-from rigapp.engine.loglines import LIMIT_CHANGED, LimitChange
-from rigapp.engine.messages import (
-    Ends,
-    FinishReason,
-    Prediction,
-    RevolutionMeasured,
-    RunState,
-    Snapshot,
-    Status,
-)
 from rigapp.engine.publish import Finished, NoticeStream, Subscription
+from rigapp.engine.recording.store import OpenStore, open_file
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
 from rigapp.engine.run import (
     ACTIVE,
@@ -54,10 +44,20 @@ from rigapp.engine.run import (
     transition,
 )
 from rigapp.engine.starting import check_overload, check_start, open_session, start_deadline_s
-from rigapp.engine.store import OpenStore, open_file
 from rigapp.engine.threads import Turn
 from rigapp.engine.timing import Timing
+from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
+from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange
+from rigapp.schema.messages import (
+    Ends,
+    FinishReason,
+    Prediction,
+    RevolutionMeasured,
+    RunState,
+    Snapshot,
+    Status,
+)
 
 COMMAND_WAIT_S = 10.0
 """A command waits so long for the one before it; stopping waits for none."""

@@ -7,10 +7,10 @@ import math
 import msgspec
 import numpy as np
 
-from rigapp.engine.calibrate import Calibration
 from rigapp.engine.connection import Connection
-from rigapp.engine.messages import RunState
 from rigapp.engine.run import Refused
+from rigapp.engine.values.calibrate import Calibration
+from rigapp.schema.messages import RunState
 
 PERMITTED = (RunState.READY, RunState.STOPPED)
 

@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.api import Block, Quality, SampleClock
-from rigapp.engine.assembler import Assembler, Revolution
-from rigapp.engine.calibrate import ANALOG, Calibration
-from rigapp.engine.checks import PeakForce
-from rigapp.engine.motion import MotionWindow, Point
-from rigapp.engine.sampleclock import TICKS_PER_S, EncoderClock
-from rigapp.engine.saturation import SaturationWatch, full_samples
-from rigapp.engine.signals import Means, RecentSignals
-from rigapp.engine.timewatch import TimeWatch
+from rigapp.engine.judging.checks import PeakForce
+from rigapp.engine.judging.saturation import SaturationWatch, full_samples
+from rigapp.engine.samples.assembler import Assembler, Revolution
+from rigapp.engine.samples.motion import MotionWindow, Point
+from rigapp.engine.samples.sampleclock import TICKS_PER_S, EncoderClock
+from rigapp.engine.samples.signals import Means, RecentSignals
+from rigapp.engine.samples.timewatch import TimeWatch
+from rigapp.engine.values.calibrate import ANALOG, Calibration
 
 
 class Judge(Protocol):

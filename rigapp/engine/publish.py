@@ -15,7 +15,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.messages import (
+from rigapp.schema.messages import (
     Alarm,
     Cycle,
     Event,

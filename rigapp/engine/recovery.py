@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Final
 
-from rigapp.engine.messages import Alarm, Ends, Recovery, RunState, Severity, Step
+from rigapp.schema.messages import Alarm, Ends, Recovery, RunState, Severity, Step
 
 WAITING: Final = {
     RunState.CONNECTING: "Wait: the devices are being connected.",

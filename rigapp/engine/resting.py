@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
-from rigapp.engine.loglines import REST, RestSignals
-from rigapp.engine.messages import RunState
 from rigapp.engine.processing import Averaging
+from rigapp.schema.loglines import REST, RestSignals
+from rigapp.schema.messages import RunState
 
 Array = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass
 
-from rigapp.engine.messages import NOTE_CHARACTERS, FinishReason, RunState
+from rigapp.schema.messages import NOTE_CHARACTERS, FinishReason, RunState
 
 
 class Trigger(enum.StrEnum):

@@ -14,15 +14,15 @@ from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
-from rigapp.engine.criteria import StopMonitor
-from rigapp.engine.history import History
-from rigapp.engine.limits import RuleMonitor
-from rigapp.engine.loglines import RestSignals
-from rigapp.engine.reach import FEWEST_SAMPLES, load_cell_reach_N
-from rigapp.engine.recorder import Recorder
+from rigapp.engine.judging.criteria import StopMonitor
+from rigapp.engine.judging.limits import RuleMonitor
+from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
+from rigapp.engine.judging.testrun import TestRun
+from rigapp.engine.recording.history import History
+from rigapp.engine.recording.recorder import Recorder
+from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
 from rigapp.engine.run import Refused
-from rigapp.engine.store import Opened, OpenRequest, OpenStore
-from rigapp.engine.testrun import TestRun
+from rigapp.schema.loglines import RestSignals
 
 
 def check_start(core: Core, connection: Connection, document: Document[TestFile]) -> RuleMonitor:

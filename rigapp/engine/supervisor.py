@@ -8,11 +8,11 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from rigapp.engine import causes
 from rigapp.engine.core import SLOW_DISK_S, Core
-from rigapp.engine.messages import FinishReason, RunState
+from rigapp.engine.judging import causes
+from rigapp.engine.judging.watches import Watches
 from rigapp.engine.run import ACTIVE, Ending
-from rigapp.engine.watches import Watches
+from rigapp.schema.messages import FinishReason, RunState
 
 if TYPE_CHECKING:
     from rigapp.engine.connection import Connection

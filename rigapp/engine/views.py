@@ -11,8 +11,12 @@ import numpy as np
 from drivers.api import LineCounters
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
-from rigapp.engine.limits import least_margin, margin_to
-from rigapp.engine.messages import (
+from rigapp.engine.judging.limits import least_margin, margin_to
+from rigapp.engine.recovery import Situation, recovery
+from rigapp.engine.run import ACTIVE
+from rigapp.engine.values.reduce import NAMES, PLACE
+from rigapp.engine.values.uncertainty import stated_uncertainty
+from rigapp.schema.messages import (
     ChannelView,
     DeviceView,
     DriveView,
@@ -21,10 +25,6 @@ from rigapp.engine.messages import (
     Status,
     as_array,
 )
-from rigapp.engine.recovery import Situation, recovery
-from rigapp.engine.reduce import NAMES, PLACE
-from rigapp.engine.run import ACTIVE
-from rigapp.engine.uncertainty import stated_uncertainty
 
 NO_MARGIN = 1e9
 """Shown when nothing is limited."""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rigapp.commands.daily_history import COLUMNS, NAMES, History, verdict_lines, when
+from rigapp.calibrating.daily_history import COLUMNS, NAMES, History, verdict_lines, when
 from rigapp.config.errors import UnusableInput
 from rigapp.report.document import Document, Figure, Section, Table, Text
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from rigapp.engine.messages import Event
-from rigapp.engine.uncertainty import ForceUncertainty
+from rigapp.engine.values.uncertainty import ForceUncertainty
 from rigapp.report import plots
 from rigapp.report.document import Block, Section, Table, Text
 from rigapp.report.facts import ENDS, Channel, Gap, Peak, Rows
@@ -25,6 +24,7 @@ from rigapp.report.wording import (
     utc,
 )
 from rigapp.report.worn import Worn, profile_blocks
+from rigapp.schema.messages import Event
 
 BURSTS_SHOWN = 40
 TOLD = 20

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.columns import CHANNELS
-from rigapp.engine.messages import Flag
 from rigapp.report.envelope import Floats, envelope
+from rigapp.schema.columns import CHANNELS
+from rigapp.schema.messages import Flag
 from rigapp.storage.reader import TestReader
 
 Line = tuple[Floats, Floats]

@@ -8,14 +8,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rigapp.config.recipe import LimitsSection
-from rigapp.engine.loglines import (
+from rigapp.schema.loglines import (
     ALARM,
     LIMIT_CHANGED,
     AlarmChange,
     alarm_change,
     newest_limits,
 )
-from rigapp.engine.messages import Event
+from rigapp.schema.messages import Event
 
 CHANGES = ("note", LIMIT_CHANGED, "zero", "extended")
 LEFT_OUT = (ALARM, *CHANGES)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from rigapp.engine.messages import Event
 from rigapp.report.document import Block, Section, Table, Text
 from rigapp.report.facts import Rows, span_of
 from rigapp.report.history import (
@@ -17,6 +16,7 @@ from rigapp.report.history import (
     limits_of,
 )
 from rigapp.report.wording import UNKNOWN, count, counted, duration, number, symbol, utc
+from rigapp.schema.messages import Event
 from rigapp.storage.reader import TestReader
 
 SHOWN = 60

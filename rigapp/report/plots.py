@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.engine.uncertainty import ForceUncertainty
+from rigapp.engine.values.uncertainty import ForceUncertainty
 from rigapp.report.document import Figure
 from rigapp.report.envelope import envelope
 from rigapp.report.facts import Channel, Gap

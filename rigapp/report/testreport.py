@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.engine.uncertainty import ForceUncertainty, force_uncertainty
+from rigapp.engine.values.uncertainty import ForceUncertainty, force_uncertainty
 from rigapp.report import datasections, logsections, setupsections
 from rigapp.report.document import Block, Document, Section, Table, Text
 from rigapp.report.facts import Rows, rows_of

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 from typing import Any
 
-from rigapp.engine.messages import Flag
+from rigapp.schema.messages import Flag
 from rigapp.storage.metadata import name_and_unit
 
 UNKNOWN = "unknown"

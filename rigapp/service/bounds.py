@@ -6,9 +6,9 @@ from typing import Any
 
 import msgspec
 
-from rigapp.engine.messages import NOTE_CHARACTERS, Reply, Request
 from rigapp.engine.run import Refused, refuse_long
-from rigapp.service.verbs import Lane, verb_of
+from rigapp.schema.messages import NOTE_CHARACTERS, Reply, Request
+from rigapp.schema.verbs import Lane, verb_of
 
 MESSAGE_BYTES = 1 << 16
 NAME_CHARACTERS = 100

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 import zmq
 
-from rigapp.engine.columns import revolution_columns
-from rigapp.engine.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
+from rigapp.schema.columns import revolution_columns
+from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
+from rigapp.schema.verbs import verb_of
 from rigapp.service.registry import EngineEntry, other_version, runtime_folder
-from rigapp.service.verbs import verb_of
 
 if TYPE_CHECKING:
     from rigapp.service.security import KeyPair

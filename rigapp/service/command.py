@@ -11,9 +11,9 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rigapp.engine.messages import Request
 from rigapp.engine.run import Refused
-from rigapp.service.verbs import verb_of
+from rigapp.schema.messages import Request
+from rigapp.schema.verbs import verb_of
 
 GONE_AFTER_S = 10.0
 """Command is free again when its holder has not been heard of for so long."""

@@ -26,7 +26,12 @@ from rigapp.config.rig import RigFile
 from rigapp.ending import Background, asked_to_end, finish_in_time
 from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, Remark
-from rigapp.engine.messages import (
+from rigapp.engine.publish import Finished
+from rigapp.engine.run import ACTIVE, Refused
+from rigapp.engine.starting import check_fit
+from rigapp.engine.threads import Turn
+from rigapp.logs import beside, in_file
+from rigapp.schema.messages import (
     PROTOCOL_VERSION,
     FinishReason,
     Reply,
@@ -36,11 +41,6 @@ from rigapp.engine.messages import (
     Snapshot,
     Status,
 )
-from rigapp.engine.publish import Finished
-from rigapp.engine.run import ACTIVE, Refused
-from rigapp.engine.starting import check_fit
-from rigapp.engine.threads import Turn
-from rigapp.logs import beside, in_file
 from rigapp.service.bounds import refusal
 from rigapp.service.command import Command
 from rigapp.service.records import with_records

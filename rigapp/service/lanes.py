@@ -8,7 +8,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 
-from rigapp.service.verbs import Lane, verb_of
+from rigapp.schema.verbs import Lane, verb_of
 
 UNDER_WAY = {Lane.SAFETY: 4, Lane.LOOK: 16, Lane.WORK: 16}
 """Requests that are carried out at once: of each safety verb, and of each other lane."""

@@ -14,9 +14,9 @@ from pathlib import Path
 
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.engine.criteria import described
-from rigapp.engine.messages import DeviceView, RunState, Severity, Status
-from rigapp.engine.reach import FEWEST_SAMPLES, load_cell_reach_N
+from rigapp.engine.judging.criteria import described
+from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
+from rigapp.schema.messages import DeviceView, RunState, Severity, Status
 from rigapp.service.records import RigRecords
 
 FEW_SAMPLES = 60
@@ -58,7 +58,7 @@ class DiskFacts:
 
 def disk_facts(test: TestFile, sample_rate_Hz: float, folder: Path) -> DiskFacts:
     """Return the room that a test needs in a folder; reads the disk."""
-    from rigapp.engine.fileplan import file_plan
+    from rigapp.engine.recording.fileplan import file_plan
     from rigapp.storage.layout import reserved_bytes, streams_of
 
     needed = reserved_bytes(streams_of(file_plan(test, sample_rate_Hz)).values())

@@ -21,11 +21,11 @@ import numpy as np
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig
 from rigapp.config.rig import RigFile
-from rigapp.engine.calibrate import Calibration
 from rigapp.engine.engine import Remark
-from rigapp.engine.loglines import rest_signals
+from rigapp.engine.recording.store import calibration_record
 from rigapp.engine.run import Refused, refuse_long
-from rigapp.engine.store import calibration_record
+from rigapp.engine.values.calibrate import Calibration
+from rigapp.schema.loglines import rest_signals
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
 ZERO_SHARE = 0.02

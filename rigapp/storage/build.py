@@ -11,7 +11,7 @@ import h5py
 import msgspec
 import numpy as np
 
-from rigapp.engine.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES
+from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES
 from rigapp.storage.conventions import conventions
 from rigapp.storage.hdf import NOT_A_VARIABLE
 from rigapp.storage.layout import (

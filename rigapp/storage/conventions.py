@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.engine.messages import Flag
+from rigapp.schema.messages import Flag
 from rigapp.storage.layout import DETECTORS, FORCE_UNCERTAINTY, Field, Stream
 
 UTC = {

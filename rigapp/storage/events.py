@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.messages import Event
+from rigapp.schema.messages import Event
 from rigapp.storage.layout import Field
 
 CODES = ("kind", "source", "key", "level")

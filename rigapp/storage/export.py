@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.columns import CHANNELS
+from rigapp.schema.columns import CHANNELS
 from rigapp.storage.create import move_into_place
 from rigapp.storage.metadata import unit_suffix
 from rigapp.storage.reader import StoredCycle, TestReader, open_test

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from rigapp.engine.columns import (
+from rigapp.schema.columns import (
     PREDICTED_CURVES,
     PREDICTION_POINTS,
     PROFILE_ANGLES_DEG,

@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterable, Mapping
 
 import msgspec
 
-from rigapp.engine.causes import KINDS, Kind
-from rigapp.engine.criteria import TITLES
-from rigapp.engine.loglines import (
+from rigapp.engine.judging.causes import KINDS, Kind
+from rigapp.engine.judging.criteria import TITLES
+from rigapp.schema.loglines import (
     ALARM,
     LIMIT_CHANGED,
     REST,
@@ -22,7 +22,7 @@ from rigapp.engine.loglines import (
     RestSignals,
     What,
 )
-from rigapp.engine.messages import Ends, Event, Severity
+from rigapp.schema.messages import Ends, Event, Severity
 
 NOT_RECORDED = "The log does not tell."
 

@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
-from rigapp.engine.messages import Event
+from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
+from rigapp.schema.messages import Event
 from rigapp.storage.events import events_of, first_broken_link
 from rigapp.storage.hdf import is_bare, open_for_reading
 from rigapp.storage.layout import (

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.messages import Event
+from rigapp.schema.messages import Event
 from rigapp.storage.create import (
     Places,
     fitted_streams,

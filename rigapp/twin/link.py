@@ -22,7 +22,7 @@ from pathlib import Path
 import msgspec
 import zmq
 
-from rigapp.engine.messages import Prediction, RevolutionMeasured
+from rigapp.schema.messages import Prediction, RevolutionMeasured
 from rigapp.twin.worker import Answer, TwinSetup
 
 MAILBOX = 64

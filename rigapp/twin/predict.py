@@ -13,8 +13,8 @@ from model.dynamics import Motion
 from model.history import FEWEST_SAMPLES, smooth_history
 from model.joints import continuous_contact, perfect_joint
 from model.parameters import Parameters
-from rigapp.engine.columns import PREDICTION_POINTS
-from rigapp.engine.messages import Prediction, RevolutionMeasured, as_array
+from rigapp.schema.columns import PREDICTION_POINTS
+from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
 from rigapp.twin.uncertainty import PredictionUncertainty, prediction_uncertainty
 
 Array = NDArray[np.float64]

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.columns import PROFILE_ANGLES_DEG
+from rigapp.schema.columns import PROFILE_ANGLES_DEG
 
 Array = NDArray[np.float64]
 

@@ -21,8 +21,8 @@ from model.errors import ModelError
 from model.frames import into_frame
 from model.parameters import Parameters
 from model.wear.state import WearState, unworn_state
-from rigapp.engine.columns import PROFILES_PER_DECADE
-from rigapp.engine.messages import Prediction, WornProfile
+from rigapp.schema.columns import PROFILES_PER_DECADE
+from rigapp.schema.messages import Prediction, WornProfile
 from rigapp.twin.ahead import BushingAhead, bushing_ahead
 from rigapp.twin.approach import RIGID, Approach
 from rigapp.twin.measureddepth import (

@@ -19,7 +19,7 @@ from model.errors import ModelError
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import to_parameters
 from rigapp.config.parameters import ParameterFile
-from rigapp.engine.messages import Prediction, RevolutionMeasured
+from rigapp.schema.messages import Prediction, RevolutionMeasured
 from rigapp.twin.checkpoint import packed, restore
 from rigapp.twin.predict import Unpredictable, unpack
 from rigapp.twin.twin import Twin

@@ -14,8 +14,8 @@ from calibration.readings import ProbeReadings
 from calibration.records import Record, unseal
 from calibration.run_out import Roll, Turn, evaluate, make_map
 from calibration.settings import ProbeSettings
+from rigapp.calibrating.probe_results import pair_result, probe_result
 from rigapp.commands.calibrate import keep_record
-from rigapp.commands.probe_results import pair_result, probe_result
 from rigapp.commands.run_out import harmonics_csv, run_out_lines, run_out_result
 from rigapp.config.calibration_settings import PinSection, ProbeFile, ProbeSection, RunOutFile
 from rigapp.report.certificate import certificate_of

@@ -20,11 +20,11 @@ from rigapp.commands.run_out import _as_read, _with_elastic
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig
 from rigapp.config.rig import RigFile
-from rigapp.engine.assembler import Assembler, EncoderSetup, Revolution
-from rigapp.engine.calibrate import Calibration, calibrate
-from rigapp.engine.probes import probe_correction
-from rigapp.engine.reduce import NAMES, PLACE, Reducer
-from rigapp.engine.store import calibration_record
+from rigapp.engine.recording.store import calibration_record
+from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
+from rigapp.engine.values.calibrate import Calibration, calibrate
+from rigapp.engine.values.probes import probe_correction
+from rigapp.engine.values.reduce import NAMES, PLACE, Reducer
 from rigapp.report.uncertainty import position_uncertainty
 from rigapp.service.records import with_records
 from rigapp.simulation import kernels

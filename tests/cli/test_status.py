@@ -11,7 +11,7 @@ import pytest
 
 from rigapp.commands.status import show_engines
 from rigapp.config.loading import read_rig
-from rigapp.engine.messages import Request, RunState
+from rigapp.schema.messages import Request, RunState
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
 from rigapp.service.registry import EngineEntry, announce, running_engines, withdraw

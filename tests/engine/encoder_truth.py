@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.api import Block
-from rigapp.engine.assembler import Assembler, EncoderSetup, Margins, Revolution
+from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Margins, Revolution
 
 Ints = NDArray[np.int64]
 

@@ -52,9 +52,9 @@ from rigapp.config.rig import (
     SpindleSection,
 )
 from rigapp.engine.engine import Engine
-from rigapp.engine.messages import Event
-from rigapp.engine.store import LookedAfter, Opened, OpenRequest, OpenStore
+from rigapp.engine.recording.store import LookedAfter, Opened, OpenRequest, OpenStore
 from rigapp.engine.timing import Timing
+from rigapp.schema.messages import Event
 
 COUNTS = 360
 RATE = 480.0
@@ -398,7 +398,7 @@ class FakeStore:
         self.closed = True
 
     def column(self, name: str) -> NDArray[np.float64]:
-        from rigapp.engine.reduce import PLACE
+        from rigapp.engine.values.reduce import PLACE
 
         return np.array([row[PLACE[name]] for row in self.rows])
 

@@ -11,8 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from drivers.api import Block
-from rigapp.engine.assembler import STANDSTILL_S, Assembler, EncoderSetup, Margins, Revolution
-from rigapp.engine.messages import Flag
+from rigapp.engine.samples.assembler import (
+    STANDSTILL_S,
+    Assembler,
+    EncoderSetup,
+    Margins,
+    Revolution,
+)
+from rigapp.schema.messages import Flag
 
 KINDS = ("modulo", "signed", "runs on")
 

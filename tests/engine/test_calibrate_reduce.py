@@ -15,13 +15,13 @@ from hypothesis import strategies as st
 from drivers.api import Block, ChannelSpec, StreamSetup
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
-from rigapp.engine import frames
-from rigapp.engine.assembler import Assembler, EncoderSetup, Revolution
-from rigapp.engine.calibrate import Calibration, calibrate, calibration_of
-from rigapp.engine.checks import PeakForce
-from rigapp.engine.columns import CHANNELS, STATISTICS
-from rigapp.engine.messages import Flag
-from rigapp.engine.reduce import PLACE, Reducer
+from rigapp.engine.judging.checks import PeakForce
+from rigapp.engine.samples import frames
+from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
+from rigapp.engine.values.calibrate import Calibration, calibrate, calibration_of
+from rigapp.engine.values.reduce import PLACE, Reducer
+from rigapp.schema.columns import CHANNELS, STATISTICS
+from rigapp.schema.messages import Flag
 
 RATE = 960.0
 

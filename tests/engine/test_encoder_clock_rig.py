@@ -13,11 +13,11 @@ from drivers.api import ChannelSpec, SampleClock, StreamSetup
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig
 from rigapp.config.rig import RigFile
-from rigapp.engine.calibrate import calibration_of
 from rigapp.engine.engine import Engine
-from rigapp.engine.messages import Flag
 from rigapp.engine.run import ENDED
-from rigapp.engine.sampleclock import PulseRate
+from rigapp.engine.samples.sampleclock import PulseRate
+from rigapp.engine.values.calibrate import calibration_of
+from rigapp.schema.messages import Flag
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.storage import open_test
 

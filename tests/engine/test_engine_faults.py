@@ -11,12 +11,12 @@ import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
 from drivers.api import Block, DeviceError, ProtocolError
-from rigapp.engine.messages import Alarm, FinishReason, Flag, RunState
+from rigapp.engine.judging.speeds import ANSWERS
 from rigapp.engine.publish import Finished
+from rigapp.engine.recording.store import LookedAfter
 from rigapp.engine.run import ENDED, Refused
-from rigapp.engine.speeds import ANSWERS
-from rigapp.engine.store import LookedAfter
 from rigapp.engine.timing import Timing
+from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState
 
 LONG = 1_000_000
 

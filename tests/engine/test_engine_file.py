@@ -11,10 +11,10 @@ from engine_doubles import MemoryRig, eventually
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
-from rigapp.engine.messages import Flag, RunState
-from rigapp.engine.reduce import NAMES
+from rigapp.engine.recording.store import open_file
 from rigapp.engine.run import ENDED
-from rigapp.engine.store import open_file
+from rigapp.engine.values.reduce import NAMES
+from rigapp.schema.messages import Flag, RunState
 from rigapp.storage.reader import open_test
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

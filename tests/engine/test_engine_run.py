@@ -13,13 +13,13 @@ from engine_doubles import COUNTS, MemoryRig, a_test, eventually
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
-from rigapp.engine.columns import cycle_columns, prediction_columns, revolution_columns
-from rigapp.engine.messages import FinishReason, Flag, Prediction, RunState, as_array
+from rigapp.engine.judging.testrun import NOT_STEADY
 from rigapp.engine.publish import AlarmChanged, Committed, Finished, Notice, StateChanged
-from rigapp.engine.reduce import PLACE
+from rigapp.engine.recording.store import Opened
 from rigapp.engine.run import ENDED, Refused
-from rigapp.engine.store import Opened
-from rigapp.engine.testrun import NOT_STEADY
+from rigapp.engine.values.reduce import PLACE
+from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
+from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState, as_array
 
 LONG = 1_000_000
 

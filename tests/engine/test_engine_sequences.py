@@ -17,11 +17,11 @@ from hypothesis.stateful import (
 
 from drivers.api import DeviceError
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.messages import RunState
-from rigapp.engine.reduce import PLACE
+from rigapp.engine.recording.store import Opened
 from rigapp.engine.run import ACTIVE, ENDED, TURNING, Refused
-from rigapp.engine.store import Opened
 from rigapp.engine.timing import Timing
+from rigapp.engine.values.reduce import PLACE
+from rigapp.schema.messages import RunState
 
 LAST = ("revolution", "time")
 

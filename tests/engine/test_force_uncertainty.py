@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from calibration.records import seal
-from rigapp.engine.uncertainty import (
+from rigapp.engine.values.uncertainty import (
     ForceUncertainty,
     force_uncertainty,
     noise_of_sample,

@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rigapp.config.recipe import CyclesSection
-from rigapp.engine.assembler import Revolution
-from rigapp.engine.history import TRIGGERED, History, Kept, Why, triggered_cycles
-from rigapp.engine.messages import Flag
-from rigapp.engine.schedule import Schedule
+from rigapp.engine.recording.history import TRIGGERED, History, Kept, Why, triggered_cycles
+from rigapp.engine.recording.schedule import Schedule
+from rigapp.engine.samples.assembler import Revolution
+from rigapp.schema.messages import Flag
 
 
 def revolution(number: int, samples: int = 8) -> Revolution:

@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 from drivers.api import DeviceError, DeviceFault, ProtocolError
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
-from rigapp.engine.messages import Alarm, Ends, FinishReason, RunState, Severity, Step
+from rigapp.engine.recording.store import Opened, OpenRequest
 from rigapp.engine.recovery import AT_REST, WAITING, Situation, recovery
 from rigapp.engine.run import ACTIVE, ENDED, InFault, Refused
-from rigapp.engine.store import Opened, OpenRequest
+from rigapp.schema.messages import Alarm, Ends, FinishReason, RunState, Severity, Step
 
 LONG = 1_000_000
 QUIET = (Refused, UnusableInput, DeviceError, TimeoutError)

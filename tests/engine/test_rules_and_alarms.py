@@ -13,13 +13,13 @@ from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import CyclesSection, LimitRule, LimitsSection
-from rigapp.engine import causes
-from rigapp.engine.alarms import AlarmBook
-from rigapp.engine.limits import RuleMonitor, changed_limits, check_rules
-from rigapp.engine.loglines import AlarmChange
-from rigapp.engine.messages import Alarm, FinishReason, RunState, Severity
+from rigapp.engine.judging import causes
+from rigapp.engine.judging.alarms import AlarmBook
+from rigapp.engine.judging.limits import RuleMonitor, changed_limits, check_rules
+from rigapp.engine.recording.schedule import Schedule, logarithmic
 from rigapp.engine.run import ACTIVE, ENDED, TABLE, Ending, Refused, Trigger, allowed, transition
-from rigapp.engine.schedule import Schedule, logarithmic
+from rigapp.schema.loglines import AlarmChange
+from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity
 
 # --- rules ---------------------------------------------------------------------------------------
 

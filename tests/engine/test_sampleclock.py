@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from drivers.api import Block, SampleClock
-from rigapp.engine.assembler import Assembler, EncoderSetup, Revolution
-from rigapp.engine.calibrate import Calibration, calibrate
-from rigapp.engine.messages import Flag
 from rigapp.engine.processing import Processor
-from rigapp.engine.reduce import PLACE, Reducer
-from rigapp.engine.sampleclock import TICKS_PER_S, EncoderClock, PulseRate
+from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
+from rigapp.engine.samples.sampleclock import TICKS_PER_S, EncoderClock, PulseRate
+from rigapp.engine.values.calibrate import Calibration, calibrate
+from rigapp.engine.values.reduce import PLACE, Reducer
+from rigapp.schema.messages import Flag
 
 LINES = 360
 RATE_ROW = 5

@@ -9,9 +9,9 @@ import pytest
 from engine_doubles import RATE, MemoryRig, a_test, eventually
 
 from drivers.api import InputFault, InputFaultKind
-from rigapp.engine.messages import Alarm, FinishReason, Flag, RunState, Severity
+from rigapp.engine.judging.saturation import BACK_S, STAYS_S, SaturationWatch
 from rigapp.engine.run import ENDED, Refused
-from rigapp.engine.saturation import BACK_S, STAYS_S, SaturationWatch
+from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 
 LONG = 1_000_000
 

@@ -18,18 +18,18 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.recipe import StopSection, TestFile
-from rigapp.engine.criteria import (
+from rigapp.engine.judging.criteria import (
     BLIND_REVOLUTIONS,
     DEPTH_COLUMNS,
     HISTORY_COLUMNS,
     StopMonitor,
     described,
 )
-from rigapp.engine.guard import PREDICTED_NAMES
-from rigapp.engine.messages import FinishReason, Flag, Prediction, RunState
-from rigapp.engine.reduce import NAMES, PLACE
+from rigapp.engine.judging.guard import PREDICTED_NAMES
+from rigapp.engine.recording.store import Opened
 from rigapp.engine.run import ENDED
-from rigapp.engine.store import Opened
+from rigapp.engine.values.reduce import NAMES, PLACE
+from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState
 
 RPM = 60.0
 QUICK = Path(__file__).parents[2] / "examples" / "quick.toml"

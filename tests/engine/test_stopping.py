@@ -13,12 +13,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from drivers.api import Block
-from rigapp.engine.messages import FinishReason, RunState
-from rigapp.engine.motion import MotionWindow, Point
+from rigapp.engine.drive.sequences import CREEP_RPM, Do, PauseSequence, Seen, StopSequence
 from rigapp.engine.publish import Committed, Finished, NoticeStream, StateChanged
-from rigapp.engine.sequences import CREEP_RPM, Do, PauseSequence, Seen, StopSequence
+from rigapp.engine.samples.motion import MotionWindow, Point
+from rigapp.engine.samples.timewatch import TimeWatch
 from rigapp.engine.threads import BlockQueue, Worker
-from rigapp.engine.timewatch import TimeWatch
+from rigapp.schema.messages import FinishReason, RunState
 
 # --- the stop ------------------------------------------------------------------------------------
 

@@ -11,10 +11,10 @@ from engine_doubles import COUNTS, RATE, MemoryRig, eventually
 
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
-from rigapp.engine.fileplan import file_plan
-from rigapp.engine.messages import Flag
+from rigapp.engine.recording.fileplan import file_plan
+from rigapp.engine.recording.store import open_file
 from rigapp.engine.run import ENDED
-from rigapp.engine.store import open_file
+from rigapp.schema.messages import Flag
 from rigapp.storage import TestReader, compact_test, open_test
 from rigapp.storage.layout import reserved_bytes, streams_of
 

@@ -18,8 +18,14 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 
-from rigapp.engine.columns import cycle_columns, prediction_columns, revolution_columns
-from rigapp.engine.messages import (
+from rigapp.gui.data.link import Link
+from rigapp.gui.data.recording import History
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.data.session import Session
+from rigapp.gui.plots.palette import LIGHT, apply_theme
+from rigapp.gui.window.window import MainWindow
+from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
+from rigapp.schema.messages import (
     Alarm,
     ChannelView,
     Cycle,
@@ -34,12 +40,6 @@ from rigapp.engine.messages import (
     Status,
     as_array,
 )
-from rigapp.gui.link import Link
-from rigapp.gui.palette import LIGHT, apply_theme
-from rigapp.gui.recording import History
-from rigapp.gui.series import LiveData
-from rigapp.gui.session import Session
-from rigapp.gui.window import MainWindow
 from rigapp.storage import FilePlan, TestMetadata, create_test
 
 RADIUS, LENGTH = 76.2, 203.2

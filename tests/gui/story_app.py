@@ -11,8 +11,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import conftest
 
-from rigapp.engine.messages import Reply, RunState
-from rigapp.gui.app import main
+from rigapp.gui.window.app import main
+from rigapp.schema.messages import Reply, RunState
 
 STATES = {
     "start": RunState.RUNNING,

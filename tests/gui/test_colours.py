@@ -13,11 +13,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPen
 
-from rigapp.engine.messages import RunState, Severity
-from rigapp.gui.alarms import MARKS
-from rigapp.gui.compare import COLOURS
-from rigapp.gui.headline import _STATES, Level
-from rigapp.gui.palette import DARK, LIGHT, Theme, measured_pen, model_pen
+from rigapp.gui.panels.alarms import MARKS
+from rigapp.gui.panels.compare import COLOURS
+from rigapp.gui.plots.palette import DARK, LIGHT, Theme, measured_pen, model_pen
+from rigapp.gui.window.headline import _STATES, Level
+from rigapp.schema.messages import RunState, Severity
 
 SEEN_BY = {
     "full colour": np.eye(3),

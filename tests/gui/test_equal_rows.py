@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rigapp.engine.messages import RunState
-from rigapp.gui.link import Link
-from rigapp.gui.palette import LIGHT
-from rigapp.gui.session import Session
-from rigapp.gui.window import MainWindow
+from rigapp.gui.data.link import Link
+from rigapp.gui.data.session import Session
+from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.window.window import MainWindow
+from rigapp.schema.messages import RunState
 from rigapp.service.client import Client
 from rigapp.service.launch import find_engine
 from rigapp.storage import open_test

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from rigapp.engine.messages import Reply
-from rigapp.gui.link import FIRST_SNAPSHOT_S, LOST_AFTER_S, SILENT_AFTER_S, Link, LinkState
+from rigapp.gui.data.link import FIRST_SNAPSHOT_S, LOST_AFTER_S, SILENT_AFTER_S, Link, LinkState
+from rigapp.schema.messages import Reply
 
 
 class Clock:

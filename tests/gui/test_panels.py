@@ -14,21 +14,21 @@ import pytest
 from PySide6.QtCore import Qt
 
 from rigapp.config.loading import parse_test
-from rigapp.engine.loglines import newest_limits
-from rigapp.engine.messages import DeviceView, DriveView, Event, RunState, Status
-from rigapp.gui.alarms import AlarmPanel
-from rigapp.gui.browser import BrowserPanel, list_tests
-from rigapp.gui.compare import line_of
-from rigapp.gui.devices import DevicePanel
-from rigapp.gui.faults import FaultPanel, fault_choices
-from rigapp.gui.limits import LimitPanel, limits_of
-from rigapp.gui.logbook import LogPanel
-from rigapp.gui.notice import NoticeBar
-from rigapp.gui.palette import DARK, LIGHT
-from rigapp.gui.recording import load_history
-from rigapp.gui.tasks import Worker
-from rigapp.gui.watchdog import STALL_S, Watchdog
-from rigapp.gui.wearprofile import ANGLES_DEG, WearProfilePanel, worn_profile
+from rigapp.gui.data.recording import load_history
+from rigapp.gui.data.tasks import Worker
+from rigapp.gui.panels.alarms import AlarmPanel
+from rigapp.gui.panels.browser import BrowserPanel, list_tests
+from rigapp.gui.panels.compare import line_of
+from rigapp.gui.panels.devices import DevicePanel
+from rigapp.gui.panels.faults import FaultPanel, fault_choices
+from rigapp.gui.panels.limits import LimitPanel, limits_of
+from rigapp.gui.panels.logbook import LogPanel
+from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.plots.wearprofile import ANGLES_DEG, WearProfilePanel, worn_profile
+from rigapp.gui.window.notice import NoticeBar
+from rigapp.gui.window.watchdog import STALL_S, Watchdog
+from rigapp.schema.loglines import newest_limits
+from rigapp.schema.messages import DeviceView, DriveView, Event, RunState, Status
 from rigapp.storage.oldlog import translated
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -511,7 +511,7 @@ def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
 
 
 def load_it(path: Path, revolution: int) -> Any:
-    from rigapp.gui.recording import load_revolution
+    from rigapp.gui.data.recording import load_revolution
 
     return load_revolution(path, revolution)
 
@@ -617,10 +617,10 @@ def test_a_minimised_window_draws_nothing(
 
 
 def test_a_replay_starts_again(recorded: Path, qtbot: Any, qapp: Any) -> None:
-    from rigapp.gui.link import Link
-    from rigapp.gui.replay import ReplayClient
-    from rigapp.gui.session import Session
-    from rigapp.gui.window import MainWindow
+    from rigapp.gui.data.link import Link
+    from rigapp.gui.data.replay import ReplayClient
+    from rigapp.gui.data.session import Session
+    from rigapp.gui.window.window import MainWindow
 
     client = ReplayClient(recorded, at_end=True)
     window = MainWindow(Link(lambda: client), Session(), LIGHT)
@@ -647,9 +647,9 @@ def test_the_layout_is_remembered(
 ) -> None:
     from PySide6.QtCore import QSettings
 
-    from rigapp.gui.link import Link
-    from rigapp.gui.session import Session
-    from rigapp.gui.window import MainWindow
+    from rigapp.gui.data.link import Link
+    from rigapp.gui.data.session import Session
+    from rigapp.gui.window.window import MainWindow
 
     def make() -> MainWindow:
         settings = QSettings(str(tmp_path / "layout.ini"), QSettings.Format.IniFormat)

@@ -13,12 +13,19 @@ from hypothesis import strategies as st
 from PySide6.QtWidgets import QComboBox, QLineEdit
 
 from rigapp.config.loading import parse_test, read_rig, read_test
-from rigapp.engine.messages import DriveView, RunState
-from rigapp.gui.fields import changes, form_fields, get_path, parse_value, set_path, show_value
-from rigapp.gui.palette import DARK, LIGHT
-from rigapp.gui.prepare import PreparePanel
-from rigapp.gui.recipe import RecipePanel
-from rigapp.gui.tasks import Worker
+from rigapp.gui.data.tasks import Worker
+from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.testfile.fields import (
+    changes,
+    form_fields,
+    get_path,
+    parse_value,
+    set_path,
+    show_value,
+)
+from rigapp.gui.testfile.prepare import PreparePanel
+from rigapp.gui.testfile.recipe import RecipePanel
+from rigapp.schema.messages import DriveView, RunState
 from rigapp.service.preflight import DiskFacts, Verdict, disk_facts, preflight
 from rigapp.service.records import with_records
 

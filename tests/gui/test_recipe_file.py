@@ -14,12 +14,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 
 from rigapp.config.loading import read_test
-from rigapp.engine.messages import RunState
-from rigapp.gui.fields import form_fields
-from rigapp.gui.palette import LIGHT
-from rigapp.gui.recipe import RecipePanel
-from rigapp.gui.tomltext import edited
-from rigapp.gui.unsaved import named
+from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.testfile.fields import form_fields
+from rigapp.gui.testfile.recipe import RecipePanel
+from rigapp.gui.testfile.tomltext import edited
+from rigapp.gui.testfile.unsaved import named
+from rigapp.schema.messages import RunState
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -12,13 +12,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from rigapp.config.loading import read_rig
-from rigapp.engine.messages import Alarm, Ends, Recovery, Reply, RunState, Severity, Step
 from rigapp.engine.run import ENDED
-from rigapp.gui.link import Link
-from rigapp.gui.palette import DARK, LIGHT
-from rigapp.gui.recover import KEY, RecoverPanel
-from rigapp.gui.session import Session
-from rigapp.gui.window import MainWindow
+from rigapp.gui.data.link import Link
+from rigapp.gui.data.session import Session
+from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.window.recover import KEY, RecoverPanel
+from rigapp.gui.window.window import MainWindow
+from rigapp.schema.messages import Alarm, Ends, Recovery, Reply, RunState, Severity, Step
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
 from rigapp.service.launch import find_engine
@@ -209,7 +209,7 @@ def pull_cable(hands: Operator) -> None:
 
 
 def test_the_panels_key_is_no_other_one() -> None:
-    from rigapp.gui.command import KEY as COMMAND_KEY
-    from rigapp.gui.controls import COMMANDS
+    from rigapp.gui.window.command import KEY as COMMAND_KEY
+    from rigapp.gui.window.controls import COMMANDS
 
     assert KEY not in {COMMAND_KEY, *(one.key for one in COMMANDS), "F1", "F3", "F8", "F9"}

@@ -9,16 +9,16 @@ import pytest
 from PySide6.QtGui import QImage
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.messages import RunState
-from rigapp.gui.frames import Frame
-from rigapp.gui.headline import Level
-from rigapp.gui.link import Link
-from rigapp.gui.palette import DARK
-from rigapp.gui.picture import save_picture
-from rigapp.gui.recording import load_events, load_revolution
-from rigapp.gui.replay import ReplayClient
-from rigapp.gui.session import Session
-from rigapp.gui.window import MainWindow
+from rigapp.gui.data.frames import Frame
+from rigapp.gui.data.link import Link
+from rigapp.gui.data.recording import load_events, load_revolution
+from rigapp.gui.data.replay import ReplayClient
+from rigapp.gui.data.session import Session
+from rigapp.gui.plots.palette import DARK
+from rigapp.gui.window.headline import Level
+from rigapp.gui.window.picture import save_picture
+from rigapp.gui.window.window import MainWindow
+from rigapp.schema.messages import RunState
 
 
 def test_a_recorded_test_plays_from_its_first_to_its_last_row(

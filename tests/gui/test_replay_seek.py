@@ -12,18 +12,18 @@ import pytest
 from PySide6.QtCore import Qt
 
 from rigapp.config.loading import parse_test
-from rigapp.engine import causes
-from rigapp.engine.alarms import AlarmBook
-from rigapp.engine.loglines import AlarmChange, alarm_line
-from rigapp.engine.messages import Alarm, Event, Flag, RunState, Severity
-from rigapp.gui.link import Link
-from rigapp.gui.palette import LIGHT
-from rigapp.gui.pyramid import Pyramid
-from rigapp.gui.recordedalarms import RecordedAlarms
-from rigapp.gui.recording import load_history
-from rigapp.gui.replay import ReplayClient
-from rigapp.gui.session import Session
-from rigapp.gui.window import MainWindow
+from rigapp.engine.judging import causes
+from rigapp.engine.judging.alarms import AlarmBook
+from rigapp.gui.data.link import Link
+from rigapp.gui.data.pyramid import Pyramid
+from rigapp.gui.data.recordedalarms import RecordedAlarms
+from rigapp.gui.data.recording import load_history
+from rigapp.gui.data.replay import ReplayClient
+from rigapp.gui.data.session import Session
+from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.window.window import MainWindow
+from rigapp.schema.loglines import AlarmChange, alarm_line
+from rigapp.schema.messages import Alarm, Event, Flag, RunState, Severity
 from rigapp.storage.oldlog import translated
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -103,7 +103,7 @@ def test_the_bar_follows_and_leads_the_replay(
 def test_a_long_leap_comes_in_steps(
     recorded: Path, monkeypatch: pytest.MonkeyPatch, qtbot: Any
 ) -> None:
-    monkeypatch.setattr("rigapp.gui.replay.MOST_ROWS", 100)
+    monkeypatch.setattr("rigapp.gui.data.replay.MOST_ROWS", 100)
     client = ReplayClient(recorded, speed=0.0)
     try:
         client.request("seek", {"revolution": 300})

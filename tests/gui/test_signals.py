@@ -14,7 +14,7 @@ PROGRAM = """
 import sys
 sys.path.insert(0, {folder!r})
 from pathlib import Path
-from rigapp.engine.messages import RunState
+from rigapp.schema.messages import RunState
 from story_app import TalkingClient, main
 
 class Running(TalkingClient):

@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 import pytest
 
-from rigapp.gui.overlay import OverlayPanel
-from rigapp.gui.palette import LIGHT
-from rigapp.gui.series import LiveData
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.plots.overlay import OverlayPanel
+from rigapp.gui.plots.palette import LIGHT
 from tests.gui.conftest import PREDICTION_NAMES, make_predictions, make_snapshot
 
 

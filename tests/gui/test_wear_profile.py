@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rigapp.engine.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
-from rigapp.gui.palette import LIGHT
-from rigapp.gui.profiles import profile_message, shown_profile
-from rigapp.gui.recording import load_history
-from rigapp.gui.replay import read_tape
-from rigapp.gui.series import LiveData
-from rigapp.gui.wearprofile import WearProfilePanel
+from rigapp.gui.data.profiles import profile_message, shown_profile
+from rigapp.gui.data.recording import load_history
+from rigapp.gui.data.replay import read_tape
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.plots.wearprofile import WearProfilePanel
+from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.storage import open_test
 
 ANGLES = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)

@@ -23,8 +23,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.engine.messages import Alarm, Reply, RunState
-from rigapp.gui.window import MainWindow
+from rigapp.gui.window.window import MainWindow
+from rigapp.schema.messages import Alarm, Reply, RunState
 
 Attach = Callable[[], None]
 
@@ -351,7 +351,7 @@ def test_an_engine_that_stays_idle_is_asked_all_the_same(
     qtbot: Any,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("rigapp.gui.controls.IDLE_BEFORE_START_S", 0.0)
+    monkeypatch.setattr("rigapp.gui.window.controls.IDLE_BEFORE_START_S", 0.0)
     window.start_when_idle(Path("examples/quick.toml"))
     engine.say(count=0, curves=False, state=RunState.IDLE, planned=0, file="")
     attach()

@@ -7,11 +7,11 @@ from typing import Any
 
 import msgspec
 
-from rigapp.engine.alarms import AlarmBook
-from rigapp.engine.causes import KINDS, drive_warning, index_missed
+from rigapp.engine.judging.alarms import AlarmBook
+from rigapp.engine.judging.causes import KINDS, drive_warning, index_missed
 from rigapp.engine.words import WORDS
-from rigapp.gui.alarms import COLUMNS, AlarmPanel
-from rigapp.gui.palette import LIGHT
+from rigapp.gui.panels.alarms import COLUMNS, AlarmPanel
+from rigapp.gui.plots.palette import LIGHT
 
 GUIDE = Path(__file__).parents[2] / "docs" / "operator.md"
 

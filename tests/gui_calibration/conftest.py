@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rigapp.commands.live_calibration import Rig
-from rigapp.engine.messages import Reply
+from rigapp.calibrating.live_calibration import Rig
+from rigapp.schema.messages import Reply
 
 TRUE_MATRIX = np.array([[201.0, 3.0], [2.0, 198.0]])
 TRUE_ZERO = np.array([0.004, -0.003])
@@ -141,8 +141,8 @@ def wizard(
     qtbot: Any, scripted: ScriptedRig, simulated: Rig, settings_file: Path, tmp_path: Path
 ) -> Iterator[Any]:
     """Return the wizard on a scripted rig; the test ticks its bench by hand."""
-    from rigapp.gui.calibration.wizard import CalibrationWizard
-    from rigapp.gui.palette import LIGHT
+    from rigapp.gui.plots.palette import LIGHT
+    from rigapp.gui.wizard.wizard import CalibrationWizard
 
     wizard = CalibrationWizard(scripted.line, simulated, LIGHT, tmp_path, settings_file)
     qtbot.addWidget(wizard)

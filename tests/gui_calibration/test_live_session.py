@@ -14,10 +14,10 @@ from calibration.live import Verdict
 from calibration.plans import PlanKind, StepKind
 from calibration.procedure import ProcedureError, take_up
 from calibration.records import unseal
-from rigapp.commands.journal import Journal
-from rigapp.commands.live_calibration import LiveSession, Rig, Wish, parse_pieces, window_of
+from rigapp.calibrating.journal import Journal
+from rigapp.calibrating.live_calibration import LiveSession, Rig, Wish, parse_pieces, window_of
+from rigapp.calibrating.practice import Mistake
 from rigapp.commands.live_terminal import LISTEN_S, Hands, Terminal
-from rigapp.commands.practice import Mistake
 from rigapp.config.calibration_settings import read_load_cell_settings
 from rigapp.config.errors import UnusableInput
 

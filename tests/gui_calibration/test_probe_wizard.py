@@ -13,16 +13,16 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWizard
 
 from calibration.records import unseal
-from rigapp.commands.live_calibration import Rig
-from rigapp.commands.live_probes import LiveProbeSession, plan_of
-from rigapp.commands.probe_practice import ProbeMistake
+from rigapp.calibrating.live_calibration import Rig
+from rigapp.calibrating.live_probes import LiveProbeSession, plan_of
+from rigapp.calibrating.probe_practice import ProbeMistake
 from rigapp.commands.probes import ProbeHands, ProbeTerminal
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.messages import Reply
-from rigapp.gui.calibration.chooser import CalibrationChooser
-from rigapp.gui.calibration.probe_wizard import ProbeWizard
-from rigapp.gui.palette import LIGHT
+from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.wizard.chooser import CalibrationChooser
+from rigapp.gui.wizard.probe_wizard import ProbeWizard
+from rigapp.schema.messages import Reply
 
 SENSITIVITY = np.array([101.0, 98.5])
 OFFSET = np.array([0.12, -0.31])

@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 from calibration.records import unseal
-from rigapp.commands.live_calibration import Rig
+from rigapp.calibrating.live_calibration import Rig
 from rigapp.commands.run import run_test
 from rigapp.config.loading import read_rig
-from rigapp.engine.messages import Request
-from rigapp.gui.calibration.wizard import CalibrationWizard
-from rigapp.gui.palette import LIGHT
-from rigapp.gui.tasks import Worker
+from rigapp.gui.data.tasks import Worker
+from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.wizard.wizard import CalibrationWizard
+from rigapp.schema.messages import Request
 from rigapp.service.host import EngineHost
 from rigapp.simulation.constants import plant_section
 from rigapp.simulation.handle import start_simulated_rig

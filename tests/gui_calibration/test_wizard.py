@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 )
 
 from calibration.plans import StepKind
-from rigapp.commands.practice import Mistake
-from rigapp.gui.calibration.plan_page import NEW
+from rigapp.calibrating.practice import Mistake
+from rigapp.gui.wizard.plan_page import NEW
 
 NEXT, COMMIT, BACK = (
     QWizard.WizardButton.NextButton,

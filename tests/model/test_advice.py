@@ -60,11 +60,11 @@ def sentences(path: Path) -> Iterator[str]:
 @pytest.mark.parametrize(
     ("module", "names"),
     [
-        ("rigapp/commands/model_forces.py", ("forces",)),
-        ("rigapp/commands/model_impacts.py", ("forces",)),
-        ("rigapp/commands/model_wear.py", ("wear", "pressure")),
-        ("rigapp/commands/model_progress.py", ("forces", "wear", "paper")),
-        ("rigapp/commands/model_paper.py", ("paper",)),
+        ("rigapp/commands/model/forces.py", ("forces",)),
+        ("rigapp/commands/model/impacts.py", ("forces",)),
+        ("rigapp/commands/model/wear.py", ("wear", "pressure")),
+        ("rigapp/commands/model/progress.py", ("forces", "wear", "paper")),
+        ("rigapp/commands/model/paper.py", ("paper",)),
         ("rigapp/report/paper/__init__.py", ("paper",)),
         ("rigapp/report/paper/pages.py", ("paper",)),
         ("rigapp/report/paper/profiles.py", ("paper",)),

@@ -31,7 +31,7 @@ def test_words_are_no_kernels() -> None:
 
 
 def test_the_overload_check_is_compiled_by_the_set_up_step() -> None:
-    assert {"rigapp.engine.checks", "rigapp.engine.reduce"} <= set(kernel_modules())
+    assert {"rigapp.engine.judging.checks", "rigapp.engine.values.reduce"} <= set(kernel_modules())
 
 
 def test_importing_a_module_compiles_all_its_kernels() -> None:
@@ -64,7 +64,7 @@ def test_kernels_are_made_by_one_function_at_the_top_of_a_module() -> None:
 
 
 def test_left_over_files_of_the_cache_are_removed() -> None:
-    module = importlib.import_module("rigapp.engine.checks")
+    module = importlib.import_module("rigapp.engine.judging.checks")
     neighbours = [
         importlib.import_module(name) for name in kernel_modules() if name.startswith("rigapp.eng")
     ]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibration.records import seal
-from rigapp.engine.messages import Event, Flag
+from rigapp.schema.messages import Event, Flag
 from rigapp.storage import FilePlan, TestMetadata, TestWriter, create_test
 
 STARTED = 1_800_000_000.0

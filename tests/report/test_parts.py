@@ -12,13 +12,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from report_samples import TEST_TEXT, event
 
-from rigapp.engine.messages import Event
 from rigapp.report.document import Document, Listing, Section, Table, Text, is_number
 from rigapp.report.envelope import BUCKETS, envelope
 from rigapp.report.history import AlarmRecord, alarms_of, limits_of
 from rigapp.report.html import as_html
 from rigapp.report.pdf import as_pdf
 from rigapp.report.wording import count, duration, flags, number, quantity, settings, size, stamp
+from rigapp.schema.messages import Event
 from rigapp.storage.oldlog import translated
 
 

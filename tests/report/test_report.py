@@ -15,7 +15,7 @@ from report_samples import append, event, eventful, new_test
 
 from rigapp.commands.report import write_report
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.messages import Flag
+from rigapp.schema.messages import Flag
 from rigapp.storage import compact_test
 
 REPOSITORY = Path(__file__).parents[2]

@@ -12,9 +12,9 @@ from report_samples import CALIBRATION, append, cycle, event, metadata
 
 from calibration.records import seal
 from rigapp.commands.report import write_report
-from rigapp.engine.columns import PROFILE_ANGLES_DEG, profile_columns
-from rigapp.engine.uncertainty import force_uncertainty
+from rigapp.engine.values.uncertainty import force_uncertainty
 from rigapp.report.worn import extent_of
+from rigapp.schema.columns import PROFILE_ANGLES_DEG, profile_columns
 from rigapp.storage import FilePlan, create_test
 
 ANGLES = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)

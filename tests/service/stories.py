@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.engine.messages import Event
+from rigapp.schema.messages import Event
 from rigapp.service.client import Client
 from rigapp.service.launch import find_engine
 from rigapp.storage.reader import open_test

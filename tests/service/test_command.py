@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.engine.messages import Reply, Request
 from rigapp.engine.run import Refused
+from rigapp.schema.messages import Reply, Request
 from rigapp.service.command import ASLEEP_S, GONE_AFTER_S, Command
 
 ADA = {"operator": "Ada", "client": "a"}

@@ -17,8 +17,8 @@ import pytest
 from stories import RIG, Running, recipe, summary, until
 
 from rigapp.ending import Background, asked_to_end, finish_in_time
-from rigapp.engine.messages import RunState
 from rigapp.leftovers import process_alive
+from rigapp.schema.messages import RunState
 from rigapp.service import launch
 from rigapp.service.client import EngineUnreachable
 from rigapp.service.host import EngineHost

@@ -14,8 +14,8 @@ import pytest
 import xarray
 from stories import NEVER_OVER, RIG, Running, recipe
 
-from rigapp.engine.loglines import alarm_change, rest_signals
-from rigapp.engine.messages import Flag
+from rigapp.schema.loglines import alarm_change, rest_signals
+from rigapp.schema.messages import Flag
 from rigapp.storage import open_test, reopen_test
 from rigapp.storage.compact import compact_test
 from rigapp.storage.hdf import is_bare

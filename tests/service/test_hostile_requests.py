@@ -17,13 +17,13 @@ import zmq
 from stories import NEVER_OVER, RIG, recipe, until
 
 from rigapp.config.loading import read_rig
-from rigapp.engine.messages import NOTE_CHARACTERS, Event, Reply, Request, RunState
 from rigapp.engine.run import ACTIVE, ENDED
+from rigapp.schema.messages import NOTE_CHARACTERS, Event, Reply, Request, RunState
+from rigapp.schema.verbs import SAFETY_VERBS, VERBS
 from rigapp.service.bounds import DEEPEST, MESSAGE_BYTES
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.host import EngineHost
 from rigapp.service.registry import running_engines
-from rigapp.service.verbs import SAFETY_VERBS, VERBS
 
 BATCH = 40
 NOT_SENT = frozenset({"shutdown", "inject_fault", "hand"})
@@ -234,7 +234,7 @@ def test_what_a_viewer_sends_to_the_stream_makes_it_no_viewer(client: Client) ->
 
 
 def test_notes_of_one_client_do_not_fill_the_log(tmp_path: Path) -> None:
-    from rigapp.engine.columns import cycle_columns, prediction_columns, revolution_columns
+    from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
     from rigapp.storage import FilePlan, TestMetadata, create_test, open_test
 
     plan = FilePlan(

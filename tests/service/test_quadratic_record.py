@@ -18,12 +18,12 @@ from rigapp.commands.calibrate import load_cell_result
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig
 from rigapp.config.rig import RigFile
-from rigapp.engine.assembler import Assembler
-from rigapp.engine.calibrate import Calibration, calibrate, calibration_of
-from rigapp.engine.checks import PeakForce
+from rigapp.engine.judging.checks import PeakForce
 from rigapp.engine.listening import _quadratic
 from rigapp.engine.processing import Processor
-from rigapp.engine.reduce import PLACE, Reducer
+from rigapp.engine.samples.assembler import Assembler
+from rigapp.engine.values.calibrate import Calibration, calibrate, calibration_of
+from rigapp.engine.values.reduce import PLACE, Reducer
 from rigapp.service.records import with_records
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 

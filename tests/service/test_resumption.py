@@ -17,10 +17,10 @@ from drivers.api import ChannelSpec, StreamSetup
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
 from rigapp.config.rig import RigFile
-from rigapp.engine.calibrate import Calibration, calibration_of
-from rigapp.engine.messages import Reply, Request, RunState
+from rigapp.engine.recording.store import calibration_record
 from rigapp.engine.run import ENDED, Refused
-from rigapp.engine.store import calibration_record
+from rigapp.engine.values.calibrate import Calibration, calibration_of
+from rigapp.schema.messages import Reply, Request, RunState
 from rigapp.service.host import EngineHost, read_test
 from rigapp.service.resumption import Fit, Past, Resumption, compare, remarks
 from rigapp.service.simulated import parse_speed

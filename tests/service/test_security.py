@@ -12,7 +12,7 @@ from test_server import Handler, Rows, until
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
-from rigapp.engine.messages import PROTOCOL_VERSION
+from rigapp.schema.messages import PROTOCOL_VERSION
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.host import EngineHost
 from rigapp.service.launch import attach

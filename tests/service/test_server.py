@@ -13,8 +13,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigapp.engine.columns import revolution_columns
-from rigapp.engine.messages import (
+from rigapp.leftovers import process_alive
+from rigapp.schema.columns import revolution_columns
+from rigapp.schema.messages import (
     PROTOCOL_VERSION,
     Reply,
     Request,
@@ -23,7 +24,7 @@ from rigapp.engine.messages import (
     Status,
     as_array,
 )
-from rigapp.leftovers import process_alive
+from rigapp.schema.verbs import Lane
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.lanes import UNDER_WAY
 from rigapp.service.registry import (
@@ -33,7 +34,6 @@ from rigapp.service.registry import (
     withdraw,
 )
 from rigapp.service.server import Server
-from rigapp.service.verbs import Lane
 
 
 def status(revolution: int = 0) -> Status:

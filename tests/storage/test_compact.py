@@ -15,7 +15,7 @@ import pytest
 from storage_samples import METADATA, PLAN, check, new_test, write
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.messages import Event
+from rigapp.schema.messages import Event
 from rigapp.storage import (
     StorageFailed,
     compact_in_background,

@@ -17,8 +17,8 @@ import h5py
 import pytest
 from storage_samples import PLAN, check, new_test, write
 
-from rigapp.engine.columns import cycle_columns, prediction_columns, revolution_columns
-from rigapp.engine.messages import Event
+from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
+from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, StorageFailed, open_test, reopen_test
 from rigapp.storage.disk import Disk
 from rigapp.storage.locks import writer_is_alive

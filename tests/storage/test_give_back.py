@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from storage_samples import PLAN, check, new_test, write
 
-from rigapp.engine.messages import Event
+from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, compact_test, open_test, reopen_test
 from rigapp.storage.create import hidden_name, remove_stale
 from rigapp.storage.disk import Disk

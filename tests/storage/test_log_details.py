@@ -9,10 +9,10 @@ import h5py
 import pytest
 from storage_samples import PLAN, new_test, write
 
-from rigapp.engine import causes
-from rigapp.engine.alarms import AlarmBook
-from rigapp.engine.criteria import Met
-from rigapp.engine.loglines import (
+from rigapp.engine.judging import causes
+from rigapp.engine.judging.alarms import AlarmBook
+from rigapp.engine.judging.criteria import Met
+from rigapp.schema.loglines import (
     AlarmChange,
     LimitChange,
     RestSignals,
@@ -21,7 +21,7 @@ from rigapp.engine.loglines import (
     limit_change,
     rest_signals,
 )
-from rigapp.engine.messages import Alarm, Event, Severity
+from rigapp.schema.messages import Alarm, Event, Severity
 from rigapp.storage import open_test, reopen_test
 
 DETAILED = replace(PLAN, event_details=True)

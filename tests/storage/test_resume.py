@@ -14,8 +14,8 @@ import pytest
 from storage_samples import PLAN, check, curves, cycle, new_test, prediction, row, write
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.columns import prediction_columns
-from rigapp.engine.messages import Event
+from rigapp.schema.columns import prediction_columns
+from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, open_test, reopen_test
 
 

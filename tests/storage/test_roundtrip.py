@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from storage_samples import METADATA, PLAN, check, curves, cycle, new_test, prediction, row, write
 
-from rigapp.engine.messages import Event
+from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, NoRoom, StorageFailed, open_test
 
 

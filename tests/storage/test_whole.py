@@ -10,7 +10,7 @@ from storage_samples import PLAN, check, new_test, write
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
-from rigapp.engine.messages import Request
+from rigapp.schema.messages import Request
 from rigapp.service.resumption import read_past
 from rigapp.storage import finish_whole_test, open_test
 

@@ -9,7 +9,7 @@ import h5py
 import numpy as np
 from storage_samples import PLAN, check, new_test, write
 
-from rigapp.engine.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
+from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.storage import TestWriter, open_test
 from rigapp.storage.compact import compact_test
 from rigapp.storage.layout import CHECKPOINT_BYTES, FilePlan, profile_rows

@@ -14,8 +14,8 @@ import pytest
 
 from rigapp.config.loading import read_rig, read_test
 from rigapp.config.model_parameters import to_parameters
-from rigapp.engine.columns import prediction_columns, profile_columns
-from rigapp.engine.messages import Prediction, WornProfile, as_array
+from rigapp.schema.columns import prediction_columns, profile_columns
+from rigapp.schema.messages import Prediction, WornProfile, as_array
 from rigapp.simulation.constants import plant_constants
 from rigapp.simulation.kernels import VELOCITY, Drive
 from rigapp.simulation.plant import Plant

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 from rigapp.config.loading import read_parameter_file
-from rigapp.engine.columns import prediction_columns
-from rigapp.engine.messages import Prediction, RevolutionMeasured, as_array
+from rigapp.schema.columns import prediction_columns
+from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
 from rigapp.twin.checkpoint import revolution_of
 from rigapp.twin.link import MAILBOX, TwinLink
 from rigapp.twin.worker import TwinSetup

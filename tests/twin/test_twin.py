@@ -10,8 +10,8 @@ import pytest
 from model.dynamics import inverse_dynamics
 from model.wear.life import life
 from rigapp.config.model_parameters import read_parameters
-from rigapp.engine.columns import prediction_columns
-from rigapp.engine.messages import Prediction, as_array
+from rigapp.schema.columns import prediction_columns
+from rigapp.schema.messages import Prediction, as_array
 from rigapp.twin.predict import Measured
 from rigapp.twin.twin import Twin
 

@@ -10,10 +10,10 @@ import pytest
 
 from model.dynamics import inverse_dynamics
 from model.parameters import Mechanism, Spring
-from rigapp.commands import model_progress
-from rigapp.commands.model_cycle import COLUMNS
-from rigapp.commands.model_forces import write_forces
-from rigapp.commands.model_impacts import CONTACT_COLUMNS, Impacting
+from rigapp.commands.model import progress as model_progress
+from rigapp.commands.model.cycle import COLUMNS
+from rigapp.commands.model.forces import write_forces
+from rigapp.commands.model.impacts import CONTACT_COLUMNS, Impacting
 from rigapp.config.errors import UnusableInput
 
 PARAMETERS = """

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rigapp.commands.model_paper import write_paper
+from rigapp.commands.model.paper import write_paper
 from rigapp.config.errors import UnusableInput
 from rigapp.report.paper import EXPERIMENT, SIMULATION, STEEL, make_paper
 from rigapp.report.paper.pages import provenance
@@ -144,7 +144,7 @@ def test_time_that_runs_out_leaves_pages_of_what_was_made(
 ) -> None:
     # Each look at the clock finds a second gone.
     clock = itertools.count()
-    monkeypatch.setattr("rigapp.commands.model_progress.monotonic", lambda: float(next(clock)))
+    monkeypatch.setattr("rigapp.commands.model.progress.monotonic", lambda: float(next(clock)))
     assert write_paper(tmp_path, None, 3.0) == 1
     printed = capsys.readouterr()
     assert "--time-limit-s 3: over before all comparisons were made" in printed.err

@@ -1,0 +1,221 @@
+"""The store of the daily checks and what its control charts say: append-only, each line chained."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from calibration.control_chart import Chart, Finding, chart
+from calibration.daily import DailyCheck
+from rigapp.calibrating.journal import Journal
+from rigapp.config.errors import UnusableInput
+
+STORE = "daily-checks.jsonl"
+COLUMNS = ("sensitivity_ratio", "cross_talk_ratio")
+NAMES = {"sensitivity_ratio": "Sensitivity", "cross_talk_ratio": "Cross-talk"}
+PROMISED = {"sensitivity_ratio": 1.0, "cross_talk_ratio": 0.0}
+
+
+@dataclass(frozen=True, slots=True)
+class History:
+    """The checks of the calibration in use, oldest first, and their charts by column."""
+
+    entries: tuple[Mapping[str, Any], ...]
+    earlier: int
+    charts: Mapping[str, Chart]
+
+    @property
+    def findings(self) -> tuple[tuple[str, Finding], ...]:
+        """Return (name of the chart, finding)."""
+        return tuple(
+            (NAMES[name], one) for name, found in self.charts.items() for one in found.findings
+        )
+
+    @property
+    def in_control(self) -> bool:
+        """Tell whether no rule asks for action."""
+        return not any(one.action for _, one in self.findings)
+
+
+def entry_of(
+    check: DailyCheck,
+    *,
+    rig: str,
+    simulated: bool,
+    operator: str,
+    calibration: Mapping[str, Any],
+    uncertainty_N: tuple[float, float] | None,
+    source: str,
+) -> dict[str, Any]:
+    """Return what the store keeps of a check; the expanded uncertainty as a share of the weight."""
+    weight = check.weight
+    share = None if uncertainty_N is None else (uncertainty_N[0] + uncertainty_N[1] * weight)
+    return {
+        "time": round(time.time(), 3),
+        "rig": rig,
+        "simulated": simulated,
+        "operator": operator,
+        "passed": check.passed,
+        "sensitivity_ratio": check.sensitivity,
+        "cross_talk_ratio": check.cross_talk,
+        "zero_N": check.zero.tolist(),
+        "largest_N": check.largest,
+        "allowed_N": check.allowed,
+        "weight_N": weight,
+        "expanded_uncertainty_ratio": None if share is None else share / weight,
+        "calibration": _fingerprint(calibration),
+        "source": source,
+    }
+
+
+def append_check(store: Path, entry: Mapping[str, Any]) -> None:
+    """Append a check; the same readings count once. Raises UnusableInput."""
+    journal = Journal(store)
+    try:
+        events = journal.read()
+        previous = _verify(store, events)
+        if events and events[-1].get("source") == entry["source"]:
+            return
+        body = {**entry, "previous": previous}
+        journal.append({**body, "digest": _digest(body)})
+    finally:
+        journal.close()
+
+
+def read_history(store: Path, rig: str | None = None) -> History:
+    """Read a store and judge the checks since the last change of the calibration.
+
+    rig: only of this rig; None for the one of the last check. Raises UnusableInput.
+    """
+    if not store.is_file():
+        raise UnusableInput(f"{store}: there are no daily checks yet; take one first.")
+    journal = Journal(store)
+    try:
+        events = journal.read()
+    finally:
+        journal.close()
+    _verify(store, events)
+    if not events:
+        raise UnusableInput(f"{store}: there are no daily checks yet; take one first.")
+    wanted = rig or events[-1]["rig"]
+    mine = [one for one in events if one["rig"] == wanted]
+    if not mine:
+        raise UnusableInput(f"{store}: there is no daily check of the rig {wanted!r}.")
+    used = mine[-1]["calibration"]
+    present = len(mine)
+    while present > 0 and mine[present - 1]["calibration"] == used:
+        present -= 1
+    entries = tuple(mine[present:])
+    return History(entries, present, {name: _chart(entries, name) for name in COLUMNS})
+
+
+def _chart(entries: Sequence[Mapping[str, Any]], name: str) -> Chart:
+    expanded = entries[-1]["expanded_uncertainty_ratio"]
+    return chart([one[name] for one in entries], PROMISED[name], expanded)
+
+
+def _verify(store: Path, events: Sequence[Mapping[str, Any]]) -> str:
+    """Return the digest of the last line; raise UnusableInput where the chain is broken."""
+    previous = ""
+    for number, event in enumerate(events, 1):
+        body = {key: value for key, value in event.items() if key != "digest"}
+        if event.get("previous") != previous or event.get("digest") != _digest(body):
+            raise UnusableInput(
+                f"{store}: line {number} was changed or a line before it is missing; the store is"
+                " append-only. Begin another one, and keep this."
+            )
+        previous = str(event["digest"])
+    return previous
+
+
+def _digest(body: Mapping[str, Any]) -> str:
+    text = json.dumps(body, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _fingerprint(calibration: Mapping[str, Any]) -> str:
+    return _digest(calibration)[:12]
+
+
+def history_result(found: History) -> dict[str, Any]:
+    """Return what ``--json`` prints."""
+    return {
+        "in_control": found.in_control,
+        "earlier_checks": found.earlier,
+        "findings": [
+            {"chart": name, "code": one.code, "sentence": one.sentence, "action": one.action}
+            for name, one in found.findings
+        ],
+        "checks": [
+            {key: one[key] for key in ("time", "operator", "passed", *COLUMNS, "largest_N")}
+            for one in found.entries
+        ],
+        "charts": {
+            name: {
+                "promised": one.promised,
+                "expanded_uncertainty": one.expanded,
+                "centre": one.centre,
+                "standard_deviation": one.sigma,
+                "limits": one.limits,
+            }
+            for name, one in found.charts.items()
+        },
+    }
+
+
+def history_lines(found: History, most: int = 20) -> list[str]:
+    """Return the newest checks as a table, and what the charts say."""
+    return [
+        "when (UTC)         sensitivity  cross-talk   largest N  verdict  operator",
+        *(
+            f"{when(one)}   {one['sensitivity_ratio']:10.5f}  {one['cross_talk_ratio']:+10.5f}"
+            f"  {one['largest_N']:10.2f}  {'passed' if one['passed'] else 'FAILED'}"
+            f"   {one['operator']}"
+            for one in found.entries[-most:]
+        ),
+        *verdict_lines(found),
+    ]
+
+
+def verdict_lines(found: History) -> list[str]:
+    """Return what the charts say, in sentences."""
+    count = len(found.entries)
+    lines = [f"{name}: {one.sentence}" for name, one in found.findings]
+    if not lines:
+        lines = [f"{count} check{'s' if count > 1 else ''} with this calibration: in control."]
+    limits = found.charts["sensitivity_ratio"].limits
+    if limits is None:
+        lines.append("From the eighth check on the history has limits of its own.")
+    else:
+        lines.append(
+            f"Limits of the history for the sensitivity: {limits[0]:.5f} to {limits[1]:.5f}."
+        )
+    return lines
+
+
+def when(entry: Mapping[str, Any]) -> str:
+    """Return the time of a check, UTC."""
+    moment = float(entry["time"])
+    return time.strftime("%Y-%m-%d %H:%M", time.gmtime(moment)) if math.isfinite(moment) else "?"
+
+
+def show_history(store: Path, to: Path | None, rig: str | None, *, as_json: bool) -> int:
+    """Print the history and draw its charts; status 1 when a rule asks for action."""
+    found = read_history(store, rig)
+    if as_json:
+        print(json.dumps(history_result(found)))
+    else:
+        print("\n".join(history_lines(found)))
+    if to is not None:
+        from rigapp.report.daily_chart import write_chart
+
+        write_chart(found, to)
+        if not as_json:
+            print(f"The chart is {to}.")
+    return 0 if found.in_control else 1

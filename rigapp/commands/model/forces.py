@@ -1,0 +1,118 @@
+"""`rigapp model forces`: one cycle of the mechanism as a table."""
+
+from __future__ import annotations
+
+import math
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rigapp.commands.model.cycle import Cycle, columns_of
+from rigapp.commands.model.impacts import Impacting, check_impacting, impact_cycle
+from rigapp.commands.tables import check_target, write_table
+from rigapp.config.errors import UnusableInput
+from rigapp.config.model_parameters import MM, read_parameters
+
+if TYPE_CHECKING:
+    from model.parameters import Parameters
+
+JOINTS = ("perfect", "continuous", "contact")
+FEWEST_POINTS, MOST_POINTS = 4, 1_000_000
+
+
+def write_forces(
+    params_path: Path,
+    rpm: float,
+    joint: str,
+    clearance_mm: float | None,
+    points: int,
+    target: Path,
+    impacting: Impacting | None = None,
+) -> int:
+    """Write one cycle at ``points`` equal crank angles as CSV, replacing an earlier table.
+
+    joint: perfect, continuous or contact; clearance_mm: radial clearance instead of the file's (not
+    with perfect); impacting: what only contact has. Sentences on stderr say where continuous
+    contact does not hold, and that a curve is one sample of a chaotic motion. Returns the exit
+    status: 0, or 1 when time ran out; raises UnusableInput naming what cannot be used.
+    """
+    from model.errors import OutOfTime
+
+    options = impacting or Impacting()
+    _check(rpm, joint, clearance_mm, points, params_path, target)
+    check_impacting(joint, options)
+    parameters = _with_clearance(read_parameters(params_path), params_path, clearance_mm)
+    try:
+        cycle = _cycle(parameters, rpm, joint, points, options)
+    except OutOfTime:
+        print(
+            f"--time-limit-s {options.time_limit_s:g}: over before the first revolution;"
+            f" {target} is not written.",
+            file=sys.stderr,
+        )
+        return 1
+    except ValueError as error:
+        raise UnusableInput(f"{params_path}: {error}.") from error
+    write_table("--to", target, cycle.columns)
+    size = cycle.columns["f_N"]
+    print(
+        f"{target}: {points} crank angles at {rpm:g} rpm, joint {joint}; "
+        f"force {size.min():.3f} to {size.max():.3f} N.{cycle.remark}"
+    )
+    for sentence in cycle.sentences:
+        print(sentence, file=sys.stderr)
+    return 0 if cycle.complete else 1
+
+
+def _check(
+    rpm: float, joint: str, clearance_mm: float | None, points: int, source: Path, target: Path
+) -> None:
+    """Refuse what the options cannot mean."""
+    if not math.isfinite(rpm) or rpm == 0.0:
+        raise UnusableInput(f"--rpm {rpm:g}: give a finite speed other than 0.")
+    if joint not in JOINTS:
+        raise UnusableInput(f"--joint {joint}: choose one of {', '.join(JOINTS)}.")
+    if not FEWEST_POINTS <= points <= MOST_POINTS:
+        raise UnusableInput(f"--points {points}: give {FEWEST_POINTS} to {MOST_POINTS}.")
+    if clearance_mm is not None:
+        if not math.isfinite(clearance_mm) or clearance_mm < 0.0:
+            raise UnusableInput(f"--clearance-mm {clearance_mm:g}: give 0 or more.")
+        if joint == "perfect" and clearance_mm != 0.0:
+            raise UnusableInput(
+                "--clearance-mm has no meaning for a perfect joint; use --joint continuous or"
+                " contact."
+            )
+    check_target("--to", target, source)
+
+
+def _with_clearance(parameters: Parameters, path: Path, clearance_mm: float | None) -> Parameters:
+    """Return the parameters with the bushing's radius set by a clearance."""
+    if clearance_mm is None:
+        return parameters
+    radius = parameters.joint.pin_radius + clearance_mm * MM
+    try:
+        return replace(parameters, joint=replace(parameters.joint, bushing_radius=radius))
+    except ValueError as error:
+        raise UnusableInput(f"{path} with --clearance-mm {clearance_mm:g}: {error}.") from error
+
+
+def _cycle(
+    parameters: Parameters, rpm: float, joint: str, points: int, impacting: Impacting
+) -> Cycle:
+    """Return the cycle by the technique chosen."""
+    from model.joints import continuous_contact, perfect_joint
+
+    speed = rpm * np.pi / 30.0
+    degrees = 360.0 / points * np.arange(points)
+    mechanism, bearing = parameters.mechanism, parameters.joint
+    if joint == "perfect":
+        motion = perfect_joint(mechanism, np.deg2rad(degrees), speed, joint=bearing)
+        return Cycle(columns_of(degrees, motion, bearing.pin_radius))
+    if joint == "continuous":
+        answer = continuous_contact(mechanism, bearing, np.deg2rad(degrees), speed)
+        columns = columns_of(degrees, answer.motion, bearing.pin_radius)
+        return Cycle(columns, sentences=tuple(filter(None, [answer.sentence()])))
+    return impact_cycle(parameters, speed, degrees, impacting)

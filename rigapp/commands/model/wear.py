@@ -1,0 +1,231 @@
+"""`rigapp model wear` and `rigapp model pressure`: life and contact of the bushing as tables."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, cast
+
+import numpy as np
+
+from rigapp.commands.model.progress import check_time_limit, watched
+from rigapp.commands.tables import check_target, write_table
+from rigapp.config.errors import UnusableInput
+from rigapp.config.model_parameters import MM, MPA, read_parameters
+
+if TYPE_CHECKING:
+    from model.wear.life import Life
+
+JOINTS = ("perfect", "continuous", "contact")
+METHODS = ("implicit", "explicit")
+CONTACTS = ("finite-element", "winkler")
+MM2 = 1e-6
+GRAM = 1e-3
+LARGEST_TOLERANCE = 0.1
+SMALLEST_TOLERANCE = 1e-5
+
+
+@dataclass(frozen=True, slots=True)
+class Scheme:
+    """Hold how a life is computed.
+
+    method: implicit or explicit; extrapolation: most cycles of an explicit step, None for half the
+    stability limit; contact: finite-element or winkler.
+    """
+
+    method: str = "implicit"
+    extrapolation: float | None = None
+    contact: str = "finite-element"
+
+
+def write_wear(
+    params_path: Path,
+    rpm: float,
+    cycles: int,
+    joint: str,
+    force_N: float | None,
+    tolerance: float,
+    target: Path,
+    profile: Path | None,
+    time_limit_s: float | None = None,
+    scheme: Scheme | None = None,
+) -> int:
+    """Write the life of the bushing as CSV, and its worn profile if a name is given.
+
+    joint: perfect, continuous or contact; force_N: a constant force along the follower, positive
+    in tension, instead of the mechanism's; tolerance: largest relative error of the depth at the
+    end; time_limit_s: after it what was reached is written; scheme: implicit steps and finite
+    elements if None. What the user must know about the
+    result goes to stderr. Returns the exit status: 0, or 1 when the tolerance was missed or time
+    ran out. Raises UnusableInput naming what cannot be used.
+    """
+    from model.errors import OutOfTime
+    from model.wear.life import life
+
+    _check_wear(params_path, rpm, cycles, joint, force_N, tolerance, target, profile)
+    scheme = scheme or Scheme()
+    _check_scheme(scheme)
+    check_time_limit(time_limit_s)
+    parameters = read_parameters(params_path)
+    try:
+        with watched("wear", time_limit_s) as tell, _plain(params_path, force_N):
+            result = life(
+                parameters,
+                rpm * np.pi / 30.0,
+                float(cycles),
+                cast(Literal["perfect", "continuous", "contact"], joint),
+                tolerance,
+                force_N,
+                tell,
+                method=cast(Literal["implicit", "explicit"], scheme.method),
+                step=scheme.extrapolation,
+                contact=cast(Literal["finite-element", "winkler"], scheme.contact),
+            )
+    except OutOfTime:
+        print(
+            f"--time-limit-s {time_limit_s:g}: over before the first row; {target} is not written.",
+            file=sys.stderr,
+        )
+        return 1
+    write_table("--to", target, _wear_columns(result))
+    if profile is not None:
+        columns = {"angle_deg": np.degrees(result.angle), "depth_mm": result.depth / MM}
+        write_table("--profile", profile, columns)
+    print(_summary(target, result, joint, force_N))
+    for note in result.notes:
+        print(note, file=sys.stderr)
+    return 0 if result.tolerance_met and result.complete else 1
+
+
+def write_pressure(params_path: Path, force_N: float, target: Path) -> int:
+    """Write the contact pressure under one force along the follower and print the pin's place.
+
+    Angles from -180 to 180 deg, 0 at the middle of the contact. Returns the exit status 0; raises
+    UnusableInput when the bushing cannot carry the force.
+    """
+    from model.bushing.ring import pressure_distribution, ring_of
+
+    if not math.isfinite(force_N) or force_N <= 0.0:
+        raise UnusableInput(f"--force-N {force_N:g}: give a finite force above 0.")
+    check_target("--to", target, params_path)
+    parameters = read_parameters(params_path)
+    joint = parameters.joint
+    with _plain(params_path, force_N):
+        ring = ring_of(joint, parameters.bushing.material)
+        found = pressure_distribution(ring, (force_N / joint.bushing_width, 0.0))
+    angle = np.append(found.angle, np.pi)
+    pressure = np.append(found.pressure, found.pressure[0])
+    columns = {"angle_deg": np.degrees(angle), "pressure_MPa": pressure / MPA}
+    write_table("--to", target, columns)
+    print(
+        f"{target}: pin displacement {found.pin[0] / MM:.6f} mm, of which"
+        f" {(found.pin[0] - ring.clearance) / MM:.6f} mm is indentation; peak pressure"
+        f" {pressure.max() / MPA:.4f} MPa; contact half-angle"
+        f" {np.degrees(found.half_angle):.2f} deg."
+    )
+    return 0
+
+
+def _check_wear(
+    source: Path,
+    rpm: float,
+    cycles: int,
+    joint: str,
+    force_N: float | None,
+    tolerance: float,
+    target: Path,
+    profile: Path | None,
+) -> None:
+    """Refuse what the options cannot mean."""
+    if not math.isfinite(rpm) or rpm == 0.0:
+        raise UnusableInput(f"--rpm {rpm:g}: give a finite speed other than 0.")
+    if cycles < 1:
+        raise UnusableInput(f"--cycles {cycles}: give at least 1.")
+    if joint not in JOINTS:
+        raise UnusableInput(f"--joint {joint}: choose one of {', '.join(JOINTS)}.")
+    if force_N is not None and (not math.isfinite(force_N) or force_N == 0.0):
+        raise UnusableInput(f"--force-N {force_N:g}: give a finite force other than 0.")
+    if not SMALLEST_TOLERANCE <= tolerance <= LARGEST_TOLERANCE:
+        raise UnusableInput(
+            f"--tolerance {tolerance:g}: give {SMALLEST_TOLERANCE:g} to {LARGEST_TOLERANCE:g}."
+        )
+    check_target("--to", target, source)
+    if profile is not None:
+        check_target("--profile", profile, source)
+        if profile.absolute() == target.absolute():
+            raise UnusableInput(f"--profile {profile}: that is the --to file; give another name.")
+
+
+def _check_scheme(scheme: Scheme) -> None:
+    """Refuse what the options of the computation cannot mean."""
+    for name, value, known in (
+        ("--method", scheme.method, METHODS),
+        ("--contact", scheme.contact, CONTACTS),
+    ):
+        if value not in known:
+            raise UnusableInput(f"{name} {value}: choose one of {', '.join(known)}.")
+    step = scheme.extrapolation
+    if step is not None and scheme.method != "explicit":
+        raise UnusableInput(
+            f"--extrapolation has no meaning for --method {scheme.method}; use --method explicit."
+        )
+    if step is not None and not (math.isfinite(step) and step > 0.0):
+        raise UnusableInput(f"--extrapolation {step:g}: give a finite number of cycles above 0.")
+
+
+def _wear_columns(result: Life) -> dict[str, Any]:
+    """Return the columns in the units of their names."""
+    return {
+        "cycles": result.cycles,
+        "max_depth_mm": result.max_depth / MM,
+        "worn_area_mm2": result.worn_area / MM2,
+        "worn_mass_g": result.worn_mass / GRAM,
+        "peak_pressure_MPa": result.peak_pressure / MPA,
+        "mean_force_N": result.mean_force,
+        "estimated_error_mm": result.estimated_error / MM,
+        "worn_area_error_mm2": result.area_error / MM2,
+        "worn_mass_error_g": result.mass_error / GRAM,
+    }
+
+
+def _summary(target: Path, result: Life, joint: str, force_N: float | None) -> str:
+    """Return what to print about a life."""
+    kind = f"joint {joint}" if force_N is None else f"constant force {force_N:g} N"
+    return (
+        f"{target}: {len(result.cycles)} rows, {kind}; after {result.cycles[-1]:.0f} cycles"
+        f" {result.max_depth[-1] / MM:.6g} mm deep (error at most"
+        f" {result.estimated_error[-1] / MM:.2g} mm), {result.worn_mass[-1] / GRAM:.6g} g worn"
+        f" (error at most {result.mass_error[-1] / GRAM:.2g} g).{_steps(result)}"
+    )
+
+
+def _steps(result: Life) -> str:
+    """Return what to print about explicit steps; nothing of implicit ones or without wear."""
+    if result.extrapolation is None or math.isinf(result.extrapolation.limit):
+        return ""
+    step, limit = result.extrapolation.step, result.extrapolation.limit
+    return (
+        f" Explicit steps of at most {step:.4g} cycles, {step / limit:.0%} of the stability limit"
+        f" of {limit:.4g} cycles on this mesh of {result.sectors} sectors."
+    )
+
+
+@contextmanager
+def _plain(params_path: Path, force_N: float | None) -> Iterator[None]:
+    """Turn the model's refusals into a sentence that names the file."""
+    from model.bushing.contact import ContactError
+    from model.wear.explicit import UnstableStep
+
+    try:
+        yield
+    except UnstableStep as error:
+        raise UnusableInput(f"--extrapolation {error.value:g}: {error.remedy}.") from error
+    except ContactError as error:
+        load = "the mechanism's force" if force_N is None else f"--force-N {force_N:g}"
+        raise UnusableInput(f"{params_path}: {load}: {error.remedy}.") from error
+    except ValueError as error:
+        raise UnusableInput(f"{params_path}: {error}.") from error

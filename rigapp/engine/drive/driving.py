@@ -1,0 +1,214 @@
+"""The one place that commands the spindle.
+
+A stop overrules everything: once it is asked for, no other command reaches the drive until a new
+start. The thread that asks for a stop sends it itself; the drive thread then sees to it that the
+spindle really stands.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from drivers.api import DeviceError, DriveStatus, Spindle
+from rigapp.engine.drive.sequences import Do, PauseSequence, Seen, StopSequence
+from rigapp.engine.timing import Timing
+
+
+@dataclass(frozen=True, slots=True)
+class Ramp:
+    """A speed and how fast it is reached."""
+
+    rpm: float
+    rpm_per_s: float
+
+
+class SpindleControl:
+    """Command one spindle; ``step`` belongs to the drive thread, the rest to any thread.
+
+    look: returns what the encoder shows now. slow: how much longer than nominal a ramp may take (a
+    slow simulated rig).
+    """
+
+    def __init__(
+        self,
+        spindle: Spindle,
+        timing: Timing,
+        look: Callable[[float | None], Seen],
+        slow: Callable[[], float],
+        watchdog_s: float,
+    ) -> None:
+        self._spindle = spindle
+        self._timing = timing
+        self._look = look
+        self._slow = slow
+        self._watchdog_s = watchdog_s
+        self._command = threading.Lock()
+        self._stop: StopSequence | None = None
+        self._pause: PauseSequence | None = None
+        self._ramp = Ramp(0.0, 60.0)
+        self.status: DriveStatus | None = None
+        self.answered_s = 0.0
+        self.last_error: DeviceError | None = None
+        self.errors = 0
+
+    # --- commands --------------------------------------------------------------------------------
+
+    def arm(self, ramp: Ramp) -> None:
+        """Forget the last stop, which is through, and prepare for a start."""
+        with self._command:
+            self._stop = None
+            self._pause = None
+            self._ramp = ramp
+
+    def run(self) -> None:
+        """Turn at the armed speed, unless a stop came since. Raises DeviceError."""
+        with self._command:
+            if self._stop is None:
+                self._send(self._ramp.rpm)
+
+    def resume(self) -> None:
+        """Turn at the test's speed again after a pause, unless a stop came first."""
+        with self._command:
+            if self._stop is None:
+                self._pause = None
+                self._send(self._ramp.rpm)
+
+    def pause_at(self, angle_deg: float) -> None:
+        """Begin to pause at a crank angle."""
+        slow = self._slow()
+        limit = (
+            self._timing.start_margin
+            + slow * (2.0 * self._ramp.rpm / self._ramp.rpm_per_s)
+            + slow * 3.0 * 60.0 / min(self._ramp.rpm, 10.0)
+        )
+        with self._command:
+            if self._stop is None:
+                self._pause = PauseSequence(
+                    angle_deg, self._ramp.rpm, self._ramp.rpm_per_s, time.monotonic(), limit
+                )
+
+    def stop_now(self, off: bool) -> None:
+        """Stop, or take the power off; the command is on its way when this returns.
+
+        Never raises: a drive that does not take the command is asked again by the drive thread.
+        """
+        now = time.monotonic()
+        with self._command:
+            self._pause = None
+            if self._stop is None or self._stop.done:
+                slow = self._slow()
+                ramp_s = (
+                    1.5 * slow * self._ramp.rpm / self._ramp.rpm_per_s + self._timing.stop_margin
+                )
+                self._stop = StopSequence(off, now, ramp_s, self._timing.coast, self._watchdog_s)
+            elif off:
+                self._stop.cut_power(now)
+            self._carry_out(Do.POWER_OFF if off else Do.RAMP_DOWN)
+
+    # --- the drive thread ------------------------------------------------------------------------
+
+    @property
+    def stopping(self) -> StopSequence | None:
+        """Return the stop under way."""
+        return self._stop
+
+    @property
+    def busy(self) -> bool:
+        """Tell whether a pause or a stop is under way."""
+        stop = self._stop
+        return (stop is not None and not stop.done) or self._pause is not None
+
+    @property
+    def quiet(self) -> bool:
+        """Tell whether the drive must not hear anything, so that its watchdog acts."""
+        stop = self._stop
+        return stop is not None and stop.quiet and not stop.done
+
+    @property
+    def power_cut(self) -> bool:
+        """Tell whether the drive took the command to cut the power.
+
+        A crank without power may swing under the spring, faster than it ran: nothing can be done
+        about it, and the stop goes on waiting until it stands.
+        """
+        stop = self._stop
+        return stop is not None and stop.power_cut
+
+    def poll(self) -> DriveStatus | None:
+        """Read the drive's status, which feeds its watchdog; None when it did not answer."""
+        try:
+            status = self._spindle.status()
+        except DeviceError as error:
+            self.last_error = error
+            self.errors += 1
+            return None
+        self.status = status
+        self.answered_s = time.monotonic()
+        return status
+
+    def reset_fault(self) -> None:
+        """Acknowledge the drive's faults; the motor stays off. Raises DeviceError."""
+        with self._command:
+            self._spindle.reset_fault()
+        self.poll()
+
+    @property
+    def answering(self) -> bool:
+        """Tell whether the drive answered lately."""
+        return time.monotonic() - self.answered_s < self.prompt_s
+
+    @property
+    def prompt_s(self) -> float:
+        """Return the age up to which an answer counts as a late one."""
+        return max(0.5, 3 * self._timing.poll)
+
+    def seen(self) -> Seen:
+        """Return what drive and encoder show now."""
+        status = self.status
+        known = status is not None and self.answering
+        rpm = status.speed_rev_per_s * 60.0 if status is not None and known else None
+        return self._look(rpm)
+
+    def step(self) -> Do:
+        """Take the pause or stop under way one step further, and return what was done."""
+        with self._command:
+            stop, pause = self._stop, self._pause
+            if stop is not None:
+                do = stop.step(self.seen())
+                if do in (Do.RAMP_DOWN, Do.POWER_OFF):
+                    self._carry_out(do)
+                return do
+            if pause is None:
+                return Do.WAIT
+            do = pause.step(self.seen())
+            try:
+                if do is Do.CREEP:
+                    self._send(pause.creep_rpm)
+                elif do is Do.RAMP_DOWN:
+                    self._send(0.0)
+            except DeviceError as error:
+                self.last_error = error
+                self.errors += 1
+                return Do.GIVE_UP
+            if do in (Do.STANDING, Do.GIVE_UP):
+                self._pause = None
+            return do
+
+    def _carry_out(self, do: Do) -> None:
+        assert self._stop is not None
+        try:
+            if do is Do.POWER_OFF:
+                self._spindle.drive_off()
+            else:
+                self._send(0.0)
+        except DeviceError as error:
+            self.last_error = error
+            self.errors += 1
+        else:
+            self._stop.commanded(do, time.monotonic())
+
+    def _send(self, rpm: float) -> None:
+        self._spindle.set_speed(rpm / 60.0, self._ramp.rpm_per_s / 60.0)

@@ -1,0 +1,55 @@
+"""Look at every sample of a block before anything else: the fastest of the interlocks."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from model.compiled import njit
+from rigapp.engine.samples.assembler import Values
+from rigapp.engine.values.bend import straightened
+from rigapp.engine.values.calibrate import Calibration
+
+Array = NDArray[np.float64]
+
+_SIGNATURE = "float64({0}[::1], {0}[::1], float64[:, ::1], float64[::1], float64[:, ::1])"
+
+
+def _peak(raw_1: Array, raw_2: Array, gain: Array, bias: Array, bend: Array) -> float:
+    largest = 0.0
+    curved = False
+    for j in range(3):
+        curved = curved or bend[0, j] != 0.0 or bend[1, j] != 0.0
+    for i in range(raw_1.shape[0]):
+        x = gain[0, 0] * raw_1[i] + gain[0, 1] * raw_2[i] + bias[0]
+        y = gain[1, 0] * raw_1[i] + gain[1, 1] * raw_2[i] + bias[1]
+        if curved:
+            x, y = straightened(x, y, bend)
+        square = x * x + y * y
+        if not square <= largest:
+            if math.isnan(square):
+                return square
+            largest = square
+    return largest
+
+
+_peak_kernel = njit(
+    [_SIGNATURE.format("float32"), _SIGNATURE.format("int32")], cache=True, nogil=True
+)(_peak)
+
+
+class PeakForce:
+    """Find the largest joint force of a block, from the samples as they came."""
+
+    def __init__(self, calibration: Calibration) -> None:
+        self._rows = calibration.rows
+        self._gain, self._bias = calibration.gains()
+        self._bend = calibration.bend
+
+    def of(self, values: Values) -> float:
+        """Return the largest |F| of a block in N; NaN when a sample is not a number."""
+        first, second = self._rows[:2]
+        square = _peak_kernel(values[first], values[second], self._gain, self._bias, self._bend)
+        return math.sqrt(square) if not math.isnan(square) else math.nan

@@ -1,0 +1,214 @@
+"""The rules of a test: two levels on a quantity of the revolution, with hysteresis and delay."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.ranges import refusal
+from rigapp.config.recipe import Action, LimitRule, LimitsSection
+from rigapp.config.rules import BOUNDS, check_rules, level_refusal
+from rigapp.schema.messages import Severity
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Say that a level was passed (``active``) or that the value came back."""
+
+    quantity: str
+    severity: Severity
+    above: bool
+    value: float
+    limit: float
+    active: bool
+    action: Action
+
+
+@dataclass(slots=True)
+class _Watch:
+    """One level of one rule."""
+
+    quantity: str
+    severity: Severity
+    above: bool
+    limit: float
+    hysteresis: float
+    delay: int
+    action: Action
+    beyond: int = 0
+    active: bool = False
+
+    def look(self, value: float) -> bool | None:
+        """Return True when the level is passed for good, False when the value came back."""
+        sign = 1 if self.above else -1
+        excess = sign * (value - self.limit)
+        if self.active:
+            if excess < -self.hysteresis or (self.hysteresis == 0 and excess <= 0):
+                self.active = False
+                self.beyond = 0
+                return False
+            return None
+        if excess > 0:
+            self.beyond += 1
+            if self.beyond >= self.delay:
+                self.active = True
+                return True
+        else:
+            self.beyond = 0
+        return None
+
+
+def _watches(rules: Iterable[LimitRule]) -> list[_Watch]:
+    found: list[_Watch] = []
+    for rule in rules:
+        for name in BOUNDS:
+            limit = getattr(rule, name)
+            if limit is None:
+                continue
+            critical = name.startswith("critical")
+            found.append(
+                _Watch(
+                    quantity=rule.quantity,
+                    severity=Severity.CRITICAL if critical else Severity.WARNING,
+                    above=name.endswith("above"),
+                    limit=limit,
+                    hysteresis=rule.hysteresis,
+                    delay=rule.delay_revolutions,
+                    action=rule.action_critical if critical else rule.action_warning,
+                )
+            )
+    return found
+
+
+class RuleMonitor:
+    """Judge every revolution by the rules; one thread calls it."""
+
+    def __init__(self, rules: Iterable[LimitRule]) -> None:
+        rules = tuple(rules)
+        check_rules(rules)
+        self.rules = rules
+        self._watches = _watches(rules)
+
+    def replace(self, rules: Iterable[LimitRule]) -> None:
+        """Judge by other rules from the next revolution on; raise UnusableInput.
+
+        What a level has seen so far stays with it.
+        """
+        rules = tuple(rules)
+        check_rules(rules)
+        former = {(w.quantity, w.severity, w.above): w for w in self._watches}
+        watches = _watches(rules)
+        for watch in watches:
+            before = former.get((watch.quantity, watch.severity, watch.above))
+            if before is not None:
+                watch.beyond, watch.active = before.beyond, before.active
+        self.rules, self._watches = rules, watches
+
+    def judge(self, values: Mapping[str, float]) -> list[Verdict]:
+        """Return what changed with these values; quantities that are missing or NaN are skipped."""
+        found: list[Verdict] = []
+        for watch in self._watches:
+            value = values.get(watch.quantity)
+            if value is None or math.isnan(value):
+                continue
+            change = watch.look(value)
+            if change is not None:
+                found.append(
+                    Verdict(
+                        watch.quantity,
+                        watch.severity,
+                        watch.above,
+                        value,
+                        watch.limit,
+                        change,
+                        watch.action,
+                    )
+                )
+        return found
+
+    def active(self) -> list[tuple[str, Severity, bool]]:
+        """Return the levels that are passed at present."""
+        return [(w.quantity, w.severity, w.above) for w in self._watches if w.active]
+
+    def worst_margin(self, values: Mapping[str, float]) -> tuple[float, str]:
+        """Return the smallest distance to a level in percent of the level, and its name."""
+        worst, name = math.inf, ""
+        for watch in self._watches:
+            value = values.get(watch.quantity)
+            if value is None or math.isnan(value):
+                continue
+            sign = 1 if watch.above else -1
+            margin = 100.0 * sign * (watch.limit - value) / max(abs(watch.limit), 1e-9)
+            if margin < worst:
+                side = "above" if watch.above else "below"
+                worst, name = margin, f"{watch.quantity} {watch.severity.value} {side}"
+        return worst, name
+
+
+ALWAYS = ("overload_N", "overspeed_rpm", "stale_data_s")
+"""What is always watched, beside the rules."""
+
+
+def limit_refusal(name: str, value: object) -> str:
+    """Return what is wrong with the value of a limit or level of that name; empty when right."""
+    if name in ALWAYS:
+        return refusal(f"limits.{name}", value)
+    quantity, _, level = name.partition(".")
+    wrong = level_refusal(quantity, level, value)
+    return f"{quantity}.{wrong}" if wrong else ""
+
+
+def least_margin(
+    monitor: RuleMonitor, limits: LimitsSection, values: Mapping[str, float]
+) -> tuple[float, str]:
+    """Return the least distance of a judged revolution to any limit, in percent, and which one.
+
+    values: the columns of its row. Infinite and unnamed when nothing of it is limited.
+    """
+    return min(
+        monitor.worst_margin(values),
+        margin_to(limits.overload_N, values["force_max"], "overload"),
+        margin_to(limits.overspeed_rpm, abs(values["speed_max"]), "overspeed"),
+        key=lambda one: math.inf if math.isnan(one[0]) else one[0],
+    )
+
+
+def margin_to(limit: float, value: float, name: str) -> tuple[float, str]:
+    """Return the distance of a value to its upper limit in percent of the limit, with its name."""
+    return 100.0 * (limit - value) / limit, name
+
+
+def changed_limits(
+    limits: LimitsSection, name: str, value: float
+) -> tuple[float | None, LimitsSection]:
+    """Return the former value and the limits with one changed; raise UnusableInput."""
+    quantity, _, level = name.partition(".")
+    places = [
+        place
+        for place, rule in enumerate(limits.rule)
+        if rule.quantity == quantity and level in BOUNDS and getattr(rule, level) is not None
+    ]
+    if name not in ALWAYS and not places:
+        known = [
+            f"{rule.quantity}.{level}"
+            for rule in limits.rule
+            for level in BOUNDS
+            if getattr(rule, level) is not None
+        ]
+        raise UnusableInput(
+            f"there is no limit {name!r}; there are: {', '.join((*ALWAYS, *known))}"
+        )
+    wrong = limit_refusal(name, value)
+    if wrong:
+        raise UnusableInput(wrong)
+    if name in ALWAYS:
+        return getattr(limits, name), msgspec.structs.replace(limits, **{name: value})
+    place = places[0]
+    rule = limits.rule[place]
+    changed = msgspec.structs.replace(rule, **{level: value})
+    rules = (*limits.rule[:place], changed, *limits.rule[place + 1 :])
+    return getattr(rule, level), msgspec.structs.replace(limits, rule=rules)

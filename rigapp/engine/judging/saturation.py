@@ -1,0 +1,70 @@
+"""Which inputs stay at the end of their range, from the samples that the device flags."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.api import Block, Quality
+from rigapp.engine.values.calibrate import ANALOG, Calibration
+
+AT_THE_END: Final = 0.98
+"""A flagged sample belongs to every input whose signal is beyond this share of its range."""
+
+STAYS_S: Final = 0.1
+"""An input counts as saturated after so long without a sound sample: a spike is none."""
+
+BACK_S: Final = 0.5
+"""It counts as sound again after so long without a saturated one."""
+
+
+class SaturationWatch:
+    """Follow the four analog inputs of one connection, block by block."""
+
+    def __init__(self, sample_rate_Hz: float) -> None:
+        self._stays = max(1, round(STAYS_S * sample_rate_Hz))
+        self._back = max(1, round(BACK_S * sample_rate_Hz))
+        self._full = np.zeros(4, np.int64)
+        self._sound = np.zeros(4, np.int64)
+        self.inputs: frozenset[str] = frozenset()
+
+    def mark(self, inputs: Iterable[str]) -> None:
+        """Count inputs as saturated at once."""
+        self.inputs |= frozenset(inputs)
+
+    def look(self, full: NDArray[np.bool_] | None, samples: int) -> bool:
+        """Take a block, ``full_samples`` of it; return whether ``inputs`` has changed."""
+        if full is None:
+            if not self.inputs and not self._full.any():
+                return False
+            full = np.zeros((4, samples), np.bool_)
+        for i in range(4):
+            self._full[i] = _trailing(full[i], self._full[i])
+            self._sound[i] = _trailing(~full[i], self._sound[i])
+        before = self.inputs
+        for i, name in enumerate(ANALOG):
+            if self._full[i] >= self._stays:
+                self.inputs |= {name}
+            elif self._sound[i] >= self._back:
+                self.inputs -= {name}
+        return self.inputs != before
+
+
+def full_samples(block: Block, calibration: Calibration) -> NDArray[np.bool_] | None:
+    """Return where each analog input is saturated, (4, samples); None where none is flagged."""
+    flagged = (block.quality & Quality.SATURATED) != 0
+    if not flagged.any():
+        return None
+    share = np.abs(calibration.signals(block.values)) / calibration.ranges[:, None]
+    return np.asarray((share >= AT_THE_END) & flagged, np.bool_)
+
+
+def _trailing(condition: NDArray[np.bool_], before: int) -> int:
+    """Return for how many samples up to the last one a condition has held."""
+    broken = np.flatnonzero(~condition)
+    if broken.size == 0:
+        return int(before + condition.size)
+    return int(condition.size - 1 - broken[-1])

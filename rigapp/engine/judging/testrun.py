@@ -1,0 +1,121 @@
+"""One test under way: numbers its revolutions, fills their rows, judges, stores, publishes.
+
+Which revolutions count. The first row is the first revolution that begins at an index after the
+start command; the ramp is part of the test, its revolutions carry the flag RAMP. Every revolution
+the crank makes from then on counts, whatever its quality, up to the planned number; a revolution
+lost in a gap of the data counts too and leaves a gap in the numbers. A pause does not end a
+revolution: its row carries the flag PAUSED, and the samples of the stand are left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.recipe import StopSection
+from rigapp.engine.judging.criteria import Met, StopMonitor
+from rigapp.engine.judging.limits import RuleMonitor, Verdict
+from rigapp.engine.samples.assembler import Revolution
+from rigapp.engine.values.calibrate import Calibration
+from rigapp.engine.values.reduce import NAMES, PLACE, Reducer
+from rigapp.schema.messages import Flag
+
+Array = NDArray[np.float64]
+
+NOT_STEADY = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
+"""Revolutions with one of these flags are stored, but not judged by the rules of the test."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Row:
+    """A finished row with the revolution behind it."""
+
+    number: int
+    values: Array
+    revolution: Revolution
+    verdicts: tuple[Verdict, ...]
+    last: bool
+    met: Met | None = None
+
+
+class TestRun:
+    """Turn the revolutions of one test into rows; the processing thread calls ``take``.
+
+    first: number of the first revolution to record. planned: number of the last. time_offset_s:
+    the test's time at its start (not 0 when it was resumed). utc: UTC seconds of a host time.
+    stops: the criteria that end the test before.
+    """
+
+    __test__ = False
+
+    def __init__(
+        self,
+        calibration: Calibration,
+        monitor: RuleMonitor,
+        first: int,
+        planned: int,
+        time_offset_s: float,
+        utc: Callable[[int, float], float],
+        resumed: bool,
+        stops: StopMonitor | None = None,
+    ) -> None:
+        self.calibration = calibration
+        self.monitor = monitor
+        self.stops = stops if stops is not None else StopMonitor(StopSection())
+        self.first = first
+        self.planned = planned
+        self.time_offset_s = time_offset_s
+        self.number = first - 1
+        self.start_sample: int | None = None
+        self.complete = False
+        self.newest: Row | None = None
+        self.judged: Row | None = None
+        self._reducer = Reducer(calibration)
+        self._utc = utc
+        self._resumed = resumed
+        self._first_ordinal: int | None = None
+
+    def begin(self, sample: int) -> None:
+        """Take note of the device sample at which the test's time starts."""
+        self.start_sample = sample
+
+    def take(self, revolution: Revolution, steady: bool) -> Row | None:
+        """Number a revolution, reduce and judge it; None when it does not belong to the test.
+
+        steady: the engine was not changing the speed in any part of it.
+        """
+        if self.complete or self.start_sample is None:
+            return None
+        if self._first_ordinal is None:
+            self._first_ordinal = revolution.ordinal
+        number = self.first + revolution.ordinal - self._first_ordinal
+        if number > self.planned:
+            self.complete = True
+            return None
+        row = self._reducer.reduce(revolution)
+        flags = revolution.flags
+        if not steady:
+            flags |= Flag.RAMP
+        if self._resumed:
+            flags |= Flag.GAP_BEFORE
+            self._resumed = False
+        elapsed = (revolution.end_sample - self.start_sample) / revolution.sample_rate_Hz
+        row[PLACE["revolution"]] = number
+        row[PLACE["time"]] = elapsed + self.time_offset_s
+        row[PLACE["host_time"]] = self._utc(
+            revolution.host_time_ns, revolution.later_samples / revolution.sample_rate_Hz
+        )
+        row[PLACE["quality"]] = int(flags)
+        verdicts: tuple[Verdict, ...] = ()
+        steady = not flags & NOT_STEADY
+        if steady:
+            verdicts = tuple(self.monitor.judge(dict(zip(NAMES, row.tolist(), strict=True))))
+        self.number = number
+        self.complete = number >= self.planned
+        met = self.stops.row(row)
+        self.newest = Row(number, row, revolution, verdicts, self.complete, met)
+        self.judged = self.newest if steady else self.judged
+        return self.newest

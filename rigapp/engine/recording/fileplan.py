@@ -1,0 +1,46 @@
+"""What the file of a test will hold, and so the room that it needs: one answer for everybody."""
+
+from __future__ import annotations
+
+import math
+
+from rigapp.config.recipe import TestFile
+from rigapp.engine.recording.history import triggered_cycles
+from rigapp.engine.recording.schedule import Schedule
+from rigapp.storage.layout import FilePlan, profile_rows
+
+SLOWER = 1.05
+"""A revolution may have so many times the samples of one at the set speed."""
+
+STAND_S = 3.0
+"""Time of the stand after it that an unfinished revolution may hold, and somewhat more."""
+
+UNFINISHED = 2
+"""Unfinished revolutions for which room is reserved."""
+
+
+def file_plan(
+    test: TestFile, sample_rate_Hz: float, samples_per_revolution: float | None = None
+) -> FilePlan:
+    """Return the plan of a test's file.
+
+    samples_per_revolution: of a device that the encoder clocks; None: the rate and the set speed
+    tell.
+    """
+    revolutions = test.run.revolutions
+    if samples_per_revolution is None:
+        samples_per_revolution = 60.0 / test.run.speed_rpm * sample_rate_Hz
+    samples = max(1, math.ceil(SLOWER * samples_per_revolution))
+    # A revolution that is cut off holds the ramp, of half the set speed, and some of the stand.
+    cut_off = 2 * samples + math.ceil(STAND_S * sample_rate_Hz)
+    scheduled = Schedule(test.cycles, revolutions).planned()
+    return FilePlan(
+        revolutions=revolutions,
+        cycles=scheduled + min(triggered_cycles(test.cycles, revolutions), revolutions - scheduled),
+        samples_per_cycle=samples,
+        prediction=test.prediction.enabled,
+        cycle_reason=True,
+        event_details=True,
+        unfinished_samples=UNFINISHED * cut_off,
+        profiles=profile_rows(revolutions) if test.prediction.enabled else 0,
+    )

@@ -1,0 +1,187 @@
+"""Which whole cycles are kept: those of the schedule, and those around a trigger.
+
+A trigger is an alarm that rises, a limit that is passed, or an operator's note. The last
+revolutions stay in memory until it is sure that no trigger wants them; what is wanted leaves in the
+order of the revolutions, none twice. As soon as the oldest one is wanted, it leaves at once: after
+a trigger nothing waits.
+
+Memory: ``before`` revolutions, at most ``RING_BYTES``; when fewer fit, the oldest leave early and
+are counted in ``shortened``. Room in the file: ``triggered_cycles``; the last bursts of it are kept
+for critical alarms. A trigger that has no room is counted in ``refused`` and changes nothing.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from rigapp.config.recipe import CyclesSection
+from rigapp.engine.recording.schedule import Schedule
+
+if TYPE_CHECKING:
+    from rigapp.engine.samples.assembler import Revolution
+
+RING_BYTES = 64 << 20
+"""Memory for revolutions that may still be wanted."""
+
+FEWEST_BURSTS, MOST_BURSTS = 10, 100
+REVOLUTIONS_A_BURST = 2000
+"""Room is reserved for a burst for each so many revolutions, within the two bounds above."""
+
+CRITICAL_BURSTS = 3
+"""Of these, so many are for critical alarms only."""
+
+
+class Why(enum.StrEnum):
+    """Say why a whole cycle is in the file; the words stand in ``/entry/cycles/why``."""
+
+    SCHEDULED = "scheduled"
+    LAST = "last"
+    BEFORE = "before"
+    TRIGGER = "trigger"
+    AFTER = "after"
+
+
+TRIGGERED = frozenset({Why.BEFORE, Why.TRIGGER, Why.AFTER})
+
+
+def triggered_cycles(section: CyclesSection, revolutions: int) -> int:
+    """Return the cycles around triggers for which a file reserves room."""
+    burst = _burst(section)
+    bursts = min(MOST_BURSTS, max(FEWEST_BURSTS, revolutions // REVOLUTIONS_A_BURST))
+    return min(bursts * burst, revolutions)
+
+
+def _burst(section: CyclesSection) -> int:
+    """Return the cycles that one trigger keeps at most; 0 when nothing is triggered."""
+    if section.before_alarm == 0 and section.after_alarm == 0:
+        return 0
+    return section.before_alarm + 1 + section.after_alarm
+
+
+@dataclass(slots=True, eq=False)
+class Kept:
+    """A revolution in memory; why it is kept, None while nothing wants it."""
+
+    number: int
+    revolution: Revolution
+    quality: int
+    why: Why | None
+
+    @property
+    def size(self) -> int:
+        """Return the bytes that it takes."""
+        one = self.revolution
+        return one.values.nbytes + one.counts.nbytes + one.segments.nbytes
+
+
+class History:
+    """Choose the whole cycles of one test; its owner serialises the calls.
+
+    used: triggered cycles that are in the file already (of a resumed test).
+    """
+
+    def __init__(
+        self,
+        section: CyclesSection,
+        revolutions: int,
+        used: int = 0,
+        limit_bytes: int = RING_BYTES,
+    ) -> None:
+        self.planned = revolutions
+        self._schedule = Schedule(section, revolutions)
+        self._before, self._after = section.before_alarm, section.after_alarm
+        self._burst = _burst(section)
+        self._room = triggered_cycles(section, revolutions)
+        self._used = used
+        self._limit_bytes = limit_bytes
+        self._ring: deque[Kept] = deque()
+        self._bytes = 0
+        self._due = False
+        self._after_left = 0
+        self._newest: Kept | None = None
+        self._newest_left = True
+        self.decided = 0
+        self.refused = 0
+        self.shortened = 0
+
+    @property
+    def bytes(self) -> int:
+        """Return the bytes of the revolutions that wait."""
+        return self._bytes
+
+    def trigger(self, critical: bool = False) -> bool:
+        """Want the next revolution and those around it; False when there is no room for them."""
+        if self._burst == 0:
+            return False
+        if self._due:
+            return True
+        undecided = sum(one.why is None for one in self._ring)
+        kept_back = 0 if critical else min(CRITICAL_BURSTS * self._burst, self._room // 2)
+        if self._used + undecided + 1 + self._after > self._room - kept_back:
+            self.refused += 1
+            return False
+        self._due = True
+        return True
+
+    def add(self, number: int, revolution: Revolution, quality: int = 0) -> list[Kept]:
+        """Take the newest revolution; return those that are to be written now, in order."""
+        why = Why.SCHEDULED if self._schedule.keeps(number) else None
+        if self._due:
+            self._mark_before()
+            self._used += why is None
+            why, self._after_left = Why.TRIGGER, self._after
+        elif self._after_left > 0:
+            self._after_left -= 1
+            if why is None:
+                why = Why.AFTER
+                self._used += 1
+        entry = Kept(number, revolution, quality, why)
+        self._newest, self._newest_left = entry, False
+        self._ring.append(entry)
+        self._bytes += entry.size
+        leaving = list(self._leave())
+        if not self._newest_left and revolution.values.base is not None:
+            # A view would hold the assembler's whole buffer.
+            entry.revolution = replace(revolution, values=revolution.values.copy())
+        return leaving
+
+    def close(self) -> list[Kept]:
+        """End the test: return what else is to be written, the last revolution among it."""
+        if self._due:
+            self._mark_before()
+        newest = self._newest
+        if newest is not None and newest.why is None and self._schedule.any:
+            newest.why = Why.LAST
+            if self._newest_left:
+                self._ring.append(newest)
+        leaving = [one for one in self._ring if one.why is not None]
+        self._ring.clear()
+        self._bytes = 0
+        if newest is not None:
+            self.decided = newest.number
+        return leaving
+
+    def _mark_before(self) -> None:
+        self._due = False
+        for one in self._ring:
+            if one.why is None:
+                one.why = Why.BEFORE
+                self._used += 1
+
+    def _leave(self) -> Iterator[Kept]:
+        ring = self._ring
+        while ring:
+            full = self._bytes > self._limit_bytes and len(ring) > 1
+            if ring[0].why is None and len(ring) <= self._before and not full:
+                return
+            self.shortened += full and ring[0].why is None and len(ring) <= self._before
+            one = ring.popleft()
+            self._bytes -= one.size
+            self.decided = one.number
+            self._newest_left |= one is self._newest
+            if one.why is not None:
+                yield one

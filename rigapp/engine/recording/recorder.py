@@ -1,0 +1,325 @@
+"""Put revolutions, cycles, predictions and events of one test into its file."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+import msgspec
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rigapp.engine.recording.history import History, Kept
+from rigapp.engine.recording.store import LookedAfter, Store
+from rigapp.engine.samples.assembler import Revolution
+from rigapp.engine.values.calibrate import Calibrated, Calibration, calibrate
+from rigapp.engine.values.reduce import PLACE
+from rigapp.schema.columns import PREDICTED_CURVES, PROFILE_CURVES, cycle_columns
+from rigapp.schema.messages import (
+    Cycle,
+    Event,
+    Prediction,
+    RevolutionMeasured,
+    WornProfile,
+    as_array,
+)
+
+Array = NDArray[np.float64]
+
+_SAMPLE_TYPES = {one.name: one.dtype for one in cycle_columns()}
+
+
+def cycle_samples(
+    revolution: Revolution, calibration: Calibration, start_sample: int, time_offset_s: float
+) -> dict[str, ArrayLike]:
+    """Return the columns of ``cycle_columns`` for one revolution, (samples,) each.
+
+    start_sample: device sample at which the test's time was time_offset_s.
+    """
+    values = calibrate(revolution, calibration)
+    inside = slice(revolution.before, revolution.before + revolution.samples)
+    raw = revolution.values[:, inside]
+    rows = calibration.rows
+    signals = (
+        raw[list(rows)].astype(np.float64) * calibration.scale[:, None]
+        + calibration.offset[:, None]
+    )
+    time = (revolution.sample_indices() - start_sample) / revolution.sample_rate_Hz
+    columns = {
+        "angle": np.degrees(values.angle_rad),
+        "time": time + time_offset_s,
+        "force_1": values.force_1,
+        "force_2": values.force_2,
+        "force": values.force,
+        "probe_1": values.probe_1,
+        "probe_2": values.probe_2,
+        "raw_force_1": signals[0],
+        "raw_force_2": signals[1],
+        "raw_probe_1": signals[2],
+        "raw_probe_2": signals[3],
+        "raw_count": raw[calibration.counter_row],
+    }
+    # Copies of the file's own types: the file then need not copy them again.
+    return {name: columns[name].astype(dtype) for name, dtype in _SAMPLE_TYPES.items()}
+
+
+def cycle_message(number: int, revolution: Revolution, calibration: Calibration) -> Cycle:
+    """Return one revolution for drawing."""
+    values: Calibrated = calibrate(revolution, calibration)
+
+    def packed(array: Array) -> bytes:
+        return array.astype("<f4").tobytes()
+
+    return Cycle(
+        revolution=number,
+        angle_deg=packed(np.degrees(values.angle_rad)),
+        force_1=packed(values.force_1),
+        force_2=packed(values.force_2),
+        force=packed(values.force),
+        probe_1=packed(values.probe_1),
+        probe_2=packed(values.probe_2),
+    )
+
+
+class CurvesBeside:
+    """Choose the predicted curves that go beside the kept cycles.
+
+    The twin answers later than the cycle comes, and skips revolutions: to each kept cycle belongs
+    the first prediction of its revolution or a later one. Waiting predictions are bounded; of more
+    the oldest lose their curves.
+    """
+
+    def __init__(self, waiting: int = 256) -> None:
+        self._waiting: deque[Prediction] = deque(maxlen=waiting)
+        self._kept: deque[int] = deque(maxlen=waiting)
+        self._decided = 0
+
+    def predicted(self, prediction: Prediction) -> Iterator[Prediction]:
+        """Take a prediction; yield those whose curves are to be written now, in order."""
+        self._waiting.append(prediction)
+        return self._chosen()
+
+    def kept(self, numbers: Iterable[int], decided: int) -> Iterator[Prediction]:
+        """Take the cycles that are kept; nothing up to revolution ``decided`` will be any more."""
+        self._kept.extend(numbers)
+        self._decided = decided
+        return self._chosen()
+
+    def _chosen(self) -> Iterator[Prediction]:
+        while self._waiting and self._waiting[0].revolution <= self._decided:
+            prediction = self._waiting.popleft()
+            wanted = False
+            while self._kept and self._kept[0] <= prediction.revolution:
+                self._kept.popleft()
+                wanted = True
+            if wanted:
+                yield prediction
+
+
+class Recorder:
+    """Write one test; rows from the processing thread, the rest from any.
+
+    first: number of the first revolution to come. unfinished: tells what there is of the revolution
+    under way. After ``close`` nothing is written
+    any more, and nothing fails.
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        history: History,
+        calibration: Calibration,
+        time_offset_s: float,
+        first: int = 1,
+        unfinished: Callable[[], Revolution | None] = lambda: None,
+    ) -> None:
+        self._store = store
+        self._history = history
+        self._curves = CurvesBeside()
+        self._calibration = calibration
+        self._start_sample: int | None = None
+        self._time_offset_s = time_offset_s
+        self._first = first
+        self._unfinished = unfinished
+        self._lock = threading.Lock()
+        self._closed = False
+        self._waiting_profile: WornProfile | None = None
+        self._last: tuple[int, int] | None = None
+        self._whole = False
+        self.committed = 0
+
+    def begin(self, sample: int) -> None:
+        """Take note of the device sample at which the test's time starts."""
+        self._start_sample = sample
+
+    @property
+    def rows(self) -> int:
+        """Return the rows in the file, committed or not."""
+        return self._store.revolutions
+
+    @property
+    def cycles_refused(self) -> int:
+        """Return the whole cycles that had no room."""
+        return self._store.cycles_refused
+
+    @property
+    def triggers_refused(self) -> int:
+        """Return the alarms, limits and notes whose whole cycles had no room."""
+        return self._history.refused
+
+    def row(self, number: int, row: Array, revolution: Revolution) -> None:
+        """Write a row, and the whole cycles that are kept."""
+        with self._lock:
+            if self._closed:
+                return
+            self._store.append_row(row)
+            self._last = (number, revolution.ordinal)
+            self._whole = number >= self._history.planned
+            quality = int(row[PLACE["quality"]])
+            self._keep(self._history.add(number, revolution, quality))
+
+    def trigger(self, critical: bool) -> None:
+        """Keep the next whole cycle and those around it: something has happened."""
+        with self._lock:
+            if not self._closed:
+                self._history.trigger(critical)
+
+    def prediction(self, prediction: Prediction) -> Array:
+        """Write a prediction and return its values; curves beside the kept cycles only."""
+        values = as_array(prediction.values, "<f8")
+        with self._lock:
+            if not self._closed:
+                self._store.append_prediction(values)
+                self._write_curves(self._curves.predicted(prediction))
+                if prediction.checkpoint:
+                    self._store.keep_checkpoint(prediction.revolution, prediction.checkpoint)
+                if prediction.profile is not None:
+                    self._take_profile(prediction.profile)
+        return values
+
+    def _take_profile(self, profile: WornProfile) -> None:
+        """Write a profile of the schedule; of the others the newest waits for the end."""
+        if not profile.keep:
+            self._waiting_profile = profile
+            return
+        self._waiting_profile = None
+        curves = {name: as_array(getattr(profile, name)) for name in PROFILE_CURVES}
+        self._store.append_profile(as_array(profile.values, "<f8"), curves)
+
+    def event(self, event: Event) -> bool:
+        """Write an event; False when the log has no room for it."""
+        with self._lock:
+            return self._closed or self._store.append_event(event)
+
+    def gap(self, event: Event) -> None:
+        """Write and count an interruption of the data."""
+        with self._lock:
+            if not self._closed:
+                self._store.note_gap(event)
+
+    def place(self) -> None:
+        """Put what waits in memory into the file; between commits, so that appending need not."""
+        if not self._closed:
+            self._store.place()
+
+    def commit(self) -> int:
+        """Make everything safe; return the safe rows. Appending goes on meanwhile."""
+        if not self._closed:
+            self.committed = self._store.commit()
+        return self.committed
+
+    @property
+    def path(self) -> Path:
+        """Return where the file is."""
+        return self._store.path
+
+    def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
+        """Give the file its name back when it was deleted, moved or replaced; may take long.
+
+        notice: told before that.
+        """
+        return None if self._closed else self._store.look_after(notice)
+
+    def extend(self, revolutions: int) -> None:
+        """Make room for another number of revolutions; raise UnusableInput when there is none."""
+        with self._lock:
+            if not self._closed:
+                self._store.extend(revolutions)
+
+    def finish(self, status: str, reason_code: str, sentence: str) -> None:
+        """Keep what still waits and the revolution cut off, say how the test ended, and close."""
+        cut_off = None if self._closed or self._whole else self._unfinished()
+        with self._lock:
+            if self._closed:
+                return
+            self._keep(self._history.close())
+            if cut_off is not None:
+                self._keep_unfinished(cut_off)
+            if self._waiting_profile is not None:
+                self._take_profile(msgspec.structs.replace(self._waiting_profile, keep=True))
+            self._closed = True
+        try:
+            self._store.finish(status, reason_code, sentence)
+            self.committed = self._store.revolutions
+        finally:
+            self._store.close()
+
+    def abandon(self) -> None:
+        """Close the file after the disk refused it; never raises."""
+        with self._lock:
+            self._closed = True
+        try:
+            self._store.close()
+        except Exception:
+            return
+
+    def _samples(self, revolution: Revolution) -> dict[str, ArrayLike]:
+        start = self._start_sample or 0
+        return cycle_samples(revolution, self._calibration, start, self._time_offset_s)
+
+    def _keep(self, leaving: Iterable[Kept]) -> None:
+        numbers: list[int] = []
+        for one in leaving:
+            assert one.why is not None
+            columns = self._samples(one.revolution)
+            if self._store.append_cycle(one.number, columns, one.why.value, one.quality):
+                numbers.append(one.number)
+        self._write_curves(self._curves.kept(numbers, self._history.decided))
+
+    def _write_curves(self, predictions: Iterable[Prediction]) -> None:
+        for one in predictions:
+            curves = {name: as_array(getattr(one, name)) for name in PREDICTED_CURVES}
+            self._store.append_curves(one.revolution, curves)
+
+    def _keep_unfinished(self, revolution: Revolution) -> None:
+        """Keep a revolution that was cut off after the last row; one before the test is none."""
+        if self._start_sample is None or revolution.first_sample < self._start_sample:
+            return
+        number, ordinal = self._last or (self._first - 1, revolution.ordinal - 1)
+        if revolution.ordinal <= ordinal or revolution.samples == 0:
+            return
+        self._store.append_unfinished(
+            number + revolution.ordinal - ordinal, self._samples(revolution), int(revolution.flags)
+        )
+
+
+def measured_history(
+    number: int, revolution: Revolution, calibration: Calibration
+) -> RevolutionMeasured:
+    """Return what the twin needs of one revolution."""
+    values = calibrate(revolution, calibration)
+
+    def packed(array: Array) -> bytes:
+        return array.astype("<f8").tobytes()
+
+    return RevolutionMeasured(
+        revolution=number,
+        time_s=packed(values.time_s),
+        angle_rad=packed(values.angle_rad),
+        force_1=packed(values.force_1),
+        force_2=packed(values.force_2),
+        probe_1=packed(values.probe_1),
+        probe_2=packed(values.probe_2),
+    )

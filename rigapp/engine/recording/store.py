@@ -1,0 +1,366 @@
+"""What the engine wants of a test file, and how it gets one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import msgspec
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from drivers.api import SampleClock
+from rigapp.config.loading import Document
+from rigapp.config.recipe import TestFile
+from rigapp.config.rig import RigFile
+from rigapp.engine.judging.criteria import DEPTH_COLUMNS, HISTORY_COLUMNS, NOTHING
+from rigapp.engine.recording.history import TRIGGERED
+from rigapp.engine.values.calibrate import Calibration
+from rigapp.engine.values.uncertainty import noise_of_sample, stated_uncertainty, uncertainty_record
+from rigapp.schema.loglines import RestSignals
+from rigapp.schema.messages import Event
+
+
+@dataclass(frozen=True, slots=True)
+class LookedAfter:
+    """Say what happened to the file of a test, and whether everything in it has a name again."""
+
+    sentence: str
+    saved: bool
+
+
+class Store(Protocol):
+    """Keep a test. ``append_*`` come from several threads and do not wait for the disk."""
+
+    @property
+    def path(self) -> Path:
+        """Return where the file is; another place when it had to be saved there."""
+        ...
+
+    def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
+        """Give the file its name back when it lost it; None when it has not.
+
+        It may take long; notice is told before.
+        """
+        ...
+
+    @property
+    def revolutions(self) -> int:
+        """Return the rows appended."""
+        ...
+
+    @property
+    def cycles_refused(self) -> int:
+        """Return the whole cycles that had no room."""
+        ...
+
+    def append_row(self, values: NDArray[np.float64]) -> None:
+        """Append a row in the order of ``revolution_columns``."""
+        ...
+
+    def append_cycle(
+        self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
+    ) -> bool:
+        """Append a whole cycle and why it is kept; False when there is no room for it."""
+        ...
+
+    def append_unfinished(
+        self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
+    ) -> bool:
+        """Append a revolution that was cut off; False when there is no room for it."""
+        ...
+
+    def append_prediction(self, values: NDArray[np.float64]) -> bool:
+        """Append a prediction; False when there is no room for it."""
+        ...
+
+    def append_curves(self, revolution: int, curves: Mapping[str, ArrayLike]) -> bool:
+        """Append the predicted curves of a revolution; False when there is no room for them."""
+        ...
+
+    def append_profile(self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike]) -> bool:
+        """Append a worn profile; False when there is no room for it."""
+        ...
+
+    def keep_checkpoint(self, revolution: int, state: bytes) -> None:
+        """Keep what a new twin needs to go on after a revolution; the newest one counts."""
+        ...
+
+    def append_event(self, event: Event) -> bool:
+        """Append to the log; False when it is full."""
+        ...
+
+    def note_gap(self, event: Event) -> None:
+        """Count an interruption and log it."""
+        ...
+
+    def place(self) -> None:
+        """Put what waits in memory into the file, without making it safe."""
+        ...
+
+    def extend(self, revolutions: int) -> None:
+        """Make room for another number of revolutions and log it; raise UnusableInput."""
+        ...
+
+    def commit(self) -> int:
+        """Make everything safe and return the number of safe rows."""
+        ...
+
+    def finish(self, status: str, reason_code: str, sentence: str) -> None:
+        """Commit, and say how the test ended: complete, stopped or fault."""
+        ...
+
+    def close(self) -> None:
+        """Let go of the file."""
+        ...
+
+
+HISTORY_ROWS = 100_000
+"""Rows of an earlier segment that are read at once."""
+
+
+def _no_history() -> Iterator[NDArray[np.float64]]:
+    return iter(())
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """A test file that is ready for rows. rows: already in it; last_*: of the last of these.
+
+    triggered: whole cycles in it that a trigger kept. history: yields these rows, some at a time,
+    as (len(HISTORY_COLUMNS), n); depths: reads the measured wear depths in it, as
+    (len(DEPTH_COLUMNS), n).
+    """
+
+    store: Store
+    rows: int = 0
+    last_revolution: int = 0
+    last_time_s: float = 0.0
+    last_host_time: float = 0.0
+    history: Callable[[], Iterator[NDArray[np.float64]]] = _no_history
+    depths: Callable[[], NDArray[np.float64]] = NOTHING.copy
+    triggered: int = 0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OpenRequest:
+    """Everything that goes into a new file before its first row. rest: the signals at rest."""
+
+    path: Path
+    rig: Document[RigFile]
+    test: Document[TestFile]
+    calibration: Calibration
+    devices: Mapping[str, Mapping[str, str | float | int]]
+    records: Mapping[str, str]
+    operator: str
+    resume: bool
+    rest: RestSignals | None = None
+
+
+OpenStore = Callable[[OpenRequest], Opened]
+"""Create or reopen a test file; raises UnusableInput and leaves nothing behind."""
+
+
+def open_file(request: OpenRequest) -> Opened:
+    """Create the HDF5 file of a test, or reopen it to go on; raise UnusableInput."""
+    return _resume(request) if request.resume else _create(request)
+
+
+def _create(request: OpenRequest) -> Opened:
+    from rigapp.engine.recording.fileplan import file_plan
+    from rigapp.storage.metadata import TestMetadata
+    from rigapp.storage.writer import create_test
+
+    test, rig = request.test.record, request.rig.record
+    calibration = request.calibration
+    by_encoder = calibration.clock is SampleClock.ENCODER
+    plan = file_plan(
+        test,
+        calibration.sample_rate_Hz,
+        calibration.encoder.counts_per_revolution if by_encoder else None,
+    )
+    metadata = TestMetadata(
+        title=test.title,
+        rig_text=request.rig.text,
+        test_text=request.test.text,
+        parameters=msgspec.to_builtins(test.model),
+        calibration={
+            **calibration_record(request.calibration),
+            "force_uncertainty": _uncertainty(request),
+            **_plain(request.devices),
+            **_records(request.records),
+        },
+        detectors=detector_record(rig, calibration.sample_rate_Hz),
+        rig_name=rig.name,
+        operator=request.operator or test.metadata.operator,
+        specimen=test.metadata.specimen,
+        bushing=test.metadata.bushing,
+        notes=test.metadata.notes,
+        simulated=rig.simulation is not None,
+    )
+    return Opened(create_test(request.path, plan, metadata))
+
+
+def _resume(request: OpenRequest) -> Opened:
+    from rigapp.storage.reader import open_test
+    from rigapp.storage.resume import reopen_test
+
+    store = reopen_test(request.path)
+    try:
+        with open_test(request.path) as reader:
+            rows = store.revolutions
+            if rows == 0:
+                return Opened(store)
+            return Opened(
+                store,
+                rows=rows,
+                last_revolution=int(reader.column("revolution")[rows - 1]),
+                last_time_s=float(reader.column("time")[rows - 1]),
+                last_host_time=float(reader.column("host_time")[rows - 1]),
+                triggered=sum(why in TRIGGERED for why in reader.cycle_reasons()),
+                history=lambda: _history(request.path, rows),
+                depths=lambda: _depths(request.path),
+            )
+    except BaseException:
+        store.close()
+        raise
+
+
+def _history(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
+    from rigapp.storage.reader import open_test
+
+    with open_test(path) as reader:
+        for first in range(0, rows, HISTORY_ROWS):
+            stop = min(rows, first + HISTORY_ROWS)
+            columns = [reader.column(name, first, stop) for name in HISTORY_COLUMNS]
+            yield np.array(columns, np.float64)
+
+
+def _depths(path: Path) -> NDArray[np.float64]:
+    from rigapp.storage.reader import open_test
+
+    with open_test(path) as reader:
+        found = reader.predictions()
+        return np.array([found[name] for name in DEPTH_COLUMNS], np.float64)
+
+
+def calibration_record(calibration: Calibration) -> dict[str, Any]:
+    """Return a calibration as nested plain values, units in the keys."""
+    encoder = calibration.encoder
+    return {
+        "load_cell": {
+            "record": calibration.names[0],
+            "matrix_N_per_mV_per_V": calibration.matrix.tolist(),
+            "bend_per_N": calibration.bend.tolist(),
+            "zero_mV_per_V": calibration.zero.tolist(),
+            "tare_mV_per_V": calibration.tare.tolist(),
+            "latency_ms": (calibration.latency_s[:2] * 1e3).tolist(),
+            "frame": "crank",
+            "sign": "F on the follower by the pin = G + bend (F1^2, F1 F2, F2^2),"
+            " G = - matrix (signal - zero - tare)",
+        },
+        "probes": {
+            "record": calibration.names[1],
+            "sensitivity_um_per_V": calibration.sensitivity.tolist(),
+            "offset_V": calibration.probe_offset.tolist(),
+            "latency_ms": (calibration.latency_s[2:] * 1e3).tolist(),
+            "frame": "follower",
+            **_probe_extras(calibration),
+        },
+        "encoder": {
+            "counts_per_revolution": encoder.counts_per_revolution,
+            "direction": encoder.direction,
+            "restarts_at_index": int(encoder.restarts_at_index),
+            "index_angle_deg": math.degrees(calibration.index_angle_rad),
+        },
+        "acquisition": {
+            "clock": calibration.clock.value,
+            "sample_rate_Hz": calibration.sample_rate_Hz,
+            "scale": calibration.scale.tolist(),
+            "offset": calibration.offset.tolist(),
+        },
+    }
+
+
+def _uncertainty(request: OpenRequest) -> dict[str, Any]:
+    """Return what the file says of the uncertainty of its forces."""
+    cell = request.rig.record.load_cell
+    stated = stated_uncertainty(request.records.get("load_cell", ""), cell.uncertainty_N)
+    noise = request.rest.noise if request.rest is not None else None
+    seen = noise_of_sample(request.calibration.matrix, noise, cell.resolution_N)
+    return uncertainty_record(stated, *seen, cell.full_scale_N)
+
+
+def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[str, Any]]:
+    """Return what measures, as nested plain values, units in the keys; rate: of the device."""
+    from rigapp.storage.layout import CALIBRATION
+
+    cell, probes, encoder = rig.load_cell, rig.probes, rig.encoder
+    return {
+        "load_cell": {
+            "description": "two bridges in the crank pin: the force on the follower by the pin, "
+            "along the crank and across it",
+            "type": "strain gauge load cell",
+            "channels": ["force_1", "force_2", "force"],
+            "local_name": [cell.input_1, cell.input_2],
+            **_device(rig, cell.device, sample_rate_Hz),
+            "full_scale_N": cell.full_scale_N,
+            "resolution_N": cell.resolution_N,
+            "latency_ms": list(cell.latency_ms),
+            "calibration": f"{CALIBRATION}/load_cell",
+        },
+        "probes": {
+            "description": "two probes on the follower: position of the pin, along the follower "
+            "and across it",
+            "type": "capacitance probe",
+            "channels": ["probe_1", "probe_2"],
+            "local_name": [probes.input_1, probes.input_2],
+            **_device(rig, probes.device, sample_rate_Hz),
+            "range_V": probes.range_V,
+            "latency_ms": list(probes.latency_ms),
+            "calibration": f"{CALIBRATION}/probes",
+        },
+        "encoder": {
+            "description": "angle of the crank",
+            "type": "incremental encoder with index",
+            "channels": ["angle"],
+            "local_name": [encoder.input],
+            **_device(rig, encoder.device, sample_rate_Hz),
+            "counts_per_revolution": encoder.counts_per_revolution,
+            "calibration": f"{CALIBRATION}/encoder",
+        },
+    }
+
+
+def _device(rig: RigFile, name: str, sample_rate_Hz: float) -> dict[str, Any]:
+    return {
+        "device": name,
+        "driver": rig.devices[name].driver,
+        "sample_rate_Hz": sample_rate_Hz,
+    }
+
+
+def _probe_extras(calibration: Calibration) -> dict[str, Any]:
+    """Return uncertainty, alignment and run-out map of the probes, those that are in use."""
+    extras: dict[str, Any] = {}
+    if calibration.probe_uncertainty_um is not None:
+        extras["uncertainty_um"] = list(calibration.probe_uncertainty_um)
+    correction = calibration.correction
+    if correction is not None:
+        extras["alignment"] = correction.matrix.tolist()
+        if correction.cosines.size:
+            extras["run_out_cos_um"] = correction.cosines.tolist()
+            extras["run_out_sin_um"] = correction.sines.tolist()
+    return extras
+
+
+def _plain(devices: Mapping[str, Mapping[str, str | float | int]]) -> dict[str, Any]:
+    return {f"device_{name}": dict(readback) for name, readback in devices.items()}
+
+
+def _records(texts: Mapping[str, str]) -> dict[str, Any]:
+    """Return the sealed calibration records as the file keeps them, one group each."""
+    return {f"record_{section}": {"record": text} for section, text in texts.items()}

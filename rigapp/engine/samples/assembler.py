@@ -1,0 +1,483 @@
+"""Cut the stream of Blocks at the encoder index into revolutions.
+
+Nothing is interpolated and nothing good is dropped: a gap is a break between two segments and a
+flag, a missing index, a slipped count and a reversal are flags. A revolution leaves the assembler
+when a few samples beyond its end have arrived (``Margins``): the calibration needs them to shift
+the analog channels against the encoder.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass, replace
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.api import Block
+from rigapp.engine.samples.counterstate import BEGIN, BREAK, CUT, E, P, S, new_state
+from rigapp.engine.samples.sampleclock import TICKS_PER_S
+from rigapp.engine.samples.unwrap import scan
+from rigapp.schema.messages import Flag
+
+Values = NDArray[np.float32] | NDArray[np.int32]
+
+MAXIMUM_ACCELERATION_REV_PER_S2 = 200.0
+"""Counts that deviate by more than this acceleration explains are not motion."""
+
+STANDSTILL_S = 2.0
+"""Samples of a standing crank beyond this time are counted, but not kept."""
+
+FIRST_BUFFER = 1 << 16
+
+
+@dataclass(frozen=True, slots=True)
+class EncoderSetup:
+    """Tell how the counter follows the crank.
+
+    counts_per_revolution: after quadrature. direction: +1 or -1, counter against crank.
+    restarts_at_index: the index pulse sets the count to zero. modulus: the counter wraps after so
+    many counts, 0 when it never does.
+    """
+
+    counts_per_revolution: int
+    direction: int = 1
+    restarts_at_index: bool = True
+    modulus: int = 0
+
+    def __post_init__(self) -> None:
+        if self.counts_per_revolution < 4:
+            raise ValueError(
+                f"counts_per_revolution is {self.counts_per_revolution}, must be 4 or more"
+            )
+        if self.direction not in (1, -1):
+            raise ValueError(f"direction is {self.direction}, must be 1 or -1")
+
+
+@dataclass(frozen=True, slots=True)
+class Margins:
+    """Say how many samples before and after a revolution are wanted with it."""
+
+    before: int = 0
+    after: int = 0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Revolution:
+    """Carry one revolution, raw.
+
+    ordinal: revolutions of the crank since the first one cut, lost ones counted.
+    values: (channels, before + samples + after), a view; the revolution starts at ``before``.
+    counts: (samples,) unwrapped counts from the index at its beginning, whole numbers, positive in
+    the rig's sense. end_count: the same of the first sample after it.
+    segments: (k, 2) int64, place in the revolution and device sample index of each run of samples
+    without a break; the first is at place 0.
+    first_sample, end_sample: device sample index of its first and of the first after it.
+    host_time_ns: monotonic time of the block that carries its end; later_samples: device samples
+    from its end to the end of that block.
+    ticks: None for a device that samples at fixed times. Of one that the encoder clocks: the time
+    of every sample of ``values``; all that is counted in device samples above is counted in these
+    ticks then, and sample_rate_Hz says how many make a second.
+    """
+
+    ordinal: int
+    values: Values
+    before: int
+    counts: NDArray[np.int64]
+    end_count: int
+    segments: NDArray[np.int64]
+    first_sample: int
+    end_sample: int
+    sample_rate_Hz: float
+    host_time_ns: int
+    later_samples: int
+    lost_samples: int
+    idle_samples: int
+    flags: Flag
+    ticks: NDArray[np.int64] | None = None
+
+    @property
+    def samples(self) -> int:
+        """Return the number of samples kept."""
+        return int(self.counts.shape[0])
+
+    def sample_indices(self) -> NDArray[np.int64]:
+        """Return the device sample index (or tick) of every sample, (samples,)."""
+        if self.ticks is not None:
+            return self.ticks[self.before : self.before + self.samples]
+        if len(self.segments) == 1:
+            first = int(self.segments[0, 1])
+            return np.arange(first, first + self.samples, dtype=np.int64)
+        index = np.arange(self.samples, dtype=np.int64)
+        places = self.segments[:, 0]
+        which = np.searchsorted(places, index, side="right") - 1
+        return np.asarray(index - places[which] + self.segments[which, 1], np.int64)
+
+
+@dataclass(slots=True)
+class Motion:
+    """Show the newest motion of the crank: what interlocks and the screen look at.
+
+    count: unwrapped position, corrected at every index; phase: counts from the index, 0 ..
+    counts_per_revolution - 1. travel: counts turned up to the block's first and last sample, never
+    corrected, so that a lost count does not look like speed.
+    standing_samples: device samples since the count last changed.
+    """
+
+    count: int = 0
+    phase: int = 0
+    travel: tuple[int, int] = (0, 0)
+    locked: bool = False
+    standing_samples: int = 0
+    turned_without_index: float = 0.0
+    index_events: int = 0
+    count_errors: int = 0
+
+
+@dataclass(slots=True, eq=False)
+class _Waiting:
+    """A revolution whose following samples have not all arrived."""
+
+    start: int
+    end: int
+    event: NDArray[np.int64]
+    begin_sample: int
+    host_time_ns: int
+    later_samples: int
+    base: int
+
+
+class Assembler:
+    """Turn Blocks into Revolutions; one thread calls it.
+
+    counter_row: row of the Block that carries the count. scale, offset: of its ChannelSpec.
+    """
+
+    def __init__(
+        self,
+        encoder: EncoderSetup,
+        counter_row: int,
+        sample_rate_Hz: float,
+        margins: Margins | None = None,
+        capacity: int = 1 << 22,
+        scale: float = 1.0,
+        offset: float = 0.0,
+    ) -> None:
+        if sample_rate_Hz <= 0:
+            raise ValueError(f"sample_rate_Hz is {sample_rate_Hz}, must be positive")
+        self.encoder = encoder
+        self.margins = margins or Margins()
+        self.sample_rate_Hz = sample_rate_Hz
+        self._row = counter_row
+        self._scale = scale
+        self._offset = offset
+        turn = encoder.counts_per_revolution
+        parameters = np.zeros(int(P.SIZE), np.int64)
+        parameters[P.COUNTS] = turn
+        parameters[P.DIRECTION] = encoder.direction
+        parameters[P.RESTARTS] = int(encoder.restarts_at_index)
+        parameters[P.MODULUS] = encoder.modulus
+        parameters[P.TOLERANCE] = math.ceil(
+            max(1.0, min(MAXIMUM_ACCELERATION_REV_PER_S2 * turn / sample_rate_Hz**2, turn / 16))
+        )
+        parameters[P.MISSED_AFTER] = max(4, turn // 8)
+        parameters[P.IDLE_AFTER] = max(16, round(STANDSTILL_S * sample_rate_Hz))
+        parameters[P.CAPACITY] = capacity
+        self._parameters = parameters
+        self._state, self._mean_step = new_state()
+        self._next_sample: int | None = None
+        self._next_sequence: int | None = None
+        self._host_time_ns = 0
+        self._values: Values = np.empty((0, 0), np.float32)
+        self._positions = np.empty(0, np.int64)
+        self._ticks: NDArray[np.int64] | None = None
+        self._scratch = np.empty(0, np.int64)
+        self._keep = np.empty(0, np.uint8)
+        self._events = np.empty((0, int(E.SIZE)), np.int64)
+        self._origin = 0  # kept index of the buffer's place 0
+        self._fill = 0
+        self._begin: tuple[int, int] | None = None  # kept index, device sample
+        self._breaks: deque[tuple[int, int]] = deque()
+        self._waiting: deque[_Waiting] = deque()
+        self.lead_in_samples = 0
+        self.lost_samples = 0
+        self.motion = Motion()
+
+    def discard(self) -> None:
+        """Forget the revolution under way: the next one begins at the next index."""
+        self._state[S.INSIDE] = 0
+        self._begin = None
+        self._waiting.clear()
+
+    def flag_time_jump(self) -> None:
+        """Flag the revolution under way: device and host time have parted."""
+        self._state[S.FLAGS] |= int(Flag.TIME_JUMP)
+
+    @property
+    def ordinal(self) -> int:
+        """Return the ordinal of the revolution under way."""
+        return int(self._state[S.ORDINAL])
+
+    def push(self, block: Block, ticks: NDArray[np.int64] | None = None) -> list[Revolution]:
+        """Take a Block and return the revolutions that it completes, in order.
+
+        ticks: (samples,) time of each sample in ns, of a device that the encoder clocks.
+        """
+        n = block.values.shape[1]
+        lost = self._lost_before(block)
+        self._next_sample = block.first_sample + n
+        self._next_sequence = block.sequence + 1
+        self._host_time_ns = block.host_time_ns
+        if n == 0:
+            return []
+        self.lost_samples += max(lost, 0)
+        counts, quality = self._counts(block)
+        if n > self._scratch.size:
+            self._scratch = np.empty(2 * n, np.int64)
+            self._keep = np.empty(2 * n, np.uint8)
+            self._events = np.empty((4 * n, int(E.SIZE)), np.int64)
+        position, keep, events = self._scratch[:n], self._keep[:n], self._events
+        kept_before = int(self._state[S.KEPT])
+        found = scan(
+            counts,
+            quality,
+            block.first_sample,
+            lost,
+            self._state,
+            self._mean_step,
+            self._parameters,
+            position,
+            keep,
+            events,
+        )
+        kept = int(self._state[S.KEPT]) - kept_before
+        self._append(block.values, position, keep, kept, ticks)
+        if kept_before == 0:
+            self._breaks.append((0, block.first_sample))
+        for event in events[:found]:
+            self._take(event, block, n)
+        self._look(position, block, n)
+        return self._ready()
+
+    def unfinished(self) -> Revolution | None:
+        """Return what there is of the revolution under way, flagged PARTIAL; None before any.
+
+        The revolution goes on; call it from the thread that calls ``push``, or hold that one back.
+        """
+        end = self._origin + self._fill
+        if self._begin is None or self._begin[0] >= end:
+            return None
+        state, (start, begin_sample) = self._state, self._begin
+        event = np.zeros(int(E.SIZE), np.int64)
+        event[E.SAMPLE] = self._next_sample or 0
+        event[E.ORDINAL] = state[S.ORDINAL]
+        event[E.FLAGS] = int(state[S.FLAGS]) | int(Flag.PARTIAL)
+        event[E.LOST] = state[S.LOST]
+        event[E.IDLE] = state[S.IDLE]
+        event[E.END_POSITION] = state[S.POSITION]
+        return self._build(
+            _Waiting(
+                start=start,
+                end=end,
+                event=event,
+                begin_sample=begin_sample,
+                host_time_ns=self._host_time_ns,
+                later_samples=0,
+                base=int(state[S.BASE]),
+            )
+        )
+
+    def _lost_before(self, block: Block) -> int:
+        if self._next_sample is None or self._next_sequence is None:
+            return 0
+        missing = block.first_sample - self._next_sample
+        if missing < 0:
+            return -1
+        if missing == 0 and block.sequence != self._next_sequence:
+            return block.lost_before or -1
+        return max(missing, block.lost_before)
+
+    def _counts(self, block: Block) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
+        raw = block.values[self._row]
+        quality = np.ascontiguousarray(block.quality, np.uint8)
+        if raw.dtype == np.int32 and self._scale == 1.0 and self._offset == 0.0:
+            return raw.astype(np.int64), quality
+        signal = raw.astype(np.float64)
+        if self._scale != 1.0 or self._offset != 0.0:
+            signal = signal * self._scale + self._offset
+        good = np.isfinite(signal)
+        if not good.all():
+            # A count that is no number: hold the last good one and say so.
+            held = np.maximum.accumulate(np.where(good, np.arange(signal.size), -1))
+            last = float(self._state[S.PREVIOUS] * self.encoder.direction)
+            signal = np.where(held >= 0, signal[np.maximum(held, 0)], last)
+            quality = quality | np.where(good, 0, 8).astype(np.uint8)
+        return np.rint(signal).astype(np.int64), quality
+
+    def _append(
+        self,
+        values: Values,
+        position: NDArray[np.int64],
+        keep: NDArray[np.uint8],
+        kept: int,
+        ticks: NDArray[np.int64] | None,
+    ) -> None:
+        if kept == 0:
+            return
+        if ticks is not None and self._ticks is None:
+            self._ticks = np.empty(self._positions.size, np.int64)
+        self._make_room(kept, values)
+        if self._ticks is not None and ticks is not None:
+            inside = ticks if kept == position.size else ticks[keep.astype(bool)]
+            self._ticks[self._fill : self._fill + kept] = inside
+        place = slice(self._fill, self._fill + kept)
+        if kept == position.size:
+            self._values[:, place] = values
+            self._positions[place] = position
+        else:
+            mask = keep.astype(bool)
+            self._values[:, place] = values[:, mask]
+            self._positions[place] = position[mask]
+        self._fill += kept
+
+    def _oldest_wanted(self) -> int:
+        """Return the kept index of the oldest sample that is still needed."""
+        newest = self._origin + self._fill
+        if self._waiting:
+            first = self._waiting[0].start
+        elif self._begin is not None:
+            first = self._begin[0]
+        else:
+            first = newest
+        return max(self._origin, first - self.margins.before)
+
+    def _make_room(self, kept: int, values: Values) -> None:
+        if self._fill + kept <= self._positions.size and self._values.dtype == values.dtype:
+            return
+        oldest = self._oldest_wanted()
+        start = oldest - self._origin
+        alive = self._fill - start
+        size = max(FIRST_BUFFER, 4 * (alive + kept))
+        # A new buffer instead of moving the old one: revolutions are views that may still be read.
+        grown = np.empty((values.shape[0], size), values.dtype)
+        positions = np.empty(size, np.int64)
+        if alive:
+            grown[:, :alive] = self._values[:, start : self._fill]
+            positions[:alive] = self._positions[start : self._fill]
+        if self._ticks is not None:
+            times = np.empty(size, np.int64)
+            times[:alive] = self._ticks[start : self._fill]
+            self._ticks = times
+        self._values, self._positions = cast(Values, grown), positions
+        self._origin, self._fill = oldest, alive
+
+    def _take(self, event: NDArray[np.int64], block: Block, n: int) -> None:
+        kind, kept, sample = int(event[E.KIND]), int(event[E.KEPT]), int(event[E.SAMPLE])
+        if kind == BREAK:
+            self._breaks.append((kept, sample))
+            return
+        if kind == BEGIN or self._begin is None:
+            self.lead_in_samples = kept
+        elif kind == CUT:
+            start, begin_sample = self._begin
+            self._waiting.append(
+                _Waiting(
+                    start=start,
+                    end=kept,
+                    event=event.copy(),
+                    begin_sample=begin_sample,
+                    host_time_ns=block.host_time_ns,
+                    later_samples=max(0, block.first_sample + n - sample),
+                    base=int(event[E.BASE]),
+                )
+            )
+        self._begin = (kept, sample)
+
+    def _look(self, position: NDArray[np.int64], block: Block, n: int) -> None:
+        state, turn = self._state, self.encoder.counts_per_revolution
+        motion = self.motion
+        motion.travel = (int(state[S.TRAVEL_FIRST]), int(state[S.TRAVEL]))
+        motion.count = int(position[-1])
+        motion.phase = motion.count % turn
+        motion.locked = bool(state[S.LOCKED])
+        motion.standing_samples = block.first_sample + n - 1 - int(state[S.LAST_MOVED])
+        motion.turned_without_index = (
+            0.0 if motion.locked else abs(int(state[S.UNLOCKED_TURN])) / turn
+        )
+        motion.index_events = int(state[S.INDEX_EVENTS])
+        motion.count_errors = int(state[S.COUNT_ERRORS])
+
+    def _ready(self) -> list[Revolution]:
+        end = self._origin + self._fill
+        done: list[Revolution] = []
+        while self._waiting and self._waiting[0].end + self.margins.after <= end:
+            done.append(self._build(self._waiting.popleft()))
+        if not self._waiting:
+            oldest = self._begin[0] if self._begin is not None else end
+            while len(self._breaks) > 1 and self._breaks[1][0] <= oldest - self.margins.before:
+                self._breaks.popleft()
+        return done
+
+    def _build(self, item: _Waiting) -> Revolution:
+        start, end = item.start, item.end
+        segments: list[tuple[int, int]] = [(0, item.begin_sample)]
+        first = start - self.margins.before
+        last = min(end + self.margins.after, self._origin + self._fill)
+        for kept, sample in self._breaks:
+            if kept <= start:
+                first = max(first, kept)
+            elif kept < end:
+                segments.append((kept - start, sample))
+            else:
+                last = min(last, kept)
+                break
+        first = max(first, self._origin)
+        event = item.event
+        offset = self._origin
+        counts = self._positions[start - offset : end - offset] - item.base
+        revolution = Revolution(
+            ordinal=int(event[E.ORDINAL]),
+            values=self._values[:, first - offset : last - offset],
+            before=start - first,
+            counts=counts,
+            end_count=int(event[E.END_POSITION]) - item.base,
+            segments=np.array(segments, np.int64),
+            first_sample=item.begin_sample,
+            end_sample=int(event[E.SAMPLE]),
+            sample_rate_Hz=self.sample_rate_Hz,
+            host_time_ns=item.host_time_ns,
+            later_samples=item.later_samples,
+            lost_samples=int(event[E.LOST]),
+            idle_samples=int(event[E.IDLE]),
+            flags=Flag(int(event[E.FLAGS])),
+        )
+        if self._ticks is None:
+            return revolution
+        ticks = self._ticks[: self._fill]
+        around = slice(first - offset, last - offset)
+        return _timed(revolution, ticks[around], ticks[start - offset : end - offset + 1])
+
+
+def _timed(
+    revolution: Revolution, ticks: NDArray[np.int64], inside: NDArray[np.int64]
+) -> Revolution:
+    """Return a revolution counted in ticks. inside: of its samples and of the first after it.
+
+    A long time between two pulses is a stand; what of it is beyond STANDSTILL_S is idle.
+    """
+    if inside.size <= revolution.samples:  # nothing has come after it
+        inside = np.append(inside, 2 * inside[-1] - inside[-2] if inside.size > 1 else inside[-1])
+    idle = np.maximum(np.diff(inside) - round(STANDSTILL_S * TICKS_PER_S), 0)
+    nominal = TICKS_PER_S / revolution.sample_rate_Hz
+    return replace(
+        revolution,
+        ticks=ticks,
+        first_sample=int(inside[0]),
+        end_sample=int(inside[-1]),
+        sample_rate_Hz=TICKS_PER_S,
+        later_samples=round(revolution.later_samples * nominal),
+        idle_samples=int(idle.sum()),
+        flags=revolution.flags | (Flag.PAUSED if idle.any() else Flag.GOOD),
+    )

@@ -1,1 +1,0 @@
-"""The calibration wizard: a face of ``rigapp.commands.live_calibration``."""

@@ -1,0 +1,129 @@
+"""Measurement beside model: the arrays of one revolution, their difference, values at an angle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.gui.data.frames import Frame, to_frame
+from rigapp.gui.data.series import MeasuredCycle, PredictedCycle
+from rigapp.schema.messages import ChannelView
+
+Floats = NDArray[np.float64]
+
+CURVES = ("force", "force_1", "force_2")
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """The arrays on the screen: crank angle, |F| and components of measurement and model.
+
+    ``model`` is on the model's own angles, ``residual`` (measured - model) on the measured ones.
+    """
+
+    angle_deg: Floats
+    measured: dict[str, Floats]
+    measured_revolution: int
+    model_angle_deg: Floats | None = None
+    model: dict[str, Floats] | None = None
+    residual: dict[str, Floats] | None = None
+    model_revolution: int | None = None
+
+
+def compose(
+    cycle: MeasuredCycle,
+    prediction: PredictedCycle | None,
+    frame: Frame,
+    crank_over_follower: float | None,
+) -> Shown:
+    """Return measurement, model and their difference over one revolution in a frame."""
+    angle = cycle.angle_deg.astype(np.float64)
+    measured = _in_frame(angle, cycle.channels, frame, crank_over_follower)
+    if prediction is None:
+        return Shown(angle, measured, cycle.revolution)
+    model_angle = np.append(prediction.angle_deg, 360.0)
+    curves = {name: np.append(values, values[0]) for name, values in prediction.curves.items()}
+    on_measured = {name: prediction.at(angle, name) for name in CURVES}
+    model = _in_frame(angle, on_measured, frame, crank_over_follower)
+    return Shown(
+        angle,
+        measured,
+        cycle.revolution,
+        model_angle,
+        _in_frame(model_angle, curves, frame, crank_over_follower),
+        {name: measured[name] - model[name] for name in CURVES},
+        prediction.revolution,
+    )
+
+
+def binned(angle_deg: Floats, values: Floats, width_deg: float) -> tuple[Floats, Floats]:
+    """Return means over bins of crank angle (bin middles, means); empty bins are left out."""
+    count = round(360.0 / width_deg)
+    place = np.clip((angle_deg / width_deg).astype(np.intp), 0, count - 1)
+    number = np.bincount(place, minlength=count)
+    total = np.bincount(place, weights=values, minlength=count)
+    filled = number > 0
+    middles = width_deg * (np.arange(count, dtype=np.float64) + 0.5)
+    means = total[filled] / number[filled]
+    return middles[filled], means.astype(np.float64)
+
+
+def values_at(shown: Shown, angle_deg: float, first: str, second: str) -> str:
+    """Return measured and predicted values at a crank angle as one line with units."""
+    names = {"force": "|F|", "force_1": first, "force_2": second}
+    parts = []
+    for name, text in names.items():
+        measured = _at(shown.angle_deg, shown.measured[name], angle_deg)
+        part = f"{text} {measured:.1f} N"
+        if shown.model is not None and shown.model_angle_deg is not None:
+            model = _at(shown.model_angle_deg, shown.model[name], angle_deg)
+            part += f" (model {model:.1f} N, {measured - model:+.1f} N)"
+        parts.append(part)
+    return f"At {angle_deg:.1f} deg:  " + ",   ".join(parts)
+
+
+def statistics(shown: Shown) -> list[tuple[str, list[float]]]:
+    """Return per curve maximum, minimum, RMS: measured, model, difference (NaN: no model)."""
+    table = []
+    for name in CURVES:
+        row = []
+        model = shown.model[name][:-1] if shown.model is not None else None
+        for operation in (np.max, np.min, _rms):
+            measured = float(operation(shown.measured[name]))
+            predicted = float(operation(model)) if model is not None else float("nan")
+            row += [measured, predicted, measured - predicted]
+        table.append((name, row))
+    return table
+
+
+def uncertainty_of(channels: Sequence[ChannelView]) -> float | None:
+    """Return the uncertainty of the joint force in N: of |F|, else the larger of its components."""
+    known = {
+        channel.name: channel.uncertainty
+        for channel in channels
+        if channel.uncertainty is not None and channel.uncertainty > 0.0
+    }
+    if "force" in known:
+        return known["force"]
+    return max((known[name] for name in ("force_1", "force_2") if name in known), default=None)
+
+
+def _in_frame(
+    angle_deg: Floats,
+    curves: Mapping[str, NDArray[np.floating]],
+    frame: Frame,
+    crank_over_follower: float | None,
+) -> dict[str, Floats]:
+    one, two = to_frame(curves["force_1"], curves["force_2"], angle_deg, frame, crank_over_follower)
+    return {"force": curves["force"].astype(np.float64), "force_1": one, "force_2": two}
+
+
+def _at(angle_deg: Floats, values: Floats, at_deg: float) -> float:
+    return float(np.interp(at_deg, angle_deg, values, period=360.0))
+
+
+def _rms(values: Floats) -> float:
+    return float(np.sqrt(np.mean(values * values)))

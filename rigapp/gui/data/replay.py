@@ -1,0 +1,312 @@
+"""Play a recorded test as if it ran: the same snapshots, so that the same window shows it."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.gui.data.profiles import profile_message
+from rigapp.gui.data.recordedalarms import RecordedAlarms
+from rigapp.gui.data.recording import StoredRevolution, newest_revolution, recipe_of
+from rigapp.schema.columns import PREDICTED_CURVES, prediction_columns, revolution_columns
+from rigapp.schema.messages import (
+    Cycle,
+    Prediction,
+    Reply,
+    RunState,
+    Snapshot,
+    Status,
+    WornProfile,
+)
+from rigapp.storage import TestReader, open_test
+
+Floats = NDArray[np.float64]
+
+PERIOD_S = 0.1
+MOST_ROWS = 20_000
+"""Rows in one snapshot: after a long leap the window takes them in steps that nobody feels."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tape:
+    """Carry a whole recorded test in memory, except its cycles."""
+
+    rows: Floats
+    predictions: Floats
+    cycle_revolutions: NDArray[np.int64]
+    rpm: float
+    status: Status
+    profiles: dict[str, NDArray[Any]]
+    alarms: RecordedAlarms
+
+
+class ReplayClient:
+    """Answer as an engine does, from a file. Pause, resume, stop, speed and leaps work.
+
+    A thread reads the file and keeps one snapshot ready, merged with what was not fetched yet.
+    """
+
+    is_replay = True
+
+    def __init__(self, path: Path, *, speed: float = 10.0, at_end: bool = False) -> None:
+        """Open a recorded test; raise UnusableInput. at_end: begin with everything shown."""
+        self._path = path
+        self._test = open_test(path)
+        self._tape = read_tape(self._test)
+        self._lock = threading.Lock()
+        self._ready: Snapshot | None = None
+        self._speed = speed
+        self._row = float(len(self._tape.rows)) if at_end else 0.0
+        self._most = len(self._tape.rows) if at_end else MOST_ROWS
+        self._wanted: float | None = None
+        self._sent = self._sent_predictions = 0
+        self._shown_cycle = self._shown_profile = -1
+        self._state = RunState.RUNNING
+        self._reason = ""
+        self._stop = threading.Event()
+        self._takes = 0
+        self._thread = threading.Thread(target=self._play, name="gui-replay", daemon=True)
+        self._thread.start()
+
+    @property
+    def last_recorded(self) -> int:
+        """Return the last revolution of the test."""
+        rows = self._tape.rows
+        return int(rows[-1, 0]) if len(rows) else 0
+
+    def poll(self) -> Snapshot | None:
+        """Return what is new since the last poll, or None; never waits."""
+        if not self._lock.acquire(blocking=False):
+            return None
+        try:
+            snapshot, self._ready = self._ready, None
+        finally:
+            self._lock.release()
+        return snapshot
+
+    def request(
+        self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0
+    ) -> Reply:
+        """Pause, resume, stop, change the speed, or go to a revolution; all else is refused."""
+        arguments = arguments or {}
+        if verb == "pause":
+            self._state = RunState.PAUSED
+        elif verb == "resume":
+            self._state = RunState.RUNNING
+        elif verb == "stop":
+            self._state = RunState.STOPPED
+        elif verb == "replay":
+            self._speed = max(0.0, float(arguments["speed"]))
+        elif verb == "rewind":
+            self._state, self._wanted = RunState.RUNNING, 0.0
+        elif verb == "seek":
+            self._wanted = self._row_of(float(arguments["revolution"]))
+        elif verb == "status":
+            return Reply(ok=True, result=msgspec.to_builtins(self._status(self._sent)))
+        else:
+            return Reply(ok=False, sentence=f"This is a replay; {verb!r} needs a rig.")
+        return Reply(ok=True)
+
+    def close(self) -> None:
+        """End the replay."""
+        self._stop.set()
+        self._thread.join(timeout=2.0)
+        self._test.close()
+
+    def _play(self) -> None:
+        last = time.monotonic()
+        while True:
+            now = time.monotonic()
+            self._leap()
+            self._advance(now - last)
+            last = now
+            self._prepare()
+            if self._stop.wait(PERIOD_S):
+                return
+
+    def _row_of(self, revolution: float) -> float:
+        """Return how many rows there are up to a revolution."""
+        return float(np.searchsorted(self._tape.rows[:, 0], revolution, side="right"))
+
+    def _leap(self) -> None:
+        wanted, self._wanted = self._wanted, None
+        if wanted is None:
+            return
+        if self._state is RunState.STOPPED:
+            self._state = RunState.PAUSED
+        self._reason = ""
+        self._row = wanted
+        self._shown_cycle = self._shown_profile = -1
+        if wanted < self._sent:
+            until = float(self._tape.rows[int(wanted) - 1, 0]) if wanted >= 1.0 else 0.0
+            predictions = self._tape.predictions[:, 0]
+            self._sent = int(wanted)
+            self._sent_predictions = int(np.searchsorted(predictions, until, side="right"))
+            self._takes += 1
+            with self._lock:
+                self._ready = None
+
+    def _advance(self, elapsed_s: float) -> None:
+        end = len(self._tape.rows)
+        if self._state is RunState.RUNNING:
+            self._row = min(end, self._row + self._speed * elapsed_s * self._tape.rpm / 60.0)
+            if self._row >= end:
+                self._state = RunState.STOPPED
+                self._reason = f"end of the replay; the test: {self._tape.status.reason}"
+
+    def _prepare(self) -> None:
+        done = min(int(self._row), self._sent + self._most)
+        rows = self._tape.rows[self._sent : done]
+        until = float(self._tape.rows[done - 1, 0]) if done else 0.0
+        stop = int(np.searchsorted(self._tape.predictions[:, 0], until, side="right"))
+        predictions = self._tape.predictions[self._sent_predictions : stop]
+        stored = self._newest_cycle(until)
+        snapshot = Snapshot(
+            status=self._status(done),
+            first_row=self._sent,
+            rows=rows.tobytes(),
+            predictions=predictions.tobytes(),
+            cycle=_cycle_message(stored) if stored is not None else None,
+            prediction=_prediction_message(stored) if stored is not None else None,
+            profile=self._newest_profile(until),
+        )
+        self._sent, self._sent_predictions = done, stop
+        with self._lock:
+            self._ready = snapshot if self._ready is None else merged(self._ready, snapshot)
+
+    def _newest_cycle(self, until: float) -> StoredRevolution | None:
+        index = int(np.searchsorted(self._tape.cycle_revolutions, until, side="right")) - 1
+        if index < 0 or index == self._shown_cycle:
+            return None
+        self._shown_cycle = index
+        return newest_revolution(self._test, index)
+
+    def _newest_profile(self, until: float) -> WornProfile | None:
+        numbers = self._tape.profiles["revolution"]
+        index = int(np.searchsorted(numbers, until, side="right")) - 1
+        if index < 0 or index == self._shown_profile:
+            return None
+        self._shown_profile = index
+        return profile_message(self._tape.profiles, index)
+
+    def _status(self, done: int) -> Status:
+        tape = self._tape
+        row = tape.rows[done - 1] if done else None
+        revolution = int(row[0]) if row is not None else 0
+        values = dict(zip(_ROW, row.tolist(), strict=True)) if row is not None else None
+        margin, limit = (
+            tape.alarms.margin(revolution, values) if values is not None else (float("nan"), "")
+        )
+        shown = self._sent_predictions
+        left_s = (len(tape.rows) - done) * 60.0 / tape.rpm / self._speed if self._speed else 0.0
+        now = time.time()
+        return msgspec.structs.replace(
+            tape.status,
+            state=self._state,
+            reason=self._reason or f"replay × {self._speed:g}",
+            revolution=revolution,
+            worst_margin_percent=margin,
+            worst_margin=limit,
+            alarms=tape.alarms.alarms(revolution),
+            committed=done,
+            speed_rpm=float(row[_ROW["speed"]]) if row is not None else 0.0,
+            started_at=float(self._takes),
+            expected_end_at=now + left_s,
+            host_time=now,
+            twin_revolution=int(tape.predictions[shown - 1, 0]) if shown else -1,
+            residual_rms_N=(
+                float(tape.predictions[shown - 1, _PREDICTION["residual_rms"]])
+                if shown
+                else float("nan")
+            ),
+        )
+
+
+_ROW = {column.name: index for index, column in enumerate(revolution_columns())}
+_PREDICTION = {column.name: index for index, column in enumerate(prediction_columns())}
+
+
+def read_tape(test: TestReader) -> Tape:
+    """Read what a replay needs of a recorded test."""
+    metadata, summary = test.metadata(), test.summary()
+    recipe = recipe_of(test)
+    rows = _matrix(test.rows(), tuple(_ROW))
+    rpm = recipe.run.speed_rpm if recipe is not None else 60.0
+    status = Status(
+        state=RunState.RUNNING,
+        reason=summary["reason"] or summary["status"],
+        rig=metadata["rig"],
+        test=f"Replay of {metadata['title']}",
+        file=str(test.path),
+        revolution=0,
+        planned=metadata["planned_revolutions"],
+        committed=0,
+        first_revolution=summary["first_revolution"] or 1,
+        target_rpm=rpm,
+        speed_rpm=0.0,
+        started_at=0.0,
+        expected_end_at=0.0,
+        data_age_s=0.0,
+        host_time=0.0,
+        simulated=metadata["simulated"],
+        simulated_speed=0.0,
+        worst_margin_percent=float("nan"),
+        worst_margin="",
+        twin_revolution=-1,
+        twin_age_s=0.0,
+        residual_rms_N=float("nan"),
+        operator=metadata["operator"],
+    )
+    predictions = _matrix(test.predictions(), tuple(_PREDICTION))
+    alarms = RecordedAlarms(test.events(), recipe.limits if recipe is not None else None)
+    cycles = test.cycle_revolutions()
+    return Tape(rows, predictions, cycles, rpm, status, test.profiles(), alarms)
+
+
+def merged(older: Snapshot, newer: Snapshot) -> Snapshot:
+    """Return two snapshots as one."""
+    return Snapshot(
+        status=newer.status,
+        first_row=older.first_row,
+        rows=older.rows + newer.rows,
+        predictions=older.predictions + newer.predictions,
+        cycle=newer.cycle or older.cycle,
+        prediction=newer.prediction or older.prediction,
+        profile=newer.profile or older.profile,
+    )
+
+
+def replay_factory(path: Path, *, speed: float = 10.0) -> Callable[[], ReplayClient]:
+    """Return the client factory that makes the window play a recorded test."""
+    return lambda: ReplayClient(path, speed=speed)
+
+
+def _matrix(columns: dict[str, NDArray[Any]], names: tuple[str, ...]) -> Floats:
+    count = len(columns["revolution"])
+    unknown = np.full(count, np.nan)
+    return np.column_stack([columns.get(name, unknown) for name in names]).astype(np.float64)
+
+
+def _cycle_message(stored: StoredRevolution) -> Cycle:
+    channels = {name: _bytes(values) for name, values in stored.cycle.channels.items()}
+    return Cycle(stored.cycle.revolution, _bytes(stored.cycle.angle_deg), **channels)
+
+
+def _prediction_message(stored: StoredRevolution) -> Prediction | None:
+    if stored.prediction is None:
+        return None
+    curves = stored.prediction.curves
+    force_1, force_2, force = (_bytes(curves[name]) for name in PREDICTED_CURVES)
+    return Prediction(stored.prediction.revolution, b"", force_1, force_2, force)
+
+
+def _bytes(values: NDArray[np.floating]) -> bytes:
+    return values.astype("<f4", copy=False).tobytes()

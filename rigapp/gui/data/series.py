@@ -1,0 +1,221 @@
+"""What the screen knows of one test: every revolution's statistics, predictions, newest cycle."""
+
+from __future__ import annotations
+
+import math
+from collections import OrderedDict
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.gui.data.profiles import ShownProfile, shown_profile
+from rigapp.gui.data.pyramid import GrowingArray, Pyramid
+from rigapp.schema.columns import PREDICTED_CURVES, prediction_columns, revolution_columns
+from rigapp.schema.messages import Cycle, Prediction, Snapshot, as_array
+
+Floats = NDArray[np.float64]
+
+KEPT_CYCLES = 8
+"""Newest whole cycles kept, so that a prediction that comes late still meets its own cycle."""
+
+UNFOLLOWED_SHARE = 0.05
+"""Of the predicted maximum: a smaller doubt about the speed is not worth a word."""
+
+NOT_DRAWN = ("revolution", "samples", "lost_samples")
+
+
+class Table:
+    """Hold columns that grow together, each with its levels of detail, against ``revolution``."""
+
+    def __init__(self, columns: tuple[str, ...], capacity: int = 1 << 16) -> None:
+        self._columns = columns
+        self._x = GrowingArray(np.float64, capacity)
+        self._series = {name: Pyramid(capacity) for name in columns if name not in NOT_DRAWN}
+
+    def __len__(self) -> int:
+        return len(self._x)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the names of the series that can be drawn."""
+        return tuple(self._series)
+
+    @property
+    def revolutions(self) -> Floats:
+        """Return the revolution number of every row (a view)."""
+        return self._x.values  # type: ignore[return-value]
+
+    def series(self, name: str) -> Pyramid:
+        """Return one series; raise KeyError for an unknown name."""
+        return self._series[name]
+
+    def extend(self, rows: Floats) -> None:
+        """Append rows (n, columns) in column order; rows not newer than the last are left out."""
+        if len(rows) == 0:
+            return
+        revolutions = rows[:, self._columns.index("revolution")]
+        if len(self._x):
+            fresh = revolutions > self._x.values[-1]
+            if not fresh.all():
+                rows, revolutions = rows[fresh], revolutions[fresh]
+        self._x.write(len(self._x), revolutions)
+        for index, name in enumerate(self._columns):
+            if name in self._series:
+                self._series[name].extend(rows[:, index])
+
+    def load(self, columns: Mapping[str, NDArray[np.generic]]) -> None:
+        """Append whole columns, as a file holds them; a missing column stays unknown (NaN)."""
+        revolutions = np.asarray(columns["revolution"], dtype=np.float64)
+        self._x.write(len(self._x), revolutions)
+        for name, series in self._series.items():
+            values = columns.get(name)
+            series.extend(
+                np.full(len(revolutions), np.nan, dtype=np.float32)
+                if values is None
+                else np.asarray(values, dtype=np.float32)
+            )
+
+    def truncate(self, count: int) -> None:
+        """Forget what lies behind the first ``count`` rows."""
+        self._x.truncate(count)
+        for series in self._series.values():
+            series.truncate(count)
+
+    def settle(self) -> None:
+        """Build every level of detail now, so that nobody waits for it later."""
+        for series in self._series.values():
+            series.settle()
+
+    def last(self, name: str) -> float:
+        """Return the newest value of a series, NaN when there is none."""
+        values = self._series[name].values
+        return float(values[-1]) if len(values) else float("nan")
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredCycle:
+    """One whole revolution as measured: equally long float32 arrays, crank frame."""
+
+    revolution: int
+    angle_deg: NDArray[np.float32]
+    channels: Mapping[str, NDArray[np.float32]]
+
+
+@dataclass(frozen=True, slots=True)
+class PredictedCycle:
+    """One predicted revolution on equally spaced crank angles from 0 deg on, crank frame."""
+
+    revolution: int
+    angle_deg: Floats
+    curves: Mapping[str, NDArray[np.float32]]
+
+    def at(self, angle_deg: NDArray[np.floating], curve: str) -> Floats:
+        """Return the predicted curve at crank angles (periodic linear interpolation)."""
+        return np.asarray(
+            np.interp(angle_deg, self.angle_deg, self.curves[curve], period=360.0), dtype=np.float64
+        )
+
+
+def measured_cycle(message: Cycle) -> MeasuredCycle:
+    """Unpack a cycle message (views, no copy)."""
+    names = ("force_1", "force_2", "force", "probe_1", "probe_2")
+    return MeasuredCycle(
+        message.revolution,
+        as_array(message.angle_deg),
+        {name: as_array(getattr(message, name)) for name in names},
+    )
+
+
+def predicted_cycle(message: Prediction) -> PredictedCycle:
+    """Unpack a prediction message (views, no copy)."""
+    curves = {name: as_array(getattr(message, name)) for name in PREDICTED_CURVES}
+    points = len(curves["force"])
+    return PredictedCycle(
+        message.revolution, 360.0 / max(points, 1) * np.arange(points, dtype=np.float64), curves
+    )
+
+
+class LiveData:
+    """Collect snapshots into what the panels draw; the panels only read."""
+
+    def __init__(self, planned: int = 0) -> None:
+        capacity = max(1 << 16, planned + 1024)
+        self.rows = Table(tuple(column.name for column in revolution_columns()), capacity)
+        self.predictions = Table(tuple(column.name for column in prediction_columns()), capacity)
+        self.cycle: MeasuredCycle | None = None
+        self.prediction: PredictedCycle | None = None
+        self.profile: ShownProfile | None = None
+        self.missing_from: int | None = None
+        self._cycles: OrderedDict[int, MeasuredCycle] = OrderedDict()
+        self._next_row: int | None = None
+
+    def take(self, snapshot: Snapshot) -> None:
+        """Take what a snapshot brings.
+
+        ``missing_from`` becomes the number of the first row that was never seen when rows are
+        missing between the last snapshot and this one; the file has them.
+        """
+        rows = _matrix(snapshot.rows, len(revolution_columns()))
+        if len(rows):
+            expected = self._next_row if self._next_row is not None else 0
+            if snapshot.first_row > expected and self.missing_from is None:
+                self.missing_from = expected
+            self._next_row = max(expected, snapshot.first_row + len(rows))
+            self.rows.extend(rows)
+        self.predictions.extend(_matrix(snapshot.predictions, len(prediction_columns())))
+        if snapshot.cycle is not None:
+            self.cycle = measured_cycle(snapshot.cycle)
+            self._cycles[self.cycle.revolution] = self.cycle
+            while len(self._cycles) > KEPT_CYCLES:
+                self._cycles.popitem(last=False)
+        if snapshot.prediction is not None:
+            self.prediction = predicted_cycle(snapshot.prediction)
+        if snapshot.profile is not None:
+            self.profile = shown_profile(snapshot.profile)
+
+    def go_back(self, count: int) -> None:
+        """Forget everything after the first ``count`` rows: a replay goes on from there."""
+        self.rows.truncate(count)
+        last = self.rows.revolutions[-1] if count else 0.0
+        kept = int(np.searchsorted(self.predictions.revolutions, last, side="right"))
+        self.predictions.truncate(kept)
+        self.cycle, self.prediction, self.profile = None, None, None
+        self._cycles.clear()
+        self._next_row = count
+
+    def expect(self, committed: int) -> None:
+        """Take note of how many rows the file has: what was never sent is missing too."""
+        if committed > len(self.rows) and self.missing_from is None:
+            self.missing_from = len(self.rows)
+
+    def load_rows(self, columns: Mapping[str, NDArray[np.generic]]) -> None:
+        """Take the rows of a file; the next live row is the one after them."""
+        self.rows.load(columns)
+        self._next_row = len(self.rows)
+
+    def doubt(self, revolution: int) -> str:
+        """Return how sure the predicted force of a revolution is, in words; empty when unknown."""
+        place = int(np.searchsorted(self.predictions.revolutions, revolution))
+        if place == len(self.predictions) or self.predictions.revolutions[place] != revolution:
+            return ""
+        sure, unfollowed, most = (
+            float(self.predictions.series(name).values[place])
+            for name in ("force_uncertainty", "unfollowed_acceleration", "force_max")
+        )
+        if not math.isfinite(sure):
+            return ""
+        text = f"\u00b1 {sure:.2g} N (k = 2)"
+        if unfollowed > 0.0 and sure > UNFOLLOWED_SHARE * most:
+            text += ", SPEED CHANGES FASTER THAN THE PREDICTION CAN FOLLOW"
+        return text
+
+    def partner(self, prediction: PredictedCycle) -> MeasuredCycle | None:
+        """Return the measured cycle of a prediction while it is still kept."""
+        return self._cycles.get(prediction.revolution)
+
+
+def _matrix(data: bytes, columns: int) -> Floats:
+    values = np.frombuffer(data, dtype="<f8")
+    return values.reshape(-1, columns)

@@ -1,0 +1,181 @@
+"""Follow one test at a time: history from its file, then live rows, gaps filled from the file."""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.recipe import TestFile
+from rigapp.gui.data.recording import History, StoredRevolution, load_history, load_revolution
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.data.tasks import Worker
+from rigapp.schema.messages import Snapshot, Status
+
+log = logging.getLogger(__name__)
+
+HELD_SNAPSHOTS = 600
+"""Snapshots held while the file is read; the oldest go first, which the next reading mends."""
+
+ATTEMPTS = 3
+RETRY_S = 2.0
+
+HistoryLoader = Callable[[Path, int], History]
+RevolutionLoader = Callable[[Path, int], StoredRevolution]
+
+
+class Session:
+    """Turn snapshots into the data of the present test."""
+
+    def __init__(
+        self,
+        history: HistoryLoader = load_history,
+        revolution: RevolutionLoader = load_revolution,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._history = history
+        self._revolution = revolution
+        self._clock = clock
+        self._worker = Worker("gui-history", bound=8)
+        self._file: str | None = None
+        self._started_at = 0.0
+        self._held: deque[Snapshot] | None = None
+        self._attempts = 0
+        self._again_at: float | None = None
+        self._not_before = 0.0
+        self.data = LiveData()
+        self.test: TestFile | None = None
+        self.cycle_revolutions: NDArray[np.int64] = np.empty(0, dtype=np.int64)
+        self.problem = ""
+
+    @property
+    def settled(self) -> bool:
+        """Tell whether nothing of the present test is still to be read."""
+        return self._file is not None and self._held is None and self._again_at is None
+
+    @property
+    def path(self) -> Path | None:
+        """Return the file of the present test."""
+        return Path(self._file) if self._file else None
+
+    @property
+    def crank_over_follower(self) -> float | None:
+        """Return crank radius / follower length of the present test, None when not known."""
+        if self.test is None:
+            return None
+        mechanism = self.test.model.mechanism
+        return mechanism.crank_radius_mm / mechanism.follower_length_mm
+
+    def take(self, snapshot: Snapshot) -> bool:
+        """Take a snapshot; return whether it belongs to another test than the last one."""
+        status = snapshot.status
+        changed = (status.file, status.started_at) != (self._file, self._started_at)
+        if changed and not self._goes_back(snapshot):
+            self._begin(status)
+        self.data.take(snapshot)
+        self.data.expect(status.committed)
+        if self._held is not None:
+            self._held.append(snapshot)
+        elif self._wants_history():
+            self._read(status, snapshot)
+        return changed
+
+    def deliver(self) -> None:
+        """Take what has been read."""
+        self._worker.deliver()
+
+    def ask_revolution(
+        self,
+        revolution: int,
+        done: Callable[[StoredRevolution], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Read the saved cycle nearest to a revolution; the answer comes from ``deliver``."""
+        path = self.path
+        if path is None:
+            failed(FileNotFoundError("There is no test, so no stored revolution either."))
+        elif not self._worker.submit(lambda: self._revolution(path, revolution), done, failed):
+            failed(RuntimeError("The file is still being read; try again."))
+
+    def close(self) -> None:
+        """End the reading thread."""
+        self._worker.close()
+
+    def _goes_back(self, snapshot: Snapshot) -> bool:
+        """Keep the rows before the first one when the same file goes on from an earlier row."""
+        status, known = snapshot.status, len(self.data.rows)
+        if status.file != self._file or not 0 < snapshot.first_row < known or self._held:
+            return False
+        self._started_at = status.started_at
+        self.data.go_back(snapshot.first_row)
+        return True
+
+    def _begin(self, status: Status) -> None:
+        self._file, self._started_at = status.file, status.started_at
+        self._held = None
+        self._attempts = 0
+        self._again_at = self._clock() if status.file else None
+        self.data = LiveData(status.planned)
+        self.test = None
+        self.cycle_revolutions = np.empty(0, dtype=np.int64)
+        self.problem = ""
+
+    def _wants_history(self) -> bool:
+        if not self._file:
+            return False
+        now = self._clock()
+        if self._again_at is not None:
+            return now >= self._again_at
+        return self.data.missing_from is not None and now >= self._not_before
+
+    def _read(self, status: Status, snapshot: Snapshot) -> None:
+        path, planned = Path(status.file), status.planned
+        self._again_at = None
+        self._not_before = self._clock() + RETRY_S
+        self._held = deque([snapshot], maxlen=HELD_SNAPSHOTS)
+        accepted = self._worker.submit(
+            lambda: self._history(path, planned),
+            lambda history: self._loaded(path, history),
+            lambda error: self._failed(path, error),
+        )
+        if not accepted:
+            self._held = None
+            self._again_at = self._clock() + RETRY_S
+
+    def _loaded(self, path: Path, history: History) -> None:
+        if path != self.path or self._held is None:
+            return
+        held, self._held = self._held, None
+        if self.data.missing_from is not None:
+            self._replace(history, held)
+        self.test = history.test
+        self.cycle_revolutions = history.cycle_revolutions
+        self._attempts = 0
+        self.problem = ""
+
+    def _replace(self, history: History, held: deque[Snapshot]) -> None:
+        data, newest = history.data, history.newest
+        for snapshot in held:
+            data.take(snapshot)
+        data.cycle = data.cycle or self.data.cycle
+        data.prediction = data.prediction or self.data.prediction
+        if data.cycle is None and newest is not None:
+            data.cycle, data.prediction = newest.cycle, newest.prediction
+        self.data = data
+
+    def _failed(self, path: Path, error: Exception) -> None:
+        if path != self.path:
+            return
+        self._held = None
+        self._attempts += 1
+        if self._attempts < ATTEMPTS:
+            self._again_at = self._clock() + RETRY_S
+            return
+        log.error("History of %s cannot be read: %s", path, error)
+        self.problem = f"Earlier cycles cannot be shown: {error}"
+        self.data.missing_from = None

@@ -1,0 +1,185 @@
+"""Several recorded tests in one plot, against cycles or against wear."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from rigapp.gui.data.pyramid import polyline
+from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.data.recording import History, load_history
+from rigapp.gui.data.series import LiveData, Table
+from rigapp.gui.data.tasks import Worker
+from rigapp.gui.plots.palette import Theme, line_pen
+from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.window.header import ElidedLabel
+
+Floats = NDArray[np.float64]
+
+MOST = 6
+BUCKETS = 1500
+COLOURS = {
+    "light": ("#0072b2", "#d55e00", "#2ca25f", "#000000", "#a8497b", "#803000"),
+    "dark": ("#3f9be0", "#f0a050", "#7fe0b0", "#ffffff", "#f0e442", "#e15759"),
+}
+QUANTITIES = {
+    "force_max": "Maximum of |F| (N)",
+    "force_rms": "RMS of |F| (N)",
+    "force_min": "Minimum of |F| (N)",
+    "force_1_max": "Maximum along crank (N)",
+    "force_1_min": "Minimum along crank (N)",
+    "probe_1_mean": "Mean of probe 1 (µm)",
+    "probe_2_mean": "Mean of probe 2 (µm)",
+    "speed": "Speed (rpm)",
+    "measured_wear_depth": "Wear depth, measured (mm)",
+    "wear_depth": "Wear depth, model (mm)",
+    "residual_rms": "Measured − model, RMS (N)",
+}
+AXES = {"cycle": "Cycle", "measured_wear_depth": "Measured wear depth (mm)"}
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """One test of the comparison."""
+
+    path: Path
+    data: LiveData
+
+
+def line_of(data: LiveData, quantity: str, axis: str) -> tuple[Floats, Floats]:
+    """Return the points of one test to draw, extremes kept."""
+    table = _table(data, quantity)
+    series = table.series(quantity)
+    x, y = polyline(table.revolutions, series.envelope(0, len(series), BUCKETS))
+    if axis == "cycle" or not len(data.predictions):
+        return x, y
+    depth = data.predictions.series(axis).values
+    known = np.isfinite(depth)
+    if not known.any():
+        return np.empty(0), np.empty(0)
+    at = np.interp(x, data.predictions.revolutions[known], depth[known].astype(np.float64))
+    order = np.argsort(at, kind="stable")
+    return at[order], y[order]
+
+
+def _table(data: LiveData, quantity: str) -> Table:
+    return data.rows if quantity in data.rows.names else data.predictions
+
+
+class ComparePanel(QWidget):
+    """Draw one quantity of each chosen test."""
+
+    def __init__(self, theme: Theme, worker: Worker) -> None:
+        super().__init__()
+        self._theme = theme
+        self._worker = worker
+        self._runs: list[Run] = []
+        self._wanted: list[Path] = []
+        self.setObjectName("compare_panel")
+        self.setAccessibleName("Comparison of tests")
+        self.plot = QuietPlot("compare_plot", "Comparison of tests", theme)
+        self.plot.setMouseEnabled(x=True, y=False)
+        self._curves: list[Any] = [self.plot.curve(line_pen(theme.text)) for _ in range(MOST)]
+        self.quantity = self._choice("compare_quantity", "Quantity to compare", QUANTITIES)
+        self.axis = self._choice("compare_axis", "Axis to compare on", AXES)
+        self.message = ElidedLabel("compare_message", "State of the comparison")
+        self.message.show_text("Choose one or more tests above and press Compare.")
+        self.legend = LegendRow("compare_legend")
+        row = QHBoxLayout()
+        for text, box in (("&Quantity", self.quantity), ("Against", self.axis)):
+            label = QLabel(text)
+            label.setBuddy(box)
+            row.addWidget(label)
+            row.addWidget(box)
+        row.addWidget(self.message, 1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addLayout(row)
+        column.addWidget(self.legend)
+        column.addWidget(self.plot, 1)
+
+    def _choice(self, name: str, spoken: str, texts: dict[str, str]) -> QComboBox:
+        box = QComboBox()
+        box.setObjectName(name)
+        box.setAccessibleName(spoken)
+        for key, text in texts.items():
+            box.addItem(text, key)
+        box.currentIndexChanged.connect(self._draw)
+        return box
+
+    @property
+    def runs(self) -> list[Run]:
+        """Return the tests that are compared."""
+        return self._runs
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.plot.dress(theme)
+        self._draw()
+
+    def load(self, paths: Sequence[Path]) -> None:
+        """Read tests on the worker and draw them when they are there."""
+        self._wanted = list(paths[:MOST])
+        self._runs = []
+        self.message.show_text(f"Reading {len(self._wanted)} …")
+        for path in self._wanted:
+            self._worker.submit(
+                lambda path=path: load_history(path),  # type: ignore[misc]
+                lambda history, path=path: self._loaded(path, history),  # type: ignore[misc]
+                lambda error, path=path: self._failed(path, error),  # type: ignore[misc]
+            )
+        if len(paths) > MOST:
+            self.message.show_text(f"Only the first {MOST} are compared.")
+
+    def _loaded(self, path: Path, history: History) -> None:
+        if path in self._wanted and all(run.path != path for run in self._runs):
+            self._runs.append(Run(path, history.data))
+            self._runs.sort(key=lambda run: self._wanted.index(run.path))
+            if len(self._runs) == len(self._wanted):
+                self.message.show_text("")
+            self._draw()
+
+    def _failed(self, path: Path, error: Exception) -> None:
+        self.message.show_text(f"{path.name} cannot be read: {error}")
+
+    def _draw(self) -> None:
+        quantity, axis = str(self.quantity.currentData()), str(self.axis.currentData())
+        colours = COLOURS[self._theme.name]
+        entries = []
+        limits = [np.inf, -np.inf, np.inf, -np.inf]
+        for index, curve in enumerate(self._curves):
+            if index >= len(self._runs):
+                curve.setData([], [])
+                continue
+            run = self._runs[index]
+            x, y = line_of(run.data, quantity, axis)
+            pen = line_pen(colours[index])
+            curve.setPen(pen)
+            curve.setData(x, y, connect="finite")
+            entries.append(LegendEntry(run.path.stem, pen))
+            if np.isfinite(y).any():
+                limits = [
+                    min(limits[0], float(np.nanmin(x))),
+                    max(limits[1], float(np.nanmax(x))),
+                    min(limits[2], float(np.nanmin(y))),
+                    max(limits[3], float(np.nanmax(y))),
+                ]
+        self.legend.show_entries(entries)
+        self.plot.label("left", QUANTITIES[quantity])
+        self.plot.label("bottom", AXES[axis])
+        if np.isfinite(limits).all():
+            self._place(*limits)
+
+    def _place(self, left: float, right: float, low: float, high: float) -> None:
+        self.plot.setXRange(left, max(right, left + 1e-6), padding=0.02)
+        steady = SteadyRange(1e-6)
+        steady.update(low, high)
+        if steady.range is not None:
+            self.plot.setYRange(*steady.range, padding=0.0)

@@ -1,0 +1,262 @@
+"""Devices and channels as they are now: raw signal, scaled value, losses; reconnect, zero."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QBrush, QColor
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QGroupBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from rigapp.gui.plots.palette import Theme
+from rigapp.gui.window.guarded import GuardedButton
+from rigapp.gui.window.watchdog import Watchdog
+from rigapp.schema.messages import RunState, Status
+
+DEVICE_HEADINGS = (
+    "Device",
+    "State",
+    "Port",
+    "Identity",
+    "Samples/s",
+    "Lost",
+    "Errors",
+    "Last error",
+    "Counted on the line",
+)
+CHANNEL_HEADINGS = ("Channel", "Raw signal", "Value", "Uncertainty", "Calibration")
+
+
+class PlainTable(QTableWidget):
+    """A table to read: rows of texts, repainted only where a text changed."""
+
+    def __init__(self, name: str, spoken: str, headings: Sequence[str]) -> None:
+        super().__init__(0, len(headings))
+        self.setObjectName(name)
+        self.setAccessibleName(spoken)
+        self.setHorizontalHeaderLabels(list(headings))
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setTabKeyNavigation(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(int(1.5 * self.fontMetrics().height()))
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setStretchLastSection(True)
+
+    def show_rows(self, rows: Sequence[Sequence[str]], colours: Sequence[str] = ()) -> None:
+        """Show rows; colours: background of the second cell of each row, "" for none."""
+        if self.rowCount() != len(rows):
+            self.setRowCount(len(rows))
+        for row, texts in enumerate(rows):
+            for column, text in enumerate(texts):
+                item = self.item(row, column)
+                if item is None:
+                    item = QTableWidgetItem()
+                    self.setItem(row, column, item)
+                if item.text() != text:
+                    item.setText(text)
+                    item.setToolTip(text)
+                if column == 1 and colours:
+                    colour = colours[row]
+                    item.setBackground(QBrush(QColor(colour)) if colour else QBrush())
+                    item.setForeground(QBrush(QColor("#000000")) if colour else QBrush())
+
+    def texts(self) -> list[list[str]]:
+        """Return what is shown."""
+        return [
+            [
+                item.text() if (item := self.item(row, column)) is not None else ""
+                for column in range(self.columnCount())
+            ]
+            for row in range(self.rowCount())
+        ]
+
+
+class DevicePanel(QWidget):
+    """Show devices, channels, drive and this window's own health."""
+
+    wanted = Signal(str, dict)
+
+    def __init__(self, theme: Theme, watchdog: Watchdog) -> None:
+        super().__init__()
+        self._theme = theme
+        self._watchdog = watchdog
+        self.setObjectName("device_panel")
+        self.setAccessibleName("Devices and channels")
+        self.devices = PlainTable("device_table", "Devices", DEVICE_HEADINGS)
+        self.channels = PlainTable("channel_table", "Channels, live", CHANNEL_HEADINGS)
+        self.drive = PlainTable("drive_table", "Drive", ("Drive", "Now"))
+        self.health = PlainTable("health_table", "Engine and window", ("Engine and window", "Now"))
+        self.devices.itemSelectionChanged.connect(self._enable)
+        self._build()
+        self._state: RunState | None = None
+        self._enable()
+
+    def _build(self) -> None:
+        self.reconnect = GuardedButton("Reconnect")
+        self.reconnect.setObjectName("reconnect")
+        self.reconnect.setAccessibleName("Reconnect the devices")
+        self.reconnect.clicked.connect(self._reconnect)
+        self.reason = QLineEdit()
+        self.reason.setObjectName("zero_reason")
+        self.reason.setAccessibleName("Reason for zeroing")
+        self.reason.setPlaceholderText("reason, e.g. pin unloaded, new specimen")
+        self.reason.textChanged.connect(self._enable)
+        self.zero = GuardedButton("&Zero load cell")
+        self.zero.setObjectName("zero")
+        self.zero.setAccessibleName("Zero the load cell")
+        self.zero.setToolTip(
+            "Take the present signals as zero force: the crank stands, the pin carries nothing."
+            " Old and new zero are logged; the calibration is not touched."
+        )
+        self.zero.clicked.connect(self._zero)
+        row = QHBoxLayout()
+        label = QLabel("Zero, with its reason")
+        label.setBuddy(self.reason)
+        for widget in (self.reconnect, label, self.reason, self.zero):
+            row.addWidget(widget, 1 if widget is self.reason else 0)
+        lower = QHBoxLayout()
+        for title, table, stretch in (
+            ("Channels", self.channels, 3),
+            ("Drive", self.drive, 2),
+            ("Engine and window", self.health, 2),
+        ):
+            box = QGroupBox(title)
+            box.setAccessibleName(title)
+            column = QVBoxLayout(box)
+            column.addWidget(table)
+            lower.addWidget(box, stretch)
+        column = QVBoxLayout(self)
+        column.addWidget(self.devices, 2)
+        column.addLayout(row)
+        column.addLayout(lower, 4)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+
+    def show_status(self, status: Status | None, silence_s: float) -> None:
+        """Show the newest values."""
+        self._state = status.state if status is not None else None
+        if status is not None:
+            self._show_devices(status)
+            self._show_channels(status)
+            self._show_drive(status)
+        self._show_health(status, silence_s)
+        self._enable()
+
+    def _show_devices(self, status: Status) -> None:
+        rows = [
+            (
+                device.name,
+                "connected" if device.connected else "▲ not connected",
+                device.port,
+                f"{device.driver}: {device.identity}",
+                f"{device.sample_rate_Hz:g}" if device.sample_rate_Hz else "–",
+                str(device.lost_samples),
+                str(device.errors),
+                device.last_error,
+                _counted(device.counters),
+            )
+            for device in status.devices
+        ]
+        colours = ["" if device.connected else self._theme.warning for device in status.devices]
+        self.devices.show_rows(rows, colours)
+
+    def _show_channels(self, status: Status) -> None:
+        rows = [
+            (
+                channel.name,
+                f"{channel.raw:.5g} {channel.raw_unit}",
+                _number(channel.value, channel.unit),
+                f"±{channel.uncertainty:.3g} {channel.unit}"
+                if channel.uncertainty
+                else "not known",
+                channel.calibration,
+            )
+            for channel in status.channels
+        ]
+        self.channels.show_rows(rows)
+
+    def _show_drive(self, status: Status) -> None:
+        drive = status.drive
+        if drive is None:
+            self.drive.show_rows([("State", "not connected")], [self._theme.warning])
+            return
+        warning = self._theme.warning
+        rows = [
+            ("Speed", f"{drive.speed_rpm:.2f} of {drive.setpoint_rpm:.2f} rpm"),
+            ("Power", "on" if drive.enabled else "off"),
+            ("Emergency stop", "▲ pressed" if drive.emergency_stop else "not pressed"),
+            ("Current", f"{drive.current_A:.2f} A"),
+            ("Supply", f"{drive.supply_V:.1f} V"),
+            ("Temperature", f"{drive.temperature_C:.1f} °C"),
+            ("Faults", ", ".join(drive.faults) or "none"),
+            ("Warnings", ", ".join(drive.warnings) or "none"),
+        ]
+        bad = (
+            False,
+            False,
+            drive.emergency_stop,
+            False,
+            False,
+            False,
+            drive.faults,
+            drive.warnings,
+        )
+        self.drive.show_rows(rows, [warning if one else "" for one in bad])
+
+    def _show_health(self, status: Status | None, silence_s: float) -> None:
+        rows = [
+            ("Last word of the engine", f"{silence_s:.1f} s ago"),
+            ("Stalls of this window over 50 ms", str(self._watchdog.stalls)),
+            ("Longest stall", f"{1000.0 * self._watchdog.worst_s:.0f} ms"),
+        ]
+        if status is not None:
+            rows[1:1] = [
+                ("Engine process", str(status.engine_pid)),
+                ("Rows not sent to this window", str(status.rows_dropped)),
+                ("Age of the prediction", _number(status.twin_age_s, "s")),
+            ]
+        self.health.show_rows(rows)
+
+    def _enable(self) -> None:
+        standing = self._state in (RunState.READY, RunState.STOPPED)
+        self.zero.setEnabled(standing and bool(self.reason.text().strip()))
+        known = self._state in (RunState.IDLE, RunState.READY, RunState.STOPPED, RunState.FAULT)
+        self.reconnect.setEnabled(known)
+
+    def _reconnect(self) -> None:
+        row = self.devices.currentRow()
+        item = self.devices.item(row, 0) if row >= 0 else None
+        self.wanted.emit("reconnect", {"device": item.text()} if item is not None else {})
+
+    def _zero(self) -> None:
+        reason = self.reason.text().strip()
+        self.reason.clear()
+        self.wanted.emit("zero", {"what": ["load_cell"], "reason": reason})
+
+
+def _counted(counters: Mapping[str, int]) -> str:
+    """Return a driver's counters in words; a dash where it counts nothing."""
+    words = [f"{name.replace('_', ' ')} {count}" for name, count in counters.items()]
+    return ", ".join(words).replace("crc", "CRC") or "–"
+
+
+def _number(value: float, unit: str) -> str:
+    unit = unit.replace("um", "µm")
+    return f"{value:.2f} {unit}" if math.isfinite(value) else "–"

@@ -1,0 +1,171 @@
+"""The fault list of the simulated rig: cause one, watch what the program makes of it, end it."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFormLayout,
+    QLabel,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from rigapp.gui.data.tasks import Worker
+from rigapp.gui.window.guarded import GuardedButton
+from rigapp.schema.messages import Status
+
+CHANNELS = ("force_1", "force_2", "probe_1", "probe_2")
+
+
+@dataclass(frozen=True, slots=True)
+class FaultChoice:
+    """One fault that can be caused: its kind and where (a device, or "signal")."""
+
+    kind: str
+    where: str
+
+
+def fault_choices(devices: tuple[tuple[str, str], ...]) -> list[FaultChoice]:
+    """Return every fault of a simulated rig; devices: (name, driver) of each."""
+    from rigapp.simulation.disturbances import SignalFault
+    from rigapp.simulation.link import WireFault
+
+    found = [FaultChoice(kind.value, "signal") for kind in SignalFault]
+    for name, driver in devices:
+        found += [FaultChoice(kind.value, name) for kind in WireFault]
+        known = {kind.value for kind in WireFault}
+        found += [FaultChoice(kind, name) for kind in _device_kinds(driver) if kind not in known]
+    return found
+
+
+def _device_kinds(driver: str) -> list[str]:
+    try:
+        module = importlib.import_module(f"drivers.{driver}.simulated_faults")
+    except ImportError:
+        return []
+    return [kind.value for kind in module.FaultKind]
+
+
+class FaultPanel(QWidget):
+    """Choose a fault, cause it, end it."""
+
+    wanted = Signal(str, dict)
+
+    def __init__(self, worker: Worker) -> None:
+        super().__init__()
+        self._worker = worker
+        self._devices: tuple[tuple[str, str], ...] | None = None
+        self._choices: list[FaultChoice] = []
+        self.setObjectName("fault_panel")
+        self.setAccessibleName("Faults of the simulated rig")
+        self.kind = QComboBox()
+        self.kind.setObjectName("fault_kind")
+        self.kind.setAccessibleName("Fault")
+        self.kind.setMaxVisibleItems(30)
+        self.kind.setPlaceholderText("Looking for the faults of the devices …")
+        self.kind.currentIndexChanged.connect(self._chosen)
+        self.channel = QComboBox()
+        self.channel.setObjectName("fault_channel")
+        self.channel.setAccessibleName("Channel of a signal fault")
+        self.channel.addItems(CHANNELS)
+        self.duration = QLineEdit("2")
+        self.duration.setObjectName("fault_duration")
+        self.duration.setAccessibleName("Duration in seconds, empty: until ended")
+        self.value = QLineEdit()
+        self.value.setObjectName("fault_value")
+        self.value.setAccessibleName("Value of the fault, empty: its default")
+        self.value.setPlaceholderText("default")
+        self.cause = GuardedButton("Cause fa&ult")
+        self.cause.setObjectName("fault_cause")
+        self.cause.setAccessibleName("Cause the fault")
+        self.cause.clicked.connect(self._cause)
+        self.end = GuardedButton("&End fault")
+        self.end.setObjectName("fault_end")
+        self.end.setAccessibleName("End the fault")
+        self.end.clicked.connect(self._end)
+        self.problem = QLabel()
+        self.problem.setObjectName("fault_problem")
+        self.problem.setAccessibleName("Why the fault cannot be caused")
+        form = QFormLayout()
+        form.addRow("Fault", self.kind)
+        form.addRow("Channel (signal faults)", self.channel)
+        form.addRow("Duration (s), empty: until ended", self.duration)
+        form.addRow("Value, empty: default", self.value)
+        form.addRow(self.cause)
+        form.addRow(self.end)
+        form.addRow(self.problem)
+        note = QLabel(
+            "These faults happen in the simulated devices, on the wire or on the signals, not in"
+            " the program: what you see is what a real fault would show."
+        )
+        note.setWordWrap(True)
+        inside = QWidget()
+        inside.setLayout(form)
+        inside.setMaximumWidth(self.fontMetrics().horizontalAdvance("M") * 50)
+        column = QVBoxLayout(self)
+        column.addWidget(note)
+        column.addWidget(inside)
+        column.addStretch(1)
+
+    def show_status(self, status: Status | None) -> None:
+        """Offer the faults of the devices that are there."""
+        if status is None:
+            return
+        devices = tuple((device.name, device.driver) for device in status.devices)
+        if devices == self._devices or not devices:
+            return
+        self._devices = devices
+        self._worker.submit(lambda: fault_choices(devices), self._offer, self._cannot)
+
+    def _cannot(self, error: Exception) -> None:
+        self.problem.setText(f"The faults of the simulated rig are not known: {error}")
+
+    def _offer(self, choices: list[FaultChoice]) -> None:
+        self._choices = choices
+        self.cause.setEnabled(bool(choices))
+        self.end.setEnabled(bool(choices))
+        self.kind.clear()
+        for choice in self._choices:
+            self.kind.addItem(f"{choice.where}: {choice.kind.replace('_', ' ')}")
+        self.kind.setCurrentIndex(0 if choices else -1)
+
+    def _choice(self) -> FaultChoice | None:
+        index = self.kind.currentIndex()
+        return self._choices[index] if 0 <= index < len(self._choices) else None
+
+    def _chosen(self) -> None:
+        choice = self._choice()
+        self.channel.setEnabled(choice is not None and choice.where == "signal")
+
+    def _cause(self) -> None:
+        choice = self._choice()
+        if choice is None:
+            self.problem.setText("No simulated device is connected.")
+            return
+        arguments: dict[str, Any] = {"kind": choice.kind}
+        if choice.where == "signal":
+            arguments["channel"] = self.channel.currentText()
+        else:
+            arguments["device"] = choice.where
+        for name, edit in (("duration_s", self.duration), ("value", self.value)):
+            text = edit.text().strip()
+            if not text:
+                continue
+            try:
+                arguments[name] = float(text)
+            except ValueError:
+                self.problem.setText(f"{name} must be a number, not {text!r}.")
+                return
+        self.problem.setText("")
+        self.wanted.emit("inject_fault", arguments)
+
+    def _end(self) -> None:
+        choice = self._choice()
+        if choice is not None:
+            self.wanted.emit("clear_fault", {"kind": choice.kind})

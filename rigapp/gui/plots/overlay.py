@@ -1,0 +1,318 @@
+"""One revolution of the joint force: measured solid, model dashed, their difference below."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from rigapp.gui.data.comparison import CURVES, Shown, binned, compose, uncertainty_of, values_at
+from rigapp.gui.data.frames import COMPONENT_NAMES, Frame
+from rigapp.gui.data.pyramid import thinned
+from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.data.recording import StoredRevolution
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
+from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.window.header import ElidedLabel
+from rigapp.schema.messages import ChannelView
+
+CursorMoved = Callable[[float | None], None]
+
+RESIDUAL_BIN_DEG = 2.0
+
+
+class AnglePlot(QuietPlot):
+    """A plot over the crank angle with a cursor that the arrows and the mouse move."""
+
+    def __init__(self, name: str, spoken: str, theme: Theme, moved: CursorMoved) -> None:
+        super().__init__(name, spoken, theme)
+        self._moved = moved
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.cursor_line = self.guide(0.0, horizontal=False, theme=theme)
+        self.cursor_line.hide()
+        self.scene().sigMouseClicked.connect(self._clicked)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move the cursor by 1 deg, with Shift by 10 deg; Esc takes it away."""
+        step = 10.0 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
+        at = self.cursor_line.value() if self.cursor_line.isVisible() else 180.0
+        if event.key() == Qt.Key.Key_Left:
+            self._moved((at - step) % 360.0)
+        elif event.key() == Qt.Key.Key_Right:
+            self._moved((at + step) % 360.0)
+        elif event.key() == Qt.Key.Key_Escape:
+            self._moved(None)
+        else:
+            super().keyPressEvent(event)
+
+    def show_cursor(self, angle_deg: float | None, theme: Theme) -> None:
+        """Put the cursor at an angle, or take it away."""
+        self.cursor_line.setVisible(angle_deg is not None)
+        if angle_deg is not None:
+            self.cursor_line.setPen(line_pen(theme.text))
+            self.cursor_line.setValue(angle_deg)
+
+    def _clicked(self, event: Any) -> None:
+        view = self.getViewBox()
+        if view.sceneBoundingRect().contains(event.scenePos()):
+            self._moved(float(view.mapSceneToView(event.scenePos()).x()) % 360.0)
+
+
+class OverlayPanel(QWidget):
+    """Draw the newest revolution and the model's, with a strip for their difference."""
+
+    def __init__(self, prefix: str, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._prefix = prefix
+        self._ratio: float | None = None
+        self._stale = False
+        self._uncertainty: float | None = None
+        self._cursor: float | None = None
+        self._reference: StoredRevolution | None = None
+        self._drawn: tuple[object, ...] = ()
+        self._doubt = ""
+        self.frame = Frame.CRANK
+        self.held = False
+        self.shown: Shown | None = None
+        self.setObjectName(f"{prefix}_overlay_panel")
+        self.setAccessibleName("Joint force over one revolution")
+        self._make_plots()
+        self._range = SteadyRange(10.0)
+        self._residual_range = SteadyRange(4.0, symmetric=True)
+        self._build()
+
+    def _make_plots(self) -> None:
+        theme, prefix = self._theme, self._prefix
+        self.plot = AnglePlot(
+            f"{prefix}_force_plot", "Joint force against crank angle", theme, self.set_cursor
+        )
+        self.plot.label("left", "Force (N)")
+        self.plot.show_crank_angle(theme, label=False)
+        self.plot.guide(0.0, horizontal=True, theme=theme)
+        self.residual_plot = AnglePlot(
+            f"{prefix}_residual_plot",
+            "Measured minus model against crank angle",
+            theme,
+            self.set_cursor,
+        )
+        self.residual_plot.label("left", "ΔF (N)")
+        self.residual_plot.show_crank_angle(theme)
+        self.residual_plot.guide(0.0, horizontal=True, theme=theme)
+        self._band = self.residual_plot.band(theme)
+        self._raw_residual = self.residual_plot.curve(line_pen(theme.grid))
+        self._references = {name: self.plot.curve(measured_pen(theme, "frozen")) for name in CURVES}
+        self._measured = {name: self.plot.curve(measured_pen(theme, name)) for name in CURVES}
+        self._model = {name: self.plot.curve(model_pen(theme, width=2.0)) for name in CURVES}
+        self._residual = {
+            name: self.residual_plot.curve(measured_pen(theme, name)) for name in CURVES
+        }
+
+    def _build(self) -> None:
+        prefix = self._prefix
+        self.title = ElidedLabel(f"{prefix}_overlay_title", "Revolutions shown")
+        self.frame_box = QComboBox()
+        self.frame_box.setObjectName(f"{prefix}_frame")
+        self.frame_box.setAccessibleName("Frame of the force components")
+        for frame in Frame:
+            self.frame_box.addItem(f"{frame.value} frame", frame)
+        self.frame_box.currentIndexChanged.connect(self._frame_chosen)
+        caption = QLabel("Fra&me")
+        caption.setBuddy(self.frame_box)
+        self.tools = QHBoxLayout()
+        self.tools.addWidget(self.title, 1)
+        self.tools.addWidget(caption)
+        self.tools.addWidget(self.frame_box)
+        self.legend = LegendRow(f"{prefix}_overlay_legend")
+        self.readout = ElidedLabel(f"{prefix}_cursor", "Values at the cursor")
+        self.readout.show_text(
+            "Lower strip: measured − model, grey every sample.  Click a plot, or Tab to it and use"
+            " ← →, to read values."
+        )
+        self.column = QVBoxLayout(self)
+        self.column.setContentsMargins(0, 0, 0, 0)
+        self.column.setSpacing(2)
+        self.column.addLayout(self.tools)
+        self.column.addWidget(self.legend)
+        self.column.addWidget(self.plot, 5)
+        self.column.addWidget(self.residual_plot, 2)
+        self.column.addWidget(self.readout)
+        self._offer_follower_frame()
+        self._show_legend()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.plot.dress(theme)
+        self.residual_plot.dress(theme)
+        for name in CURVES:
+            self._measured[name].setPen(measured_pen(theme, name))
+            self._residual[name].setPen(measured_pen(theme, name))
+            self._references[name].setPen(measured_pen(theme, "frozen"))
+        self._raw_residual.setPen(line_pen(theme.grid))
+        self._band.setBrush(theme.band)
+        self._apply_model_pen()
+        self._show_legend()
+        self.set_cursor(self._cursor)
+
+    def set_mechanism(self, crank_over_follower: float | None) -> None:
+        """Take crank radius / follower length of the test; None: the follower frame is closed."""
+        if crank_over_follower != self._ratio:
+            self._ratio = crank_over_follower
+            self._offer_follower_frame()
+
+    def set_channels(self, channels: tuple[ChannelView, ...]) -> None:
+        """Take the channels' uncertainties: the band of the strip is what cannot be told apart."""
+        uncertainty = uncertainty_of(channels)
+        if uncertainty != self._uncertainty:
+            self._uncertainty = uncertainty
+            self._band.setVisible(uncertainty is not None)
+            if uncertainty is not None:
+                self._band.setRegion((-uncertainty, uncertainty))
+            self._show_legend()
+
+    def compare_with(self, reference: StoredRevolution | None) -> None:
+        """Draw a stored revolution in grey behind the newest one; None: nothing."""
+        self._reference = reference
+        self._drawn = ()
+        self._show_legend()
+
+    def refresh(self, data: LiveData, *, stale: bool) -> None:
+        """Draw the newest revolution if it is not drawn yet and the picture is not held."""
+        if stale != self._stale:
+            self._stale = stale
+            self._apply_model_pen()
+            self._show_legend()
+        prediction, cycle = data.prediction, data.cycle
+        if prediction is not None and cycle is not None and not stale:
+            cycle = data.partner(prediction) or cycle
+        if cycle is None:
+            self._clear()
+            return
+        if self.held and self.shown is not None:
+            return
+        doubt = data.doubt(prediction.revolution) if prediction is not None else ""
+        token = (cycle.revolution, prediction and prediction.revolution, self.frame, self._ratio)
+        if token != self._drawn or doubt != self._doubt:
+            self._drawn, self._doubt = token, doubt
+            self._draw_reference()
+            self.draw(compose(cycle, prediction, self.frame, self._ratio))
+
+    def _clear(self) -> None:
+        self.title.show_text("No revolution measured yet")
+        if self.shown is not None:
+            self.shown, self._drawn = None, ()
+            curves = (*self._measured.values(), *self._model.values(), *self._residual.values())
+            for curve in (*curves, self._raw_residual):
+                curve.setData([], [])
+
+    def draw(self, shown: Shown) -> None:
+        """Draw arrays."""
+        self.shown = shown
+        buckets = max(self.plot.width(), 200)
+        for name in CURVES:
+            self._measured[name].setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
+        shapes = [*shown.measured.values(), *(shown.model or {}).values()]
+        low = min(float(values.min()) for values in shapes)
+        high = max(float(values.max()) for values in shapes)
+        if self._range.update(low, high):
+            self.plot.setYRange(*self._known(self._range), padding=0.0)
+        self._draw_model(shown, buckets)
+        self._show_title(shown)
+        self._read_out()
+
+    def set_cursor(self, angle_deg: float | None) -> None:
+        """Put the cursor at a crank angle and read the values there; None takes it away."""
+        self._cursor = angle_deg
+        for plot in (self.plot, self.residual_plot):
+            plot.show_cursor(angle_deg, self._theme)
+        self._read_out()
+
+    def _draw_model(self, shown: Shown, buckets: int) -> None:
+        if shown.model is None or shown.residual is None:
+            for curve in (*self._model.values(), *self._residual.values(), self._raw_residual):
+                curve.setData([], [])
+            return
+        for name in CURVES:
+            self._model[name].setData(shown.model_angle_deg, shown.model[name])
+            self._residual[name].setData(
+                *binned(shown.angle_deg, shown.residual[name], RESIDUAL_BIN_DEG)
+            )
+        raw = shown.residual["force"]
+        self._raw_residual.setData(*thinned(shown.angle_deg, raw, buckets))
+        worst = float(np.abs(raw).max())
+        if self._residual_range.update(-worst, worst):
+            self.residual_plot.setYRange(*self._known(self._residual_range), padding=0.0)
+
+    def _draw_reference(self) -> None:
+        if self._reference is None:
+            for curve in self._references.values():
+                curve.setData([], [])
+            return
+        shown = compose(self._reference.cycle, None, self.frame, self._ratio)
+        buckets = max(self.plot.width(), 200)
+        for name, curve in self._references.items():
+            curve.setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
+
+    def _show_title(self, shown: Shown) -> None:
+        text = f"Measured: revolution {shown.measured_revolution}"
+        if shown.model is None:
+            text += ".  No prediction yet"
+        else:
+            text += f".  Model: revolution {shown.model_revolution}"
+            text += f", {self._doubt}" if self._doubt else ""
+        if self._reference is not None:
+            text += f".  Grey: revolution {self._reference.cycle.revolution}"
+        self.title.show_text(text + (".  HELD" if self.held else ""))
+
+    def _read_out(self) -> None:
+        if self.shown is not None and self._cursor is not None:
+            first, second = COMPONENT_NAMES[self.frame]
+            self.readout.show_text(values_at(self.shown, self._cursor, first, second))
+
+    @staticmethod
+    def _known(steady: SteadyRange) -> tuple[float, float]:
+        return steady.range or (-1.0, 1.0)
+
+    def _frame_chosen(self) -> None:
+        self.frame = Frame(self.frame_box.currentData())
+        self._range.forget()
+        self._residual_range.forget()
+        self._drawn = ()
+        self._show_legend()
+
+    def _offer_follower_frame(self) -> None:
+        index = self.frame_box.findData(Frame.FOLLOWER)
+        known = self._ratio is not None
+        flags = None if known else Qt.ItemFlag.NoItemFlags.value
+        self.frame_box.setItemData(index, flags, Qt.ItemDataRole.UserRole - 1)
+        if not known and self.frame is Frame.FOLLOWER:
+            self.frame_box.setCurrentIndex(self.frame_box.findData(Frame.CRANK))
+
+    def _apply_model_pen(self) -> None:
+        for curve in self._model.values():
+            curve.setPen(model_pen(self._theme, stale=self._stale, width=2.0))
+
+    def _show_legend(self) -> None:
+        theme = self._theme
+        first, second = COMPONENT_NAMES[self.frame]
+        entries = [
+            LegendEntry("|F|", measured_pen(theme, "force")),
+            LegendEntry(first, measured_pen(theme, "force_1")),
+            LegendEntry(second, measured_pen(theme, "force_2")),
+            LegendEntry(
+                "model (stale)" if self._stale else "model",
+                model_pen(theme, stale=self._stale, width=2.0),
+            ),
+        ]
+        if self._reference is not None:
+            entries.append(LegendEntry("stored", measured_pen(theme, "frozen")))
+        if self._uncertainty is not None:
+            text = f"±{self._uncertainty:.3g} N uncertainty"
+            entries.append(LegendEntry(text, line_pen(theme.band)))
+        self.legend.show_entries(entries)

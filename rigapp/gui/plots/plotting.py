@@ -1,0 +1,161 @@
+"""Plots that keep still and cost little: fixed ranges, a few lines for a grid, legend outside."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
+
+from rigapp.gui.plots.palette import Theme, line_pen
+
+Floats = NDArray[np.float64]
+
+
+class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
+    """A plot without menus, buttons, automatic ranges or a grid that is painted at every frame."""
+
+    def __init__(self, name: str, spoken: str, theme: Theme) -> None:
+        super().__init__(background=theme.base)
+        self.setObjectName(name)
+        self.setAccessibleName(spoken)
+        self.setMenuEnabled(False)
+        self.hideButtons()
+        self.setMouseEnabled(x=False, y=False)
+        self.disableAutoRange()
+        self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
+        self.setMinimumSize(QSize(120, 60))
+        metrics = QFontMetrics(self.font())
+        self.getPlotItem().layout.setContentsMargins(
+            0, metrics.height() // 2, metrics.horizontalAdvance("000"), metrics.height() // 4
+        )
+        self._guides: list[pg.InfiniteLine] = []
+        self.getAxis("left").setWidth(metrics.horizontalAdvance("−00.00") + 2 * metrics.height())
+        for side in ("left", "bottom"):
+            self.getAxis(side).enableAutoSIPrefix(False)
+        self.dress(theme)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme: background, axes, guide lines."""
+        self.setBackground(theme.base)
+        for side in ("left", "bottom"):
+            axis = self.getAxis(side)
+            axis.setPen(line_pen(theme.border))
+            axis.setTextPen(theme.text)
+        for guide in self._guides:
+            guide.setPen(line_pen(theme.grid))
+
+    def label(self, side: str, text: str) -> None:
+        """Write an axis label; the unit is part of the text."""
+        self.getAxis(side).setLabel(text)
+
+    def curve(self, pen: QPen) -> pg.PlotCurveItem:
+        """Add an empty curve for data known to be finite."""
+        item = pg.PlotCurveItem(pen=pen, skipFiniteCheck=True)
+        self.addItem(item)
+        return item
+
+    def guide(self, at: float, *, horizontal: bool, theme: Theme) -> pg.InfiniteLine:
+        """Add a calm line in place of a grid."""
+        line = pg.InfiniteLine(at, angle=0 if horizontal else 90, pen=line_pen(theme.grid))
+        line.setZValue(-10)
+        self.addItem(line, ignoreBounds=True)
+        self._guides.append(line)
+        return line
+
+    def band(self, theme: Theme) -> pg.LinearRegionItem:
+        """Add a horizontal band behind the curves, hidden until it is given a height."""
+        item = pg.LinearRegionItem(
+            (0.0, 0.0), orientation="horizontal", movable=False, brush=theme.band
+        )
+        for line in item.lines:
+            line.setPen(line_pen(theme.band))
+        item.setZValue(-20)
+        item.hide()
+        self.addItem(item, ignoreBounds=True)
+        return item
+
+    def show_crank_angle(self, theme: Theme, *, label: bool = True) -> None:
+        """Set the x axis to one revolution with ticks and lines at every quarter."""
+        self.setXRange(0.0, 360.0, padding=0.0)
+        axis = self.getAxis("bottom")
+        major = [(float(at), str(at)) for at in range(0, 361, 90)]
+        minor = [(float(at), "") for at in range(0, 361, 30) if at % 90]
+        axis.setTicks([major, minor])
+        axis.setStyle(hideOverlappingLabels=False)
+        if label:
+            self.label("bottom", "Crank angle (deg)")
+        else:
+            axis.setStyle(showValues=False)
+            axis.setHeight(6)
+        for at in (90.0, 180.0, 270.0):
+            self.guide(at, horizontal=False, theme=theme)
+
+
+@dataclass(frozen=True, slots=True)
+class LegendEntry:
+    """One line of a legend: text and the pen that the curve has."""
+
+    text: str
+    pen: QPen
+
+
+class LegendRow(QWidget):
+    """Show samples of the curves with their names, outside the plot."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(4, 0, 4, 0)
+        self._row.setSpacing(4)
+        self._row.addStretch(1)
+        self.setMinimumWidth(1)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._entries: tuple[LegendEntry, ...] = ()
+
+    def show_entries(self, entries: Sequence[LegendEntry]) -> None:
+        """Replace what is shown."""
+        entries = tuple(entries)
+        if entries == self._entries:
+            return
+        self._entries = entries
+        gap = QFontMetrics(self.font()).horizontalAdvance("MM")
+        while self._row.count() > 1:
+            item = self._row.takeAt(0)
+            widget = item.widget() if item is not None else None
+            if widget is not None:
+                widget.hide()
+                widget.deleteLater()
+        for entry in entries:
+            at = self._row.count() - 1
+            self._row.insertWidget(at, _Sample(entry.pen))
+            label = QLabel(entry.text)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            label.setContentsMargins(0, 0, gap, 0)
+            self._row.insertWidget(at + 1, label)
+        self.setAccessibleName("Legend: " + ", ".join(entry.text for entry in entries))
+
+
+class _Sample(QWidget):
+    """Paint a short piece of a curve."""
+
+    def __init__(self, pen: QPen) -> None:
+        super().__init__()
+        self._pen = QPen(pen)
+        self._pen.setWidthF(2.0)
+        self.setFixedWidth(QFontMetrics(self.font()).horizontalAdvance("MMM"))
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the line at mid height."""
+        painter = QPainter(self)
+        painter.setPen(self._pen)
+        middle = self.height() / 2.0
+        painter.drawLine(QPointF(1.0, middle), QPointF(self.width() - 6.0, middle))
+        painter.end()

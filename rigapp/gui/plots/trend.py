@@ -1,0 +1,351 @@
+"""The whole life of a joint: maximum, RMS, minimum against cycle, with the prediction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent, QPen
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from rigapp.gui.data.pyramid import polyline
+from rigapp.gui.data.ranges import SteadyRange, nice_step
+from rigapp.gui.data.series import LiveData, Table
+from rigapp.gui.plots.palette import CHECKED, Theme, line_pen, measured_pen, model_pen
+from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.window.header import ElidedLabel
+
+Floats = NDArray[np.float64]
+
+BUCKETS = 1200
+FOLLOWED = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line of a trend: its column, the role of its colour, its name in the legend.
+
+    doubt: the column of its expanded uncertainty (k = 2), where it has one.
+    """
+
+    column: str
+    role: str
+    text: str
+    doubt: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """What a trend can show: measured lines and predicted lines of one unit."""
+
+    title: str
+    axis: str
+    minimum_span: float
+    measured: tuple[Line, ...]
+    predicted: tuple[Line, ...] = ()
+
+
+def _statistics(channel: str) -> tuple[Line, ...]:
+    return (
+        Line(f"{channel}_max", "max", "maximum"),
+        Line(f"{channel}_rms", "rms", "RMS"),
+        Line(f"{channel}_min", "min", "minimum"),
+    )
+
+
+QUANTITIES = {
+    "force": Quantity("|F|", "Force (N)", 5.0, _statistics("force"), _statistics("force")),
+    "force_1": Quantity(
+        "Force along crank", "Force (N)", 5.0, _statistics("force_1"), _statistics("force_1")
+    ),
+    "force_2": Quantity(
+        "Force across crank", "Force (N)", 5.0, _statistics("force_2"), _statistics("force_2")
+    ),
+    "probe_1": Quantity("Probe 1", "Position (µm)", 5.0, _statistics("probe_1")),
+    "probe_2": Quantity("Probe 2", "Position (µm)", 5.0, _statistics("probe_2")),
+    "wear": Quantity(
+        "Wear depth",
+        "Depth (mm)",
+        0.002,
+        (),
+        (
+            Line(
+                "measured_wear_depth",
+                "max",
+                "measured",
+                "measured_wear_depth_uncertainty",
+            ),
+            Line("wear_depth", "model", "model"),
+        ),
+    ),
+    "residual": Quantity(
+        "Measured − model",
+        "RMS (N)",
+        1.0,
+        (),
+        (
+            Line("residual_rms", "rms", "|F|"),
+            Line("residual_1_rms", "max", "along crank"),
+            Line("residual_2_rms", "min", "across crank"),
+        ),
+    ),
+    "speed": Quantity(
+        "Speed",
+        "Speed (rpm)",
+        1.0,
+        (
+            Line("speed_max", "max", "maximum"),
+            Line("speed", "rms", "mean"),
+            Line("speed_min", "min", "minimum"),
+        ),
+    ),
+}
+
+
+class TrendPlot(QuietPlot):
+    """A plot whose x axis can be moved and zoomed by mouse and by keys."""
+
+    def __init__(self, name: str, theme: Theme, pointed: Callable[[float | None], None]) -> None:
+        super().__init__(name, "Statistics against cycle", theme)
+        self._pointed = pointed
+        self.setMouseEnabled(x=True, y=False)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.label("bottom", "Cycle")
+        self.cursor_line = self.guide(0.0, horizontal=False, theme=theme)
+        self.cursor_line.hide()
+        self.scene().sigMouseClicked.connect(self._clicked)
+
+    def show_cursor(self, cycle: float | None, theme: Theme) -> None:
+        """Put the cursor at a cycle, or take it away."""
+        self.cursor_line.setVisible(cycle is not None)
+        if cycle is not None:
+            self.cursor_line.setPen(line_pen(theme.text))
+            self.cursor_line.setValue(cycle)
+
+    def _clicked(self, event: Any) -> None:
+        view = self.getViewBox()
+        if view.sceneBoundingRect().contains(event.scenePos()):
+            self._pointed(float(view.mapSceneToView(event.scenePos()).x()))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move by the arrows, zoom by plus and minus; Esc takes the cursor away."""
+        if event.key() == Qt.Key.Key_Escape:
+            self._pointed(None)
+            return
+        low, high = self.viewRange()[0]
+        span = high - low
+        moves = {
+            Qt.Key.Key_Left: (low - span / 4, high - span / 4),
+            Qt.Key.Key_Right: (low + span / 4, high + span / 4),
+            Qt.Key.Key_Plus: (low + span / 4, high - span / 4),
+            Qt.Key.Key_Minus: (low - span / 2, high + span / 2),
+        }
+        wanted = moves.get(Qt.Key(event.key()))
+        if wanted is None:
+            super().keyPressEvent(event)
+            return
+        self.setXRange(*wanted, padding=0.0)
+        self.getViewBox().sigRangeChangedManually.emit([True, False])
+
+
+class TrendPanel(QWidget):
+    """Draw one quantity over the whole test, the last cycles, or any range chosen by hand."""
+
+    def __init__(
+        self, prefix: str, theme: Theme, quantity: str = "force", *, access_keys: bool = True
+    ) -> None:
+        super().__init__()
+        self._access_keys = access_keys
+        self._theme = theme
+        self._name = quantity
+        self._mode = "whole"
+        self._drawn: tuple[object, ...] = ()
+        self._curves: list[tuple[Line, bool, object]] = []
+        self.setObjectName(f"{prefix}_trend_panel")
+        self.setAccessibleName("Statistics against cycle")
+        self._cursor: float | None = None
+        self._data: LiveData | None = None
+        self.plot = TrendPlot(f"{prefix}_trend_plot", theme, self.point_at)
+        self.plot.getViewBox().sigRangeChangedManually.connect(self._moved_by_hand)
+        self._ranges: dict[str, SteadyRange] = {}
+        self._build(prefix)
+        self._make_curves()
+
+    def _build(self, prefix: str) -> None:
+        self.choice = QComboBox()
+        self.choice.setObjectName(f"{prefix}_trend_quantity")
+        self.choice.setAccessibleName("Quantity of the trend")
+        for name, quantity in QUANTITIES.items():
+            self.choice.addItem(quantity.title, name)
+        self.choice.setCurrentIndex(self.choice.findData(self._name))
+        self.choice.currentIndexChanged.connect(self._quantity_chosen)
+        caption = QLabel("Tr&end of" if self._access_keys else "Trend of")
+        caption.setBuddy(self.choice)
+        self.whole = self._button(prefix, "whole", "Who&le test", "Show the whole test")
+        self.last = self._button(
+            prefix, "last", f"Last &{FOLLOWED}", f"Follow the last {FOLLOWED} cycles"
+        )
+        self.values = ElidedLabel(f"{prefix}_trend_values", "Newest values of the trend")
+        top = QHBoxLayout()
+        for widget in (caption, self.choice, self.whole, self.last):
+            top.addWidget(widget)
+        top.addWidget(self.values, 1)
+        self.legend = LegendRow(f"{prefix}_trend_legend")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addLayout(top)
+        column.addWidget(self.legend)
+        column.addWidget(self.plot, 1)
+
+    def _button(self, prefix: str, mode: str, text: str, spoken: str) -> QPushButton:
+        button = QPushButton(text if self._access_keys else text.replace("&", ""))
+        button.setObjectName(f"{prefix}_trend_{mode}")
+        button.setAccessibleName(spoken)
+        button.setCheckable(True)
+        button.setStyleSheet(CHECKED)
+        button.setChecked(mode == self._mode)
+        button.clicked.connect(lambda: self._set_mode(mode))
+        return button
+
+    @property
+    def quantity(self) -> Quantity:
+        """Return what is shown."""
+        return QUANTITIES[self._name]
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.plot.dress(theme)
+        for line, predicted, curve in self._curves:
+            curve.setPen(self._pen(line, predicted))  # type: ignore[attr-defined]
+        self.plot.show_cursor(self._cursor, theme)
+        self._show_legend()
+
+    def refresh(self, data: LiveData) -> None:
+        """Draw if rows, quantity or view have changed since the last time."""
+        if data is not self._data:
+            self._data = data
+            self._drawn = ()
+            self._ranges.clear()
+        self._place_view(data.rows, data.predictions)
+        view = tuple(self.plot.viewRange()[0])
+        token = (self._name, len(data.rows), len(data.predictions), view)
+        if token == self._drawn:
+            return
+        self._drawn = token
+        low, high = np.inf, -np.inf
+        texts = []
+        for line, predicted, curve in self._curves:
+            table = data.predictions if predicted else data.rows
+            x, y = visible(table, line.column, *view)
+            known = np.isfinite(y)
+            complete = bool(known.all())
+            curve.setData(x, y, connect="all" if complete else "finite")  # type: ignore[attr-defined]
+            if known.any():
+                low = min(low, float(np.nanmin(y)))
+                high = max(high, float(np.nanmax(y)))
+            value = self._value(table, line.column)
+            if np.isfinite(value):
+                model = "model " if predicted and self.quantity.measured else ""
+                if self._cursor is not None or not model:
+                    texts.append(f"{model}{line.text} {value:.4g}{self._doubt(table, line)}")
+        when = "Now" if self._cursor is None else f"At cycle {self._cursor:.0f}"
+        self.values.show_text(f"{when}: " + ", ".join(texts) if texts else "")
+        self._set_y(low, high)
+
+    def point_at(self, cycle: float | None) -> None:
+        """Read the values at a cycle; None: the newest again."""
+        self._cursor = None if cycle is None else float(round(cycle))
+        self.plot.show_cursor(self._cursor, self._theme)
+        self._drawn = ()
+
+    def _value(self, table: Table, column: str) -> float:
+        if self._cursor is None or not len(table):
+            return table.last(column)
+        place = int(np.searchsorted(table.revolutions, self._cursor))
+        if place >= len(table) or table.revolutions[place] != self._cursor:
+            return float("nan")
+        return float(table.series(column).values[place])
+
+    def _doubt(self, table: Table, line: Line) -> str:
+        doubt = self._value(table, line.doubt) if line.doubt else float("nan")
+        return f" ± {doubt:.2g} (k = 2)" if np.isfinite(doubt) else ""
+
+    def _set_y(self, low: float, high: float) -> None:
+        steady = self._ranges.setdefault(self._name, SteadyRange(self.quantity.minimum_span))
+        if steady.update(low, high) and steady.range is not None:
+            self.plot.setYRange(*steady.range, padding=0.0)
+
+    def _place_view(self, rows: Table, predictions: Table) -> None:
+        if self._mode == "free":
+            return
+        known = rows.revolutions if len(rows) else predictions.revolutions
+        if len(known) == 0:
+            return
+        first, last = float(known[0]), float(known[-1])
+        if self._mode == "last":
+            step = FOLLOWED / 10
+            high = step * np.ceil((last + 1) / step)
+            wanted = (high - FOLLOWED, high)
+        else:
+            step = nice_step(max(last - first, 10.0), 10)
+            wanted = (first, first + step * np.ceil((last - first + 1) / step))
+        shown = self.plot.viewRange()[0]
+        if abs(shown[0] - wanted[0]) > 1e-6 or abs(shown[1] - wanted[1]) > 1e-6:
+            self.plot.setXRange(*wanted, padding=0.0)
+
+    def _moved_by_hand(self) -> None:
+        self._set_mode("free")
+
+    def _set_mode(self, mode: str) -> None:
+        self._mode = mode
+        self.whole.setChecked(mode == "whole")
+        self.last.setChecked(mode == "last")
+        self._ranges.pop(self._name, None)
+        self._drawn = ()
+
+    def _quantity_chosen(self) -> None:
+        self._name = str(self.choice.currentData())
+        self._ranges.pop(self._name, None)
+        self._drawn = ()
+        self._make_curves()
+
+    def _make_curves(self) -> None:
+        for _, _, curve in self._curves:
+            self.plot.removeItem(curve)
+        lines = [(line, False) for line in self.quantity.measured]
+        lines += [(line, True) for line in self.quantity.predicted]
+        self._curves = [
+            (line, predicted, self.plot.curve(self._pen(line, predicted)))
+            for line, predicted in lines
+        ]
+        self.plot.label("left", self.quantity.axis)
+        self._show_legend()
+
+    def _pen(self, line: Line, predicted: bool) -> QPen:
+        if line.role == "model" or (predicted and self.quantity.measured):
+            return model_pen(self._theme)
+        return measured_pen(self._theme, line.role)
+
+    def _show_legend(self) -> None:
+        entries = [
+            LegendEntry(line.text, self._pen(line, predicted))
+            for line, predicted, _ in self._curves
+            if not (predicted and self.quantity.measured)
+        ]
+        if self.quantity.predicted and self.quantity.measured:
+            entries.append(LegendEntry("model", model_pen(self._theme)))
+        self.legend.show_entries(entries)
+
+
+def visible(table: Table, column: str, low: float, high: float) -> tuple[Floats, Floats]:
+    """Return the points to draw of one series between two revolutions, one row beyond each end."""
+    revolutions = table.revolutions
+    start = int(np.searchsorted(revolutions, low)) - 1
+    stop = int(np.searchsorted(revolutions, high, side="right")) + 1
+    return polyline(revolutions, table.series(column).envelope(max(start, 0), stop, BUCKETS))

@@ -1,0 +1,161 @@
+"""The worn profile of the bushing, measured by the probes and by the model.
+
+Files without recorded profiles show the circle of the pin sunk in by the depth at the contact
+point, and say so.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pyqtgraph as pg
+from numpy.typing import NDArray
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from rigapp.config.parameters import JointSection
+from rigapp.gui.data.profiles import ANGLES_DEG as RECORDED_DEG
+from rigapp.gui.data.profiles import ShownProfile
+from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
+from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+
+Floats = NDArray[np.float64]
+
+ANGLES_DEG = np.linspace(-180.0, 180.0, 721)
+
+
+def worn_profile(depth_mm: float, pin_radius_mm: float, bushing_radius_mm: float) -> Floats:
+    """Return the depth of wear in mm at ANGLES_DEG from the contact point.
+
+    The pin's circle has sunk into the bushing by ``depth_mm`` at the contact point; what lies
+    beyond the bushing's first circle is worn. This holds where wear is much larger than elastic
+    indentation and the force keeps its direction.
+    """
+    centre = bushing_radius_mm - pin_radius_mm + depth_mm
+    angle = np.radians(ANGLES_DEG)
+    root = np.maximum(pin_radius_mm**2 - (centre * np.sin(angle)) ** 2, 0.0)
+    surface = centre * np.cos(angle) + np.sqrt(root)
+    return np.maximum(surface - bushing_radius_mm, 0.0)
+
+
+class WearProfilePanel(QWidget):
+    """Draw the worn profile in the follower frame."""
+
+    def __init__(self, prefix: str, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._drawn: tuple[object, ...] | None = None
+        self.setObjectName(f"{prefix}_profile_panel")
+        self.setAccessibleName("Worn profile of the bushing")
+        self.plot = QuietPlot(f"{prefix}_profile_plot", "Worn profile of the bushing", theme)
+        self.plot.label("left", "Depth (mm)")
+        self.plot.label("bottom", "Angle from the contact point (deg), follower frame")
+        self.plot.setXRange(-180.0, 180.0, padding=0.0)
+        ticks = [(float(at), str(at)) for at in range(-180, 181, 90)]
+        self.plot.getAxis("bottom").setTicks([ticks])
+        for at in (-90.0, 0.0, 90.0):
+            self.plot.guide(at, horizontal=False, theme=theme)
+        nothing = pg.mkPen(None)
+        self._lower, self._upper = self.plot.curve(nothing), self.plot.curve(nothing)
+        self._band = pg.FillBetweenItem(self._lower, self._upper)
+        self._band.setZValue(-5)
+        self.plot.addItem(self._band)
+        self._measured = self.plot.curve(measured_pen(theme, "max"))
+        self._model = self.plot.curve(model_pen(theme, width=2.0))
+        self._range = SteadyRange(0.002)
+        self.legend = LegendRow(f"{prefix}_profile_legend")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addWidget(self.legend)
+        column.addWidget(self.plot, 1)
+        self.dress(theme)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.plot.dress(theme)
+        self._measured.setPen(measured_pen(theme, "max"))
+        self._model.setPen(model_pen(theme, width=2.0))
+        self._band.setBrush(QColor(theme.band))
+        self._show_entries("measured: not known", "model: not known", "")
+        self._drawn = None
+
+    def refresh(self, data: LiveData, joint: JointSection | None) -> None:
+        """Draw the newest recorded profile, or what follows from the newest depths."""
+        if data.profile is not None:
+            self._refresh_recorded(data.profile)
+            return
+        measured = data.predictions.last("measured_wear_depth")
+        predicted = data.predictions.last("wear_depth")
+        token = (repr(measured), repr(predicted), joint)
+        if joint is None or token == self._drawn:
+            return
+        self._drawn = token
+        deepest = 0.0
+        self._draw_band(None)
+        for curve, depth in ((self._measured, measured), (self._model, predicted)):
+            if math.isfinite(depth):
+                sunk = max(depth, 0.0)
+                profile = worn_profile(sunk, joint.pin_radius_mm, joint.bushing_radius_mm)
+                curve.setData(ANGLES_DEG, profile)
+                deepest = max(deepest, depth)
+            else:
+                curve.setData([], [])
+        self._fit(deepest)
+        self._show_entries(
+            _depth("measured", measured),
+            _depth("model", predicted),
+            "no profile is recorded: the pin's circle sunk in by the depth",
+        )
+
+    def _refresh_recorded(self, profile: ShownProfile) -> None:
+        if self._drawn == (profile,):
+            return
+        self._drawn = (profile,)
+        seen = np.isfinite(profile.measured)
+        self._measured.setData(RECORDED_DEG, profile.measured, connect="finite")
+        self._model.setData(RECORDED_DEG, profile.predicted, connect="finite")
+        self._draw_band(profile)
+        self._fit(profile.deepest)
+        if seen.any():
+            place = int(np.nanargmax(profile.measured))
+            depth = f"{profile.measured[place]:.4f} ± {profile.uncertainty[place]:.4f} mm (k = 2)"
+            extent = RECORDED_DEG[seen]
+            measured = f"measured {depth}"
+            words = f"seen {extent[0]:.0f}° to {extent[-1]:.0f}°, revolution {profile.revolution}"
+        else:
+            measured, words = f"measured: not known yet, revolution {profile.revolution}", ""
+        deepest = np.nanmax(profile.predicted, initial=-1.0)
+        model = f"model {deepest:.4f} mm" if deepest >= 0.0 else "model: not known"
+        self._show_entries(measured, model, words)
+
+    def _draw_band(self, profile: ShownProfile | None) -> None:
+        if profile is None or not np.isfinite(profile.measured).any():
+            self._lower.setData([], [])
+            self._upper.setData([], [])
+            return
+        seen = np.isfinite(profile.measured)
+        angle, depth = RECORDED_DEG[seen], profile.measured[seen]
+        self._lower.setData(angle, np.maximum(depth - profile.uncertainty[seen], 0.0))
+        self._upper.setData(angle, depth + profile.uncertainty[seen])
+
+    def _fit(self, deepest: float) -> None:
+        if self._range.update(0.0, deepest) and self._range.range is not None:
+            self.plot.setYRange(*self._range.range, padding=0.0)
+
+    def _show_entries(self, measured: str, model: str, words: str) -> None:
+        entries = [
+            LegendEntry(measured, measured_pen(self._theme, "max")),
+            LegendEntry(model, model_pen(self._theme, width=2.0)),
+        ]
+        if words:
+            entries.append(LegendEntry(words, line_pen(self._theme.base)))
+        self.legend.show_entries(tuple(entries))
+
+
+def _depth(name: str, depth: float) -> str:
+    return f"{name} {depth:.4f} mm" if math.isfinite(depth) else f"{name}: not known"

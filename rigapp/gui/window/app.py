@@ -1,0 +1,77 @@
+"""Start the operator's window: first visible, then attached."""
+
+from __future__ import annotations
+
+import logging
+import sys
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtWidgets import QApplication
+
+from rigapp.ending import asked_to_end, end_at_once
+from rigapp.gui.data.link import ClientFactory, Link
+from rigapp.gui.data.session import Session
+from rigapp.gui.plots.palette import THEMES, apply_theme
+from rigapp.gui.window.selftest import run_self_test
+from rigapp.gui.window.window import MainWindow
+
+log = logging.getLogger(__name__)
+
+LOOK_MS = 200
+
+
+def main(
+    client_factory: ClientFactory,
+    *,
+    rig_path: Path,
+    tests: list[Path],
+    results_folder: Path,
+    start_test: Path | None = None,
+) -> int:
+    """Show the window until it is closed; return the exit status.
+
+    client_factory: makes a client of the engine, on a worker thread, at the start and again
+    whenever the engine is lost; it may take its time and may raise.
+    start_test: a test to start as soon as the engine can be asked.
+    Returns 1 without a window when the self test of the GUI library fails.
+    """
+    application = QApplication.instance() or QApplication(sys.argv[:1])
+    assert isinstance(application, QApplication)
+    application.setApplicationName("rigapp")
+    application.setOrganizationName("rigapp")
+    problems = run_self_test()
+    if problems:
+        sys.stderr.write("\n".join(problems) + "\n")
+        return 1
+    settings = QSettings()
+    theme = THEMES.get(str(settings.value("theme", "light")), THEMES["light"])
+    apply_theme(application, theme)
+    window = MainWindow(
+        Link(client_factory),
+        Session(),
+        theme,
+        rig=rig_path if rig_path.suffix == ".toml" else None,
+        tests=tests,
+        results_folder=results_folder,
+        settings=settings,
+    )
+    window.setWindowTitle(f"rigapp – {rig_path.stem}")
+    window.show()
+    QTimer.singleShot(0, window.start)
+    if start_test is not None:
+        window.start_when_idle(start_test)
+    with asked_to_end() as asked:
+        look = QTimer(window)
+        look.timeout.connect(lambda: _end_when_asked(asked, window, application))
+        look.start(LOOK_MS)
+        return application.exec()
+
+
+def _end_when_asked(asked: list[str], window: MainWindow, application: QApplication) -> None:
+    """Close for Ctrl-C, kill and a closed terminal; asked again, end at once."""
+    if len(asked) > 1:
+        end_at_once(f"interrupted twice by {asked[-1]}; the engine goes on.")
+    if asked:
+        window.close_unasked()
+        application.quit()

@@ -1,0 +1,217 @@
+"""The way out of a fault in one panel: what happened, the steps, and one button for the next one.
+
+Which step is next is told by the engine (``engine.recovery``); the panel shows and asks only.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy
+
+from rigapp.gui.plots.palette import Theme
+from rigapp.gui.window.guarded import GuardedButton
+from rigapp.gui.window.headline import ACTIVE_STATES
+from rigapp.schema.messages import Alarm, RunState, Severity, Status, Step
+
+KEY: Final = "F10"
+
+STEPS: Final = {
+    Step.CAUSE: "Remove the cause",
+    Step.CONNECT: "Connect",
+    Step.ACKNOWLEDGE: "Acknowledge",
+    Step.RESET: "Reset",
+    Step.GO_ON: "Go on",
+}
+"""The steps in their order, as the panel names them."""
+
+BUTTONS: Final = {
+    "connect": "Connect the devices",
+    "acknowledge": "Acknowledge all",
+    "reset": "Reset",
+    "resume": "Resume the test",
+    "resume_file": "Go on with the test",
+    "start": "Start a test…",
+}
+"""What the button says for the request that does the step."""
+
+UNDER_WAY: Final = ACTIVE_STATES - {RunState.STOPPING}
+"""States in which nothing has to be recovered."""
+
+
+def needs_recovery(status: Status) -> bool:
+    """Tell whether something is in the way of the next start."""
+    if status.state in ACTIVE_STATES or status.state is RunState.CONNECTING:
+        return False
+    return status.state is RunState.FAULT or _worst(status) is not None
+
+
+def _worst(status: Status) -> Alarm | None:
+    """Return the critical alarm that the next step is about, or the one that came first."""
+    critical = [one for one in status.alarms if one.severity is Severity.CRITICAL]
+    wanted = status.recovery.cause
+    return min(
+        critical,
+        key=lambda one: (one.key != wanted, not one.active, not one.first_out),
+        default=None,
+    )
+
+
+class RecoverPanel(QFrame):
+    """Lead from a fault back to a test; hidden while there is nothing to recover from."""
+
+    wanted = Signal(str, dict)
+    start_wanted = Signal()
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._status: Status | None = None
+        self._asked = False
+        self._why = ""
+        self.setObjectName("recover_panel")
+        self.setAccessibleName("Recover")
+        self.title = _label("recover_title", "Recover")
+        self.cause = _label("recover_cause", "What happened", wrap=True)
+        self.next = _label("recover_next", "Next step", wrap=True)
+        self.steps = {
+            step: _label(f"recover_step_{step.name.lower()}", f"Step: {text}")
+            for step, text in STEPS.items()
+        }
+        self.button = GuardedButton()
+        self.button.setObjectName("recover_do")
+        self.button.setAccessibleName("Do the next step")
+        self.button.setMinimumHeight(int(self.button.sizeHint().height() * 1.5))
+        self.button.clicked.connect(self.act)
+        self.other = GuardedButton("Start another test…")
+        self.other.setObjectName("recover_other")
+        self.other.setAccessibleName("Start another test")
+        self.other.clicked.connect(self.start_wanted)
+        self.away = QPushButton("Close")
+        self.away.setObjectName("recover_away")
+        self.away.setAccessibleName("Close the panel")
+        self.away.clicked.connect(self.hide)
+        QShortcut(QKeySequence(KEY), self, self.button.click)
+        self._lay_out()
+        self.dress(theme)
+        self.hide()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self._show()
+
+    def take_status(self, status: Status | None) -> None:
+        """Take the newest status; open for a recovery, close when a test runs."""
+        before, self._status = self._status, status
+        changed = before is None or status is None or _situation(before) != _situation(status)
+        if changed:
+            self._asked = False
+        if status is None or status.state in UNDER_WAY:
+            self.hide()
+        elif needs_recovery(status) and self.isHidden():
+            self._why = ""
+            self.show()
+            changed = True
+        if changed:
+            self._show()
+
+    def answered(self) -> None:
+        """Take note that a request was answered: the button may be pressed again."""
+        self._asked = False
+        self._show()
+
+    def act(self) -> None:
+        """Ask for the next step."""
+        status = self._status
+        verb = status.recovery.verb if status is not None else ""
+        if status is None or not verb or self._asked:
+            return
+        if verb == "start":
+            self.start_wanted.emit()
+            return
+        self._asked = True
+        self._show()
+        self.wanted.emit(verb, {"file": status.file} if verb == "resume_file" else {})
+
+    def _show(self) -> None:
+        status = self._status
+        if status is None:
+            return
+        told = status.recovery
+        worst = _worst(status)
+        if worst is not None:
+            self._why = worst.cause
+        self._frame(recovered=told.step is Step.GO_ON)
+        self.cause.setText(self._why or status.reason)
+        self.next.setText(told.sentence)
+        for number, (step, label) in enumerate(self.steps.items(), 1):
+            now = step is told.step
+            mark = "▶" if now else "○" if step in told.left or not told.left else "✔"
+            label.setText(f"{mark} {number} {STEPS[step]}")
+            label.setStyleSheet(self._step_style(now=now, left=mark == "○"))
+            label.setAccessibleDescription("next" if now else "to do" if mark == "○" else "done")
+        text = BUTTONS.get(told.verb, "Waiting for the cause to go")
+        if told.step is Step.NONE:
+            text = "Wait"
+        self.button.setText(f"{text}  {KEY}")
+        self.button.setEnabled(bool(told.verb) and not self._asked)
+        self.button.setToolTip(told.sentence)
+        self.other.setVisible(told.verb == "resume_file")
+        self.away.setVisible(told.step is Step.GO_ON)
+
+    def _frame(self, *, recovered: bool) -> None:
+        theme = self._theme
+        edge = theme.border if recovered else theme.critical
+        sheet = (
+            f"#recover_panel {{ background: {theme.base}; border: 2px solid {edge};"
+            " border-radius: 4px; } #recover_title, #recover_next { font-weight: bold; }"
+        )
+        if sheet != self.styleSheet():
+            self.setStyleSheet(sheet)
+
+    def _step_style(self, *, now: bool, left: bool) -> str:
+        theme = self._theme
+        if now:
+            return (
+                f"background: {theme.highlight}; color: {theme.highlighted_text};"
+                " font-weight: bold; padding: 2px 8px; border-radius: 3px;"
+            )
+        return f"color: {theme.text if left else theme.muted}; padding: 2px 8px;"
+
+    def _lay_out(self) -> None:
+        steps = QHBoxLayout()
+        steps.addWidget(self.title)
+        for label in self.steps.values():
+            steps.addWidget(label)
+        steps.addStretch(1)
+        buttons = QHBoxLayout()
+        buttons.setSpacing(6)
+        for button in (self.button, self.other, self.away):
+            buttons.addWidget(button)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(8, 4, 8, 4)
+        grid.setVerticalSpacing(2)
+        grid.setHorizontalSpacing(12)
+        grid.addLayout(steps, 0, 0)
+        grid.addWidget(self.cause, 1, 0)
+        grid.addWidget(self.next, 2, 0)
+        grid.addLayout(buttons, 0, 1, 3, 1)
+        grid.setColumnStretch(0, 1)
+
+
+def _situation(status: Status) -> tuple[object, ...]:
+    worst = _worst(status)
+    return status.state, status.reason, status.recovery, worst.cause if worst is not None else ""
+
+
+def _label(name: str, spoken: str, *, wrap: bool = False) -> QLabel:
+    label = QLabel(spoken)
+    label.setObjectName(name)
+    label.setAccessibleName(spoken)
+    label.setWordWrap(wrap)
+    if wrap:
+        label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+    return label

@@ -1,0 +1,145 @@
+"""Choose test, length and file of a start, below the buttons and never in front of the state."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QSpinBox,
+)
+
+from rigapp.gui.window.guarded import GuardedButton
+
+
+class StartBar(QFrame):
+    """Ask for test, length and file below the buttons; the state bar stays in sight."""
+
+    started = Signal(dict)
+
+    def __init__(self, tests: Sequence[Path], results_folder: Path) -> None:
+        super().__init__()
+        self._results = results_folder
+        self.setObjectName("start_bar")
+        self.setAccessibleName("Start a test")
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.test = QComboBox()
+        self.test.setObjectName("start_test")
+        self.test.setAccessibleName("Test to start")
+        self.out = QLineEdit()
+        self.out.setObjectName("start_file")
+        self.out.setAccessibleName("File that the test is written to")
+        self.revolutions = QSpinBox()
+        self.revolutions.setObjectName("start_revolutions")
+        self.revolutions.setAccessibleName("Revolutions, 0: as in the test")
+        self.revolutions.setRange(0, 100_000_000)
+        self.revolutions.setSpecialValueText("as in the test")
+        self.revolutions.setGroupSeparatorShown(True)
+        self._build()
+        self.offer(tests)
+        self.hide()
+
+    def _build(self) -> None:
+        browse = QPushButton("&Browse…")
+        browse.setObjectName("start_browse")
+        browse.setAccessibleName("Choose another test file")
+        browse.clicked.connect(self._browse)
+        self.go = GuardedButton("Start no&w")
+        self.go.setObjectName("start_now")
+        self.go.setAccessibleName("Start now")
+        self.go.clicked.connect(self._go)
+        cancel = QPushButton("Cancel")
+        cancel.setObjectName("start_cancel")
+        cancel.setAccessibleName("Do not start")
+        cancel.clicked.connect(self.hide)
+        row = QHBoxLayout(self)
+        for text, widget, stretch in (
+            ("Test &file", self.test, 2),
+            ("Re&volutions", self.revolutions, 1),
+            ("Write t&o", self.out, 3),
+        ):
+            label = QLabel(text)
+            label.setBuddy(widget)
+            row.addWidget(label)
+            row.addWidget(widget, stretch)
+            if widget is self.test:
+                row.addWidget(browse)
+        row.addWidget(self.go)
+        row.addWidget(cancel)
+        self.test.currentIndexChanged.connect(self._name_file)
+
+    def offer(self, tests: Sequence[Path]) -> None:
+        """Offer test files, the first one chosen."""
+        self.test.clear()
+        for path in tests:
+            self.test.addItem(path.name, str(path))
+
+    def choose(self, path: Path) -> None:
+        """Choose a test file, adding it when it is new."""
+        index = self.test.findData(str(path))
+        if index < 0:
+            self.test.addItem(path.name, str(path))
+            index = self.test.count() - 1
+        self.test.setCurrentIndex(index)
+
+    def open(self) -> None:
+        """Show the bar with a fresh file name and the focus on the test."""
+        self._name_file()
+        self.go.setEnabled(self.test.count() > 0)
+        self.show()
+        self.test.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def start(self, path: Path) -> None:
+        """Start a test file as it is, into a fresh file."""
+        self.choose(path)
+        self._name_file()
+        self.revolutions.setValue(0)
+        self._go()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter starts, Esc closes the bar."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.hide()
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._go()
+        else:
+            super().keyPressEvent(event)
+
+    def _name_file(self) -> None:
+        path = self.test.currentData()
+        if path:
+            stamp = time.strftime("%Y%m%d-%H%M%S")
+            self.out.setText(str(self._results / f"{Path(path).stem}-{stamp}.h5"))
+
+    def _browse(self) -> None:
+        dialog = QFileDialog(self, "Choose a test", filter="Tests (*.toml)")
+        dialog.setObjectName("choose_test")
+        dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+        dialog.setModal(False)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.fileSelected.connect(lambda name: self.choose(Path(name)))
+        dialog.show()
+
+    def _go(self) -> None:
+        self.revolutions.interpretText()
+        if not self.test.currentData() or not self.out.text().strip():
+            return
+        arguments: dict[str, Any] = {
+            "test": self.test.currentData(),
+            "out": self.out.text().strip(),
+        }
+        if self.revolutions.value():
+            arguments["revolutions"] = self.revolutions.value()
+        self.hide()
+        self.started.emit(arguments)

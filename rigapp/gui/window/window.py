@@ -1,0 +1,416 @@
+"""The operator's window: state bar, controls, tabs; one timer pulls, nothing is pushed."""
+
+from __future__ import annotations
+
+import importlib
+import logging
+from collections.abc import Sequence
+from getpass import getuser
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QMainWindow,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from rigapp.gui.data.link import Link, LinkState
+from rigapp.gui.data.session import Session
+from rigapp.gui.data.tasks import Worker
+from rigapp.gui.plots.palette import THEMES, Theme, apply_theme
+from rigapp.gui.window.closebar import CloseBar
+from rigapp.gui.window.command import KEY as COMMAND_KEY
+from rigapp.gui.window.command import ViewerBar, why_forbidden
+from rigapp.gui.window.controls import STARTABLE, ControlRow
+from rigapp.gui.window.guarded import GuardedButton
+from rigapp.gui.window.header import Header
+from rigapp.gui.window.headline import ACTIVE_STATES, headline
+from rigapp.gui.window.help import HelpWindow
+from rigapp.gui.window.notice import NoticeBar
+from rigapp.gui.window.recover import RecoverPanel
+from rigapp.gui.window.replaybar import ReplayBar
+from rigapp.gui.window.startbar import StartBar
+from rigapp.gui.window.tabs import Tabs
+from rigapp.gui.window.watchdog import Watchdog
+from rigapp.schema.messages import Snapshot, Status
+
+if TYPE_CHECKING:
+    from rigapp.gui.wizard.chooser import CalibrationChooser
+    from rigapp.gui.wizard.probe_wizard import ProbeWizard
+    from rigapp.gui.wizard.wizard import CalibrationWizard
+
+log = logging.getLogger(__name__)
+
+TICK_MS = 25
+"""Between two looks for news: a revolution shall be on the screen 100 ms after its end."""
+
+STATE_EVERY = 4
+"""Ticks between two looks at the state bar when there are no news: its ages grow all the same."""
+
+FRAME_HEIGHT = 40
+"""Room for the frame that the window manager puts around a window."""
+
+SLOW_EVERY = 20
+"""Ticks between two drawings of a trend or a table: twice a second, in turns."""
+
+
+class MainWindow(QMainWindow):
+    """Show one engine. Everything slow happens on the workers of link and session."""
+
+    def __init__(
+        self,
+        link: Link,
+        session: Session,
+        theme: Theme,
+        *,
+        rig: Path | None = None,
+        tests: Sequence[Path] = (),
+        results_folder: Path = Path("results"),
+        settings: QSettings | None = None,
+    ) -> None:
+        super().__init__()
+        self._link = link
+        self._session = session
+        self._settings = settings
+        self._reader = Worker("gui-files", bound=32)
+        self._ticks = 0
+        self._help: HelpWindow | None = None
+        self._start_wanted: Path | None = None
+        self._closing = ""
+        self._discard = False
+        self._results_folder = results_folder
+        self._rig_file = rig
+        self._calibration: CalibrationWizard | ProbeWizard | None = None
+        self._chooser: CalibrationChooser | None = None
+        self.theme = theme
+        self.watchdog = Watchdog(self)
+        self.setObjectName("main_window")
+        self.setWindowTitle("rigapp")
+        self.setAccessibleName("Rig control")
+        self.header = Header(theme)
+        self.controls = ControlRow(link.request, theme)
+        self.start_bar = StartBar(tests, results_folder)
+        self.close_bar = CloseBar()
+        self.notice = NoticeBar(theme)
+        self.recover = RecoverPanel(theme)
+        self.viewer_bar = ViewerBar(theme)
+        self._forbidden = ""
+        self.replay_bar = ReplayBar()
+        self.replay_bar.hide()
+        self.tabs = Tabs(link, session, theme, results_folder, self._reader, self.watchdog)
+        if rig is not None:
+            self.tabs.prepare.set_rig(rig)
+        self.tabs.open_tests(list(tests))
+        self._build()
+        self._connect()
+        self._timer = QTimer(self)
+        self._timer.setInterval(TICK_MS)
+        self._timer.timeout.connect(self.tick)
+        self._restore_layout()
+
+    def start(self) -> None:
+        """Begin to pull; called when the window is on the screen."""
+        self._timer.start()
+        self.watchdog.start()
+
+    def tick(self) -> None:
+        """Pull what is new and draw what is visible."""
+        self._ticks += 1
+        self._session.deliver()
+        self._reader.deliver()
+        before = self._link.state
+        snapshot = self._link.pump()
+        if snapshot is not None:
+            self._take(snapshot)
+        news = snapshot is not None or before is not self._link.state
+        if news or self._session.problem or self._ticks % STATE_EVERY == 1:
+            self._show_state()
+        if not self.isMinimized():
+            status = self._link.status
+            self.tabs.draw_fast(status)
+            self.tabs.draw_part(status, self._ticks % SLOW_EVERY, SLOW_EVERY)
+
+    def _show_state(self) -> None:
+        status = self._link.status
+        self.header.show_headline(
+            headline(status, self._link.state, self._link.reason, self._link.data_age_s())
+        )
+        self.controls.show_status(status, self._link.state, replay=self._link.is_replay)
+        self.replay_bar.setVisible(self._link.is_replay)
+        if self._link.is_replay and status is not None:
+            self.replay_bar.show_status(status, self._link.last_recorded)
+        self._show_who_commands()
+        if self._session.problem:
+            self.controls.show_answer(self._session.problem, good=False)
+            self._session.problem = ""
+        self._close_when_stopped()
+
+    @property
+    def settled(self) -> bool:
+        """Tell whether the engine has spoken and the history of its test is read."""
+        return self._link.status is not None and self._session.settled
+
+    def draw_now(self) -> None:
+        """Draw what is visible without waiting for the next tick."""
+        self.tabs.draw_fast(self._link.status)
+        self.tabs.draw_slow(self._link.status)
+
+    def start_when_idle(self, test: Path) -> None:
+        """Start a test as soon as the engine has been heard and runs no other."""
+        self._start_wanted = test
+
+    def switch_theme(self) -> None:
+        """Change between light and dark."""
+        self.dress(THEMES["dark" if self.theme.name == "light" else "light"])
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.theme = theme
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            apply_theme(application, theme)
+        self.header.dress(theme)
+        self.notice.dress(theme)
+        self.recover.dress(theme)
+        self.viewer_bar.dress(theme)
+        self.controls.dress(theme)
+        self.tabs.dress(theme)
+        self.draw_now()
+
+    def show_help(self) -> None:
+        """Open the help window, or bring it to the front."""
+        if self._help is None:
+            self._help = HelpWindow(self)
+        self._help.show()
+        self._help.raise_()
+        self._help.activateWindow()
+
+    def calibrate(self) -> None:
+        """Ask what to calibrate, or bring the open wizard to the front; refused during a test."""
+        from rigapp.gui.wizard.chooser import CalibrationChooser
+
+        if self._may_calibrate() is None:
+            return
+        if self._calibration is not None and self._calibration.isVisible():
+            self._front(self._calibration)
+            return
+        if self._chooser is None:
+            self._chooser = CalibrationChooser(self)
+            self._chooser.chosen.connect(self.calibrate_what)
+            # Fits and statistics are loaded while somebody chooses, not before, and not here.
+            self._reader.submit(_load_wizards, lambda _: None, lambda _: None)
+        self._front(self._chooser)
+
+    def calibrate_what(self, which: str) -> None:
+        """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
+        from rigapp.calibrating.live_calibration import Rig
+        from rigapp.gui.wizard.probe_wizard import ProbeWizard
+        from rigapp.gui.wizard.wizard import CalibrationWizard
+
+        status = self._may_calibrate()
+        if status is None:
+            return
+        operator = status.operator or getuser()
+        rig = Rig(status.rig, status.simulated, operator, self._rig_file)
+        line, folder = self._link.request, self._results_folder
+        if which == "load cell":
+            self._calibration = CalibrationWizard(line, rig, self.theme, folder, parent=self)
+        else:
+            self._calibration = ProbeWizard(line, rig, self.theme, folder, which, parent=self)
+        self._front(self._calibration)
+
+    def _may_calibrate(self) -> Status | None:
+        status = self._link.status
+        if self._link.is_replay or status is None or status.state in ACTIVE_STATES:
+            why = "Calibrating needs a running engine and no test under way."
+            self.controls.show_answer(why, good=False)
+            return None
+        return status
+
+    def _front(self, dialog: QWidget) -> None:
+        dialog.show()
+        dialog.raise_()
+        dialog.activateWindow()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask while a test is under way; else remember the layout and detach."""
+        status = self._link.status
+        active = status is not None and status.state in ACTIVE_STATES
+        attached = self._link.state is LinkState.ATTACHED and not self._link.is_replay
+        if active and attached and self._closing != "now" and self._timer.isActive():
+            event.ignore()
+            self.close_bar.ask()
+            return
+        if self._keep_unsaved():
+            event.ignore()
+            return
+        self._timer.stop()
+        self.watchdog.stop()
+        self._save_layout()
+        self._link.close()
+        self._session.close()
+        self._reader.close()
+        if self._help is not None:
+            self._help.close()
+        if self._calibration is not None and self._calibration.isVisible():
+            self._calibration.reject()
+        super().closeEvent(event)
+
+    def _keep_unsaved(self) -> bool:
+        """Ask when changes of the test file would be lost; return whether the window stays."""
+        recipe = self.tabs.prepare.recipe
+        if self._discard or not self._timer.isActive() or not recipe.unsaved():
+            return False
+        self.tabs.show_prepare()
+        recipe.ask_before("closing the window", self._close_for_good)
+        return True
+
+    def close_unasked(self) -> None:
+        """Close without a question: a signal asks for it, or the terminal is gone."""
+        self._closing = "now"
+        self._close_for_good()
+
+    def _close_for_good(self) -> None:
+        self._discard = True
+        self.close()
+
+    def _take(self, snapshot: Snapshot) -> None:
+        status = snapshot.status
+        self.recover.take_status(None if self._link.is_replay else status)
+        self.notice.take_status(status, told=not self.recover.isHidden())
+        self._session.take(snapshot)
+        self.tabs.take_status(status)
+        if self._start_wanted is not None and status.state in STARTABLE:
+            test, self._start_wanted = self._start_wanted, None
+            self.controls.show_status(status, self._link.state)
+            self.start_bar.start(test)
+        title = f"{status.test or status.rig} – rigapp"
+        if self._forbidden:
+            title = f"Viewing only: {title}"
+        if self.windowTitle() != title:
+            self.setWindowTitle(title)
+
+    def _show_who_commands(self) -> None:
+        watch = self._link.command
+        line = self.controls.command_line
+        line.setVisible(not self._link.is_replay)
+        line.show_holder(watch.holder, watch.name)
+        self.viewer_bar.show_holder(watch.holder, watch.name)
+        why = why_forbidden(watch.holder, watch.name)
+        if why != self._forbidden:
+            self._forbidden = why
+            for button in self.findChildren(GuardedButton):
+                button.forbid(why)
+
+    def _leave(self) -> None:
+        self._closing = "now"
+        self.close()
+
+    def _stop_and_close(self) -> None:
+        self._closing = "when stopped"
+        self.controls.act("stop")
+
+    def _close_when_stopped(self) -> None:
+        status = self._link.status
+        if self._closing == "when stopped" and status and status.state not in ACTIVE_STATES:
+            self._leave()
+
+    def _start_prepared(self, path: Path) -> None:
+        self.start_bar.choose(path)
+        self.start_bar.open()
+
+    def _build(self) -> None:
+        self.help_button = QPushButton("Help  F1")
+        self.help_button.setObjectName("help_button")
+        self.help_button.setAccessibleName("Help")
+        self.theme_button = QPushButton("Light / dark  F9")
+        self.theme_button.setObjectName("theme_button")
+        self.theme_button.setAccessibleName("Light or dark")
+        self.calibrate_button = GuardedButton("Calibrate…  F3")
+        self.calibrate_button.setObjectName("calibrate_button")
+        self.calibrate_button.setAccessibleName("Calibrate the load cell")
+        corner = QWidget()
+        row = QHBoxLayout(corner)
+        row.setContentsMargins(0, 0, 0, 2)
+        row.addWidget(self.calibrate_button)
+        row.addWidget(self.theme_button)
+        row.addWidget(self.help_button)
+        self.tabs.setCornerWidget(corner)
+        body = QWidget()
+        column = QVBoxLayout(body)
+        column.setContentsMargins(6, 6, 6, 6)
+        column.setSpacing(6)
+        for bar in (
+            self.header,
+            self.viewer_bar,
+            self.notice,
+            self.recover,
+            self.controls,
+            self.replay_bar,
+            self.start_bar,
+            self.close_bar,
+        ):
+            column.addWidget(bar)
+        column.addWidget(self.tabs, 1)
+        self.setCentralWidget(body)
+        screen = QGuiApplication.primaryScreen()
+        room = screen.availableGeometry() if screen is not None else None
+        if room is None or QGuiApplication.platformName() == "offscreen":
+            self.resize(1400, 900)
+        else:
+            self.resize(min(1400, room.width()), min(900, room.height() - FRAME_HEIGHT))
+
+    def _connect(self) -> None:
+        self.controls.start_wanted.connect(self.start_bar.open)
+        self.start_bar.started.connect(self.controls.start_test)
+        self.recover.wanted.connect(self.controls.send)
+        self.recover.start_wanted.connect(self.start_bar.open)
+        self.controls.answered.connect(self.recover.answered)
+        self.close_bar.leave.connect(self._leave)
+        self.close_bar.stop_first.connect(self._stop_and_close)
+        self.replay_bar.wanted.connect(self.controls.send)
+        self.controls.command_line.wanted.connect(self.controls.send)
+        self.controls.command_line.take_over_wanted.connect(self.viewer_bar.ask)
+        self.viewer_bar.wanted.connect(self.controls.send)
+        self.tabs.wanted.connect(self.controls.send)
+        self.tabs.said.connect(lambda text, good: self.controls.show_answer(text, good=good))
+        self.tabs.start_wanted.connect(self._start_prepared)
+        self.help_button.clicked.connect(self.show_help)
+        self.theme_button.clicked.connect(self.switch_theme)
+        self.calibrate_button.clicked.connect(self.calibrate)
+        QShortcut(QKeySequence("F1"), self, self.show_help)
+        QShortcut(QKeySequence(COMMAND_KEY), self, self.controls.command_line.act)
+        QShortcut(QKeySequence("F9"), self, self.switch_theme)
+        QShortcut(QKeySequence("F3"), self, self.calibrate)
+
+    def _restore_layout(self) -> None:
+        if self._settings is None:
+            return
+        geometry = self._settings.value("geometry")
+        if geometry is not None:
+            self.restoreGeometry(geometry)
+        for splitter in self.tabs.splitters:
+            state = self._settings.value(f"splitter/{splitter.objectName()}")
+            if state is not None:
+                splitter.restoreState(state)
+        self.tabs.setCurrentIndex(int(str(self._settings.value("tab", 0))))
+
+    def _save_layout(self) -> None:
+        if self._settings is None:
+            return
+        self._settings.setValue("geometry", self.saveGeometry())
+        for splitter in self.tabs.splitters:
+            self._settings.setValue(f"splitter/{splitter.objectName()}", splitter.saveState())
+        self._settings.setValue("tab", self.tabs.currentIndex())
+        self._settings.setValue("theme", self.theme.name)
+
+
+def _load_wizards() -> None:
+    for name in ("wizard", "probe_wizard"):
+        importlib.import_module(f"rigapp.gui.wizard.{name}")

@@ -1,0 +1,1 @@
+"""The calibration wizard: a face of ``rigapp.calibrating.live_calibration``."""

@@ -1,0 +1,171 @@
+"""Second page: the angle reference, without which a common error of all angles stays unseen."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QPushButton, QVBoxLayout, QWizardPage
+
+from calibration.plans import StepKind
+from rigapp.calibrating.practice import Mistake
+from rigapp.gui.plots.palette import Theme
+from rigapp.gui.wizard.bench import Bench
+from rigapp.gui.wizard.hands_panel import HandsPanel
+from rigapp.gui.wizard.parts import Stability, field, larger, named, number, prose
+
+TURN = "&Keep this angle; I turn the level end for end"
+AGAIN = "&Forget the first angle"
+
+
+class AnglePage(QWizardPage):
+    """Enter the encoder's angle while the crank is level."""
+
+    def __init__(self, bench: Bench, theme: Theme) -> None:
+        super().__init__()
+        self._bench = bench
+        self.setTitle("Angle reference")
+        self.setSubTitle(
+            "0.2 degrees of a common angle error turn every force by as much, and no reading shows"
+            " it. Only a level does."
+        )
+        self.instruction = prose("angle_instruction", "What to do now")
+        larger(self.instruction, 1.5)
+        self.instruction.setText(
+            "Lay the level on the flat of the crank and turn the crank until the bubble is in the"
+            " middle. The encoder should show 0 degrees, or 360. Then turn the level end for end"
+            " and do it again: the mean is free of the level's own error."
+        )
+        self.live = prose("angle_live", "Angle of the encoder now")
+        larger(self.live, 1.5, bold=True)
+        self.stability = Stability(theme)
+        self.follow = QCheckBox("&Take the encoder's angle as it is now")
+        self.follow.setChecked(True)
+        named(self.follow, "angle_follow", "Take the encoder's angle as it is now")
+        self.shown = number(-360.0, 360.0, 2, 0.1, "degrees")
+        named(self.shown, "angle_shown", "Angle that the encoder shows, degrees")
+        self.uncertainty = number(0.005, 5.0, 3, 0.01, "degrees")
+        self.uncertainty.setValue(0.05)
+        named(
+            self.uncertainty,
+            "angle_uncertainty",
+            "Standard uncertainty of the level, degrees",
+        )
+        self.turn = QPushButton(TURN)
+        named(self.turn, "angle_turn", "Keep this angle and turn the level end for end")
+        self.first = prose("angle_first", "The first angle")
+        self._first_deg: float | None = None
+        self.problem = prose("angle_problem", "What is wrong on this page")
+        self.hands = HandsPanel(bench, Mistake)
+        form = QFormLayout()
+        form.addRow(self.follow)
+        field(form, "&Encoder shows", self.shown)
+        field(form, "Standard &uncertainty of the level", self.uncertainty)
+        column = QVBoxLayout(self)
+        column.addWidget(self.instruction)
+        column.addWidget(self.live)
+        column.addWidget(self.stability)
+        column.addLayout(form)
+        column.addWidget(self.turn, 0, Qt.AlignmentFlag.AlignLeft)
+        column.addWidget(self.first)
+        column.addStretch(1)
+        column.addWidget(self.problem)
+        column.addWidget(self.hands)
+        self.setCommitPage(True)
+        self.turn.clicked.connect(self._keep_first)
+        self.follow.toggled.connect(self._follow)
+        self._follow(True)
+        bench.looked.connect(self._look)
+        bench.said.connect(self.problem.setText)
+
+    def initializePage(self) -> None:
+        """Show the uncertainty of the settings."""
+        session = self._bench.session
+        if session is not None:
+            self.uncertainty.setValue(session.given.angle.standard_uncertainty_deg)
+        self.hands.setVisible(self._bench.rig.simulated)
+        self._forget_first()
+        self._look()
+
+    def _keep_first(self) -> None:
+        """Keep the angle as the first of two, or forget it."""
+        if self._first_deg is not None:
+            self._forget_first()
+            return
+        self.shown.interpretText()
+        self._first_deg = self.shown.value()
+        self.turn.setText(AGAIN)
+        self.uncertainty.setEnabled(False)
+        self._tell_first()
+
+    def _forget_first(self) -> None:
+        self._first_deg = None
+        self.turn.setText(TURN)
+        self.uncertainty.setEnabled(True)
+        self._tell_first()
+
+    def _tell_first(self) -> None:
+        if self._first_deg is None:
+            self.first.setText("")
+            return
+        session, second = self._bench.session, self.shown.value()
+        assert session is not None
+        setting = session.given.angle.setting_standard_uncertainty_deg
+        mean, own = 0.5 * (self._first_deg + second), 0.5 * (self._first_deg - second)
+        self.first.setText(
+            f"First {self._first_deg:+.2f} degrees, now {second:+.2f} degrees with the level"
+            f" turned: mean {mean:+.2f} +- {setting / math.sqrt(2.0):.3f} degrees; the level itself"
+            f" is off by {own:+.2f} degrees."
+        )
+
+    def isComplete(self) -> bool:
+        """Tell whether the crank stands at a known angle, or the reference was taken already."""
+        bench = self._bench
+        if bench.session is None:
+            return False
+        if not self._due():
+            return True
+        return bench.readiness is not None and bench.readiness.ready and not bench.hands_busy
+
+    def validatePage(self) -> bool:
+        """Take the reference, unless the journal holds it already."""
+        for box in (self.shown, self.uncertainty):
+            box.interpretText()
+        if not self._due():
+            return True
+        if self._first_deg is not None:
+            return self._bench.reference_reversed(
+                math.radians(self._first_deg), math.radians(self.shown.value())
+            )
+        return self._bench.reference(
+            math.radians(self.shown.value()), math.radians(self.uncertainty.value())
+        )
+
+    def _due(self) -> bool:
+        session = self._bench.session
+        return (
+            session is not None
+            and not session.procedure.done
+            and session.procedure.step.kind is StepKind.ANGLE_REFERENCE
+        )
+
+    def _follow(self, on: bool) -> None:
+        self.shown.setEnabled(not on)
+        self._look()
+
+    def _look(self) -> None:
+        bench = self._bench
+        window = bench.window
+        self.stability.show_readiness(bench.readiness, "no signals from the engine")
+        self.turn.setEnabled(self._due() and self.isComplete())
+        if not self._due() and bench.session is not None:
+            self.live.setText("The angle reference has been taken already.")
+        elif window is None or window.angle is None:
+            self.live.setText("The encoder's angle is not known yet.")
+        else:
+            degrees = math.degrees(window.angle)
+            self.live.setText(f"The encoder shows {degrees:.2f} degrees.")
+            if self.follow.isChecked():
+                self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
+        self._tell_first()
+        self.completeChanged.emit()

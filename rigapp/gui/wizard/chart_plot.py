@@ -1,0 +1,71 @@
+"""The control chart of the daily checks in the window: values, U of the calibration, own limits."""
+
+from __future__ import annotations
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
+
+from rigapp.calibrating.daily_history import History, verdict_lines
+from rigapp.gui.plots.palette import Theme, line_pen
+from rigapp.gui.plots.plotting import QuietPlot
+from rigapp.gui.wizard.parts import prose
+
+
+class ChartPlot(QWidget):
+    """Show the sensitivity of all checks with the calibration in use, and what the rules say."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self.plot = QuietPlot("daily_chart", "Sensitivity of the daily checks", theme)
+        self.plot.label("left", "Felt / applied force")
+        self.plot.label("bottom", "Check")
+        self.plot.setMinimumHeight(10 * self.fontMetrics().height())
+        self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        colour = theme.curves["force_1"]
+        self._line = pg.PlotDataItem(
+            pen=line_pen(colour), symbol="o", symbolSize=8, symbolBrush=colour, symbolPen=colour
+        )
+        self.plot.addItem(self._line)
+        self._guides: list[pg.InfiniteLine] = []
+        self.words = prose("daily_words", "What the control charts say")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.plot, 1)
+        column.addWidget(self.words)
+
+    def show_history(self, found: History) -> None:
+        """Show the checks, the limits, and the sentences."""
+        one = found.charts["sensitivity_ratio"]
+        self._line.setData(np.arange(1.0, len(one.values) + 1.0), one.values)
+        for guide in self._guides:
+            self.plot.removeItem(guide)
+        self._guides = []
+        levels = [one.promised]
+        self._level(one.promised, "what the calibration says")
+        if one.expanded is not None:
+            for sign in (-1.0, 1.0):
+                levels.append(one.promised + sign * one.expanded)
+                self._level(levels[-1], "its U", dotted=True)
+        for limit in one.limits or ():
+            levels.append(limit)
+            self._level(limit, "limit of the history", dotted=True)
+        low = min(float(one.values.min()), *levels)
+        high = max(float(one.values.max()), *levels)
+        margin = max(0.15 * (high - low), 1e-4)
+        self.plot.setXRange(0.5, max(8.5, len(one.values) + 0.5), padding=0.0)
+        self.plot.setYRange(low - margin, high + margin, padding=0.0)
+        self.words.setText("\n".join(verdict_lines(found)))
+
+    def _level(self, value: float, words: str, *, dotted: bool = False) -> None:
+        pen = line_pen(self._theme.text, dotted=dotted)
+        guide = pg.InfiniteLine(
+            value,
+            angle=0,
+            pen=pen,
+            label=words,
+            labelOpts={"position": 0.88, "color": self._theme.text},
+        )
+        self.plot.addItem(guide)
+        self._guides.append(guide)

@@ -1,0 +1,157 @@
+"""The channels and statistics of a test, in the one order that engine, file and screen share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+CHANNELS = ("force_1", "force_2", "force", "probe_1", "probe_2")
+"""force_1 and force_2: along the crank (e1) and across it (n1), of the force on the follower by the
+crank pin. probe_1 and probe_2: pin position in the follower frame, along e2 and across it (n2)."""
+
+CHANNEL_UNITS = {"force_1": "N", "force_2": "N", "force": "N", "probe_1": "um", "probe_2": "um"}
+
+STATISTICS = ("max", "min", "rms", "mean", "angle_of_max")
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """Describe one 1-D dataset: name, numpy dtype, unit, one sentence."""
+
+    name: str
+    dtype: str
+    unit: str
+    description: str
+
+
+def revolution_columns() -> tuple[Column, ...]:
+    """Return the columns of ``/entry/revolutions``, in storage order."""
+    head = (
+        Column("revolution", "<i8", "1", "number of the revolution since the start of the test"),
+        Column(
+            "time", "<f8", "s", "end of the revolution, device time since the start of the test"
+        ),
+        Column("host_time", "<f8", "s", "end of the revolution, UTC seconds since 1970-01-01"),
+        Column("speed", "<f8", "rpm", "mean speed of the crank"),
+        Column("speed_max", "<f8", "rpm", "maximum speed of the crank"),
+        Column("speed_min", "<f8", "rpm", "minimum speed of the crank"),
+        Column("speed_rms", "<f8", "rpm", "RMS speed of the crank"),
+        Column("samples", "<i4", "1", "samples in the revolution"),
+        Column("lost_samples", "<i4", "1", "samples lost in or just before the revolution"),
+        Column("quality", "<i4", "1", "0 good, else flags, see rigapp.schema.messages.Flag"),
+    )
+    sentences = {
+        "max": "maximum",
+        "min": "minimum",
+        "rms": "root mean square",
+        "mean": "mean",
+        "angle_of_max": "crank angle of the maximum of",
+    }
+    body = tuple(
+        Column(
+            f"{channel}_{statistic}",
+            "<f8",
+            "deg" if statistic == "angle_of_max" else CHANNEL_UNITS[channel],
+            f"{sentences[statistic]} {channel} over the revolution",
+        )
+        for channel in CHANNELS
+        for statistic in STATISTICS
+    )
+    return head + body
+
+
+def cycle_columns() -> tuple[Column, ...]:
+    """Return the per-sample columns of ``/entry/cycles``, in storage order."""
+    return (
+        Column("angle", "<f4", "deg", "crank angle of the sample, latency corrected"),
+        Column("time", "<f8", "s", "device time of the sample since the start of the test"),
+        *(
+            Column(channel, "<f4", CHANNEL_UNITS[channel], f"calibrated {channel}")
+            for channel in CHANNELS
+        ),
+        *(
+            Column(f"raw_{name}", "<f4", unit, f"signal of {name} as the device sent it")
+            for name, unit in (
+                ("force_1", "mV/V"),
+                ("force_2", "mV/V"),
+                ("probe_1", "V"),
+                ("probe_2", "V"),
+                ("count", "count"),
+            )
+        ),
+    )
+
+
+def prediction_columns() -> tuple[Column, ...]:
+    """Return the columns of ``/entry/prediction``, in storage order."""
+    head = (
+        Column("revolution", "<i8", "1", "number of the revolution predicted"),
+        Column("residual_rms", "<f8", "N", "RMS of measured minus predicted |F|"),
+        Column("residual_1_rms", "<f8", "N", "RMS of measured minus predicted force_1"),
+        Column("residual_2_rms", "<f8", "N", "RMS of measured minus predicted force_2"),
+        Column("phase_shift", "<f8", "deg", "shift of the measured |F| against the predicted"),
+        Column("wear_depth", "<f8", "mm", "predicted wear depth at the contact point"),
+        Column("measured_wear_depth", "<f8", "mm", "wear depth from the probes, NaN when unknown"),
+        Column(
+            "measured_wear_depth_uncertainty",
+            "<f8",
+            "mm",
+            "expanded uncertainty (k = 2) of the measured wear depth",
+        ),
+        Column("driven_wear_depth", "<f8", "mm", "wear depth by the model from measured forces"),
+    )
+    body = tuple(
+        Column(f"{channel}_{statistic}", "<f8", "N", f"predicted {statistic} of {channel}")
+        for channel in ("force_1", "force_2", "force")
+        for statistic in ("max", "min", "rms")
+    )
+    sure = (
+        Column(
+            "force_uncertainty",
+            "<f8",
+            "N",
+            "largest expanded uncertainty (k = 2) of the predicted force over the revolution, from"
+            " the uncertainty of the measured angle",
+        ),
+        Column(
+            "unfollowed_acceleration",
+            "<f8",
+            "rad/s^2",
+            "largest acceleration of the crank that the angle shows and the prediction does not"
+            " follow, 0 when none",
+        ),
+    )
+    return head + body + sure
+
+
+PREDICTION_POINTS = 360
+"""Points of a predicted curve, crank angles 0 .. 359 degrees."""
+
+PREDICTED_CURVES = ("force_1", "force_2", "force")
+
+PROFILE_ANGLES_DEG = tuple(range(-180, 181))
+"""Angles of a worn profile, 0 at the initial contact point: the follower frame turned by 180."""
+
+PROFILE_CURVES = ("measured", "predicted", "driven", "uncertainty")
+"""What a stored profile has at each angle, mm."""
+
+PROFILES_PER_DECADE = 24
+"""Worn profiles kept in each decade of revolutions, spaced evenly in the logarithm."""
+
+
+def profile_columns() -> tuple[Column, ...]:
+    """Return the values of a worn profile, in storage order; its curves are PROFILE_CURVES."""
+    return (
+        Column("revolution", "<i8", "1", "number of the last revolution in the worn profile"),
+        Column("revolutions", "<i8", "1", "revolutions averaged in the measured profile"),
+        Column("approach", "<f8", "um", "elastic approach at the largest force, by the model"),
+        Column(
+            "approach_change",
+            "<f8",
+            "um",
+            "its change since the reference, taken out of the measured depth",
+        ),
+        Column("centre_1", "<f8", "um", "reading of probe_1 at the bushing's centre"),
+        Column("centre_2", "<f8", "um", "reading of probe_2 at the bushing's centre"),
+        Column("run_out", "<f8", "um", "run-out of the pin that was taken out of the readings"),
+        Column("centred", "<i8", "1", "1: the probes' zero tells the direction, 0: the forces do"),
+    )

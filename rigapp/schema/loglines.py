@@ -1,0 +1,132 @@
+"""Lines of the log that programs read: of alarms, limits and signals at rest, as typed records.
+
+Each is an ``Event`` whose ``key`` says what it is about, ``level`` how bad it is, and ``data`` the
+rest; its sentence is for people and is never read again.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Literal, TypeVar
+
+import msgspec
+
+from rigapp.schema.messages import Alarm, Ends, Event, Severity
+
+ALARM = "alarm"
+LIMIT_CHANGED = "limit_changed"
+REST = "rest"
+"""Kind of the event that holds the signals at rest before a start."""
+
+What = Literal["raised", "cleared", "acknowledged", "shelved", "unshelved", "reset"]
+
+
+class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
+    """Say what happened to an alarm and how it is after it.
+
+    listed: whether it is on the list of alarms still. first_out: it became the first-out one.
+    cause, consequence, action and ends go with a raised alarm, reason and seconds with a
+    shelved one.
+    """
+
+    what: What
+    title: str
+    listed: bool = True
+    active: bool = True
+    acknowledged: bool = False
+    first_out: bool = False
+    cause: str = ""
+    consequence: str = ""
+    action: str = ""
+    ends: Ends = Ends.SEEN
+    reason: str = ""
+    seconds: float = 0.0
+
+    @property
+    def words(self) -> str:
+        """Return what happened in words."""
+        if self.what == "raised":
+            return "raised, first out" if self.first_out else "raised"
+        if self.what == "shelved":
+            return f"shelved for {self.seconds:g} s: {self.reason}"
+        return "no longer shelved" if self.what == "unshelved" else self.what
+
+
+class LimitChange(msgspec.Struct, frozen=True):
+    """Say what a limit was and is; before: None when there was none."""
+
+    before: float | None
+    after: float
+
+
+class RestSignals(msgspec.Struct, frozen=True):
+    """Carry what the load cell showed while the crank stood, mV/V.
+
+    noise: standard deviation of one sample; None where it is not known.
+    """
+
+    force_1_mV_per_V: float
+    force_2_mV_per_V: float
+    noise_1_mV_per_V: float | None = None
+    noise_2_mV_per_V: float | None = None
+
+    @property
+    def pair(self) -> tuple[float, float]:
+        """Return both signals."""
+        return self.force_1_mV_per_V, self.force_2_mV_per_V
+
+    @property
+    def noise(self) -> tuple[float, float] | None:
+        """Return the noise of both, None where it is not known."""
+        if self.noise_1_mV_per_V is None or self.noise_2_mV_per_V is None:
+            return None
+        return self.noise_1_mV_per_V, self.noise_2_mV_per_V
+
+
+Record = TypeVar("Record", AlarmChange, LimitChange, RestSignals)
+
+
+def alarm_line(time: float, revolution: int, who: str, alarm: Alarm, change: AlarmChange) -> Event:
+    """Return the line about an alarm; ``alarm`` is as it is after the change."""
+    text = f"{alarm.title}: {change.words}. {alarm.cause}"
+    return Event(
+        time, revolution, ALARM, who, text, after=alarm.state,
+        key=alarm.key, level=alarm.severity.value, data=msgspec.to_builtins(change),
+    )  # fmt: skip
+
+
+def alarm_change(event: Event) -> AlarmChange | None:
+    """Return what a line says of an alarm, None when it is about something else."""
+    return _record(event, ALARM, AlarmChange)
+
+
+def severity_of(event: Event) -> Severity:
+    """Return how bad the alarm of a line is."""
+    return Severity.CRITICAL if event.level == Severity.CRITICAL else Severity.WARNING
+
+
+def limit_change(event: Event) -> LimitChange | None:
+    """Return how a limit was changed, None when a line is about something else."""
+    found = _record(event, LIMIT_CHANGED, LimitChange)
+    return found if found is not None and math.isfinite(found.after) else None
+
+
+def newest_limits(events: Iterable[Event]) -> dict[str, float]:
+    """Return the newest value of every limit that was changed, by its name."""
+    changes = ((one.key, limit_change(one)) for one in events)
+    return {name: change.after for name, change in changes if change is not None}
+
+
+def rest_signals(event: Event) -> RestSignals | None:
+    """Return the signals at rest, None when a line is about something else."""
+    return _record(event, REST, RestSignals)
+
+
+def _record(event: Event, kind: str, record: type[Record]) -> Record | None:
+    if event.kind != kind or not event.data:
+        return None
+    try:
+        return msgspec.convert(event.data, record)
+    except msgspec.ValidationError:
+        return None

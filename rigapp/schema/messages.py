@@ -1,0 +1,336 @@
+"""Messages between engine, twin, window and command line: msgspec records, sent as MessagePack.
+
+Arrays travel as bytes (little-endian) and come back by ``as_array``. A message is immutable.
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+PROTOCOL_VERSION = 1
+
+NOTE_CHARACTERS = 2000
+"""The longest note, and the longest reason of a command."""
+
+
+class RunState(enum.StrEnum):
+    """The states of a run; every way through them ends with the spindle stopped and a reason."""
+
+    IDLE = "idle"
+    CONNECTING = "connecting"
+    READY = "ready"
+    STARTING = "starting"
+    RUNNING = "running"
+    PAUSING = "pausing"
+    PAUSED = "paused"
+    STOPPING = "stopping"
+    STOPPED = "stopped"
+    FAULT = "fault"
+
+
+class FinishReason(enum.StrEnum):
+    """Why a run ended, as a code; a sentence goes with it."""
+
+    COMPLETE = "complete"
+    OPERATOR = "operator"
+    LIMIT = "limit"
+    DEVICE = "device"
+    STORAGE = "storage"
+    INTERNAL = "internal"
+
+
+class Flag(enum.IntFlag):
+    """Quality of one revolution; 0 is good."""
+
+    GOOD = 0
+    LOST_SAMPLES = 1
+    COUNT_MISMATCH = 2
+    MISSED_INDEX = 4
+    SATURATED = 8
+    GAP_BEFORE = 16
+    REVERSED = 32
+    PARTIAL = 64
+    TIME_JUMP = 128
+    PAUSED = 256
+    RAMP = 512
+    SENSOR_FAULT = 1024
+
+
+class Severity(enum.StrEnum):
+    """How bad an alarm is."""
+
+    WARNING = "warning"
+    CRITICAL = "critical"
+
+
+class Ends(enum.StrEnum):
+    """What ends the condition of an alarm, at the latest.
+
+    SEEN: the engine sees it end. STAND: the engine sees the spindle stand. CONNECTION: the devices
+    are connected anew. DRIVE: the drive obeys a reset. TEST: the test is over. ENGINE: another
+    engine is started.
+    """
+
+    SEEN = "seen"
+    STAND = "stand"
+    CONNECTION = "connection"
+    DRIVE = "drive"
+    TEST = "test"
+    ENGINE = "engine"
+
+
+class Alarm(msgspec.Struct, frozen=True):
+    """Say what is wrong, what it leads to and what to do."""
+
+    key: str
+    severity: Severity
+    title: str
+    cause: str
+    consequence: str
+    action: str
+    raised_at: float
+    revolution: int
+    active: bool = True
+    acknowledged: bool = False
+    first_out: bool = False
+    state: str = "unacknowledged"
+    ends: Ends = Ends.SEEN
+
+
+class Step(enum.StrEnum):
+    """The steps from a fault back to a running test, in their order."""
+
+    CAUSE = "cause"
+    CONNECT = "connect"
+    ACKNOWLEDGE = "acknowledge"
+    RESET = "reset"
+    GO_ON = "go on"
+    NONE = "none"
+
+
+class Recovery(msgspec.Struct, frozen=True):
+    """Say what leads from a state back to work; see ``engine.recovery``.
+
+    step: the next one, NONE while a test runs. verb: the request that does it, empty where only
+    hands or time can. sentence: what to do. left: all steps that are not done, in their order.
+    cause: key of the alarm that it is about, empty when there is none.
+    """
+
+    step: Step = Step.NONE
+    verb: str = ""
+    sentence: str = ""
+    left: tuple[Step, ...] = ()
+    cause: str = ""
+
+
+class DriveView(msgspec.Struct, frozen=True):
+    """Show the drive to a viewer."""
+
+    speed_rpm: float
+    setpoint_rpm: float
+    current_A: float
+    supply_V: float
+    temperature_C: float
+    enabled: bool
+    emergency_stop: bool
+    faults: tuple[str, ...]
+    warnings: tuple[str, ...]
+
+
+class ChannelView(msgspec.Struct, frozen=True):
+    """Show one channel live: its newest raw signal and calibrated value."""
+
+    name: str
+    raw: float
+    raw_unit: str
+    value: float
+    unit: str
+    calibration: str
+    uncertainty: float | None = None
+
+
+class DeviceView(msgspec.Struct, frozen=True):
+    """Show one device: identity, rate, losses, last error.
+
+    counters: what its driver counted on the line, by name (``bytes_received``, ``crc_errors``,
+    ``retries``), in the order to show it; empty when it counts nothing. wiring: what goes to which
+    input, where the driver says so. advice: what to look at in this device.
+    """
+
+    name: str
+    driver: str
+    port: str
+    connected: bool
+    identity: str
+    sample_rate_Hz: float
+    lost_samples: int
+    errors: int
+    last_error: str
+    counters: dict[str, int] = {}
+    wiring: str = ""
+    advice: str = ""
+
+
+class Status(msgspec.Struct, frozen=True):
+    """Show the engine at one moment; what the window's header is made of."""
+
+    state: RunState
+    reason: str
+    rig: str
+    test: str
+    file: str
+    revolution: int
+    planned: int
+    committed: int
+    first_revolution: int
+    target_rpm: float
+    speed_rpm: float
+    started_at: float
+    expected_end_at: float
+    data_age_s: float
+    host_time: float
+    simulated: bool
+    simulated_speed: float
+    worst_margin_percent: float
+    worst_margin: str
+    twin_revolution: int
+    twin_age_s: float
+    residual_rms_N: float
+    alarms: tuple[Alarm, ...] = ()
+    drive: DriveView | None = None
+    devices: tuple[DeviceView, ...] = ()
+    channels: tuple[ChannelView, ...] = ()
+    operator: str = ""
+    engine_pid: int = 0
+    rows_dropped: int = 0
+    in_command: str = ""
+    recovery: Recovery = Recovery()
+
+
+class Cycle(msgspec.Struct, frozen=True):
+    """Carry one whole revolution for drawing: float32 arrays as bytes, calibrated, crank frame."""
+
+    revolution: int
+    angle_deg: bytes
+    force_1: bytes
+    force_2: bytes
+    force: bytes
+    probe_1: bytes
+    probe_2: bytes
+
+
+class WornProfile(msgspec.Struct, frozen=True):
+    """Carry a worn profile, measured and by the model; see ``columns.PROFILE_CURVES``.
+
+    values: ``profile_columns`` in order, float64. measured, predicted, driven, uncertainty:
+    float32, mm, at PROFILE_ANGLES_DEG; NaN where the pin never came. keep: the schedule wants it
+    in the file.
+    """
+
+    revolution: int
+    values: bytes
+    measured: bytes
+    predicted: bytes
+    driven: bytes
+    uncertainty: bytes
+    keep: bool = True
+
+
+class Prediction(msgspec.Struct, frozen=True):
+    """Carry the twin's answer for one revolution.
+
+    values: the columns of ``prediction_columns`` in order, float64.
+    force_1, force_2, force: float32 on PREDICTION_POINTS crank angles.
+    profile: a new worn profile, None for most revolutions. checkpoint: what a twin needs to go on
+    from here, empty when nothing changed that it keeps.
+    """
+
+    revolution: int
+    values: bytes
+    force_1: bytes
+    force_2: bytes
+    force: bytes
+    profile: WornProfile | None = None
+    checkpoint: bytes = b""
+
+
+class RevolutionMeasured(msgspec.Struct, frozen=True):
+    """Ask the twin for a prediction: the measured history of one revolution (float64 as bytes)."""
+
+    revolution: int
+    time_s: bytes
+    angle_rad: bytes
+    force_1: bytes
+    force_2: bytes
+    probe_1: bytes
+    probe_2: bytes
+
+
+class Snapshot(msgspec.Struct, frozen=True):
+    """Carry what is new since the last snapshot to a viewer, at most 30 times a second.
+
+    rows: float64 (n, columns) of ``revolution_columns`` as bytes; rows are dropped oldest first
+    when a viewer lags, and ``first_row`` shows the gap.
+    predictions: float64 (m, columns) of ``prediction_columns`` as bytes.
+    profile: the newest worn profile, when there is one since the last snapshot.
+    """
+
+    status: Status
+    first_row: int
+    rows: bytes
+    predictions: bytes
+    cycle: Cycle | None = None
+    prediction: Prediction | None = None
+    profile: WornProfile | None = None
+
+
+class Event(msgspec.Struct, frozen=True):
+    """One line of the append-only log: who did what, with values before and after.
+
+    text: for people. key: what it is about, of an alarm or a limit its key. level: how bad it is,
+    ``information`` or a ``Severity``. data: what programs read, see ``rigapp.schema.loglines``.
+    """
+
+    time: float
+    revolution: int
+    kind: str
+    source: str
+    text: str
+    before: str = ""
+    after: str = ""
+    key: str = ""
+    level: str = "information"
+    data: dict[str, Any] = {}
+
+
+class Request(msgspec.Struct, frozen=True):
+    """Ask the engine for something; ``verb`` is one of the service's commands.
+
+    client: identity of the viewer that asks, the same for all its requests.
+    """
+
+    verb: str
+    arguments: dict[str, Any] = {}
+    operator: str = ""
+    version: int = PROTOCOL_VERSION
+    identifier: int = 0
+    client: str = ""
+
+
+class Reply(msgspec.Struct, frozen=True):
+    """Answer a request: ok with a result, or not ok with one plain sentence."""
+
+    ok: bool
+    sentence: str = ""
+    result: Any = None
+    identifier: int = 0
+
+
+def as_array(data: bytes, dtype: str = "<f4") -> NDArray[Any]:
+    """Return the array that a message carries as bytes (read-only, 1-D)."""
+    return np.frombuffer(data, dtype=dtype)
