@@ -265,7 +265,8 @@ class LineCounters(Protocol):
 class DriveStatus:
     """Tell the drive's state at one moment; speed in rev/s of the crank, signed as the rig.
 
-    position_count: of the drive's own encoder, on the motor's side of a gear.
+    position_count: of the drive's own encoder, on the motor's side of a gear. torque_Nm: of the
+    motor, as the drive estimates it; NaN where it tells none.
     """
 
     host_time_ns: int
@@ -280,6 +281,7 @@ class DriveStatus:
     faults: tuple[str, ...]
     warnings: tuple[str, ...]
     crc_errors: int = 0
+    torque_Nm: float = math.nan
 
 
 @dataclass(frozen=True, slots=True)
@@ -353,11 +355,58 @@ class Spindle(Protocol):
         ...
 
 
+@dataclass(frozen=True, slots=True)
+class SlowRequest:
+    """Ask a device that is not simultaneous with the crank for quantities.
+
+    quantities: names with their unit, as ``SlowSource.read`` returns them (``temperature_C``).
+    timeout_s: the longest that one ``read`` may take. settings: the driver's own keys.
+    """
+
+    quantities: tuple[str, ...]
+    timeout_s: float = 2.0
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+
+@runtime_checkable
+class SlowSource(Protocol):
+    """Tell slow quantities (temperature, humidity) when asked; a thread of its own asks.
+
+    It may fail and come back: after DeviceLost the caller closes it and opens it anew.
+    """
+
+    name: str
+    port: str
+
+    def open(self) -> Identity:
+        """Open the port and identify the device; raise ConnectionFailed or WrongDevice."""
+        ...
+
+    def configure(self, request: SlowRequest) -> Mapping[str, str | float | int]:
+        """Check that the device tells these quantities; return what was read back.
+
+        Raises SettingRefused, which names what the device does tell.
+        """
+        ...
+
+    def read(self) -> Mapping[str, float]:
+        """Ask for the values now, by quantity, NaN where the device says that one is not valid.
+
+        Raises ReplyTimeout, ProtocolError or DeviceLost.
+        """
+        ...
+
+    def close(self) -> None:
+        """Release the device; never raises; safe to call twice."""
+        ...
+
+
 class DriverKind(enum.StrEnum):
     """Tell what a driver is for."""
 
     DATA_SOURCE = "data source"
     SPINDLE = "spindle"
+    SLOW_SOURCE = "slow source"
 
 
 @dataclass(frozen=True, slots=True)
@@ -380,7 +429,7 @@ class DriverFactory(Protocol):
 
     def __call__(
         self, name: str, port: str, settings: Mapping[str, Any]
-    ) -> DataSource | Spindle: ...
+    ) -> DataSource | Spindle | SlowSource: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -402,8 +451,12 @@ class DriverInfo:
     simulator: "package.module:Class" of its byte-level simulator, loaded by the simulated rig only.
     usb_ids: vendor and product (None: any of that vendor) of devices with a USB id of their own.
     probe: how ``rigapp doctor`` asks for the device; None: it is recognised by its USB id only.
-    check: raises ValueError with one sentence for a request (``DataRequest`` or ``DriveRequest``)
-    that no such device can follow, before a port is opened; None: only the device knows.
+    check: raises ValueError with one sentence for a request (``DataRequest``, ``DriveRequest`` or
+    ``SlowRequest``) that no such device can follow, before a port is opened; None: only the device
+    knows. quantities: what the device can tell of itself or of its surroundings beside the test's
+    samples, each with its unit (``temperature_C``, ``humidity_percent``): of a slow source the keys
+    of ``read``, of a spindle fields of ``DriveStatus``. Channels of a rig file name them as
+    ``source``.
     """
 
     name: str
@@ -415,6 +468,7 @@ class DriverInfo:
     usb_ids: tuple[tuple[int, int | None], ...] = ()
     probe: Probe | None = None
     check: Callable[[Any], object] | None = None
+    quantities: tuple[str, ...] = ()
 
 
 # --- what the simulated rig sees of a simulated device ------------------------------------------
@@ -424,8 +478,9 @@ class DriverInfo:
 class RigSignals:
     """Feed a simulated data acquisition device: what its input terminals see.
 
-    analog: input number (1-based) -> (samples,) in mV/V (bridges) or V (voltages); infinite where a
-    wire is broken and the open input floats to that side.
+    analog: input number (1-based) -> (samples,) in mV/V (bridges) or V (voltages), load cell,
+    probes and the rig file's free channels alike; infinite where a wire is broken and the open
+    input floats to that side.
     shaft_revolutions: (samples,) unwrapped shaft angle in revolutions, float64; the simulator makes
     counts and index of it.
     """
@@ -486,6 +541,18 @@ class MotorState:
     current_A: float
     supply_V: float = 48.0
     temperature_C: float = 31.5
+
+
+class SimulatedSlowSource(Protocol):
+    """Simulate a slow device at the byte level."""
+
+    def receive(self, data: bytes, now_s: float) -> bytes:
+        """Take bytes from the host and return the replies that they cause."""
+        ...
+
+    def observe(self, values: Mapping[str, float]) -> None:
+        """Take what its sensors see now, by the driver's quantities (``temperature_C``)."""
+        ...
 
 
 class SimulatedDrive(Protocol):

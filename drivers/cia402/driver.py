@@ -362,4 +362,5 @@ DRIVER: Final = DriverInfo(
     simulator="drivers.cia402.simulator:Cia402Simulator",
     probe=PROBE,
     check=check_watchdog,
+    quantities=("current_A", "supply_V", "temperature_C"),
 )

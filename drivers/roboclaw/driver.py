@@ -387,4 +387,5 @@ DRIVER: Final = DriverInfo(
     usb_ids=((0x03EB, 0x2404),),
     probe=PROBE,
     check=check_watchdog,
+    quantities=("current_A", "supply_V", "temperature_C"),
 )

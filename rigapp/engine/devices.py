@@ -13,6 +13,7 @@ from drivers.api import (
     DriverInfo,
     DriverKind,
     Identity,
+    SlowSource,
     Spindle,
     StreamSetup,
 )
@@ -196,7 +197,7 @@ def _made(
     settings: Mapping[str, Any],
     ports: Mapping[str, str],
     where: str,
-) -> DataSource | Spindle:
+) -> DataSource | Spindle | SlowSource:
     port = ports.get(name, rig.devices[name].port)
     if port == "simulated":
         raise UnusableInput(
