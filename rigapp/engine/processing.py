@@ -11,7 +11,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import Block, Quality, SampleClock
+from drivers.api import Block, SampleClock
 from rigapp.engine.judging.checks import PeakForce
 from rigapp.engine.judging.saturation import SaturationWatch, full_samples
 from rigapp.engine.samples.assembler import Assembler, Revolution
@@ -236,7 +236,8 @@ class Processor:
                 self._stand(self._clock.quiet(block.host_time_ns), block.host_time_ns * 1e-9)
             return
         ticks = self._clock.times(block) if self._clock is not None else None
-        self._look_for_overload(block)
+        if self._look_for_overload(block):
+            self.saturated_until = block.first_sample + n
         if self._discard.is_set():
             self._discard.clear()
             self.assembler.discard()
@@ -244,8 +245,6 @@ class Processor:
         assembler = self.assembler
         revolutions = assembler.push(block, ticks)
         self.next_sample = block.first_sample + n
-        if np.bitwise_or.reduce(block.quality) & Quality.SATURATED:
-            self.saturated_until = self.next_sample
         self._look(block, n, ticks)
         if assembler.lost_samples != self._lost:
             self._lost = assembler.lost_samples
@@ -255,8 +254,11 @@ class Processor:
         for revolution in revolutions:
             self._judge.revolution(revolution)
 
-    def _look_for_overload(self, block: Block) -> None:
-        """Look at every force first; one that a saturated input shows is no measured one."""
+    def _look_for_overload(self, block: Block) -> bool:
+        """Look at every force first; one that a saturated input shows is no measured one.
+
+        Returns whether a sample is flagged as saturated.
+        """
         full = full_samples(block, self.calibration)
         peak, limit_N = self._peak.of(block.values), self._overload_N()
         over = not peak <= limit_N
@@ -274,6 +276,7 @@ class Processor:
         self._over = over
         if self._saturation.look(full, block.values.shape[1]):
             self._judge.saturated(self._saturation.inputs)
+        return full is not None
 
     def _stand(self, tick: int, host_s: float) -> None:
         """Take note that no pulse has come: the device lives, the crank stands."""

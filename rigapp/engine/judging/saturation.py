@@ -17,6 +17,9 @@ AT_THE_END: Final = 0.98
 STAYS_S: Final = 0.1
 """An input counts as saturated after so long without a sound sample: a spike is none."""
 
+FLAG: Final = int(Quality.SATURATED)
+"""The flag as a plain number: numpy asks an enumeration for its protocols at every use."""
+
 BACK_S: Final = 0.5
 """It counts as sound again after so long without a saturated one."""
 
@@ -27,39 +30,41 @@ class SaturationWatch:
     def __init__(self, sample_rate_Hz: float) -> None:
         self._stays = max(1, round(STAYS_S * sample_rate_Hz))
         self._back = max(1, round(BACK_S * sample_rate_Hz))
-        self._full = np.zeros(4, np.int64)
-        self._sound = np.zeros(4, np.int64)
+        self._full = [0] * len(ANALOG)
+        self._sound = [0] * len(ANALOG)
+        self._calm = True
         self.inputs: frozenset[str] = frozenset()
 
     def mark(self, inputs: Iterable[str]) -> None:
         """Count inputs as saturated at once."""
         self.inputs |= frozenset(inputs)
+        self._calm = False
 
     def look(self, full: NDArray[np.bool_] | None, samples: int) -> bool:
         """Take a block, ``full_samples`` of it; return whether ``inputs`` has changed."""
         if full is None:
-            if not self.inputs and not self._full.any():
+            if self._calm:
                 return False
-            full = np.zeros((4, samples), np.bool_)
-        for i in range(4):
-            self._full[i] = _trailing(full[i], self._full[i])
-            self._sound[i] = _trailing(~full[i], self._sound[i])
+            full = np.zeros((len(ANALOG), samples), np.bool_)
+        for i, row in enumerate(full):
+            self._full[i] = _trailing(row, self._full[i])
+            self._sound[i] = _trailing(~row, self._sound[i])
         before = self.inputs
         for i, name in enumerate(ANALOG):
             if self._full[i] >= self._stays:
                 self.inputs |= {name}
             elif self._sound[i] >= self._back:
                 self.inputs -= {name}
+        self._calm = not self.inputs and not any(self._full)
         return self.inputs != before
 
 
 def full_samples(block: Block, calibration: Calibration) -> NDArray[np.bool_] | None:
     """Return where each analog input is saturated, (4, samples); None where none is flagged."""
-    flagged = (block.quality & Quality.SATURATED) != 0
-    if not flagged.any():
+    if not np.bitwise_or.reduce(block.quality) & FLAG:
         return None
     share = np.abs(calibration.signals(block.values)) / calibration.ranges[:, None]
-    return np.asarray((share >= AT_THE_END) & flagged, np.bool_)
+    return np.asarray((share >= AT_THE_END) & ((block.quality & FLAG) != 0), np.bool_)
 
 
 def _trailing(condition: NDArray[np.bool_], before: int) -> int:
