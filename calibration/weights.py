@@ -55,17 +55,6 @@ def normal_gravity(latitude: float, height: float = 0.0) -> float:
     return on_ellipsoid - 3.086e-6 * height
 
 
-def air_density(pressure: float, humidity: float, temperature: float) -> float:
-    """Return the density of air (kg/m^3) from pressure (Pa), relative humidity (0..1), degC.
-
-    The approximation of OIML R 111-1, appendix E; 2e-4 relative near laboratory conditions.
-    """
-    hectopascal, percent = 0.01 * pressure, 100.0 * humidity
-    return (0.34848 * hectopascal - 0.009 * percent * math.exp(0.061 * temperature)) / (
-        273.15 + temperature
-    )
-
-
 def force_per_mass(weights: WeightSet, place: Place) -> float:
     """Return newton per kilogram of stated mass: gravity less the buoyancy of the air.
 

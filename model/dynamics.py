@@ -59,11 +59,6 @@ class Motion:
         """Return |F|, N."""
         return np.hypot(self.force[0], self.force[1])
 
-    @property
-    def wrist_force_magnitude(self) -> Array:
-        """Return the magnitude of the wrist force, N."""
-        return np.hypot(self.wrist_force[0], self.wrist_force[1])
-
     def slip_rate(self, pin_radius: float) -> Array:
         """Return the sliding speed of the pin in the bushing, m/s, positive with the crank."""
         return pin_radius * (self.speed - self.follower_speed)

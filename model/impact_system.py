@@ -167,17 +167,6 @@ def settled_state(system: ClearanceSystem) -> ContactState:
     )
 
 
-def centred_state(system: ClearanceSystem) -> ContactState:
-    """Return the state of the perfect joint at the start angle: pin and bushing concentric."""
-    motion = inverse_dynamics(system.mechanism, system.start_angle, system.speed)
-    return ContactState(
-        slider_position=float(motion.slider_position),
-        follower_angle=float(motion.follower_angle),
-        slider_velocity=float(motion.slider_velocity),
-        follower_speed=float(motion.follower_speed),
-    )
-
-
 def _placed(system: ClearanceSystem, time: float) -> Array:
     """Return slider position and follower angle with the pin pressed where the force points."""
     m = system.mechanism

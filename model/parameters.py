@@ -121,11 +121,6 @@ class Material:
                 "it must be at least 0 and below 0.5 (0.5 is incompressible; 0.499 comes close)",
             )
 
-    @property
-    def plane_strain_modulus(self) -> float:
-        """Return E / (1 - nu^2), Pa."""
-        return self.youngs_modulus / (1.0 - self.poissons_ratio**2)
-
 
 @dataclass(frozen=True, slots=True)
 class Bushing:

@@ -340,7 +340,6 @@ def model_paper(
     raise typer.Exit(write_paper(to, file, time_limit_s))
 
 
-ReadingsOption = Annotated[Path, typer.Option("--readings", help="CSV of readings as taken.")]
 SettingsOption = Annotated[Path, typer.Option("--settings", help="Settings file (TOML).")]
 RecordOption = Annotated[Path, _file("--to", "Record to make; never overwritten.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import enum
 
-from drivers.simulated_faults import FaultPlan
-
 
 class FaultKind(enum.StrEnum):
     """Name a fault; its ``value`` means what stands behind it."""
@@ -28,6 +26,3 @@ class FaultKind(enum.StrEnum):
     # the device
     HANG = "hang"  # while active: neither sends nor answers
     RESET = "reset"  # power off and on; s until it answers again (0.2)
-
-
-DataqFaults = FaultPlan[FaultKind]

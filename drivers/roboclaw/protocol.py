@@ -314,12 +314,6 @@ def velocity_pid_of(values: tuple[int, ...]) -> VelocityPid:
     return VelocityPid(p / FIXED_POINT, i / FIXED_POINT, d / FIXED_POINT, qpps)
 
 
-def velocity_pid_packet(address: int, command: int, pid: VelocityPid) -> bytes:
-    """Return the write packet of commands 28 and 29, which take D, P, I, QPPS."""
-    d, p, i = (int(value * FIXED_POINT) for value in (pid.d, pid.p, pid.i))
-    return write_packet(address, command, d, p, i, pid.qpps)
-
-
 @dataclass(frozen=True, slots=True)
 class CombinedStatus:
     """Hold the reply to command 73; pairs are (motor 1, motor 2), raw units of the wire."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Literal
 
 from rigapp.config.errors import UnusableInput
@@ -109,9 +108,3 @@ class SimulatedDevices:
         if self._process is not None:
             self._process.close()
             self._process = None
-
-
-def output_name(results: Path, title: str, stamp: str) -> Path:
-    """Return a file name for a test that was given none."""
-    stem = "".join(letter if letter.isalnum() else "-" for letter in title.lower()).strip("-")
-    return results / f"{stem or 'test'}-{stamp}.h5"

@@ -170,10 +170,6 @@ class Wire:
         fresh = self._fresh if now_s - self._fresh_s < HANDOVER_S else 0
         return self._queue.bytes + max(fresh, self.endpoint.unread())
 
-    def wake_s(self) -> float | None:
-        """Return when the wire has something to send by itself, None when it has not."""
-        return self._queue.next_due_s()
-
     def close(self) -> None:
         """Release the endpoint; never raises."""
         self.endpoint.close()

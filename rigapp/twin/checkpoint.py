@@ -74,12 +74,6 @@ def packed(twin: Twin) -> bytes:
     )  # fmt: skip
 
 
-def revolution_of(checkpoint: bytes) -> int:
-    """Return the newest revolution in a checkpoint, 0 for none or an unreadable one."""
-    found = _decoded(checkpoint)
-    return found.newest if found is not None else 0
-
-
 def restore(twin: Twin, checkpoint: bytes) -> bool:
     """Put a checkpoint into a new twin; False, and nothing changed, when it does not fit."""
     found = _decoded(checkpoint)

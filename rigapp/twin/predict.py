@@ -77,19 +77,15 @@ def unpack(message: RevolutionMeasured) -> Measured:
     )
 
 
-def predict_motion(parameters: Parameters, joint: str, measured: Measured, depth: float) -> Motion:
-    """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
-
-    joint: "perfect", or "continuous" with the clearance of the bushing worn by depth (m) at the
-    contact point (paper, Eq. 12), on the wall that the sign of the force asks for.
-    """
-    return predict_force(parameters, joint, measured, depth)[0]
-
-
 def predict_force(
     parameters: Parameters, joint: str, measured: Measured, depth: float
 ) -> tuple[Motion, PredictionUncertainty]:
-    """Compute what ``predict_motion`` does, and how uncertain the angle leaves the force."""
+    """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
+
+    joint: "perfect", or "continuous" with the clearance of the bushing worn by depth (m) at the
+    contact point (paper, Eq. 12), on the wall that the sign of the force asks for. Returns also
+    how uncertain the angle leaves the force.
+    """
     history = smooth_history(measured.time, measured.angle)
     speed, acceleration = (
         _on_grid(measured.angle, rate) for rate in (history.speed, history.acceleration)

@@ -1,4 +1,4 @@
-"""Signs, frames, latency and statistics, against what is known in closed form and against numpy."""
+"""Signs, latency and statistics, against what is known in closed form and against numpy."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from drivers.api import Block, ChannelSpec, StreamSetup
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.judging.checks import PeakForce
-from rigapp.engine.samples import frames
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Calibration, calibrate, calibration_of
 from rigapp.engine.values.reduce import PLACE, Reducer
@@ -60,40 +59,6 @@ def revolutions(
 def steady(rpm: float = 30.0, seconds: float = 10.0) -> tuple[np.ndarray, np.ndarray]:
     time = np.arange(int(seconds * RATE)) / RATE
     return time, 0.3 + rpm / 60.0 * time
-
-
-# --- frames --------------------------------------------------------------------------------------
-
-
-def test_frames_turn_the_right_way() -> None:
-    x, y = frames.crank_to_global(1.0, 0.0, math.pi / 2)
-    assert (float(x), float(y)) == pytest.approx((0.0, 1.0))
-    x, y = frames.crank_to_global(0.0, 1.0, 0.0)
-    assert (float(x), float(y)) == pytest.approx((0.0, 1.0))
-
-
-def test_the_follower_points_from_the_pin_to_the_slider() -> None:
-    crank = np.linspace(0, 2 * np.pi, 50)
-    angle = frames.follower_angle(crank, 0.0762, 0.2032)
-    pin_y = 0.0762 * np.sin(crank)
-    np.testing.assert_allclose(pin_y + 0.2032 * np.sin(angle), 0.0, atol=1e-15)
-    assert np.all(np.abs(angle) < np.pi / 2)
-    with pytest.raises(ValueError, match="exceed"):
-        frames.follower_angle(0.0, 0.2, 0.2)
-
-
-@given(st.floats(-9, 9), st.floats(-9, 9), st.floats(-500, 500), st.floats(-500, 500))
-def test_frames_agree_with_each_other(crank: float, follower: float, a: float, b: float) -> None:
-    x, y = frames.crank_to_global(a, b, crank)
-    np.testing.assert_allclose(frames.global_to_crank(x, y, crank), (a, b), atol=1e-9)
-    along, across = frames.global_to_follower(x, y, follower)
-    np.testing.assert_allclose(
-        frames.crank_to_follower(a, b, crank, follower), (along, across), atol=1e-9
-    )
-    np.testing.assert_allclose(
-        frames.follower_to_global(along, across, follower), (x, y), atol=1e-9
-    )
-    assert np.hypot(x, y) == pytest.approx(math.hypot(a, b), abs=1e-9)
 
 
 # --- calibration ---------------------------------------------------------------------------------

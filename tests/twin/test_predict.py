@@ -23,7 +23,6 @@ from rigapp.twin.predict import (
     compare,
     phase_shift,
     predict_force,
-    predict_motion,
     unpack,
 )
 from rigapp.twin.twin import Twin
@@ -50,9 +49,8 @@ def revolution(ripple: float, clearance: float, samples: int = 1920) -> Revoluti
 
 
 def predict_revolution(parameters, joint, measured, wear):  # type: ignore[no-untyped-def]
-    return compare(
-        measured, predict_motion(parameters, joint, measured, wear.predicted_depth), wear
-    )
+    motion, _ = predict_force(parameters, joint, measured, wear.predicted_depth)
+    return compare(measured, motion, wear)
 
 
 def values(prediction: object) -> dict[str, float]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -282,11 +281,6 @@ def merged(older: Snapshot, newer: Snapshot) -> Snapshot:
         prediction=newer.prediction or older.prediction,
         profile=newer.profile or older.profile,
     )
-
-
-def replay_factory(path: Path, *, speed: float = 10.0) -> Callable[[], ReplayClient]:
-    """Return the client factory that makes the window play a recorded test."""
-    return lambda: ReplayClient(path, speed=speed)
 
 
 def _matrix(columns: dict[str, NDArray[Any]], names: tuple[str, ...]) -> Floats:

@@ -101,10 +101,8 @@ def test_a_read_cannot_be_built_as_a_write() -> None:
         protocol.write_packet(0x80, Command.STATUS)
 
 
-def test_the_velocity_loop_is_written_d_p_i_and_read_p_i_d() -> None:
+def test_the_velocity_loop_is_read_as_p_i_d() -> None:
     pid = VelocityPid(1.0, 0.5, 0.25, 44000)
-    packet = protocol.velocity_pid_packet(0x80, Command.SET_VELOCITY_PID_M1, pid)
-    assert packet == bytes.fromhex("801C00004000000100000000800000 00ABE026FA")
     assert protocol.velocity_pid_of((65536, 32768, 16384, 44000)) == pid
 
 

@@ -13,7 +13,7 @@ from model.contact_law import ContactModel, WornProfile, foundation_modulus, her
 from model.dynamics import inverse_dynamics
 from model.errors import ModelError
 from model.impact import ContactCycle, contact_cycle, integrate_contact
-from model.impact_system import ContactState, centred_state, clearance_system, settled_state
+from model.impact_system import ClearanceSystem, ContactState, clearance_system, settled_state
 from model.parameters import Joint, Material, Mechanism, Spring
 
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
@@ -26,6 +26,17 @@ FAST = Mechanism(0.05, 0.3, 1e-4, 0.12, 0.21, 2.5e-4, 0.14)
 BEARING = Joint(9.5e-3, 10e-3, 20e-3, 13e-3)
 HARD = Material(207e9, 0.3)
 RPM_5000 = 5000.0 * np.pi / 30.0
+
+
+def centred_state(system: ClearanceSystem) -> ContactState:
+    """Return the state of the perfect joint at the start angle: pin and bushing concentric."""
+    motion = inverse_dynamics(system.mechanism, system.start_angle, system.speed)
+    return ContactState(
+        slider_position=float(motion.slider_position),
+        follower_angle=float(motion.follower_angle),
+        slider_velocity=float(motion.slider_velocity),
+        follower_speed=float(motion.follower_speed),
+    )
 
 
 def test_case_b_stays_in_contact_and_agrees_with_technique_2() -> None:

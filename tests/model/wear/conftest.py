@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from model.bushing.ring import Ring
 from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
 
 DATA = Path(__file__).parents[2] / "data"
+sys.path.insert(0, str(Path(__file__).parent))
 
 
 @pytest.fixture(scope="session")

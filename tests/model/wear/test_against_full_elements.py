@@ -2,22 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
-from pathlib import Path
-
+import full_ring
 import numpy as np
 import pytest
 
 from model.bushing.contact import simpson_weights
 from model.bushing.ring import pressure_distribution
-
-_SPEC = importlib.util.spec_from_file_location(
-    "full_ring", Path(__file__).with_name("full_ring.py")
-)
-assert _SPEC is not None
-full_ring = importlib.util.module_from_spec(_SPEC)
-assert _SPEC.loader is not None
-_SPEC.loader.exec_module(full_ring)
 
 
 @pytest.mark.parametrize("sectors", [120, 180])

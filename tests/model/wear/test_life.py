@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.util
 from dataclasses import replace
-from pathlib import Path
 
+import fine_reference
 import numpy as np
 import pytest
 
@@ -16,14 +15,6 @@ from model.parameters import Bushing, Joint, Material, Parameters, Spring
 from model.wear.front import WornThrough
 from model.wear.life import Life, below_archard, life, row_cycles
 from model.wear.state import unworn_state
-
-_SPEC = importlib.util.spec_from_file_location(
-    "fine_reference", Path(__file__).with_name("fine_reference.py")
-)
-assert _SPEC is not None
-fine_reference = importlib.util.module_from_spec(_SPEC)
-assert _SPEC.loader is not None
-_SPEC.loader.exec_module(fine_reference)
 
 RPM30 = np.pi
 

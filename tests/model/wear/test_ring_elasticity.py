@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from factorised_ring import general_compliance, ring_mesh
 
 from model.bushing.compliance import circular_compliance, surface_angles
 from model.bushing.contact import simpson_weights
 from model.bushing.element import NODES, elasticity, shape_gradients, stiffness
-from model.bushing.mesh import general_compliance, ring_mesh
 from model.bushing.ring import Ring
 from model.bushing.sector import SectorMesh, suitable_mesh
 from model.errors import ModelError
