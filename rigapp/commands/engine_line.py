@@ -13,7 +13,6 @@ from rigapp.ending import ending_as_interrupt
 from rigapp.schema.messages import Reply, Request
 
 Ask = Callable[[str, dict[str, Any]], Any]
-REQUEST_TIMEOUT_S = 30.0
 
 
 @contextmanager
@@ -31,9 +30,7 @@ def engine_line(rig: Path, operator: str = "", *, own: bool = False) -> Iterator
     if entry is not None:
         client = Client(entry, operator)
         try:
-            yield lambda verb, arguments: _result(
-                client.request(verb, arguments, REQUEST_TIMEOUT_S)
-            )
+            yield lambda verb, arguments: _result(client.request(verb, arguments))
         finally:
             client.close()
         return

@@ -1,76 +1,194 @@
-"""Every verb that a viewer may ask of an engine: who may, in which lane, within which time.
+"""The one table of what may be asked of an engine: argument record, who may, lane, time-out.
 
-Each safety verb has workers of its own, so that nothing else, however many requests hang, keeps it
-waiting. The others share the workers of their lane.
+A new verb is one row here, with a record of its arguments where it has any, and what it does in
+``service.host``. Bounds of the arguments stand in the records and are judged by ``service.bounds``.
 """
 
 from __future__ import annotations
 
 import enum
 from dataclasses import dataclass
+from typing import Annotated, Any
+
+import msgspec
+
+from rigapp.schema.faults import FaultRecord
+from rigapp.schema.messages import NOTE_CHARACTERS
+
+PATH_CHARACTERS = 4096
+"""Systems take paths of so many bytes."""
+
+Words = Annotated[str, msgspec.Meta(max_length=NOTE_CHARACTERS)]
+Name = Annotated[str, msgspec.Meta(max_length=PATH_CHARACTERS)]
+Duration = Annotated[float, msgspec.Meta(ge=0.0, le=1e9)]
+Revolutions = Annotated[Any, msgspec.Meta(extra={"key": "run.revolutions"})]
+"""A number that is judged, and named, like a key of a file; see ``config.ranges``."""
+
+
+class Nothing(msgspec.Struct, frozen=True):
+    """Ask without arguments."""
+
+
+class Reason(msgspec.Struct, frozen=True):
+    """Say why."""
+
+    reason: Words = ""
+
+
+class AlarmKey(msgspec.Struct, frozen=True):
+    """Name an alarm; none: all of them."""
+
+    key: Name = ""
+
+
+class Start(msgspec.Struct, frozen=True):
+    """Name the test file, the file to make, and how many revolutions in place of the test's."""
+
+    test: Name
+    out: Name
+    revolutions: Revolutions = None
+
+
+class File(msgspec.Struct, frozen=True):
+    """Name a file of a test; reason: why it may go on with what differs."""
+
+    file: Name
+    reason: Words = ""
+
+
+class Shelve(msgspec.Struct, frozen=True):
+    """Name an alarm to hide for some minutes, and why."""
+
+    key: Name
+    reason: Words
+    minutes: Duration
+
+
+class Note(msgspec.Struct, frozen=True):
+    """Carry a note for the log."""
+
+    text: Annotated[str, msgspec.Meta(max_length=NOTE_CHARACTERS, title="note")]
+
+
+class Extend(msgspec.Struct, frozen=True):
+    """Give the test under way another number of revolutions."""
+
+    revolutions: Revolutions
+    reason: Words = ""
+
+
+class SetLimit(msgspec.Struct, frozen=True):
+    """Name a limit, see ``Engine.set_limit``, and its new value, which is judged there."""
+
+    name: Name
+    value: Any
+    reason: Words = ""
+
+
+class Zero(msgspec.Struct, frozen=True):
+    """Name what to zero."""
+
+    what: tuple[Name, ...] = ("load_cell",)
+    reason: Words = ""
+
+
+class FaultKind(msgspec.Struct, frozen=True):
+    """Name a kind of fault of the simulated rig."""
+
+    kind: Name
+
+
+class Window(msgspec.Struct, frozen=True):
+    """Say how many of the last seconds are wanted."""
+
+    window_s: Duration
+
+
+class Hand(msgspec.Struct, frozen=True):
+    """Say what simulated hands shall do, see ``simulation.hands``."""
+
+    what: Name
+    details: dict[str, str | int | float | bool] = {}
+
+
+class Force(msgspec.Struct, frozen=True):
+    """Say whether to take what another has."""
+
+    force: bool = False
 
 
 class Lane(enum.StrEnum):
-    """Where a request waits its turn, and whose workers carry it out."""
+    """Where a request waits its turn, and whose workers carry it out.
+
+    SAFETY: each verb has workers of its own, so that nothing else, however many requests hang,
+    keeps it waiting, and it is never refused for its arguments. The verbs of each other lane share
+    its workers.
+    """
 
     SAFETY = "safety"
     LOOK = "look"
     WORK = "work"
 
 
+class Who(enum.StrEnum):
+    """Who may ask: any viewer at any time, or only the one in command while there is one."""
+
+    ANYONE = "anyone"
+    HOLDER = "holder of command"
+
+
 @dataclass(frozen=True, slots=True)
 class Verb:
     """How the service treats a verb.
 
-    everybody: it may come from any viewer while another one is in command. timeout_s: how long its
-    sender waits for the answer unless it says otherwise.
+    timeout_s: how long its sender waits for the answer unless it says otherwise. urgent: it never
+    waits behind another request of the same viewer.
     """
 
+    name: str
+    record: type[msgspec.Struct]
     lane: Lane
+    who: Who = Who.HOLDER
     timeout_s: float = 10.0
-    everybody: bool = False
+    urgent: bool = False
 
 
-_SAFETY = Verb(Lane.SAFETY, everybody=True)
-_LOOK = Verb(Lane.LOOK, everybody=True)
-_WORK = Verb(Lane.WORK)
-
-OTHER = _WORK
-"""How a verb that nobody knows is treated."""
-
-VERBS: dict[str, Verb] = {
-    "stop": _SAFETY,
-    "drive_off": _SAFETY,
-    "acknowledge": _SAFETY,
-    "reset": Verb(Lane.SAFETY, timeout_s=30.0),
-    "hello": _LOOK,
-    "status": _LOOK,
-    "present": _LOOK,
-    "take_command": _LOOK,
-    "release_command": _LOOK,
-    "signals": Verb(Lane.WORK, everybody=True),
-    "simulation_state": Verb(Lane.WORK, everybody=True),
-    "connect": Verb(Lane.WORK, timeout_s=90.0),
-    "reconnect": Verb(Lane.WORK, timeout_s=90.0),
-    "start": Verb(Lane.WORK, timeout_s=120.0),
-    "resume_file": Verb(Lane.WORK, timeout_s=120.0),
-    "examine_file": Verb(Lane.WORK, timeout_s=120.0),
-    "pause": _WORK,
-    "resume": Verb(Lane.WORK, timeout_s=30.0),
-    "shelve": _WORK,
-    "note": _WORK,
-    "extend": _WORK,
-    "set_limit": _WORK,
-    "zero": Verb(Lane.WORK, timeout_s=60.0),
-    "inject_fault": _WORK,
-    "clear_fault": _WORK,
-    "hand": Verb(Lane.WORK, timeout_s=30.0),
-    "shutdown": Verb(Lane.LOOK),
+VERBS = {
+    verb.name: verb
+    for verb in (
+        Verb("stop", Reason, Lane.SAFETY, Who.ANYONE, urgent=True),
+        Verb("drive_off", Reason, Lane.SAFETY, Who.ANYONE, urgent=True),
+        Verb("acknowledge", AlarmKey, Lane.SAFETY, Who.ANYONE, urgent=True),
+        Verb("reset", Nothing, Lane.SAFETY, timeout_s=30.0, urgent=True),
+        Verb("hello", Nothing, Lane.LOOK, Who.ANYONE),
+        Verb("status", Nothing, Lane.LOOK, Who.ANYONE),
+        Verb("present", Nothing, Lane.LOOK, Who.ANYONE, timeout_s=2.0),
+        Verb("take_command", Force, Lane.LOOK, Who.ANYONE),
+        Verb("release_command", Nothing, Lane.LOOK, Who.ANYONE),
+        Verb("signals", Window, Lane.WORK, Who.ANYONE),
+        Verb("simulation_state", Nothing, Lane.WORK, Who.ANYONE),
+        Verb("connect", Nothing, Lane.WORK, timeout_s=90.0),
+        Verb("reconnect", Nothing, Lane.WORK, timeout_s=90.0),
+        Verb("start", Start, Lane.WORK, timeout_s=120.0),
+        Verb("resume_file", File, Lane.WORK, timeout_s=120.0),
+        Verb("examine_file", File, Lane.WORK, timeout_s=120.0),
+        Verb("pause", Reason, Lane.WORK, urgent=True),
+        Verb("resume", Nothing, Lane.WORK, timeout_s=30.0),
+        Verb("shelve", Shelve, Lane.WORK),
+        Verb("note", Note, Lane.WORK),
+        Verb("extend", Extend, Lane.WORK),
+        Verb("set_limit", SetLimit, Lane.WORK),
+        Verb("zero", Zero, Lane.WORK, timeout_s=60.0),
+        Verb("inject_fault", FaultRecord, Lane.WORK),
+        Verb("clear_fault", FaultKind, Lane.WORK),
+        Verb("hand", Hand, Lane.WORK, timeout_s=30.0),
+        Verb("shutdown", Nothing, Lane.LOOK),
+    )
 }
 
 SAFETY_VERBS = frozenset(name for name, verb in VERBS.items() if verb.lane is Lane.SAFETY)
 
 
 def verb_of(name: str) -> Verb:
-    """Return how a verb is treated, by name."""
-    return VERBS.get(name, OTHER)
+    """Return how a verb is treated, by name; one that nobody knows like work without arguments."""
+    return VERBS.get(name) or Verb(name, Nothing, Lane.WORK)

@@ -1,51 +1,56 @@
-"""What a request may hold: bounded in bytes, depth and length of its texts, before it is heard."""
+"""What a request may hold: bounded in bytes, and by the record of its verb, before it is obeyed."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
+from msgspec import inspect
 
+from rigapp.config.ranges import refusal as number_refusal
 from rigapp.engine.run import Refused, refuse_long
 from rigapp.schema.messages import NOTE_CHARACTERS, Reply, Request
-from rigapp.schema.verbs import Lane, verb_of
+from rigapp.schema.verbs import Lane, Verb
 
 MESSAGE_BYTES = 1 << 16
 NAME_CHARACTERS = 100
 SENTENCE_CHARACTERS = 2000
-PATH_CHARACTERS = 4096
-DEEPEST = 8
-MOST = 1e9
-
-_WORDS = {"text": "note", "reason": "reason"}
-_TEXTS = frozenset({"text", "reason", "key", "name", "kind", "test", "out", "file"})
-_NUMBERS = frozenset({"minutes", "window_s"})
-"""Arguments that no table of ranges judges."""
 
 
 def bounded(request: Request) -> Request:
-    """Return a request whose texts have a length that can be stored and shown.
+    """Return a request whose sender can be shown; raise Refused for a verb that is none.
 
-    The sender's name is cut. What makes the rig safe is never refused for its words: they are cut.
-    Of all other requests what is too long, too deep or no text raises Refused.
+    The sender's name is cut: nothing is refused for it.
     """
     refuse_long("verb", request.verb, NAME_CHARACTERS)
     refuse_long("client", request.client, NAME_CHARACTERS)
-    arguments = request.arguments
-    if verb_of(request.verb).lane is Lane.SAFETY:
-        arguments = {
-            key: value[:NOTE_CHARACTERS] for key, value in arguments.items()
-            if isinstance(value, str)
-        }  # fmt: skip
-    else:
-        _refuse_deep(request.verb, arguments)
-        for key, value in arguments.items():
-            if key in _NUMBERS:
-                _refuse_no_number(request.verb, key, value)
-            else:
-                _refuse_bad_text(request.verb, key, value)
     operator = " ".join(request.operator[:NAME_CHARACTERS].split())
-    return msgspec.structs.replace(request, arguments=arguments, operator=operator)
+    return msgspec.structs.replace(request, operator=operator)
+
+
+def asked_of(verb: Verb, arguments: Mapping[str, Any]) -> Any:
+    """Return the arguments of a request as the record of its verb.
+
+    What makes the rig safe is never refused for its words: they are cut, and what is no text is
+    left out. Of all other verbs what is missing, too long, out of range or of another kind raises
+    Refused. What the record does not know is ignored.
+    """
+    if verb.lane is Lane.SAFETY:
+        names = verb.record.__struct_fields__
+        texts = {name: arguments[name] for name in names if isinstance(arguments.get(name), str)}
+        return verb.record(**{name: text[:NOTE_CHARACTERS] for name, text in texts.items()})
+    kind = inspect.type_info(verb.record)
+    assert isinstance(kind, inspect.StructType)
+    for field in kind.fields:
+        if field.name in arguments:
+            _judge(verb.name, field, arguments[field.name])
+        elif field.required:
+            raise Refused(f"{verb.name!r} needs {field.name!r}")
+    try:
+        return msgspec.convert(arguments, verb.record)
+    except msgspec.ValidationError as error:
+        raise Refused(f"the arguments of {verb.name!r} are not usable: {error}") from error
 
 
 def refusal(words: str, identifier: int = 0) -> Reply:
@@ -60,31 +65,22 @@ def refusal(words: str, identifier: int = 0) -> Reply:
     return Reply(ok=False, sentence=sentence, identifier=identifier)
 
 
-def _refuse_bad_text(verb: str, key: str, value: Any) -> None:
-    what = _WORDS.get(key, key)
-    if not isinstance(value, str):
-        if key in _TEXTS:
-            raise Refused(f"the {what[:NAME_CHARACTERS]} of {verb!r} is not a text")
-        return
-    most = NOTE_CHARACTERS if key in _WORDS else PATH_CHARACTERS
-    refuse_long(what[:NAME_CHARACTERS], value, most)
-
-
-def _refuse_no_number(verb: str, key: str, value: Any) -> None:
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not number or not 0 <= value <= MOST:
-        raise Refused(f"{key} of {verb!r} is not a number from 0 to {MOST:g}")
-
-
-def _refuse_deep(verb: str, arguments: Any) -> None:
-    """Walk without recursion: what is refused here may be as deep as a message is long."""
-    level = [arguments]
-    for _ in range(DEEPEST):
-        level = [
-            item
-            for one in level
-            if isinstance(one, dict | list | tuple)
-            for item in (one.values() if isinstance(one, dict) else one)
-        ]
-    if level:
-        raise Refused(f"the arguments of {verb!r} are nested more than {DEEPEST} deep")
+def _judge(verb: str, field: inspect.Field, value: Any) -> None:
+    """Refuse the value of an argument, in words of its own where a reader would expect them."""
+    kind, title, key = field.type, field.name, ""
+    if isinstance(kind, inspect.Metadata):
+        title = (kind.extra_json_schema or {}).get("title", title)
+        key = (kind.extra or {}).get("key", "")
+        kind = kind.type
+    if key and value is not None:
+        wrong = number_refusal(key, value)
+        if wrong:
+            raise Refused(wrong)
+    elif isinstance(kind, inspect.StrType):
+        if not isinstance(value, str):
+            raise Refused(f"the {title} of {verb!r} is not a text")
+        refuse_long(title, value, kind.max_length or NOTE_CHARACTERS)
+    elif isinstance(kind, inspect.FloatType) and kind.ge is not None and kind.le is not None:
+        number = isinstance(value, int | float) and not isinstance(value, bool)
+        if not number or not kind.ge <= value <= kind.le:
+            raise Refused(f"{title} of {verb!r} is not a number from {kind.ge:g} to {kind.le:g}")

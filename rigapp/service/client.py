@@ -186,7 +186,7 @@ class Client:
     def _be_present(self, leave: threading.Event) -> None:
         while not leave.wait(PRESENT_S):
             with suppress(EngineUnreachable):
-                reply = self._request("present", None, PRESENT_S)
+                reply = self._request("present", None, verb_of("present").timeout_s)
                 if reply.ok and not reply.result["in_command"]:
                     return
 

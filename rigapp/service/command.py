@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from rigapp.engine.run import Refused
 from rigapp.schema.messages import Request
-from rigapp.schema.verbs import verb_of
+from rigapp.schema.verbs import Who, verb_of
 
 GONE_AFTER_S = 10.0
 """Command is free again when its holder has not been heard of for so long."""
@@ -75,23 +75,22 @@ class Command:
             if request.client == holder.client:
                 self._heard = self._clock()
                 return
-        if verb_of(request.verb).everybody:
+        if verb_of(request.verb).who is Who.ANYONE:
             return
         raise Refused(
             f"{holder.name} is in command of this rig, so {request.verb!r} is refused; take command"
             " first. Stop, drive off and acknowledge are possible for everybody"
         )
 
-    def take(self, request: Request) -> dict[str, str]:
+    def take(self, request: Request, force: bool = False) -> dict[str, str]:
         """Give command to the sender; raise Refused while another holds it, unless forced."""
         if not request.client:
             raise Refused("a viewer without an identity cannot take command")
-        force = request.arguments.get("force", False)
         taker = Holder(request.client, request.operator.strip() or "another viewer")
         with self._lock:
             former = self._holder
             same = former is not None and former.client == taker.client
-            if former is not None and not same and force is not True:
+            if former is not None and not same and not force:
                 raise Refused(
                     f"{former.name} is in command; ask for a release, or take over by force, which"
                     " is recorded"

@@ -41,7 +41,8 @@ from rigapp.schema.messages import (
     Snapshot,
     Status,
 )
-from rigapp.service.bounds import refusal
+from rigapp.schema.verbs import VERBS, File, Hand, Nothing, Start
+from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import Command
 from rigapp.service.records import with_records
 from rigapp.service.registry import (
@@ -131,12 +132,7 @@ class EngineHost:
         self._command = Command(
             lambda text, who, before, after: self.engine.log("command", text, who, before, after)
         )
-        self._verbs: dict[str, Callable[[Request], Any]] = {
-            **{name: _plain(verb) for name, verb in self._table().items()},
-            "take_command": self._command.take,
-            "release_command": self._command.release,
-            "present": self._command.present,
-        }
+        self._verbs = self._table()
         self._server = self._listen(bind)
         self._server.start()
         announce(
@@ -339,84 +335,75 @@ class EngineHost:
 
     def handle(self, request: Request) -> Reply:
         """Carry out a request; what was refused comes back as one sentence."""
-        verbs = self._verbs
-        verb = verbs.get(request.verb)
+        verb = VERBS.get(request.verb)
         if verb is None:
-            known = ", ".join(sorted(verbs))
+            known = ", ".join(sorted(VERBS))
             return refusal(f"There is no command {request.verb!r}: {known}.")
         try:
             self._command.judge(request)
-            result = verb(request)
+            result = self._verbs[verb.name](asked_of(verb, request.arguments), request)
         except EXPECTED as error:
             return refusal(str(error))
-        except KeyError as error:
-            return refusal(f"{request.verb!r} needs {error}.")
         except (TypeError, ValueError) as error:
             return refusal(f"The arguments of {request.verb!r} are not usable: {error}.")
         return result if isinstance(result, Reply) else Reply(ok=True, result=result)
 
-    def _table(self) -> dict[str, Callable[[dict[str, Any], str], Any]]:
-        engine = self.engine
+    def _table(self) -> dict[str, Callable[[Any, Request], Any]]:
+        """Return what each verb does, of the record of its arguments and the request."""
+        engine, command, simulated = self.engine, self._command, self._simulated
         return {
-            "hello": lambda a, who: {"version": PROTOCOL_VERSION, "pid": os.getpid()},
-            "status": lambda a, who: msgspec.to_builtins(self._with_service(engine.status())),
+            "hello": lambda a, by: {"version": PROTOCOL_VERSION, "pid": os.getpid()},
+            "status": lambda a, by: msgspec.to_builtins(self._with_service(engine.status())),
+            "present": lambda a, by: command.present(by),
+            "take_command": lambda a, by: command.take(by, a.force),
+            "release_command": lambda a, by: command.release(by),
             "connect": self._connect_request,
             "reconnect": self._connect_request,
             "start": self._start_request,
             "resume_file": self._resume_request,
-            "examine_file": lambda a, who: msgspec.to_builtins(self.resumption(Path(a["file"]))),
-            "pause": lambda a, who: engine.pause(who, a.get("reason", "")),
-            "resume": lambda a, who: engine.resume(who),
-            "stop": lambda a, who: engine.stop(who, a.get("reason", "")),
-            "drive_off": lambda a, who: engine.drive_off(who, a.get("reason", "")),
-            "reset": lambda a, who: engine.reset(who),
-            "acknowledge": lambda a, who: engine.acknowledge(a.get("key", ""), who),
-            "shelve": lambda a, who: engine.shelve(a["key"], a["reason"], a["minutes"], who),
-            "note": lambda a, who: engine.note(a["text"], who),
-            "extend": lambda a, who: engine.extend(a["revolutions"], who, a.get("reason", "")),
-            "set_limit": lambda a, who: engine.set_limit(
-                a["name"], a["value"], who, a.get("reason", "")
-            ),
-            "zero": lambda a, who: engine.zero(
-                tuple(a.get("what", ("load_cell",))), who, a.get("reason", "")
-            ),
-            "inject_fault": lambda a, who: self._simulated.process.inject(a),
-            "clear_fault": lambda a, who: self._simulated.process.clear(a["kind"]),
-            "signals": lambda a, who: msgspec.to_builtins(engine.hear(float(a["window_s"]))),
+            "examine_file": lambda a, by: msgspec.to_builtins(self.resumption(Path(a.file))),
+            "pause": lambda a, by: engine.pause(by.operator, a.reason),
+            "resume": lambda a, by: engine.resume(by.operator),
+            "stop": lambda a, by: engine.stop(by.operator, a.reason),
+            "drive_off": lambda a, by: engine.drive_off(by.operator, a.reason),
+            "reset": lambda a, by: engine.reset(by.operator),
+            "acknowledge": lambda a, by: engine.acknowledge(a.key, by.operator),
+            "shelve": lambda a, by: engine.shelve(a.key, a.reason, a.minutes, by.operator),
+            "note": lambda a, by: engine.note(a.text, by.operator),
+            "extend": lambda a, by: engine.extend(a.revolutions, by.operator, a.reason),
+            "set_limit": lambda a, by: engine.set_limit(a.name, a.value, by.operator, a.reason),
+            "zero": lambda a, by: engine.zero(a.what, by.operator, a.reason),
+            "inject_fault": lambda a, by: simulated.process.inject(msgspec.to_builtins(a)),
+            "clear_fault": lambda a, by: simulated.process.clear(a.kind),
+            "signals": lambda a, by: msgspec.to_builtins(engine.hear(a.window_s)),
             "hand": self._hand_request,
-            "simulation_state": lambda a, who: self._simulated.process.state(),
-            "shutdown": lambda a, who: self.ended.set(),
+            "simulation_state": lambda a, by: simulated.process.state(),
+            "shutdown": lambda a, by: self.ended.set(),
         }
 
-    def _hand_request(self, arguments: dict[str, Any], operator: str) -> dict[str, int]:
+    def _hand_request(self, asked: Hand, by: Request) -> dict[str, int]:
         """Let the simulated hands do something; return the first device sample after it."""
         process = self._simulated.process
         for _ in range(HAND_LOOKS):
             self._behind.note(self.engine.samples_processed, int(process.state()["samples"]))
-        process.hand(str(arguments["what"]), **dict(arguments.get("details", {})))
+        process.hand(asked.what, **asked.details)
         return {"after_sample": self._behind.processed_at(int(process.state()["samples"]))}
 
-    def _connect_request(self, arguments: dict[str, Any], operator: str) -> None:
+    def _connect_request(self, asked: Nothing, by: Request) -> None:
         with self._starting:
             self.connect()
 
-    def _start_request(self, arguments: dict[str, Any], operator: str) -> None:
-        test = with_revolutions(read_test(Path(arguments["test"])), arguments.get("revolutions"))
-        self.start(test, Path(arguments["out"]), operator, resume=False)
+    def _start_request(self, asked: Start, by: Request) -> None:
+        test = with_revolutions(read_test(Path(asked.test)), asked.revolutions)
+        self.start(test, Path(asked.out), by.operator, resume=False)
 
-    def _resume_request(self, arguments: dict[str, Any], operator: str) -> Reply | None:
-        path = Path(arguments["file"])
+    def _resume_request(self, asked: File, by: Request) -> Reply | None:
+        path = Path(asked.file)
         ended = end_whole_test(path)
         if ended is not None:
             return Reply(ok=True, sentence=ended.sentence)
-        reason = str(arguments.get("reason", ""))
-        self.start(recorded_test(path), path, operator, resume=True, reason=reason)
+        self.start(recorded_test(path), path, by.operator, resume=True, reason=asked.reason)
         return None
-
-
-def _plain(verb: Callable[[dict[str, Any], str], Any]) -> Callable[[Request], Any]:
-    """Return a verb of arguments and operator as one of the whole request."""
-    return lambda request: verb(request.arguments, request.operator)
 
 
 def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Document[TestFile]:

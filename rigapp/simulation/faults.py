@@ -27,40 +27,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal, Protocol
+from typing import Any, Protocol
 
 import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_text
 from rigapp.config.toml import toml_tree
+from rigapp.schema.faults import FaultRecord
 from rigapp.simulation.disturbances import CHANNELS, SignalFault
 from rigapp.simulation.link import WireFault
 
-NotNegative = Annotated[float, msgspec.Meta(ge=0)]
-
 WIRE_KINDS = frozenset(WireFault)
 SIGNAL_KINDS = frozenset(SignalFault)
-
-
-class FaultRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One fault: what, where, when, for how long, how much."""
-
-    kind: str
-    device: str = ""
-    channel: Literal["", "force_1", "force_2", "probe_1", "probe_2"] = ""
-    at_s: NotNegative | None = None
-    at_revolution: NotNegative | None = None
-    duration_s: NotNegative | None = None
-    value: float | None = None
-    count: Annotated[int, msgspec.Meta(ge=1)] | None = None
-    target: int | None = None
-    rate_per_s: NotNegative = 1.0
-
-    @property
-    def on_plant_clock(self) -> bool:
-        """Tell whether the duration is plant time."""
-        return self.kind in SIGNAL_KINDS
+"""Their duration is plant time."""
 
 
 class FaultFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -131,12 +111,12 @@ class Timetable:
         for fault in [f for f in self._waiting if _due(f, plant_s, revolutions)]:
             self._waiting.remove(fault)
             victim.begin(fault)
-            clock = plant_s if fault.on_plant_clock else now_s
+            clock = plant_s if fault.kind in SIGNAL_KINDS else now_s
             span = math.inf if fault.duration_s is None else fault.duration_s
             self._active.append((fault, clock + span))
         for entry in list(self._active):
             fault, end = entry
-            if (plant_s if fault.on_plant_clock else now_s) >= end:
+            if (plant_s if fault.kind in SIGNAL_KINDS else now_s) >= end:
                 self._active.remove(entry)
                 victim.end(fault)
 

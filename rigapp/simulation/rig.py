@@ -17,6 +17,7 @@ from drivers.api import DriveCommand, DriveMode, MotorState
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile
+from rigapp.schema.faults import FaultRecord
 from rigapp.simulation import kernels
 from rigapp.simulation.constants import Machine, plant_constants, plant_section, seed_of
 from rigapp.simulation.devices import (
@@ -27,13 +28,7 @@ from rigapp.simulation.devices import (
     inputs_of,
 )
 from rigapp.simulation.disturbances import Disturbances, SignalFault
-from rigapp.simulation.faults import (
-    SIGNAL_KINDS,
-    WIRE_KINDS,
-    FaultRecord,
-    Timetable,
-    check_fault,
-)
+from rigapp.simulation.faults import SIGNAL_KINDS, WIRE_KINDS, Timetable, check_fault
 from rigapp.simulation.hands import Hands
 from rigapp.simulation.kernels import Drive
 from rigapp.simulation.link import WireFault

@@ -36,7 +36,7 @@ class SharedEngine:
 
     def handle(self, request: Request) -> Reply:
         verbs = {
-            "take_command": self.command.take,
+            "take_command": lambda asked: self.command.take(asked, **asked.arguments),
             "release_command": self.command.release,
             "present": self.command.present,
         }

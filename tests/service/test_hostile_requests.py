@@ -20,7 +20,7 @@ from rigapp.config.loading import read_rig
 from rigapp.engine.run import ACTIVE, ENDED
 from rigapp.schema.messages import NOTE_CHARACTERS, Event, Reply, Request, RunState
 from rigapp.schema.verbs import SAFETY_VERBS, VERBS
-from rigapp.service.bounds import DEEPEST, MESSAGE_BYTES
+from rigapp.service.bounds import MESSAGE_BYTES
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.host import EngineHost
 from rigapp.service.registry import running_engines
@@ -173,9 +173,10 @@ def test_a_note_has_a_bounded_length(client: Client) -> None:
     assert reply.sentence == "The reason has 2,001 characters; shorten it to 2,000."
     assert "not a text" in client.request("note", {"text": 7}).sentence
     deep: Any = 0
-    for _ in range(DEEPEST + 1):
+    for _ in range(100):
         deep = [deep]
-    assert "nested" in client.request("zero", {"what": deep}).sentence
+    assert "not usable" in client.request("zero", {"what": deep}).sentence
+    assert "not usable" in client.request("hand", {"what": "x", "details": {"y": deep}}).sentence
 
 
 NO_NUMBER_OF_REVOLUTIONS = (True, 5.5, 5.0, float("nan"), 0, 10**12, "7", "7\n[junk]")

@@ -17,10 +17,10 @@ from drivers.api import DriveCommand, DriveMode, MotorState, RigSignals
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile
+from rigapp.schema.faults import FaultRecord
 from rigapp.simulation import devices
 from rigapp.simulation.control import Lines, answer
 from rigapp.simulation.endpoints import PtyEndpoint
-from rigapp.simulation.faults import FaultRecord
 from rigapp.simulation.rig import RigSimulation
 from rigapp.simulation.truth import COLUMNS, TruthRecorder
 

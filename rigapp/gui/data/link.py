@@ -12,7 +12,7 @@ from typing import Any, Protocol
 from rigapp.gui.data.tasks import Worker
 from rigapp.gui.window.command import CommandWatch, Holder
 from rigapp.schema.messages import Reply, Snapshot, Status
-from rigapp.schema.verbs import SAFETY_VERBS, verb_of
+from rigapp.schema.verbs import verb_of
 
 log = logging.getLogger(__name__)
 
@@ -21,8 +21,6 @@ LOST_AFTER_S = 5.0
 FIRST_SNAPSHOT_S = 10.0
 RETRY_S = (0.5, 1.0, 2.0, 5.0)
 RELEASE_S = 1.0
-PRESENT_S = 2.0
-URGENT_VERBS = frozenset({*SAFETY_VERBS, "pause"})
 
 
 class EngineClient(Protocol):
@@ -141,9 +139,10 @@ class Link:
         if client is None:
             handler(Reply(ok=False, sentence=f"The engine is not reachable ({self._reason})."))
             return
-        worker = self._urgent if verb in URGENT_VERBS else self._requests
+        treated = verb_of(verb)
+        worker = self._urgent if treated.urgent else self._requests
         accepted = worker.submit(
-            lambda: client.request(verb, arguments, verb_of(verb).timeout_s),
+            lambda: client.request(verb, arguments, treated.timeout_s),
             handler,
             lambda error: handler(Reply(ok=False, sentence=str(error) or type(error).__name__)),
         )
@@ -167,7 +166,7 @@ class Link:
         if client is None or not self.command.take_name(status.in_command):
             return
         self._attaching.submit(
-            lambda: client.request("present", {}, PRESENT_S),
+            lambda: client.request("present", {}, verb_of("present").timeout_s),
             self.command.answered,
             lambda error: log.info("Who is in command is not known: %s", error),
         )

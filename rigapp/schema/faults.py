@@ -1,0 +1,24 @@
+"""A fault of the simulated rig, as fault files, requests and the control channel tell it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+
+NotNegative = Annotated[float, msgspec.Meta(ge=0)]
+
+
+class FaultRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """One fault: what, where, when, for how long, how much; see ``simulation.faults``."""
+
+    kind: str
+    device: str = ""
+    channel: Literal["", "force_1", "force_2", "probe_1", "probe_2"] = ""
+    at_s: NotNegative | None = None
+    at_revolution: NotNegative | None = None
+    duration_s: NotNegative | None = None
+    value: float | None = None
+    count: Annotated[int, msgspec.Meta(ge=1)] | None = None
+    target: int | None = None
+    rate_per_s: NotNegative = 1.0
