@@ -21,13 +21,10 @@ import enum
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from drivers.transport import BytePort
 
 
 class DeviceError(Exception):
@@ -70,6 +67,38 @@ class DataOverrun(DeviceError):
 
 class DeviceFault(DeviceError):
     """The device reports a fault of its own."""
+
+
+class BytePort(Protocol):
+    """Exchange bytes with a device; what a driver needs of a transport."""
+
+    device: str
+    port: str
+
+    @property
+    def is_open(self) -> bool:
+        """Tell whether the port is open."""
+        ...
+
+    def open(self) -> None:
+        """Open the port; raise ConnectionFailed."""
+        ...
+
+    def read_some(self, maximum: int, timeout_s: float) -> bytes:
+        """Return what is there, at most maximum bytes; wait timeout_s for the first one."""
+        ...
+
+    def write(self, data: bytes) -> None:
+        """Send all bytes; raise DeviceLost."""
+        ...
+
+    def drain(self) -> bytes:
+        """Read until the line is quiet and return what came."""
+        ...
+
+    def close(self) -> None:
+        """Release the port; never raises."""
+        ...
 
 
 class Quality(enum.IntFlag):

@@ -11,11 +11,11 @@ import errno
 import select
 import threading
 import time
-from typing import Any, Protocol
+from typing import Any
 
 import serial
 
-from drivers.api import ConnectionFailed, DeviceLost
+from drivers.api import BytePort, ConnectionFailed, DeviceLost
 
 try:
     from termios import error as termios_error
@@ -26,38 +26,6 @@ _PORT_ERRORS = (OSError, ValueError, termios_error)  # SerialException is an OSE
 _SLICE_S = 0.1  # a waiting reader looks this often whether the port was closed
 _DRAIN_QUIET_S = 0.02
 _DRAIN_LIMIT_S = 2.0
-
-
-class BytePort(Protocol):
-    """Exchange bytes with a device; what a driver needs of a transport."""
-
-    device: str
-    port: str
-
-    @property
-    def is_open(self) -> bool:
-        """Tell whether the port is open."""
-        ...
-
-    def open(self) -> None:
-        """Open the port; raise ConnectionFailed."""
-        ...
-
-    def read_some(self, maximum: int, timeout_s: float) -> bytes:
-        """Return what is there, at most maximum bytes; wait timeout_s for the first one."""
-        ...
-
-    def write(self, data: bytes) -> None:
-        """Send all bytes; raise DeviceLost."""
-        ...
-
-    def drain(self) -> bytes:
-        """Read until the line is quiet and return what came."""
-        ...
-
-    def close(self) -> None:
-        """Release the port; never raises."""
-        ...
 
 
 class SerialPort:

@@ -1,0 +1,1 @@
+"""CiA 402 drives, the maxon EPOS4 first, over CANopen. Enter by ``driver``."""

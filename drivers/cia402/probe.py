@@ -14,10 +14,9 @@ from typing import Any, Final
 
 import can
 
-from drivers.api import ConnectionFailed, DeviceError, Identity, Probe
+from drivers.api import BytePort, ConnectionFailed, DeviceError, Identity, Probe
 from drivers.cia402.protocol import HEARTBEAT_BASE, NodeState
 from drivers.cia402.slcan import decode_frame
-from drivers.transport import BytePort
 
 _USUAL_RATES: Final[Mapping[int, str]] = {
     500_000: "S6",

@@ -33,6 +33,7 @@ from typing import Any, Final
 
 from drivers.api import (
     Block,
+    BytePort,
     ConnectionFailed,
     DataRequest,
     DeviceError,
@@ -52,7 +53,7 @@ from drivers.dataq.probe import PROBE
 from drivers.dataq.protocol import Clock, Info
 from drivers.dataq.settings import SETTINGS, defaults
 from drivers.dataq.stream import Pace, Stream, Tally
-from drivers.transport import BytePort, SerialPort, byte_counters
+from drivers.transport import SerialPort, byte_counters
 
 _log = logging.getLogger(__name__)
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import time
 from typing import Final
 
-from drivers.api import ProtocolError, ReplyTimeout
+from drivers.api import BytePort, ProtocolError, ReplyTimeout
 from drivers.dataq.protocol import BadReply, Info, line, query_value, split_replies
-from drivers.transport import BytePort
 
 READ_BYTES: Final = 1 << 18
 TRIES: Final = 2

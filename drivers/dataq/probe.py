@@ -9,9 +9,8 @@ import re
 import time
 from typing import Final
 
-from drivers.api import Identity, Probe
+from drivers.api import BytePort, Identity, Probe
 from drivers.dataq.protocol import BadReply, Info, line, query_value, split_replies
-from drivers.transport import BytePort
 
 _MOST_BYTES: Final = 4096
 _SERIAL_DIGITS: Final = 8

@@ -13,6 +13,7 @@ import numpy as np
 
 from drivers.api import (
     Block,
+    BytePort,
     ConnectionFailed,
     DataRequest,
     DeviceError,
@@ -39,7 +40,7 @@ from drivers.gsv8.registers import Registers
 from drivers.gsv8.settings import SETTINGS, defaults
 from drivers.gsv8.watch import StreamWatch
 from drivers.gsv8.words import ValueFault
-from drivers.transport import BytePort, SerialPort, byte_counters
+from drivers.transport import SerialPort, byte_counters
 
 _log = logging.getLogger(__name__)
 

@@ -13,11 +13,10 @@ import time
 from collections import deque
 from dataclasses import dataclass, field
 
-from drivers.api import ProtocolError, ReplyTimeout, SettingRefused
+from drivers.api import BytePort, ProtocolError, ReplyTimeout, SettingRefused
 from drivers.gsv8.frames import FrameLayout, Parsed, Response, Run, StreamParser, Tally
 from drivers.gsv8.protocol import Command, request
 from drivers.gsv8.words import status_words
-from drivers.transport import BytePort
 
 _log = logging.getLogger(__name__)
 

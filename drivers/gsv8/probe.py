@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
-from drivers.api import Identity, Probe, ProtocolError, ReplyTimeout, SettingRefused
+from drivers.api import BytePort, Identity, Probe, ProtocolError, ReplyTimeout, SettingRefused
 from drivers.gsv8 import protocol as p
 from drivers.gsv8.link import Link
 from drivers.gsv8.protocol import Command, u8
-from drivers.transport import BytePort
 
 _NO_CHANGE: Final = 0  # of the transmission; the checksum of measured values is off until set
 

@@ -1,0 +1,1 @@
+"""The Basicmicro RoboClaw by packet serial. Enter by ``driver``."""

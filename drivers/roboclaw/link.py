@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable
 from typing import Final, TypeVar
 
-from drivers.api import ProtocolError, ReplyTimeout
+from drivers.api import BytePort, ProtocolError, ReplyTimeout
 from drivers.roboclaw.protocol import (
     ACKNOWLEDGE,
     NEWER,
@@ -21,7 +21,6 @@ from drivers.roboclaw.protocol import (
     read_packet,
     write_packet,
 )
-from drivers.transport import BytePort
 
 TRIES: Final = 3
 QUIET_S: Final = 0.012

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from drivers.api import Identity, Probe
+from drivers.api import BytePort, Identity, Probe
 from drivers.roboclaw.protocol import Command, Rejected, parse_version, read_packet
-from drivers.transport import BytePort
 
 _ADDRESSES: Final = range(0x80, 0x88)
 _LONGEST: Final = 64

@@ -9,6 +9,7 @@ Source: RoboClaw user manual (packet serial); reply variants as observed with th
 
 from __future__ import annotations
 
+import binascii
 import enum
 import struct
 from collections.abc import Mapping
@@ -159,24 +160,9 @@ _FIXED_REPLIES: Final[Mapping[int, str]] = {
 }
 
 
-def _crc_table() -> tuple[int, ...]:
-    table = []
-    for value in range(256):
-        crc = value << 8
-        for _ in range(8):
-            crc = (crc << 1) ^ (0x1021 if crc & 0x8000 else 0)
-        table.append(crc & 0xFFFF)
-    return tuple(table)
-
-
-_CRC_TABLE: Final = _crc_table()
-
-
-def crc16(data: bytes, crc: int = 0) -> int:
+def crc16(data: bytes) -> int:
     """Return the CRC-16 with polynomial 0x1021 and initial 0 (XMODEM; "123456789" -> 31C3)."""
-    for value in data:
-        crc = ((crc << 8) & 0xFFFF) ^ _CRC_TABLE[(crc >> 8) ^ value]
-    return crc
+    return binascii.crc_hqx(data, 0)
 
 
 def write_format(command: int, generation: Generation = NEWER) -> str | None:

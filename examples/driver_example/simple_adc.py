@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 
 from drivers import api
-from drivers.transport import BytePort, SerialPort
+from drivers.api import BytePort
+from drivers.transport import SerialPort
 
 INPUTS = ("analog_1", "analog_2")
 RANGE_V = 10.0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from drivers.registry import DriverNotFound, load_driver, load_simulator
 from rigapp.gui.data.tasks import Worker
 from rigapp.gui.window.guarded import GuardedButton
 from rigapp.schema.messages import Status
@@ -46,10 +46,10 @@ def fault_choices(devices: tuple[tuple[str, str], ...]) -> list[FaultChoice]:
 
 def _device_kinds(driver: str) -> list[str]:
     try:
-        module = importlib.import_module(f"drivers.{driver}.simulated_faults")
-    except ImportError:
+        simulator = load_simulator(load_driver(driver))
+    except DriverNotFound:
         return []
-    return [kind.value for kind in module.FaultKind]
+    return [kind.value for kind in getattr(simulator, "kinds", ())]
 
 
 class FaultPanel(QWidget):

@@ -20,8 +20,7 @@ from drivers.api import (
     WrongDevice,
 )
 from drivers.dataq.driver import DRIVER, Dataq
-from drivers.dataq.simulated_faults import FaultKind
-from drivers.dataq.simulator import COMMANDS, DataqSimulator
+from drivers.dataq.simulator import COMMANDS, DataqFault, DataqSimulator
 from drivers.registry import load_driver, load_simulator
 
 FAST = {"command_pause_s": 0.0, "reply_timeout_s": 0.2}
@@ -167,7 +166,7 @@ def test_lost_and_added_bytes_cost_a_marked_gap(bench: Callable[..., Any], drops
 
 
 @only_encoder
-@pytest.mark.parametrize("fault", [FaultKind.OVERRUN, FaultKind.COUNTER_SLIP])
+@pytest.mark.parametrize("fault", [DataqFault.OVERRUN, DataqFault.COUNTER_SLIP])
 def test_scans_that_an_overrun_drops_are_counted(bench: Callable[..., Any], fault: str) -> None:
     b = bench()
     b.configure()
@@ -180,11 +179,11 @@ def test_scans_that_an_overrun_drops_are_counted(bench: Callable[..., Any], faul
     assert gap.lost_before == 6
     assert gap.quality[0] == Quality.LOST_BEFORE | Quality.COUNT_SUSPECT
     assert (b.driver.tally.restarts, b.driver.tally.lost_scans) == (0, 6)
-    b.check(slipped=fault is FaultKind.COUNTER_SLIP)
+    b.check(slipped=fault is DataqFault.COUNTER_SLIP)
 
 
 @only_internal
-@pytest.mark.parametrize("fault", [FaultKind.OVERRUN, FaultKind.COUNTER_SLIP])
+@pytest.mark.parametrize("fault", [DataqFault.OVERRUN, DataqFault.COUNTER_SLIP])
 def test_a_jump_of_the_count_under_the_internal_clock_is_a_suspect_gap(
     bench: Callable[..., Any], fault: str
 ) -> None:
@@ -199,7 +198,7 @@ def test_a_jump_of_the_count_under_the_internal_clock_is_a_suspect_gap(
     b.rest()
     assert b.gaps[0].quality[0] & Quality.COUNT_SUSPECT
     assert b.driver.tally.restarts == 1
-    b.check(slipped=fault is FaultKind.COUNTER_SLIP)
+    b.check(slipped=fault is DataqFault.COUNTER_SLIP)
 
 
 def test_a_full_link_that_loses_single_bytes(bench: Callable[..., Any]) -> None:

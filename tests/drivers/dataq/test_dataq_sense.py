@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from drivers.api import RigSignals
 from drivers.dataq.sense import Sense
-from drivers.dataq.simulated_inputs import Terminals, rising_edges
+from drivers.dataq.simulator.terminals import Terminals, rising_edges
 
 LINES = 12
 DIRECTION, INDEX = 0, 1

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from drivers.api import RigSignals, SimulatedDataSource
-from drivers.dataq.simulated_inputs import rising_edges
 from drivers.dataq.simulator import COMMANDS, DataqSimulator
+from drivers.dataq.simulator.terminals import rising_edges
 
 
 def _ask(simulator: DataqSimulator, *lines: bytes, now_s: float = 0.0) -> list[bytes]:

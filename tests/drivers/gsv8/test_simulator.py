@@ -23,9 +23,9 @@ from drivers.gsv8.protocol import (
     u16,
     u32,
 )
-from drivers.gsv8.simulated_counter import HIGHEST_COUNT, LOWEST_COUNT, QuadratureInput
-from drivers.gsv8.simulated_inputs import noise_sigma
 from drivers.gsv8.simulator import Gsv8Simulator
+from drivers.gsv8.simulator.counter import HIGHEST_COUNT, LOWEST_COUNT, QuadratureInput
+from drivers.gsv8.simulator.inputs import noise_sigma
 
 GOLDEN_DIALOGUE = [
     ("AA902385", "AA500085"),

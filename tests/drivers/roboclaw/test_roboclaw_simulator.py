@@ -12,8 +12,7 @@ from hypothesis import strategies as st
 from drivers.api import DriveCommand, DriveMode, MotorState
 from drivers.roboclaw import protocol
 from drivers.roboclaw.protocol import OLDER, Command, EmergencyStopLock, Generation
-from drivers.roboclaw.simulated_faults import FaultKind
-from drivers.roboclaw.simulator import RoboClawSimulator
+from drivers.roboclaw.simulator import RoboClawFault, RoboClawSimulator
 
 FF = b"\xff"
 
@@ -189,13 +188,13 @@ def test_the_emergency_stop_is_released_as_its_lock_says(lock: EmergencyStopLock
     simulator = RoboClawSimulator()
     tell(simulator, Command.SET_EMERGENCY_STOP_LOCK, lock)
     tell(simulator, Command.SET_SPEED_M1, 1000)
-    simulator.inject(FaultKind.EMERGENCY_STOP)
+    simulator.inject(RoboClawFault.EMERGENCY_STOP)
     assert simulator.command(0.1, 0.1).mode is DriveMode.OFF
     tell(simulator, Command.SET_SPEED_M1, 1000)
     assert simulator.command(0.1, 0.2).mode is DriveMode.OFF
     tell(simulator, Command.RESET_EMERGENCY_STOP)
     assert ask(simulator, Command.STATUS) == (1,), "reset while the button is pressed"
-    simulator.clear(FaultKind.EMERGENCY_STOP)
+    simulator.clear(RoboClawFault.EMERGENCY_STOP)
     assert ask(simulator, Command.STATUS) == (int(lock != EmergencyStopLock.AUTOMATIC),)
     tell(simulator, Command.RESET_EMERGENCY_STOP)
     assert ask(simulator, Command.STATUS) == (int(lock == EmergencyStopLock.HARDWARE),)
@@ -205,7 +204,7 @@ def test_the_emergency_stop_is_released_as_its_lock_says(lock: EmergencyStopLock
 def test_an_input_without_the_stop_function_stops_nothing() -> None:
     simulator = RoboClawSimulator()
     tell(simulator, Command.SET_PIN_FUNCTIONS, 0, 0, 0, 0, 0)
-    simulator.inject(FaultKind.EMERGENCY_STOP)
+    simulator.inject(RoboClawFault.EMERGENCY_STOP)
     tell(simulator, Command.SET_SPEED_M1, 1000)
     assert simulator.command(0.1, 0.1).mode is DriveMode.VELOCITY
 
@@ -213,15 +212,15 @@ def test_an_input_without_the_stop_function_stops_nothing() -> None:
 @pytest.mark.parametrize(
     ("fault", "newer", "older"),
     [
-        (FaultKind.EMERGENCY_STOP, 0x0001, 0x0004),
-        (FaultKind.OVER_TEMPERATURE, 0x0002, 0x0008),
-        (FaultKind.DRIVER_FAULT, 0x0040, 0x0100),
-        (FaultKind.OVER_CURRENT, 0x0001_1000, 0x0001),
-        (FaultKind.UNDER_VOLTAGE, 0x0008_4000, 0x0800),
+        (RoboClawFault.EMERGENCY_STOP, 0x0001, 0x0004),
+        (RoboClawFault.OVER_TEMPERATURE, 0x0002, 0x0008),
+        (RoboClawFault.DRIVER_FAULT, 0x0040, 0x0100),
+        (RoboClawFault.OVER_CURRENT, 0x0001_1000, 0x0001),
+        (RoboClawFault.UNDER_VOLTAGE, 0x0008_4000, 0x0800),
     ],
 )
 def test_state_faults_set_their_bits_and_stop_the_motor(
-    fault: FaultKind, newer: int, older: int
+    fault: RoboClawFault, newer: int, older: int
 ) -> None:
     for width, bits in ((32, newer), (16, older)):
         simulator = RoboClawSimulator(

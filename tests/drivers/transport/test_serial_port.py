@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from drivers import transport
-from drivers.api import ConnectionFailed, DeviceLost
-from drivers.transport import BytePort, SerialPort
+from drivers.api import BytePort, ConnectionFailed, DeviceLost
+from drivers.transport import SerialPort
 
 PAYLOAD = bytes(range(256)) * 1024
 

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from drivers.gsv8.checksums import crc8
 from drivers.gsv8.frames import PREFIX, SUFFIX
 
 _PARAMETER_TIMEOUT_S = 0.2
 _TOO_LATE, _WRONG_CHECKSUM = 0x5A, 0x43
 
-Request = tuple[int, bytes, int, bool]
-"""Command, parameters, status to answer with (0: obey), whether it came with a checksum."""
+
+class Asked(NamedTuple):
+    """A request, with the status to answer with (0: obey)."""
+
+    command: int
+    parameters: bytes
+    status: int
+    checksum: bool
 
 
 class RequestReader:
@@ -23,9 +31,9 @@ class RequestReader:
         self._buffer = b""
         self._begun_s = 0.0
 
-    def take(self, data: bytes, now_s: float) -> list[Request]:
+    def take(self, data: bytes, now_s: float) -> list[Asked]:
         """Return the requests that these bytes complete."""
-        requests: list[Request] = []
+        requests: list[Asked] = []
         late = self._too_late(now_s)
         if late is not None:
             requests.append(late)
@@ -61,7 +69,7 @@ class RequestReader:
         head = self._buffer[1]
         return 4 + (head & 0x0F) + (1 if head & 0x20 else 0)
 
-    def _too_late(self, now_s: float) -> Request | None:
+    def _too_late(self, now_s: float) -> Asked | None:
         """Give up a request whose parameters did not arrive in time."""
         if not self._buffer or now_s - self._begun_s <= _PARAMETER_TIMEOUT_S:
             return None
@@ -69,12 +77,13 @@ class RequestReader:
         if len(begun) < 3:
             self.broken = True
             return None
-        return begun[2], b"", _TOO_LATE, bool(begun[1] & 0x20)
+        return Asked(begun[2], b"", _TOO_LATE, bool(begun[1] & 0x20))
 
 
-def _decode(frame: bytes) -> Request | None:
+def _decode(frame: bytes) -> Asked | None:
     if frame[-1] != SUFFIX:
         return None
     count, checksum = frame[1] & 0x0F, bool(frame[1] & 0x20)
     wrong = checksum and crc8(frame[1:-2]) != frame[-2]
-    return frame[2], frame[3 : 3 + count], _WRONG_CHECKSUM if wrong else 0, checksum
+    status = _WRONG_CHECKSUM if wrong else 0
+    return Asked(frame[2], frame[3 : 3 + count], status, checksum)

@@ -7,22 +7,22 @@ fault data run on ``now_s``, the ramps on ``elapsed_s``.
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any, Final
+from typing import Final
 
 from drivers.api import DriveCommand, MotorState
 from drivers.roboclaw.protocol import (
     ACKNOWLEDGE,
+    TIMEOUT_UNIT_S,
     Command,
     Generation,
     crc16,
     write_format,
 )
-from drivers.roboclaw.simulated_faults import FaultKind
-from drivers.roboclaw.simulated_registers import Memory, Registers, watchdog_s
+from drivers.roboclaw.simulator.registers import Registers, RoboClawFault, Saved
 from drivers.roboclaw.status import generation_of
-from drivers.simulated_faults import Fault, FaultPlan
+from drivers.simulated import FaultPlan, Faults
 
 _BOOT_S: Final = 0.2
 _SLOW_S: Final = 0.15
@@ -42,6 +42,8 @@ class RoboClawSimulator:
     ``Fault`` records or tables of their fields.
     """
 
+    kinds = RoboClawFault
+
     def __init__(
         self,
         *,
@@ -58,10 +60,10 @@ class RoboClawSimulator:
         qpps: int = 44000,
         logic_V: float = 12.1,
         unknown_commands: Iterable[int] = (),
-        faults: Iterable[Fault[FaultKind] | Mapping[str, Any]] = (),
+        faults: Faults = (),
     ) -> None:
         generation = _generation(firmware, status_width, pin_modes, voltage_offset)
-        saved = Memory(timeout=serial_timeout)
+        saved = Saved(timeout=serial_timeout)
         if generation.pin_modes == 3:
             saved.pin_modes = (1, 0, 0)
         for settings in saved.axes:
@@ -70,7 +72,8 @@ class RoboClawSimulator:
             combined_status = generation.status_bits == 32
         self.generation = generation
         self.watchdog_tripped = False
-        self._plan = FaultPlan(FaultKind, faults)
+        self._plan = FaultPlan(RoboClawFault, faults)
+        self.inject, self.clear = self._plan.add, self._plan.clear
         unknown = frozenset(unknown_commands)
         if not combined_status:
             unknown |= {Command.COMBINED_STATUS}
@@ -79,11 +82,9 @@ class RoboClawSimulator:
         self._any_address = any_address
         self._firmware = firmware
         self._inter_byte_timeout_s = inter_byte_timeout_s
-        self._start_s: float | None = None
         self._last_byte_s = 0.0
         self._silent_until_s = 0.0
         self._buffer = b""
-        self._late: list[tuple[float, bytes]] = []
 
     # --- SimulatedDrive --------------------------------------------------------------------------
 
@@ -97,9 +98,9 @@ class RoboClawSimulator:
                 self._buffer = b""
             self._last_byte_s = time_s
             self._buffer += data
-        replies = self._due(time_s)
+        replies = self._plan.due()
         while packet := self._next_packet():
-            replies += self._answer(packet, time_s)
+            replies += self._answer(packet)
         return replies
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
@@ -115,48 +116,34 @@ class RoboClawSimulator:
 
     def emit(self, now_s: float) -> bytes:
         """Return replies whose delay is over; a RoboClaw sends nothing by itself."""
-        return self._due(self._judge(now_s))
+        self._judge(now_s)
+        return self._plan.due()
 
     # --- what a test or a demonstration may do and see -------------------------------------------
-
-    def inject(self, kind: FaultKind | str, **data: Any) -> None:
-        """Add a fault while the simulation runs, at once unless ``start_s`` says else."""
-        self._plan.add(kind, **data)
-
-    def clear(self, kind: FaultKind | str) -> None:
-        """Take a fault away, for instance release the emergency stop button."""
-        self._plan.clear(kind)
 
     @property
     def serial_timeout_s(self) -> float:
         """Return the watchdog time that is set; 0 is off."""
-        return watchdog_s(self._registers.memory)
+        return self._registers.memory.timeout * TIMEOUT_UNIT_S
 
     # --- time ------------------------------------------------------------------------------------
 
     def _judge(self, now_s: float) -> float:
         """Let resets, the watchdog and fault conditions act; return the time since the start."""
-        if self._start_s is None:
-            self._start_s = now_s
-        time_s = now_s - self._start_s
-        silence_s = self._plan.take(FaultKind.RESET, time_s, _BOOT_S)
+        time_s = self._plan.tick(now_s)
+        silence_s = self._plan.take(RoboClawFault.RESET, _BOOT_S)
         if silence_s is not None:
-            self._registers.power_on(time_s)
+            self._registers.power_on()
             self._buffer = b""
-            self._late.clear()
+            self._plan.forget_late()
             self._last_byte_s = time_s
             self._silent_until_s = time_s + silence_s
             self.watchdog_tripped = False
         timeout_s = self.serial_timeout_s
         if timeout_s and time_s - self._last_byte_s > timeout_s and self._registers.halt():
             self.watchdog_tripped = True
-        self._registers.judge(time_s)
+        self._registers.judge()
         return time_s
-
-    def _due(self, time_s: float) -> bytes:
-        due = b"".join(reply for due_s, reply in self._late if due_s <= time_s)
-        self._late = [entry for entry in self._late if entry[0] > time_s]
-        return due
 
     # --- packets ---------------------------------------------------------------------------------
 
@@ -176,44 +163,42 @@ class RoboClawSimulator:
         packet, self._buffer = self._buffer[:length], self._buffer[length:]
         return packet
 
-    def _answer(self, packet: bytes, time_s: float) -> bytes:
+    def _answer(self, packet: bytes) -> bytes:
         command = packet[1]
-        if self._plan.strike(FaultKind.LOST_COMMAND, time_s, command) is not None:
+        if self._plan.strike(RoboClawFault.LOST_COMMAND, command) is not None:
             return b""
         layout = write_format(command, self._registers.generation)
         if layout is None:
-            reply = self._reply(packet, time_s)
+            reply = self._reply(packet)
         elif crc16(packet[:-2]) != int.from_bytes(packet[-2:], "big"):
             return b""
         else:
             self._registers.write(command, struct.unpack(layout, packet[2:-2]))
-            self._registers.judge(time_s)
-            wrong = self._plan.strike(
-                FaultKind.WRONG_ACKNOWLEDGE, time_s, command, _WRONG_ACKNOWLEDGE
-            )
+            self._registers.judge()
+            wrong = self._plan.strike(RoboClawFault.WRONG_ACKNOWLEDGE, command, _WRONG_ACKNOWLEDGE)
             reply = ACKNOWLEDGE if wrong is None else bytes((int(wrong),))
-        return self._send(reply, command, time_s)
+        return self._send(reply, command)
 
-    def _reply(self, packet: bytes, time_s: float) -> bytes:
+    def _reply(self, packet: bytes) -> bytes:
         command = packet[1]
         if command == Command.VERSION:
             data = self._firmware.encode("ascii") + b"\n\0"
         else:
-            data = self._registers.read(command, time_s)
+            data = self._registers.read(command)
         crc = crc16(packet + data)
-        if self._plan.strike(FaultKind.WRONG_CRC, time_s, command) is not None:
+        if self._plan.strike(RoboClawFault.WRONG_CRC, command) is not None:
             crc ^= 0x0001
         return data + crc.to_bytes(2, "big")
 
-    def _send(self, reply: bytes, command: int, time_s: float) -> bytes:
-        if self._plan.strike(FaultKind.NO_REPLY, time_s, command) is not None:
+    def _send(self, reply: bytes, command: int) -> bytes:
+        if self._plan.strike(RoboClawFault.NO_REPLY, command) is not None:
             return b""
-        if self._plan.strike(FaultKind.DUPLICATED_REPLY, time_s, command) is not None:
+        if self._plan.strike(RoboClawFault.DUPLICATED_REPLY, command) is not None:
             reply += reply
-        delay_s = self._plan.strike(FaultKind.SLOW_REPLY, time_s, command, _SLOW_S)
+        delay_s = self._plan.strike(RoboClawFault.SLOW_REPLY, command, _SLOW_S)
         if delay_s is None:
             return reply
-        self._late.append((time_s + delay_s, reply))
+        self._plan.hold_back(reply, delay_s)
         return b""
 
 

@@ -5,7 +5,8 @@ After power comes it is idle, its scan list holds analog channel 0. Packets leav
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import enum
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -14,9 +15,8 @@ import numpy as np
 from drivers.api import RigSignals
 from drivers.dataq import protocol as p
 from drivers.dataq.rates import LARGEST_SRATE, SMALLEST_SRATE, TICKS_PER_ENTRY
-from drivers.dataq.simulated_faults import FaultKind
-from drivers.dataq.simulated_inputs import Terminals, known_word, words_of
-from drivers.simulated_faults import Fault, FaultPlan
+from drivers.dataq.simulator.terminals import Terminals, known_word, words_of
+from drivers.simulated import FaultPlan, Faults
 
 COMMANDS: Final = (
     *("start", "stop", "info", "slist", "srate", "dec", "deca", "filter", "ps", "encode"),
@@ -39,8 +39,31 @@ _CLOCKS: Final[Mapping[tuple[int, ...], bool]] = {(): False, (0,): False, (2,): 
 _LONGEST_LINE: Final = 64
 
 
+class DataqFault(enum.StrEnum):
+    """Name a fault; its ``value`` means what stands behind it."""
+
+    # in the stream, once
+    DROPPED_BYTE = "dropped_byte"  # place of the byte in what is about to be sent (3)
+    GARBAGE = "garbage"  # random bytes that are put in (7)
+    OVERRUN = "overrun"  # whole scans that are lost (10); not reported by the device
+    OVERRUN_BYTES = "overrun_bytes"  # bytes that are lost (7); not reported by the device
+    # at the inputs, while active
+    SATURATED_INPUT = "saturated_input"  # analog channel (1), beyond the end of its range
+    STUCK_INPUT = "stuck_input"  # analog channel (1)
+    STUCK_COUNTER = "stuck_counter"
+    # at the counter, once
+    COUNTER_SLIP = "counter_slip"  # counts too many (100)
+    # in the replies; count: how many, target: place of the command in ``COMMANDS``
+    NO_REPLY = "no_reply"
+    SLOW_REPLY = "slow_reply"  # s of delay (0.3)
+    WRONG_ECHO = "wrong_echo"
+    # the device
+    HANG = "hang"  # while active: neither sends nor answers
+    RESET = "reset"  # power off and on; s until it answers again (0.2)
+
+
 @dataclass(slots=True)
-class State:
+class Volatile:
     """What the device forgets when its power goes."""
 
     scan_list: list[int] = field(default_factory=lambda: [0])
@@ -68,8 +91,10 @@ class DataqSimulator:
     direction_line, index_line: digital inputs with lines B and Z of the encoder, "none" or "D0" to
     "D5". master_clock_Hz: what ``info 9`` says.
     A scan rate above 160 kHz over all entries hangs the device. faults: ``Fault`` records or tables
-    of their fields, see ``FaultKind``.
+    of their fields, see ``DataqFault``.
     """
+
+    kinds = DataqFault
 
     def __init__(
         self,
@@ -89,7 +114,7 @@ class DataqSimulator:
         direction_line: str = "none",
         index_line: str = "none",
         master_clock_Hz: int = p.MASTER_CLOCK_HZ,
-        faults: Iterable[Fault[FaultKind] | Mapping[str, Any]] = (),
+        faults: Faults = (),
     ) -> None:
         if overrun_drops not in ("scans", "bytes"):
             raise ValueError(f"overrun_drops is {overrun_drops!r}, must be 'scans' or 'bytes'")
@@ -104,15 +129,14 @@ class DataqSimulator:
         self._encoder_rate_Hz = encoder_rate_Hz
         gains = bridge_amplifiers or {}
         self._gains = {int(name.removeprefix("analog_")): gains[name] for name in gains}
-        self._plan = FaultPlan(FaultKind, faults)
+        self._plan = FaultPlan(DataqFault, faults)
+        self.inject, self.clear = self._plan.add, self._plan.clear
         self._rng = np.random.default_rng(seed)
         self._master_clock_Hz = master_clock_Hz
         self._terminals = Terminals(
             counts_per_revolution, line_b=_line(direction_line), line_z=_line(index_line)
         )
-        self._state = State()
-        self._delayed: list[tuple[float, bytes]] = []
-        self._start_s: float | None = None
+        self._state = Volatile()
         self._silent_until_s = 0.0
         self._to_drop = 0
 
@@ -153,14 +177,6 @@ class DataqSimulator:
         """Return the filter modes that were set, by channel."""
         return dict(self._state.filters)
 
-    def inject(self, kind: FaultKind | str, **data: Any) -> None:
-        """Add a fault while the simulation runs; data as in ``Fault``."""
-        self._plan.add(kind, **data)
-
-    def clear(self, kind: FaultKind | str) -> None:
-        """Forget all faults of a kind."""
-        self._plan.clear(kind)
-
     def overrun(self, now_s: float) -> None:
         """Take note that the link dropped old data: the device itself says nothing of it."""
         if self._overrun_drops == "bytes":
@@ -168,33 +184,33 @@ class DataqSimulator:
 
     def receive(self, data: bytes, now_s: float) -> bytes:
         """Take bytes from the host and return the replies that they cause."""
-        time_s = self._time(now_s)
+        self._tick(now_s)
         state = self._state
-        if self._mute(time_s):
+        if self._mute():
             state.text = b""
             return b""
         *lines, rest = (state.text + data.replace(b"\n", b"")).split(b"\r")
         state.text = rest[-_LONGEST_LINE:]
-        replies = b"".join(self._reply(text, now_s, time_s) for text in lines)
-        return self._due(now_s) + replies
+        replies = b"".join(self._reply(text) for text in lines)
+        return self._plan.due() + replies
 
     def sample(self, signals: RigSignals, now_s: float) -> bytes:
         """Return the bytes that these samples cause on the wire (b"" when not streaming)."""
-        time_s = self._time(now_s)
-        replies = b"" if self._mute(time_s) else self._due(now_s)
+        self._tick(now_s)
+        replies = b"" if self._mute() else self._plan.due()
         if signals.shaft_revolutions.size == 0:
             return replies
         state = self._state
-        self._disturb(time_s)
+        self._disturb()
         readings = self._terminals.read(
             self._amplified(signals),
             self.sample_rate_Hz,
             by_encoder=state.by_encoder and state.scanning,
         )
-        if not state.scanning or self._mute(time_s):
+        if not state.scanning or self._mute():
             return replies
         words = words_of(readings, state.scan_list, self.model, self._rng)
-        state.packet += self._damaged(words.astype("<u2"), time_s)
+        state.packet += self._damaged(words.astype("<u2"))
         size = self.packet_bytes
         whole = len(state.packet) // size * size
         data, state.packet = state.packet[:whole], state.packet[whole:]
@@ -211,30 +227,22 @@ class DataqSimulator:
 
     # --- the time of the wire -------------------------------------------------------------------
 
-    def _time(self, now_s: float) -> float:
-        if self._start_s is None:
-            self._start_s = now_s
-        time_s = now_s - self._start_s
-        boot_s = self._plan.take(FaultKind.RESET, time_s, 0.2)
+    def _tick(self, now_s: float) -> None:
+        time_s = self._plan.tick(now_s)
+        boot_s = self._plan.take(DataqFault.RESET, 0.2)
         if boot_s is not None:
-            self._state = State()
+            self._state = Volatile()
             self._terminals.count = 0
-            self._delayed.clear()
+            self._plan.forget_late()
             self._silent_until_s = time_s + boot_s
-        return time_s
 
-    def _mute(self, time_s: float) -> bool:
-        hangs = self._plan.active(FaultKind.HANG, time_s) is not None
-        return self._state.hung or hangs or time_s < self._silent_until_s
-
-    def _due(self, now_s: float) -> bytes:
-        due = b"".join(reply for when, reply in self._delayed if when <= now_s)
-        self._delayed = [(when, reply) for when, reply in self._delayed if when > now_s]
-        return due
+    def _mute(self) -> bool:
+        booting = self._plan.time_s < self._silent_until_s
+        return self._state.hung or booting or self._plan.on(DataqFault.HANG)
 
     # --- commands -------------------------------------------------------------------------------
 
-    def _reply(self, text: bytes, now_s: float, time_s: float) -> bytes:
+    def _reply(self, text: bytes) -> bytes:
         state = self._state
         words = text.decode("ascii", "replace").split()
         if not words or words[0] not in COMMANDS or (state.scanning and words[0] != "stop"):
@@ -247,14 +255,14 @@ class DataqSimulator:
         reply = (text.decode("ascii").rstrip() + answer).encode("ascii") + b"\r"
         if words[0] == "start" and not self._start_echo:
             return b""
-        if strike(FaultKind.NO_REPLY, time_s, target) is not None:
+        if strike(DataqFault.NO_REPLY, target) is not None:
             return before
-        if strike(FaultKind.WRONG_ECHO, time_s, target) is not None:
+        if strike(DataqFault.WRONG_ECHO, target) is not None:
             reply = b"?" + reply
         reply = before + reply + bytes(0 if words[0] == "start" else self._echo_nuls)
-        delay_s = strike(FaultKind.SLOW_REPLY, time_s, target, 0.3)
+        delay_s = strike(DataqFault.SLOW_REPLY, target, 0.3)
         if delay_s is not None:
-            self._delayed.append((now_s + delay_s, reply))
+            self._plan.hold_back(reply, delay_s)
             return b""
         return reply
 
@@ -336,33 +344,33 @@ class DataqSimulator:
 
     # --- faults ---------------------------------------------------------------------------------
 
-    def _disturb(self, time_s: float) -> None:
+    def _disturb(self) -> None:
         active, terminals = self._plan.active, self._terminals
-        saturated = active(FaultKind.SATURATED_INPUT, time_s, 1.0)
-        stuck = active(FaultKind.STUCK_INPUT, time_s, 1.0)
+        saturated = active(DataqFault.SATURATED_INPUT, 1.0)
+        stuck = active(DataqFault.STUCK_INPUT, 1.0)
         terminals.saturated = None if saturated is None else int(saturated)
         terminals.stuck = None if stuck is None else int(stuck)
-        terminals.stuck_counter = active(FaultKind.STUCK_COUNTER, time_s) is not None
-        slip = self._plan.take(FaultKind.COUNTER_SLIP, time_s, 100.0)
+        terminals.stuck_counter = self._plan.on(DataqFault.STUCK_COUNTER)
+        slip = self._plan.take(DataqFault.COUNTER_SLIP, 100.0)
         terminals.count += int(slip or 0)
 
-    def _damaged(self, words: np.ndarray[Any, Any], time_s: float) -> bytes:
+    def _damaged(self, words: np.ndarray[Any, Any]) -> bytes:
         """Return the bytes of scans with what faults do to them."""
         if len(words) == 0:
             return b""
         take = self._plan.take
-        lost = take(FaultKind.OVERRUN, time_s, 10.0)
+        lost = take(DataqFault.OVERRUN, 10.0)
         if lost is not None:
             words = words[int(lost) :]
         data = words.tobytes()
-        lost_bytes = int(take(FaultKind.OVERRUN_BYTES, time_s, 7.0) or 0) + self._to_drop
+        lost_bytes = int(take(DataqFault.OVERRUN_BYTES, 7.0) or 0) + self._to_drop
         self._to_drop = max(0, lost_bytes - len(data))
         data = data[lost_bytes:]
-        dropped = take(FaultKind.DROPPED_BYTE, time_s, 3.0)
+        dropped = take(DataqFault.DROPPED_BYTE, 3.0)
         if dropped is not None:
             place = int(dropped) % max(1, len(data))
             data = data[:place] + data[place + 1 :]
-        garbage = take(FaultKind.GARBAGE, time_s, 7.0)
+        garbage = take(DataqFault.GARBAGE, 7.0)
         if garbage is not None:
             data = self._rng.bytes(max(1, int(garbage))) + data
         return data

@@ -14,7 +14,7 @@ from drivers.cia402.protocol import (
     State,
     velocity_unit_rev_per_s,
 )
-from drivers.cia402.simulated_objects import Abort, AbortTransfer, Dictionary
+from drivers.cia402.simulator.objects import Abort, AbortTransfer, Dictionary
 
 _BITS: Final = {
     State.NOT_READY: 0x00,

@@ -1,10 +1,11 @@
 """A simulated CANopen node with a drive: NMT, heartbeats both ways, emergencies, SDO, PDO.
 
-Frames in, frames out; ``time_s`` is the time of the wire since the first call.
+Frames in, frames out, in the time of the wire that the fault plan keeps.
 """
 
 from __future__ import annotations
 
+import enum
 import struct
 from dataclasses import dataclass
 from typing import Final
@@ -21,9 +22,8 @@ from drivers.cia402.protocol import (
     NodeState,
     State,
 )
-from drivers.cia402.simulated_axis import Axis402
-from drivers.cia402.simulated_faults import Cia402Faults, FaultKind
-from drivers.cia402.simulated_objects import (
+from drivers.cia402.simulator.axis import Axis402
+from drivers.cia402.simulator.objects import (
     PDO_ENTRIES,
     Abort,
     AbortTransfer,
@@ -33,9 +33,10 @@ from drivers.cia402.simulated_objects import (
     add_identity,
     add_profile,
 )
-from drivers.cia402.simulated_pdo import Pdos
-from drivers.cia402.simulated_sdo import SdoServer
+from drivers.cia402.simulator.pdo import Pdos
+from drivers.cia402.simulator.sdo import SdoServer
 from drivers.cia402.slcan import Frame
+from drivers.simulated import FaultPlan
 
 BOOT_S: Final = 0.1
 HEARTBEAT_LOST: Final = 0x8130
@@ -45,6 +46,22 @@ _REGISTERS: Final = {0x2: 0x02, 0x3: 0x04, 0x4: 0x08, 0x5: 0x04, 0x6: 0x20, 0x7:
 _SAVE: Final = int.from_bytes(b"save", "little")
 _LOAD: Final = int.from_bytes(b"load", "little")
 _SAVED_RANGE: Final = range(0x1010, 0x10000)
+
+
+class Cia402Fault(enum.StrEnum):
+    """Name a fault; its ``value`` means what stands behind it."""
+
+    SILENT_NODE = "silent_node"  # the node neither hears nor says anything
+    LOST_HEARTBEAT = "lost_heartbeat"  # only the heartbeat is missing
+    EMERGENCY = "emergency"  # error code: message, error register, fault state
+    BUS_OFF = "bus_off"  # off the bus until end_s, then emergency 81FD
+    SDO_ABORT = "sdo_abort"  # abort code
+    NO_SDO_REPLY = "no_sdo_reply"
+    LATE_TPDO = "late_tpdo"  # s of delay
+    NO_TPDO = "no_tpdo"
+    BOOT_UP = "boot_up"  # s until the node says its boot-up message
+    TORQUE_OFF = "torque_off"  # the safe-torque-off inputs are open
+    GARBLED_LINE = "garbled_line"  # the adapter sends a line that is none
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +83,7 @@ class NodeOptions:
 class Cia402Node:
     """Keep one node; ``take`` frames, ``tick`` the time, ``collect`` what is due on the bus."""
 
-    def __init__(self, options: NodeOptions, plan: Cia402Faults) -> None:
+    def __init__(self, options: NodeOptions, plan: FaultPlan) -> None:
         self._options = options
         self._plan = plan
         self._motor = MotorState(0, 0.0, 0.0)
@@ -142,7 +159,7 @@ class Cia402Node:
 
     def take(self, frame: Frame, time_s: float) -> None:
         """Obey a frame from the bus."""
-        if self._deaf(time_s) or frame.extended or frame.remote:
+        if self._deaf() or frame.extended or frame.remote:
             return
         node_id = self._options.node_id
         if frame.identifier == NMT_ID:
@@ -161,9 +178,9 @@ class Cia402Node:
 
     def _answer_sdo(self, request: bytes, time_s: float) -> None:
         index = int.from_bytes(request[1:3], "little")
-        abort = self._plan.strike(FaultKind.SDO_ABORT, time_s, index, default=Abort.STATE)
+        abort = self._plan.strike(Cia402Fault.SDO_ABORT, index, default=Abort.STATE)
         reply = self.sdo.answer(request, None if abort is None else int(abort))
-        if reply is None or self._plan.strike(FaultKind.NO_SDO_REPLY, time_s, index) is not None:
+        if reply is None or self._plan.strike(Cia402Fault.NO_SDO_REPLY, index) is not None:
             return
         self._queue.append((time_s, Frame(SDO_REPLY_BASE + self._options.node_id, reply)))
 
@@ -176,9 +193,9 @@ class Cia402Node:
             self.emergency(PDO_LENGTH, time_s)
 
     def _send_pdos(self, frames: list[Frame], time_s: float) -> None:
-        if self._plan.active(FaultKind.NO_TPDO, time_s) is not None:
+        if self._plan.on(Cia402Fault.NO_TPDO):
             return
-        delay_s = self._plan.active(FaultKind.LATE_TPDO, time_s, default=0.2) or 0.0
+        delay_s = self._plan.active(Cia402Fault.LATE_TPDO, default=0.2) or 0.0
         self._queue.extend((time_s + delay_s, frame) for frame in frames)
 
     def _send_changes(self, time_s: float) -> None:
@@ -189,30 +206,30 @@ class Cia402Node:
         """Return the frames that are due, in order."""
         due = [frame for due_s, frame in self._queue if due_s <= time_s]
         self._queue = [entry for entry in self._queue if entry[0] > time_s]
-        return [] if self._deaf(time_s) else due
+        return [] if self._deaf() else due
 
     # --- time ------------------------------------------------------------------------------------
 
     def tick(self, time_s: float) -> None:
         """Let resets, faults, heartbeats and their supervision act."""
-        silence_s = self._plan.take(FaultKind.BOOT_UP, time_s, BOOT_S)
+        silence_s = self._plan.take(Cia402Fault.BOOT_UP, BOOT_S)
         if silence_s is not None:
             self.power_on(time_s, silence_s)
-        while (code := self._plan.take(FaultKind.EMERGENCY, time_s, 0x1000)) is not None:
+        while (code := self._plan.take(Cia402Fault.EMERGENCY, 0x1000)) is not None:
             self.emergency(int(code), time_s)
-        self.axis.set_torque_off(self._plan.active(FaultKind.TORQUE_OFF, time_s) is not None)
+        self.axis.set_torque_off(self._plan.on(Cia402Fault.TORQUE_OFF))
         self._judge_bus(time_s)
         self._judge_hosts(time_s)
         self._beat(time_s)
         self._send_changes(time_s)
 
-    def _deaf(self, time_s: float) -> bool:
-        kinds = (FaultKind.SILENT_NODE, FaultKind.BUS_OFF)
-        off = any(self._plan.active(kind, time_s) is not None for kind in kinds)
-        return off or time_s < self._silent_until_s
+    def _deaf(self) -> bool:
+        kinds = (Cia402Fault.SILENT_NODE, Cia402Fault.BUS_OFF)
+        off = any(self._plan.on(kind) for kind in kinds)
+        return off or self._plan.time_s < self._silent_until_s
 
     def _judge_bus(self, time_s: float) -> None:
-        off = self._plan.active(FaultKind.BUS_OFF, time_s) is not None
+        off = self._plan.on(Cia402Fault.BUS_OFF)
         if self._was_off_bus and not off:
             self.emergency(BUS_OFF, time_s)
         self._was_off_bus = off
@@ -247,7 +264,7 @@ class Cia402Node:
             self._last_heartbeat_s = time_s
         elif time_s - self._last_heartbeat_s >= period_s:
             self._last_heartbeat_s = time_s
-            if self._plan.active(FaultKind.LOST_HEARTBEAT, time_s) is None:
+            if self._plan.active(Cia402Fault.LOST_HEARTBEAT) is None:
                 identifier = HEARTBEAT_BASE + self._options.node_id
                 self._queue.append((time_s, Frame(identifier, bytes((self.state,)))))
 

@@ -12,15 +12,15 @@ from drivers.api import RigSignals
 from drivers.gsv8 import protocol as p
 from drivers.gsv8.frames import FrameLayout, encode_frames
 from drivers.gsv8.numbers import OVERRANGE, DataType
-from drivers.gsv8.simulated_device import Device
-from drivers.gsv8.simulated_faults import FaultKind, Gsv8Faults
-from drivers.gsv8.simulated_inputs import (
+from drivers.gsv8.simulator.inputs import (
     CODE_PER_RANGE,
     AnalogInputs,
     codes_of,
     open_inputs,
     part_of_range,
 )
+from drivers.gsv8.simulator.state import Device, Gsv8Fault
+from drivers.simulated import FaultPlan
 
 OVERRUN = 0x91
 _SATURATED, _SENSOR_BROKEN = 1, 3  # kinds of value errors
@@ -32,7 +32,7 @@ class MeasuredValues:
     def __init__(
         self,
         device: Device,
-        plan: Gsv8Faults,
+        plan: FaultPlan,
         rng: np.random.Generator,
         noise: bool,
         delays_s: Mapping[int, float],
@@ -52,7 +52,7 @@ class MeasuredValues:
         """Forget samples that wait for a high-speed frame to fill."""
         self._pending = None
 
-    def convert(self, signals: RigSignals, now_s: float, time_s: float) -> NDArray[np.bool_]:
+    def convert(self, signals: RigSignals, now_s: float) -> NDArray[np.bool_]:
         """Advance inputs and counters by these samples; return where an input is saturated."""
         device, settings = self._device, self._device.settings
         active = self._plan.active
@@ -60,19 +60,19 @@ class MeasuredValues:
         inputs = self._inputs.normalised(
             signals.analog, samples, settings.input_types, settings.rate_Hz
         )
-        saturated = active(FaultKind.SATURATED_INPUT, time_s, 1.0)
-        stuck = active(FaultKind.STUCK_INPUT, time_s, 1.0)
+        saturated = active(Gsv8Fault.SATURATED_INPUT, 1.0)
+        stuck = active(Gsv8Fault.STUCK_INPUT, 1.0)
         inputs = self._inputs.faulty(
             inputs,
             None if saturated is None else int(saturated),
             None if stuck is None else int(stuck),
         )
-        broken = active(FaultKind.SENSOR_BROKEN, time_s, 1.0)
+        broken = active(Gsv8Fault.SENSOR_BROKEN, 1.0)
         codes = codes_of(inputs)
         device.state.raw = codes[:, -1].tolist()
         self._terminals = {n: float(signal[-1]) for n, signal in signals.analog.items()}
         self._converted_as = list(settings.input_types)
-        self._count(signals.shaft_revolutions, time_s)
+        self._count(signals.shaft_revolutions)
         over = self._over(inputs * CODE_PER_RANGE)
         self._note_saturation(inputs, now_s)
         wires = open_inputs(signals.analog)
@@ -102,11 +102,11 @@ class MeasuredValues:
         values = self._values(codes, self._counts[:, -1:])
         return encode_frames(values, self._layout(), self._over(codes)).tobytes()
 
-    def frames(self, saturated: NDArray[np.bool_], time_s: float) -> bytes:
+    def frames(self, saturated: NDArray[np.bool_]) -> bytes:
         """Return the bytes of the samples that were converted last."""
         layout = self._layout()
         values: NDArray[Any] = self._values(self._fed(self._codes), self._counts)
-        extra = self._plan.active(FaultKind.WRONG_OBJECT_COUNT, time_s, 1.0)
+        extra = self._plan.active(Gsv8Fault.WRONG_OBJECT_COUNT, 1.0)
         if extra is not None:
             more = np.zeros((int(extra), values.shape[1]), dtype=values.dtype)
             values = np.concatenate((values, more))
@@ -114,19 +114,19 @@ class MeasuredValues:
         sequences = layout.most_sequences
         if sequences > 1:
             values, saturated = self._whole_frames(values, saturated, sequences)
-        return self._damaged(encode_frames(values, layout, saturated, sequences), time_s)
+        return self._damaged(encode_frames(values, layout, saturated, sequences))
 
     def _fed(self, codes: NDArray[np.int64]) -> NDArray[np.int64]:
         """Return what the converter gives: the inputs, or the test value in their place."""
         injected = self._device.state.injection == 1
         return np.full_like(codes, p.HALF_SCALE_CODE) if injected else codes
 
-    def _count(self, shaft: NDArray[np.float64], time_s: float) -> None:
+    def _count(self, shaft: NDArray[np.float64]) -> None:
         plan, settings = self._plan, self._device.settings
-        slip = plan.take(FaultKind.COUNTER_SLIP, time_s, 1.0)
-        false_index = plan.take(FaultKind.FALSE_INDEX, time_s) is not None
-        stuck = plan.active(FaultKind.STUCK_COUNTER, time_s) is not None
-        index = plan.active(FaultKind.MISSING_INDEX, time_s) is None
+        slip = plan.take(Gsv8Fault.COUNTER_SLIP, 1.0)
+        false_index = plan.take(Gsv8Fault.FALSE_INDEX) is not None
+        stuck = plan.active(Gsv8Fault.STUCK_COUNTER) is not None
+        index = plan.active(Gsv8Fault.MISSING_INDEX) is None
         rows = []
         for number, counter in enumerate(self._device.counters):
             mode = p.decode_counter_mode(settings.counter_modes[number])
@@ -199,27 +199,27 @@ class MeasuredValues:
         self._pending = (values[:, whole:], saturated[whole:])
         return values[:, :whole], saturated[:whole]
 
-    def _damaged(self, frames: NDArray[np.uint8], time_s: float) -> bytes:
+    def _damaged(self, frames: NDArray[np.uint8]) -> bytes:
         """Return the bytes of frames with what faults do to them."""
         take = self._plan.take
-        overrun = take(FaultKind.OVERRUN, time_s, 10.0)
+        overrun = take(Gsv8Fault.OVERRUN, 10.0)
         if overrun is not None:
             self._device.state.asynchronous_error = OVERRUN
-        self._to_drop += int(overrun or 0) + int(take(FaultKind.DROPPED_FRAMES, time_s, 1.0) or 0)
+        self._to_drop += int(overrun or 0) + int(take(Gsv8Fault.DROPPED_FRAMES, 1.0) or 0)
         if self._to_drop:
             dropped = min(self._to_drop, len(frames))
             self._to_drop -= dropped
             frames = frames[dropped:]
         if len(frames) == 0:
             return b""
-        flipped = take(FaultKind.FLIPPED_BIT, time_s, 5.0)
+        flipped = take(Gsv8Fault.FLIPPED_BIT, 5.0)
         if flipped is not None:
             frames[0, int(flipped) % frames.shape[1]] ^= 0x10
         data = frames.tobytes()
-        cut = take(FaultKind.CUT_FRAME, time_s, 11.0)
+        cut = take(Gsv8Fault.CUT_FRAME, 11.0)
         if cut is not None:
             data = data[: int(cut)] + data[frames.shape[1] :]
-        garbage = take(FaultKind.GARBAGE, time_s, 7.0)
+        garbage = take(Gsv8Fault.GARBAGE, 7.0)
         if garbage is not None:
             data = self._rng.bytes(max(1, int(garbage))) + data
         return data

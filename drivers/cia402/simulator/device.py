@@ -6,15 +6,13 @@ the time of the plant (``elapsed_s``).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Any, Final
+from typing import Final
 
 from drivers.api import DriveCommand, MotorState
 from drivers.cia402.protocol import RPM, VENDOR_MAXON
-from drivers.cia402.simulated_faults import FaultKind
-from drivers.cia402.simulated_node import Cia402Node, NodeOptions
+from drivers.cia402.simulator.node import Cia402Fault, Cia402Node, NodeOptions
 from drivers.cia402.slcan import SlcanAdapter, encode_frame
-from drivers.simulated_faults import Fault, FaultPlan
+from drivers.simulated import FaultPlan, Faults
 
 _GARBLED: Final = b"t1x5zz\r"
 
@@ -30,6 +28,8 @@ class Cia402Simulator:
     tables of their fields.
     """
 
+    kinds = Cia402Fault
+
     def __init__(
         self,
         *,
@@ -40,16 +40,16 @@ class Cia402Simulator:
         vendor: int = VENDOR_MAXON,
         device_name: str = "Simulated CiA 402 drive",
         tpdo1_period_s: float | None = None,
-        faults: Iterable[Fault[FaultKind] | Mapping[str, Any]] = (),
+        faults: Faults = (),
     ) -> None:
         if counts_per_revolution < 4 or counts_per_revolution % 4:
             raise ValueError(
                 f"{counts_per_revolution} counts per revolution are not four times a whole number"
             )
-        self._plan = FaultPlan(FaultKind, faults)
+        self._plan = FaultPlan(Cia402Fault, faults)
+        self.inject, self.clear = self._plan.add, self._plan.clear
         self._bit_rate = bit_rate
         self._adapter = SlcanAdapter()
-        self._start_s: float | None = None
         self.node = Cia402Node(
             NodeOptions(
                 node_id=node_id,
@@ -64,7 +64,7 @@ class Cia402Simulator:
 
     def receive(self, data: bytes, now_s: float) -> bytes:
         """Take lines from the host and return the lines that they cause."""
-        time_s = self._time(now_s)
+        time_s = self._plan.tick(now_s)
         frames, answers = self._adapter.receive(data)
         for frame in frames:
             if self._hears:
@@ -73,7 +73,7 @@ class Cia402Simulator:
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
         """Advance the ramps, judge heartbeats and faults, return what drives the motor."""
-        self.node.tick(self._time(now_s))
+        self.node.tick(self._plan.tick(now_s))
         return self.node.advance(elapsed_s)
 
     def observe(self, state: MotorState) -> None:
@@ -82,20 +82,7 @@ class Cia402Simulator:
 
     def emit(self, now_s: float) -> bytes:
         """Return the lines that the drive causes by itself: heartbeat, TPDO, emergency."""
-        return self._advance(self._time(now_s))
-
-    def inject(self, kind: FaultKind | str, **data: Any) -> None:
-        """Add a fault while the simulation runs, at once unless ``start_s`` says else."""
-        self._plan.add(kind, **data)
-
-    def clear(self, kind: FaultKind | str) -> None:
-        """Take a fault away."""
-        self._plan.clear(kind)
-
-    def _time(self, now_s: float) -> float:
-        if self._start_s is None:
-            self._start_s = now_s
-        return now_s - self._start_s
+        return self._advance(self._plan.tick(now_s))
 
     @property
     def _hears(self) -> bool:
@@ -104,6 +91,6 @@ class Cia402Simulator:
     def _advance(self, time_s: float) -> bytes:
         self.node.tick(time_s)
         lines = b"".join(encode_frame(frame) for frame in self.node.collect(time_s))
-        if self._plan.strike(FaultKind.GARBLED_LINE, time_s, 0) is not None:
+        if self._plan.strike(Cia402Fault.GARBLED_LINE, 0) is not None:
             lines = _GARBLED + lines
         return lines if self._adapter.is_open and self._hears else b""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import enum
 import struct
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -11,19 +12,36 @@ from typing import Final
 from drivers.api import DriveMode, MotorState
 from drivers.roboclaw.protocol import (
     NVM_KEY,
-    TIMEOUT_UNIT_S,
     Command,
     EmergencyStopLock,
     Generation,
     reply_format,
 )
-from drivers.roboclaw.simulated_axis import Axis, AxisSettings
-from drivers.roboclaw.simulated_faults import FaultKind, RoboClawFaults
+from drivers.roboclaw.simulator.axis import Axis, AxisSettings
+from drivers.simulated import FaultPlan
 
 Numbers = tuple[int, ...]
 
 _LATCHING_MODES: Final = {5: (0x81,), 3: (1,)}
 _STOP_MODES: Final = {5: (0x01, 0x81), 3: (1, 2)}
+
+
+class RoboClawFault(enum.StrEnum):
+    """Name a fault; its ``value`` means what stands behind it."""
+
+    EMERGENCY_STOP = "emergency_stop"  # the S3 input is active
+    OVER_CURRENT = "over_current"  # A, shown as the motor's current
+    UNDER_VOLTAGE = "under_voltage"  # V of the main supply
+    OVER_TEMPERATURE = "over_temperature"  # degrees C
+    DRIVER_FAULT = "driver_fault"
+    STATUS_BITS = "status_bits"  # bits to set in the status word
+    WRONG_CRC = "wrong_crc"
+    WRONG_ACKNOWLEDGE = "wrong_acknowledge"  # byte sent instead of FF
+    NO_REPLY = "no_reply"
+    LOST_COMMAND = "lost_command"  # the packet is neither obeyed nor answered
+    SLOW_REPLY = "slow_reply"  # s of delay
+    DUPLICATED_REPLY = "duplicated_reply"
+    RESET = "reset"  # s until the drive answers again
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,15 +60,15 @@ class _Bits:
 _EMERGENCY_STOP: Final = _Bits(1 << 0, 1 << 2)
 _MAIN_HIGH: Final = _Bits(1 << 3 | 1 << 18, 1 << 5 | 1 << 10)
 _MAIN_LOW: Final = _Bits(1 << 14 | 1 << 19, 1 << 11)
-_FAULT_BITS: Final[Mapping[FaultKind, _Bits]] = {
-    FaultKind.OVER_TEMPERATURE: _Bits(1 << 1, 1 << 3),
-    FaultKind.DRIVER_FAULT: _Bits(1 << 6, 1 << 8, per_motor=True),
-    FaultKind.OVER_CURRENT: _Bits(1 << 12 | 1 << 16, 1 << 0, per_motor=True),
+_FAULT_BITS: Final[Mapping[RoboClawFault, _Bits]] = {
+    RoboClawFault.OVER_TEMPERATURE: _Bits(1 << 1, 1 << 3),
+    RoboClawFault.DRIVER_FAULT: _Bits(1 << 6, 1 << 8, per_motor=True),
+    RoboClawFault.OVER_CURRENT: _Bits(1 << 12 | 1 << 16, 1 << 0, per_motor=True),
 }
 
 
 @dataclass(slots=True)
-class Memory:
+class Saved:
     """Hold what command 94 saves and a reset restores, in raw units."""
 
     timeout: int = 0
@@ -63,16 +81,16 @@ class Memory:
 
 
 class Registers:
-    """Answer reads and obey writes; ``time_s`` is the time of the wire since the first call."""
+    """Answer reads and obey writes."""
 
     def __init__(
         self,
         generation: Generation,
         motor: int,
-        saved: Memory,
+        saved: Saved,
         logic_V: float,
         unknown: frozenset[int],
-        plan: RoboClawFaults,
+        plan: FaultPlan,
     ) -> None:
         self.generation = generation
         self.motor = motor
@@ -85,16 +103,16 @@ class Registers:
         for command in unknown:
             self._readers.pop(command, None)
             self._writers.pop(command, None)
-        self.power_on(0.0)
+        self.power_on()
 
-    def power_on(self, time_s: float) -> None:
+    def power_on(self) -> None:
         """Begin anew with the saved settings, the motors off and the counters at 0."""
         self.memory = copy.deepcopy(self._saved)
         self.axes = tuple(Axis(settings=settings) for settings in self.memory.axes)
         self.axes[self.motor - 1].observe(self._state)
         for axis in self.axes:
             axis.set_count(0)
-        self._powered_s = time_s
+        self._powered_s = self._plan.time_s
         self._stop_latched = False
 
     def observe(self, state: MotorState) -> None:
@@ -120,25 +138,25 @@ class Registers:
         """Tell whether a command is one that this drive answers."""
         return command in self._readers or command in self._writers
 
-    def read(self, command: int, time_s: float) -> bytes:
+    def read(self, command: int) -> bytes:
         """Return the data of a reply, without its CRC."""
         layout = reply_format(command, self.generation)
         assert layout is not None
-        return struct.pack(layout, *self._readers[command](time_s))
+        return struct.pack(layout, *self._readers[command]())
 
     def write(self, command: int, values: Numbers) -> None:
         """Obey a write."""
         self._writers[command](values)
 
-    def judge(self, time_s: float) -> None:
+    def judge(self) -> None:
         """Let the emergency stop and every fault condition switch the motors off."""
         modes = self.generation.pin_modes
-        pressed = self._plan.active(FaultKind.EMERGENCY_STOP, time_s) is not None
+        pressed = self._plan.on(RoboClawFault.EMERGENCY_STOP)
         if pressed and self.memory.pin_modes[0] in _STOP_MODES[modes]:
             self._stop_latched = True
         elif not pressed and self._releases_itself(modes):
             self._stop_latched = False
-        if self._stopping_bits(time_s):
+        if self._stopping_bits():
             self.power_off()
 
     def _releases_itself(self, modes: int) -> bool:
@@ -148,48 +166,48 @@ class Registers:
 
     # --- conditions ------------------------------------------------------------------------------
 
-    def _stopping_bits(self, time_s: float) -> int:
+    def _stopping_bits(self) -> int:
         width = self.generation.status_bits
         bits = _EMERGENCY_STOP.of(width) if self._stop_latched else 0
         for kind, fault_bits in _FAULT_BITS.items():
-            if self._plan.active(kind, time_s) is not None:
+            if self._plan.on(kind):
                 bits |= fault_bits.of(width, self.motor)
         lowest, highest, *_ = self.memory.main_limits
-        main = self._main_voltage(time_s)
+        main = self._main_voltage()
         if main < lowest:
             bits |= _MAIN_LOW.of(width)
         if main > highest:
             bits |= _MAIN_HIGH.of(width)
         return bits
 
-    def _status(self, time_s: float) -> int:
-        extra = self._plan.active(FaultKind.STATUS_BITS, time_s)
-        return self._stopping_bits(time_s) | int(extra or 0)
+    def _status(self) -> int:
+        extra = self._plan.active(RoboClawFault.STATUS_BITS)
+        return self._stopping_bits() | int(extra or 0)
 
-    def _main_voltage(self, time_s: float) -> int:
-        volts = self._plan.active(FaultKind.UNDER_VOLTAGE, time_s, default=5.0)
+    def _main_voltage(self) -> int:
+        volts = self._plan.active(RoboClawFault.UNDER_VOLTAGE, default=5.0)
         return round((self._state.supply_V if volts is None else volts) * 10)
 
-    def _temperature(self, time_s: float) -> int:
-        hot = self._plan.active(FaultKind.OVER_TEMPERATURE, time_s, default=105.0)
+    def _temperature(self) -> int:
+        hot = self._plan.active(RoboClawFault.OVER_TEMPERATURE, default=105.0)
         return round((self._state.temperature_C if hot is None else hot) * 10)
 
-    def _currents(self, time_s: float) -> Numbers:
+    def _currents(self) -> Numbers:
         amperes = [axis.current_A for axis in self.axes]
-        high = self._plan.active(FaultKind.OVER_CURRENT, time_s, default=60.0)
+        high = self._plan.active(RoboClawFault.OVER_CURRENT, default=60.0)
         if high is not None:
             amperes[self.motor - 1] = high
         return tuple(max(-32768, min(32767, round(value * 100))) for value in amperes)
 
-    def _combined_status(self, time_s: float) -> Numbers:
+    def _combined_status(self) -> Numbers:
         first, second = self.axes
-        hot = self._temperature(time_s)
+        hot = self._temperature()
         errors = (round(axis.setpoint - axis.speed) for axis in self.axes)
         return (
-            round((time_s - self._powered_s) * 1e3) & 0xFFFFFFFF,
-            self._status(time_s),
-            *(hot, hot, self._main_voltage(time_s), self._logic_voltage),
-            *(first.pwm, second.pwm, *self._currents(time_s)),
+            round((self._plan.time_s - self._powered_s) * 1e3) & 0xFFFFFFFF,
+            self._status(),
+            *(hot, hot, self._main_voltage(), self._logic_voltage),
+            *(first.pwm, second.pwm, *self._currents()),
             *(first.count, second.count),
             *(round(first.setpoint), round(second.setpoint)),
             *(round(first.speed), round(second.speed)),
@@ -199,37 +217,37 @@ class Registers:
 
     # --- reads -----------------------------------------------------------------------------------
 
-    def _board_readers(self) -> dict[int, Callable[[float], Numbers]]:
-        def of_axes(value: Callable[[Axis], int]) -> Callable[[float], Numbers]:
-            return lambda _: tuple(value(axis) for axis in self.axes)
+    def _board_readers(self) -> dict[int, Callable[[], Numbers]]:
+        def of_axes(value: Callable[[Axis], int]) -> Callable[[], Numbers]:
+            return lambda: tuple(value(axis) for axis in self.axes)
 
         limits = 3 if self.generation.voltage_offset else 2
         return {
-            Command.GET_TIMEOUT: lambda _: (self.memory.timeout,),
-            Command.MAIN_VOLTAGE: lambda t: (self._main_voltage(t),),
-            Command.LOGIC_VOLTAGE: lambda _: (self._logic_voltage,),
-            Command.VOLTAGES: lambda t: (self._main_voltage(t), self._logic_voltage),
+            Command.GET_TIMEOUT: lambda: (self.memory.timeout,),
+            Command.MAIN_VOLTAGE: lambda: (self._main_voltage(),),
+            Command.LOGIC_VOLTAGE: lambda: (self._logic_voltage,),
+            Command.VOLTAGES: lambda: (self._main_voltage(), self._logic_voltage),
             Command.PWM: of_axes(lambda axis: axis.pwm),
             Command.CURRENTS: self._currents,
-            Command.MAIN_LIMITS: lambda _: self.memory.main_limits[:limits],
-            Command.PIN_FUNCTIONS: lambda _: self.memory.pin_modes,
+            Command.MAIN_LIMITS: lambda: self.memory.main_limits[:limits],
+            Command.PIN_FUNCTIONS: lambda: self.memory.pin_modes,
             Command.COUNTS: of_axes(lambda axis: axis.count),
             Command.INSTANT_SPEEDS: of_axes(lambda axis: round(axis.speed)),
             Command.AVERAGE_SPEEDS: of_axes(lambda axis: round(axis.speed)),
-            Command.TEMPERATURE_1: lambda t: (self._temperature(t),),
-            Command.TEMPERATURE_2: lambda t: (self._temperature(t),),
-            Command.TEMPERATURES: lambda t: (self._temperature(t), self._temperature(t)),
-            Command.STATUS: lambda t: (self._status(t),),
+            Command.TEMPERATURE_1: lambda: (self._temperature(),),
+            Command.TEMPERATURE_2: lambda: (self._temperature(),),
+            Command.TEMPERATURES: lambda: (self._temperature(), self._temperature()),
+            Command.STATUS: lambda: (self._status(),),
             Command.ENCODER_MODES: of_axes(lambda axis: axis.settings.encoder_mode),
-            Command.EMERGENCY_STOP_LOCK: lambda _: (self.memory.stop_lock,),
+            Command.EMERGENCY_STOP_LOCK: lambda: (self.memory.stop_lock,),
             Command.COMBINED_STATUS: self._combined_status,
         }
 
-    def _motor_readers(self, number: int) -> dict[int, Callable[[float], Numbers]]:
-        def count(_: float) -> Numbers:
+    def _motor_readers(self, number: int) -> dict[int, Callable[[], Numbers]]:
+        def count() -> Numbers:
             return self.axes[number].count, self.axes[number].take_flags()
 
-        def speed(_: float) -> Numbers:
+        def speed() -> Numbers:
             value = round(self.axes[number].speed)
             return abs(value), int(value < 0)
 
@@ -237,8 +255,8 @@ class Registers:
             Command.COUNT_M1 + number: count,
             Command.SPEED_M1 + number: speed,
             Command.INSTANT_SPEED_M1 + number: speed,
-            Command.VELOCITY_PID_M1 + number: lambda _: self.axes[number].settings.pid,
-            Command.CURRENT_LIMIT_M1 + number: lambda _: self.axes[number].settings.current_limit,
+            Command.VELOCITY_PID_M1 + number: lambda: self.axes[number].settings.pid,
+            Command.CURRENT_LIMIT_M1 + number: lambda: self.axes[number].settings.current_limit,
         }
 
     # --- writes ----------------------------------------------------------------------------------
@@ -299,8 +317,3 @@ class Registers:
             Command.SET_ENCODER_MODE_M1 + number: set_encoder_mode,
             Command.SET_CURRENT_LIMIT_M1 + number: set_current_limit,
         }
-
-
-def watchdog_s(memory: Memory) -> float:
-    """Return the serial time-out in s; 0 is off."""
-    return memory.timeout * TIMEOUT_UNIT_S

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from drivers.cia402.simulated_objects import (
+from drivers.cia402.simulator.objects import (
     PDO_COUNT,
     PDO_ENTRIES,
     Abort,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 
-from drivers.cia402.simulated_objects import Abort, AbortTransfer, Dictionary
+from drivers.cia402.simulator.objects import Abort, AbortTransfer, Dictionary
 
 _DOWNLOAD, _UPLOAD, _UPLOAD_SEGMENT, _ABORT = 1, 2, 3, 4
 

@@ -1,0 +1,524 @@
+"""The commands of a simulated GSV-8: each a function of the device and the parameter bytes."""
+
+from __future__ import annotations
+
+import copy
+import math
+import struct
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+from drivers.gsv8 import protocol as p
+from drivers.gsv8.numbers import DataType
+from drivers.gsv8.protocol import Command, InputType, f32, read_f32, u8, u16, u32
+from drivers.gsv8.simulator.state import Device, default_scale
+from drivers.gsv8.words import encode_value_fault
+
+BAUD_RATES = (19200, 38400, 57600, 115200, 230400, 460800)
+UART_SETTING = 10
+WRITE_ACCESS_ELSEWHERE = 0x75
+_HARDWARE_OPTIONS = 1 << 0 | 1 << 4 | 1 << 6 | 1 << 7
+_WRITABLE_MODE = 0b1111 | 0xFFF << 8 | 1 << 22
+_WRITABLE_COUNTER = 0x1FFE
+_FILTERS_HZ = (28.0, 885.0, 11400.0)
+_QEI_TYPE = 0x000008
+
+
+class Entry(NamedTuple):
+    """A command: what obeys it, allowed numbers of parameters, whether it changes a setting.
+
+    since: the first firmware that knows it.
+    """
+
+    handler: Callable[[Device, bytes], bytes]
+    length: int
+    writes: bool = False
+    since: tuple[int, int] = (0, 0)
+
+
+class Refused(Exception):
+    """Answer with a status code and no data."""
+
+    def __init__(self, status: int) -> None:
+        super().__init__(f"status {status:02X}")
+        self.status = status
+
+
+def _among(value: int, first: int, last: int, status: int = 0x51) -> int:
+    """Return the place of a number counted from ``first``; refuse one outside."""
+    if not first <= value <= last:
+        raise Refused(status)
+    return value - first
+
+
+def _analog(channel: int) -> int:
+    return _among(channel, 1, p.ANALOG_CHANNELS)
+
+
+def _user(channel: int) -> int:
+    return _among(channel, 1, p.USER_CHANNELS)
+
+
+def _users(channel: int) -> range:
+    """Return the places of a channel 1..10, of all for 0."""
+    return range(p.USER_CHANNELS) if channel == 0 else range(_user(channel), channel)
+
+
+def _line(number: int) -> int:
+    return _among(number, 1, 16)
+
+
+def _number(data: bytes) -> int:
+    return int.from_bytes(data, "big")
+
+
+# --- the link and the device as a whole -----------------------------------------------------------
+
+
+def _reset_status(d: Device, _: bytes) -> bytes:
+    d.state.synchronous_error = d.state.asynchronous_error = 0
+    return b""
+
+
+def _get_interface(d: Device, a: bytes) -> bytes:
+    flags, state, hardware = a[0], d.state, d.hardware
+    if flags & 0xF0:
+        raise Refused(0x53)
+    if flags & 3 == 3:
+        raise Refused(0x56)
+    if flags & 8 and hardware.firmware < p.CHECKSUM_FIRMWARE:
+        raise Refused(0x59)
+    if flags & 3:
+        state.transmitting = flags & 3 == 2
+    state.data_checksum = bool(flags & 8)
+    modern = hardware.firmware >= p.HIGH_SPEED_FIRMWARE
+    state.high_speed = bool(flags & 4) and modern and hardware.usb
+    return p.InterfaceReply(
+        model=p.MODEL_GSV8,
+        data_checksum=state.data_checksum,
+        objects=d.settings.objects,
+        transmitting=state.transmitting,
+        data_type=d.settings.data_type,
+        write_protected=not d.write_access,
+        number=0 if hardware.usb else 1,
+        interfaces=2,
+    ).encode()
+
+
+def _transmit(on: bool) -> Callable[[Device, bytes], bytes]:
+    def obey(d: Device, _: bytes) -> bytes:
+        d.state.transmitting = on
+        return b""
+
+    return obey
+
+
+def _protocol_error(d: Device, a: bytes) -> bytes:
+    asked = _among(a[0], 0, 1)
+    return u32(d.state.asynchronous_error if asked else d.state.synchronous_error)
+
+
+def _value_error(d: Device, a: bytes) -> bytes:
+    faults, stored, asked = d.state.faults, d.stored_faults, _among(a[0], 0, 83)
+    if asked == 0:
+        return u8(len(faults), len(stored), 0, 0, 0, 0)
+    if asked == 1 and faults:
+        return encode_value_fault(faults[-1])
+    if 2 <= asked < 2 + len(stored):
+        return encode_value_fault(stored[asked - 2])
+    return bytes(6)
+
+
+def _get_interface_setting(d: Device, a: bytes) -> bytes:
+    flags = 0b111 | (p.OFFSET_BINARY_FLAG if d.hardware.offset_binary else 0) | 1 << 24
+    rate = d.settings.uart_baud_rate
+    settings = {
+        0: p.InterfaceSetting(1, p.INTERFACE_USB, flags),
+        1: p.InterfaceSetting(UART_SETTING, 2, flags),
+        UART_SETTING: p.InterfaceSetting(0, p.ACTIVE_BAUD_RATE, rate, writable=True),
+    }
+    if a[0] not in settings:
+        raise Refused(0x51)
+    return settings[a[0]].encode()
+
+
+def _set_interface_setting(d: Device, a: bytes) -> bytes:
+    rate = _number(a[1:])
+    if a[0] != UART_SETTING:
+        raise Refused(0x76 if a[0] in (0, 1) else 0x51)
+    if rate not in BAUD_RATES:
+        raise Refused(0x52)
+    d.settings.uart_baud_rate = rate
+    return b""
+
+
+def _load(d: Device, a: bytes) -> bytes:
+    if a[0] == 1:
+        d.settings = d.settings.defaults()
+    elif a[0] in d.stored_sets:
+        d.settings = copy.deepcopy(d.stored_sets[a[0]])
+    elif a[0] > 7:
+        raise Refused(0x51)
+    return b""
+
+
+def _store(d: Device, a: bytes) -> bytes:
+    if a[0] == 1 or a[0] > 7:
+        raise Refused(0x51)
+    d.stored_sets[a[0]] = copy.deepcopy(d.settings)
+    return b""
+
+
+def _available(d: Device, a: bytes) -> bytes:
+    high, low = a
+    known = commands_of(d)
+    if not all(number in known for number in range(low, high + 1)):
+        raise Refused(0x41)
+    return b""
+
+
+# --- the stream -----------------------------------------------------------------------------------
+
+
+def _get_mapping(d: Device, a: bytes) -> bytes:
+    _among(a[0], 0, 0)
+    return u16(0 if d.hardware.firmware <= (1, 38) else d.settings.objects)
+
+
+def _set_mapping(d: Device, a: bytes) -> bytes:
+    _among(a[0], 0, 0)
+    objects, counters = _number(a[1:]), len(d.settings.counters)
+    if objects < (max(2, counters + 1) if d.hardware.usb else 1 + counters):
+        raise Refused(0x55)
+    if objects > p.ANALOG_CHANNELS + counters:
+        raise Refused(0x54)
+    if d.settings.rate_Hz > d.highest_rate_Hz(objects=objects):
+        raise Refused(0x64)
+    d.settings.objects = objects
+    return b""
+
+
+def _get_transmit_mode(d: Device, a: bytes) -> bytes:
+    highest = p.USER_CHANNELS if d.hardware.counter_present else p.ANALOG_CHANNELS
+    off = 0 if d.state.transmitting else p.TX_OFF
+    values = (d.settings.transmit_flags | off, d.settings.data_type, highest << 8 | 2)
+    return u16(values[_among(a[0], 0, 2)])
+
+
+def _set_transmit_mode(d: Device, a: bytes) -> bytes:
+    index, value = a[0], _number(a[1:])
+    if index == p.TX_FLAGS:
+        if value & (p.TX_MAXIMA | p.TX_MINIMA):
+            raise Refused(0x59)
+        d.settings.transmit_flags = value & (p.TX_ALWAYS_OFF | p.TX_CHECKSUM)
+    elif index == p.TX_DATA_TYPE:
+        if value not in tuple(DataType):
+            raise Refused(0x52)
+        if d.settings.rate_Hz > d.highest_rate_Hz(DataType(value)):
+            raise Refused(0x64)
+        d.settings.data_type = DataType(value)
+    else:
+        raise Refused(0x76 if index == 2 else 0x51)
+    return b""
+
+
+def _rate_range(d: Device, a: bytes) -> bytes:
+    return f32(1.0 if _among(a[0], 0, 1) else d.highest_rate_Hz())
+
+
+def _write_rate(d: Device, a: bytes) -> bytes:
+    rate = read_f32(a)
+    if rate not in p.ALLOWED_RATES_HZ:
+        raise Refused(0x52)
+    if rate > d.highest_rate_Hz():
+        raise Refused(0x64)
+    d.settings.rate_Hz = rate
+    return b""
+
+
+def _set_mode(d: Device, a: bytes) -> bytes:
+    flags = _number(a)
+    if flags & ~(_WRITABLE_MODE | p.MODE_WRITE_LOCK):
+        raise Refused(0x53)
+    d.settings.mode = flags & _WRITABLE_MODE
+    return b""
+
+
+def _read_filter(d: Device, _: bytes) -> bytes:
+    limit = d.settings.filter_Hz
+    if d.settings.mode & p.MODE_FILTER_AUTOMATIC:
+        wide = (f for f in _FILTERS_HZ if f >= 0.4 * d.settings.rate_Hz)
+        limit = next(wide, _FILTERS_HZ[-1])
+    return u16(round(limit))
+
+
+def _write_filter(d: Device, a: bytes) -> bytes:
+    wanted = read_f32(a)
+    if not wanted > 0.0 or math.isinf(wanted):
+        raise Refused(0x52)
+    d.settings.filter_Hz = min(_FILTERS_HZ, key=lambda f: abs(f - wanted))
+    d.settings.mode &= ~p.MODE_FILTER_AUTOMATIC
+    return b""
+
+
+# --- single channels ------------------------------------------------------------------------------
+
+
+def _set_zero(d: Device, a: bytes) -> bytes:
+    last = p.ANALOG_CHANNELS + len(d.settings.counters)
+    _among(a[0], 0, last)
+    for channel in [a[0]] if a[0] else range(1, last + 1):
+        if not d.hardware.zero_prohibited >> (channel - 1) & 1:
+            _zero(d, channel)
+        elif a[0]:
+            raise Refused(0x70)
+    return b""
+
+
+def _zero(d: Device, channel: int) -> None:
+    if channel <= p.ANALOG_CHANNELS:
+        d.settings.zeros[channel - 1] = d.state.raw[channel - 1]
+        return
+    number = d.settings.counters[channel - p.ANALOG_CHANNELS - 1]
+    d.counters[number].clear(p.decode_counter_mode(d.settings.counter_modes[number]))
+
+
+def _set_unit(d: Device, a: bytes) -> bytes:
+    for place in _users(a[0]):
+        d.settings.units[place] = a[1]
+    return b""
+
+
+def _write_floats(values: list[float], a: bytes) -> bytes:
+    value = read_f32(a[1:])
+    if not math.isfinite(value):
+        raise Refused(0x52)
+    for place in _users(a[0]):
+        values[place] = value
+    return b""
+
+
+def _get_input_type(d: Device, a: bytes) -> bytes:
+    place, asked = _analog(a[0]), a[1]
+    if asked != 0xFF and asked not in tuple(InputType):
+        raise Refused(0x52)
+    kind = d.settings.input_types[place] if asked == 0xFF else InputType(asked)
+    nominal = p.NOMINAL_RANGE.get(kind, 0.0)
+    return u8(kind) + u32(round(nominal * (100_000 if kind is InputType.SINGLE_ENDED else 100)))
+
+
+def _set_input_type(d: Device, a: bytes) -> bytes:
+    _among(a[0], 0, p.ANALOG_CHANNELS)
+    if a[1] >= InputType.COUNTER:
+        raise Refused(0x52)
+    kind, settings = InputType(a[1]), d.settings
+    for place in [a[0] - 1] if a[0] else range(p.ANALOG_CHANNELS):
+        settings.input_types[place] = kind
+        settings.scales[place] = default_scale(kind)
+        settings.offsets[place] = 0.0
+        settings.zeros[place] = 0
+    return b""
+
+
+def _inject(d: Device, a: bytes) -> bytes:
+    d.state.injection = _among(a[0], 0, 3, 0x52)
+    return b""
+
+
+def _raw_value(d: Device, a: bytes) -> bytes:
+    place = _user(a[0])
+    if place < p.ANALOG_CHANNELS:
+        value = p.HALF_SCALE_CODE if d.state.injection == 1 else d.state.raw[place]
+    else:
+        value = d.counters[place - p.ANALOG_CHANNELS].last_count
+    return struct.pack(">i", value)
+
+
+def _counter_values(d: Device, index: int) -> tuple[int, list[int]]:
+    """Return the counter's number and the list (modes, gates, homes) that an index byte names."""
+    lists = (d.settings.counter_modes, d.settings.counter_gates, d.settings.counter_homes)
+    return _among(index >> 4, 0, p.COUNTER_CHANNELS - 1), lists[_among(index & 0x0F, 0, 2)]
+
+
+def _get_counter(d: Device, a: bytes) -> bytes:
+    number, values = _counter_values(d, a[0])
+    if values is not d.settings.counter_modes:
+        return u32(values[number])
+    return u32(values[number] | p.COUNTER_PRESENT if d.hardware.counter_present else 0)
+
+
+def _set_counter(d: Device, a: bytes) -> bytes:
+    number, values = _counter_values(d, a[0])
+    if not d.hardware.counter_present:
+        raise Refused(0x85)
+    if values is d.settings.counter_modes:
+        _set_counter_mode(d, number, _number(a[1:]) & ~p.COUNTER_PRESENT)
+    else:
+        values[number] = _number(a[1:])
+    return b""
+
+
+def _set_counter_mode(d: Device, number: int, value: int) -> None:
+    if value & ~_WRITABLE_COUNTER:
+        raise Refused(0x53)
+    if value & p.SPEED_ON:
+        raise Refused(0x59)
+    was_on = d.settings.counter_modes[number] & p.COUNTER_ON
+    is_on = value & p.COUNTER_ON
+    if is_on and d.settings.rate_Hz > d.highest_rate_Hz(counting=True):
+        raise Refused(0x64)
+    d.settings.counter_modes[number] = value
+    if is_on and not was_on:
+        d.settings.objects += 1
+        d.counters[number].clear(p.decode_counter_mode(value))
+    elif was_on and not is_on:
+        d.settings.objects = max(2, d.settings.objects - 1)
+
+
+# --- digital lines and analog outputs: settings that do not touch the stream ----------------------
+
+
+def _set_output(d: Device, a: bytes) -> bytes:
+    _among(a[1], 0, 6, 0x52)
+    d.settings.outputs[_analog(a[0])] = (a[1], a[2])
+    return b""
+
+
+def _set_direction(d: Device, a: bytes) -> bytes:
+    _among(a[0], 0, 4)
+    _among(a[1], 0, 1, 0x52)
+    for group in [a[0] - 1] if a[0] else range(4):
+        d.settings.line_directions[group] = a[1]
+    return b""
+
+
+def _get_line_type(d: Device, a: bytes) -> bytes:
+    place = _line(a[0])
+    kind, channel = d.settings.line_types[place]
+    if any(10 + 3 * number <= place <= 12 + 3 * number for number in d.settings.counters):
+        kind, channel = _QEI_TYPE, 0
+    return kind.to_bytes(3, "big") + u8(channel)
+
+
+def _set_line_type(d: Device, a: bytes) -> bytes:
+    d.settings.line_types[_line(a[0])] = (_number(a[1:4]), a[4])
+    return b""
+
+
+def _get_level(d: Device, a: bytes) -> bytes:
+    levels = d.settings.line_levels
+    if a[0] == 0:
+        return u16(sum(bool(level) << n for n, level in enumerate(levels)))
+    return u16(levels[_line(a[0])])
+
+
+def _set_level(d: Device, a: bytes) -> bytes:
+    value = _number(a[1:])
+    if a[0] == 0:
+        d.settings.line_levels = [value >> n & 1 for n in range(16)]
+    else:
+        d.settings.line_levels[_line(a[0])] = value
+    return b""
+
+
+def _set_initial(d: Device, a: bytes) -> bytes:
+    d.settings.line_initial[_line(a[0])] = _number(a[1:])
+    return b""
+
+
+def _set_threshold(d: Device, a: bytes) -> bytes:
+    d.settings.line_thresholds[_line(a[0]), a[1]] = read_f32(a[2:])
+    return b""
+
+
+def _nothing(d: Device, a: bytes) -> bytes:
+    return b""
+
+
+_COMMANDS: Mapping[int, Entry] = {
+    Command.RESET_STATUS: Entry(_reset_status, 0),
+    Command.GET_INTERFACE: Entry(_get_interface, 1),
+    Command.READ_ZERO: Entry(lambda d, a: struct.pack(">i", d.settings.zeros[_analog(a[0])]), 1),
+    Command.LOAD_CONFIGURATION: Entry(_load, 1, writes=True),
+    Command.STORE_CONFIGURATION: Entry(_store, 1, writes=True),
+    Command.SET_ZERO: Entry(_set_zero, 1, writes=True),
+    Command.GET_OUTPUT_TYPE: Entry(lambda d, a: u8(*d.settings.outputs[_analog(a[0])]), 1),
+    Command.SET_OUTPUT_TYPE: Entry(_set_output, 3, writes=True),
+    Command.GET_UNIT: Entry(lambda d, a: u8(d.settings.units[_user(a[0])]), 1),
+    Command.SET_UNIT: Entry(_set_unit, 2, writes=True),
+    Command.READ_USER_SCALE: Entry(lambda d, a: f32(d.settings.scales[_user(a[0])]), 1),
+    Command.WRITE_USER_SCALE: Entry(
+        lambda d, a: _write_floats(d.settings.scales, a), 5, writes=True
+    ),
+    Command.GET_SERIAL_NUMBER: Entry(lambda d, a: u32(d.hardware.serial_number), 0),
+    Command.STOP_TRANSMISSION: Entry(_transmit(False), 0),
+    Command.START_TRANSMISSION: Entry(_transmit(True), 0),
+    Command.CLEAR_BUFFER: Entry(_nothing, 0),
+    Command.GET_MODE: Entry(lambda d, a: u32(d.settings.mode), 0),
+    Command.SET_MODE: Entry(_set_mode, 4, writes=True),
+    Command.GET_SOFTWARE_CONFIGURATION: Entry(lambda d, a: u32(_HARDWARE_OPTIONS), 0),
+    Command.FIRMWARE_VERSION: Entry(lambda d, a: b"".join(map(u16, d.hardware.firmware)), 0),
+    Command.GET_PROHIBIT_SET_ZERO: Entry(
+        lambda d, a: u16(d.hardware.zero_prohibited), 0, since=p.ZERO_LOCK_FIRMWARE
+    ),
+    Command.SET_INJECTION: Entry(_inject, 1),
+    Command.GET_RAW_VALUE: Entry(_raw_value, 1),
+    Command.GET_VALUE: Entry(_nothing, 0),  # answered by a measured value, not by this
+    Command.GET_LAST_PROTOCOL_ERROR: Entry(_protocol_error, 1),
+    Command.GET_LAST_VALUE_ERROR: Entry(_value_error, 1),
+    Command.GET_TX_MAPPING: Entry(_get_mapping, 1),
+    Command.SET_TX_MAPPING: Entry(_set_mapping, 3, writes=True),
+    Command.GET_DIO_DIRECTION: Entry(
+        lambda d, a: u8(d.settings.line_directions[_among(a[0], 1, 4)]), 1
+    ),
+    Command.SET_DIO_DIRECTION: Entry(_set_direction, 2, writes=True),
+    Command.GET_DIO_TYPE: Entry(_get_line_type, 1),
+    Command.SET_DIO_TYPE: Entry(_set_line_type, 5, writes=True),
+    Command.GET_DIO_LEVEL: Entry(_get_level, 1),
+    Command.SET_DIO_LEVEL: Entry(_set_level, 3, writes=True),
+    Command.READ_DIO_THRESHOLD: Entry(
+        lambda d, a: f32(d.settings.line_thresholds.get((_line(a[0]), a[1]), 0.0)), 2
+    ),
+    Command.WRITE_DIO_THRESHOLD: Entry(_set_threshold, 6, writes=True),
+    Command.GET_DIO_INITIAL_LEVEL: Entry(lambda d, a: u16(d.settings.line_initial[_line(a[0])]), 1),
+    Command.SET_DIO_INITIAL_LEVEL: Entry(_set_initial, 3, writes=True),
+    Command.READ_DATA_RATE_RANGE: Entry(_rate_range, 1),
+    Command.READ_COUNTER_MODE: Entry(_get_counter, 1, since=p.COUNTER_FIRMWARE),
+    Command.WRITE_COUNTER_MODE: Entry(_set_counter, 5, writes=True, since=p.COUNTER_FIRMWARE),
+    Command.RELEASE_INTERFACE: Entry(_nothing, 0),
+    Command.READ_INTERFACE_SETTING: Entry(_get_interface_setting, 1),
+    Command.WRITE_INTERFACE_SETTING: Entry(_set_interface_setting, 5, writes=True),
+    Command.GET_TX_MODE: Entry(_get_transmit_mode, 1),
+    Command.SET_TX_MODE: Entry(_set_transmit_mode, 3, writes=True),
+    Command.READ_DATA_RATE: Entry(lambda d, a: f32(d.settings.rate_Hz), 0),
+    Command.WRITE_DATA_RATE: Entry(_write_rate, 4, writes=True),
+    Command.READ_ANALOG_FILTER: Entry(_read_filter, 0),
+    Command.WRITE_ANALOG_FILTER: Entry(_write_filter, 4, writes=True),
+    Command.GET_COMMAND_AVAILABLE: Entry(_available, 2),
+    Command.READ_USER_OFFSET: Entry(lambda d, a: f32(d.settings.offsets[_user(a[0])]), 1),
+    Command.WRITE_USER_OFFSET: Entry(
+        lambda d, a: _write_floats(d.settings.offsets, a), 5, writes=True
+    ),
+    Command.GET_INPUT_TYPE: Entry(_get_input_type, 2),
+    Command.SET_INPUT_TYPE: Entry(_set_input_type, 2, writes=True),
+}
+
+
+def commands_of(d: Device) -> Mapping[int, Entry]:
+    """Return the commands that the device's firmware knows."""
+    firmware = d.hardware.firmware
+    return {number: entry for number, entry in _COMMANDS.items() if entry.since <= firmware}
+
+
+def obey(d: Device, command: int, parameters: bytes) -> bytes:
+    """Do what a command says and return its data; raise Refused."""
+    entry = _COMMANDS.get(command)
+    if entry is None or entry.since > d.hardware.firmware:
+        raise Refused(0x40)
+    if len(parameters) != entry.length:
+        raise Refused(0x5B)
+    if entry.writes and not d.write_access:
+        raise Refused(WRITE_ACCESS_ELSEWHERE)
+    data = entry.handler(d, parameters)
+    d.writes += entry.writes
+    return data
