@@ -33,9 +33,9 @@ from engine_doubles import MemoryRig, a_test, eventually  # noqa: E402
 from rigapp.config.loading import Document, parse_test, read_rig  # noqa: E402
 from rigapp.config.recipe import TestFile  # noqa: E402
 from rigapp.engine.engine import Engine  # noqa: E402
-from rigapp.engine.run import ENDED, Refused  # noqa: E402
 from rigapp.engine.values.reduce import PLACE  # noqa: E402
 from rigapp.schema.messages import RunState, as_array  # noqa: E402
+from rigapp.schema.states import ENDED, Refused  # noqa: E402
 from rigapp.service.client import Client  # noqa: E402
 from rigapp.service.host import EngineHost  # noqa: E402
 from rigapp.service.registry import running_engines  # noqa: E402

@@ -89,7 +89,7 @@ def options(
     ] = None,
 ) -> None:
     """Take the options that every verb has (``--debug`` is read by ``main``)."""
-    from rigapp.logs import chosen_level, on_terminal
+    from rigapp.process.logs import chosen_level, on_terminal
 
     context.with_resource(on_terminal(chosen_level(log_level)))
 

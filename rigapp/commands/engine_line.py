@@ -9,7 +9,7 @@ from typing import Any
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
-from rigapp.ending import ending_as_interrupt
+from rigapp.process.ending import ending_as_interrupt
 from rigapp.schema.messages import Reply, Request
 
 Ask = Callable[[str, dict[str, Any]], Any]

@@ -33,7 +33,7 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
-from rigapp.ending import ending_as_interrupt
+from rigapp.process.ending import ending_as_interrupt
 from rigapp.schema.messages import Flag, Request, RunState
 
 RAMP_REVOLUTIONS = 3

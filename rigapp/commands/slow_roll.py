@@ -23,7 +23,7 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
-from rigapp.engine.run import ENDED
+from rigapp.schema.states import ENDED
 
 LOOK_EVERY_S = 0.2
 IDLE = frozenset(state.value for state in ENDED)

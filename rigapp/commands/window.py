@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
-from rigapp.logs import in_file
+from rigapp.process.logs import in_file
 
 if TYPE_CHECKING:
     from rigapp.service.client import Client

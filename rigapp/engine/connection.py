@@ -27,11 +27,11 @@ from rigapp.engine.judging.guard import Guard
 from rigapp.engine.judging.lateness import Lateness
 from rigapp.engine.processing import Processor
 from rigapp.engine.recording.devicelog import DeviceLog
-from rigapp.engine.run import ACTIVE, TURNING, Ending, Trigger
 from rigapp.engine.supervisor import Supervisor
 from rigapp.engine.threads import BlockQueue, Worker
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.messages import FinishReason, RevolutionMeasured, RunState
+from rigapp.schema.states import ACTIVE, TURNING, Ending, Trigger
 
 SMALLEST_QUEUE = 16384
 

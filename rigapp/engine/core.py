@@ -18,6 +18,7 @@ from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection, TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.drive.driving import SpindleControl
+from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging import causes
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.causes import Cause
@@ -30,8 +31,6 @@ from rigapp.engine.publish import (
     StateChanged,
 )
 from rigapp.engine.recording.recorder import Recorder
-from rigapp.engine.run import ACTIVE, Ending, Refused, Trigger, allowed, transition
-from rigapp.engine.timing import Timing
 from rigapp.schema.columns import prediction_columns, revolution_columns
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import (
@@ -43,6 +42,7 @@ from rigapp.schema.messages import (
     RunState,
     Severity,
 )
+from rigapp.schema.states import ACTIVE, Ending, Refused, Trigger, allowed, transition
 
 log = logging.getLogger(__name__)
 

@@ -26,26 +26,15 @@ from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.devices import LoadDriver, make_devices
 from rigapp.engine.drive.driving import Ramp
+from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging import causes
 from rigapp.engine.judging.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
 from rigapp.engine.publish import Finished, NoticeStream, Subscription
 from rigapp.engine.recording.store import OpenStore, open_file
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
-from rigapp.engine.run import (
-    ACTIVE,
-    ENDED,
-    Ending,
-    InFault,
-    Refused,
-    Trigger,
-    allowed,
-    refuse_long,
-    transition,
-)
 from rigapp.engine.starting import check_overload, check_start, open_session, start_deadline_s
 from rigapp.engine.threads import Turn
-from rigapp.engine.timing import Timing
 from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
 from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange
@@ -57,6 +46,17 @@ from rigapp.schema.messages import (
     RunState,
     Snapshot,
     Status,
+)
+from rigapp.schema.states import (
+    ACTIVE,
+    ENDED,
+    Ending,
+    InFault,
+    Refused,
+    Trigger,
+    allowed,
+    refuse_long,
+    transition,
 )
 
 COMMAND_WAIT_S = 10.0

@@ -8,9 +8,9 @@ import msgspec
 import numpy as np
 
 from rigapp.engine.connection import Connection
-from rigapp.engine.run import Refused
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.messages import RunState
+from rigapp.schema.states import Refused
 
 PERMITTED = (RunState.READY, RunState.STOPPED)
 

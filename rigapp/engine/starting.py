@@ -21,8 +21,8 @@ from rigapp.engine.judging.testrun import TestRun
 from rigapp.engine.recording.history import History
 from rigapp.engine.recording.recorder import Recorder
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
-from rigapp.engine.run import Refused
 from rigapp.schema.loglines import RestSignals
+from rigapp.schema.states import Refused
 
 
 def check_start(core: Core, connection: Connection, document: Document[TestFile]) -> RuleMonitor:

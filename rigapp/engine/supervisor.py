@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from rigapp.engine.core import SLOW_DISK_S, Core
 from rigapp.engine.judging import causes
 from rigapp.engine.judging.watches import Watches
-from rigapp.engine.run import ACTIVE, Ending
 from rigapp.schema.messages import FinishReason, RunState
+from rigapp.schema.states import ACTIVE, Ending
 
 if TYPE_CHECKING:
     from rigapp.engine.connection import Connection

@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable
 
 from drivers.api import Block
-from rigapp.engine.run import Refused
+from rigapp.schema.states import Refused
 
 
 class Worker:

@@ -13,7 +13,6 @@ from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
 from rigapp.engine.judging.limits import least_margin, margin_to
 from rigapp.engine.recovery import Situation, recovery
-from rigapp.engine.run import ACTIVE
 from rigapp.engine.values.reduce import NAMES, PLACE
 from rigapp.engine.values.uncertainty import stated_uncertainty
 from rigapp.schema.messages import (
@@ -25,6 +24,7 @@ from rigapp.schema.messages import (
     Status,
     as_array,
 )
+from rigapp.schema.states import ACTIVE
 
 NO_MARGIN = 1e9
 """Shown when nothing is limited."""

@@ -102,6 +102,13 @@ class Alarm(msgspec.Struct, frozen=True):
     ends: Ends = Ends.SEEN
 
 
+class LookedAfter(msgspec.Struct, frozen=True):
+    """Say what happened to the file of a test, and whether everything in it has a name again."""
+
+    sentence: str
+    saved: bool
+
+
 class Step(enum.StrEnum):
     """The steps from a fault back to a running test, in their order."""
 

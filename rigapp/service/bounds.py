@@ -9,8 +9,8 @@ import msgspec
 from msgspec import inspect
 
 from rigapp.config.ranges import refusal as number_refusal
-from rigapp.engine.run import Refused, refuse_long
 from rigapp.schema.messages import NOTE_CHARACTERS, Reply, Request
+from rigapp.schema.states import Refused, refuse_long
 from rigapp.schema.verbs import Lane, Verb
 
 MESSAGE_BYTES = 1 << 16

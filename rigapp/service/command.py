@@ -11,8 +11,8 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rigapp.engine.run import Refused
 from rigapp.schema.messages import Request
+from rigapp.schema.states import Refused
 from rigapp.schema.verbs import Who, verb_of
 
 GONE_AFTER_S = 10.0

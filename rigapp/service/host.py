@@ -23,14 +23,13 @@ from rigapp.config.loading import Document, parse_test, read_rig, read_test
 from rigapp.config.ranges import refusal as range_refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.ending import Background, asked_to_end, finish_in_time
 from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, Remark
 from rigapp.engine.publish import Finished
-from rigapp.engine.run import ACTIVE, Refused
 from rigapp.engine.starting import check_fit
 from rigapp.engine.threads import Turn
-from rigapp.logs import beside, in_file
+from rigapp.process.ending import Background, asked_to_end, finish_in_time
+from rigapp.process.logs import beside, in_file
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
     FinishReason,
@@ -41,6 +40,7 @@ from rigapp.schema.messages import (
     Snapshot,
     Status,
 )
+from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, File, Hand, Nothing, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import Command

@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from rigapp.ending import Background
-from rigapp.leftovers import process_alive
+from rigapp.process.ending import Background
+from rigapp.process.leftovers import process_alive
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.registry import (
     EngineEntry,

@@ -14,8 +14,8 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_bytes
-from rigapp.ending import ending_as_interrupt
-from rigapp.leftovers import process_alive, remove_left_behind
+from rigapp.process.ending import ending_as_interrupt
+from rigapp.process.leftovers import process_alive, remove_left_behind
 from rigapp.schema.messages import PROTOCOL_VERSION
 from rigapp.service.private import SMALL_BYTES, private_folder, read_own
 

@@ -23,9 +23,9 @@ from rigapp.config.loading import parse_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.engine import Remark
 from rigapp.engine.recording.store import calibration_record
-from rigapp.engine.run import Refused, refuse_long
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.loglines import rest_signals
+from rigapp.schema.states import Refused, refuse_long
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
 ZERO_SHARE = 0.02

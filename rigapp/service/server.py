@@ -20,8 +20,8 @@ import msgspec
 import zmq
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.run import Refused
 from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
+from rigapp.schema.states import Refused
 from rigapp.service.bounds import MESSAGE_BYTES, bounded, refusal
 from rigapp.service.lanes import Lanes
 from rigapp.service.registry import other_version

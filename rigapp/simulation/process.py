@@ -23,8 +23,8 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameter_file, read_rig
-from rigapp.ending import asked_to_end
-from rigapp.leftovers import remove_left_behind
+from rigapp.process.ending import asked_to_end
+from rigapp.process.leftovers import remove_left_behind
 from rigapp.simulation.handle import FOLDER, SimulatedRig, start_simulated_rig
 
 __all__ = ["SimulatedRig", "main", "start_simulated_rig"]
@@ -127,7 +127,7 @@ def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], An
 
 
 def _loop(rig: Any, stopping: list[str], *, exit_with_parent: bool) -> None:
-    from rigapp.owntime import OwnTime
+    from rigapp.process.owntime import OwnTime
     from rigapp.simulation.control import Lines, answer
 
     lines = Lines()

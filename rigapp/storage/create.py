@@ -15,7 +15,7 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.names import name_refusal
-from rigapp.leftovers import left_behind, remove_left_behind
+from rigapp.process.leftovers import left_behind, remove_left_behind
 from rigapp.storage.build import build_file
 from rigapp.storage.disk import Disk
 from rigapp.storage.errors import StorageFailed

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.recording.store import LookedAfter
+from rigapp.schema.messages import LookedAfter
 from rigapp.storage.create import (
     hidden_name,
     move_into_place,

@@ -15,9 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.engine.recording.store import LookedAfter
 from rigapp.schema.columns import PROFILE_CURVES, prediction_columns, profile_columns
-from rigapp.schema.messages import Event
+from rigapp.schema.messages import Event, LookedAfter
 from rigapp.storage.backlog import Backlog
 from rigapp.storage.build import PAGE
 from rigapp.storage.create import (

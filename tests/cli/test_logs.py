@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from rigapp.config.errors import UnusableInput
-from rigapp.logs import (
+from rigapp.process.logs import (
     LARGEST_FILE,
     LEVEL_VARIABLE,
     MOST_WAITING,

@@ -26,7 +26,7 @@ from typing import Any
 import numpy as np
 
 from drivers.api import DriveCommand, DriveMode, DriveRequest, MotorState
-from rigapp.owntime import OwnTime
+from rigapp.process.owntime import OwnTime
 
 Respond = Callable[[bytes, float], bytes]
 Produce = Callable[[float], bytes]

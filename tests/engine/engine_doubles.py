@@ -51,10 +51,10 @@ from rigapp.config.rig import (
     SimulationSection,
     SpindleSection,
 )
+from rigapp.engine.drive.timing import Timing
 from rigapp.engine.engine import Engine
-from rigapp.engine.recording.store import LookedAfter, Opened, OpenRequest, OpenStore
-from rigapp.engine.timing import Timing
-from rigapp.schema.messages import Event
+from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
+from rigapp.schema.messages import Event, LookedAfter
 
 COUNTS = 360
 RATE = 480.0

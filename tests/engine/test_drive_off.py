@@ -11,8 +11,8 @@ import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
 from drivers.api import Block, DriveStatus
-from rigapp.engine.run import ENDED
 from rigapp.schema.messages import FinishReason, RunState, Severity
+from rigapp.schema.states import ENDED
 
 LONG = 1_000_000
 STARTING, RUNNING = RunState.STARTING, RunState.RUNNING

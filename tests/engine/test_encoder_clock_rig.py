@@ -14,10 +14,10 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.engine import Engine
-from rigapp.engine.run import ENDED
 from rigapp.engine.samples.sampleclock import PulseRate
 from rigapp.engine.values.calibrate import calibration_of
 from rigapp.schema.messages import Flag
+from rigapp.schema.states import ENDED
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.storage import open_test
 

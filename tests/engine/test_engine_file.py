@@ -12,9 +12,9 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
 from rigapp.engine.recording.store import open_file
-from rigapp.engine.run import ENDED
 from rigapp.engine.values.reduce import NAMES
 from rigapp.schema.messages import Flag, RunState
+from rigapp.schema.states import ENDED
 from rigapp.storage.reader import open_test
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"

@@ -16,10 +16,10 @@ from rigapp.config.recipe import LimitRule
 from rigapp.engine.judging.testrun import NOT_STEADY
 from rigapp.engine.publish import AlarmChanged, Committed, Finished, Notice, StateChanged
 from rigapp.engine.recording.store import Opened
-from rigapp.engine.run import ENDED, Refused
 from rigapp.engine.values.reduce import PLACE
 from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
 from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState, as_array
+from rigapp.schema.states import ENDED, Refused
 
 LONG = 1_000_000
 

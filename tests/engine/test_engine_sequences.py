@@ -17,11 +17,11 @@ from hypothesis.stateful import (
 
 from drivers.api import DeviceError
 from rigapp.config.errors import UnusableInput
+from rigapp.engine.drive.timing import Timing
 from rigapp.engine.recording.store import Opened
-from rigapp.engine.run import ACTIVE, ENDED, TURNING, Refused
-from rigapp.engine.timing import Timing
 from rigapp.engine.values.reduce import PLACE
 from rigapp.schema.messages import RunState
+from rigapp.schema.states import ACTIVE, ENDED, TURNING, Refused
 
 LAST = ("revolution", "time")
 

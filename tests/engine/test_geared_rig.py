@@ -10,7 +10,7 @@ import pytest
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig
 from rigapp.engine.engine import Engine
-from rigapp.engine.run import ENDED
+from rigapp.schema.states import ENDED
 from rigapp.service.simulated import SimulatedDevices, parse_speed
 from rigapp.storage import open_test
 

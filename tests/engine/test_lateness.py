@@ -7,10 +7,10 @@ import time
 import pytest
 from engine_doubles import MemoryRig, a_test, eventually
 
+from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.lateness import Lateness
-from rigapp.engine.run import InFault
-from rigapp.engine.timing import Timing
 from rigapp.schema.messages import RunState
+from rigapp.schema.states import InFault
 
 PERIOD_S = 0.05
 

@@ -17,8 +17,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
 from rigapp.engine.recording.store import Opened, OpenRequest
 from rigapp.engine.recovery import AT_REST, WAITING, Situation, recovery
-from rigapp.engine.run import ACTIVE, ENDED, InFault, Refused
 from rigapp.schema.messages import Alarm, Ends, FinishReason, RunState, Severity, Step
+from rigapp.schema.states import ACTIVE, ENDED, InFault, Refused
 
 LONG = 1_000_000
 QUIET = (Refused, UnusableInput, DeviceError, TimeoutError)

@@ -17,9 +17,9 @@ from rigapp.engine.judging import causes
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.limits import RuleMonitor, changed_limits, check_rules
 from rigapp.engine.recording.schedule import Schedule, logarithmic
-from rigapp.engine.run import ACTIVE, ENDED, TABLE, Ending, Refused, Trigger, allowed, transition
 from rigapp.schema.loglines import AlarmChange
 from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity
+from rigapp.schema.states import ACTIVE, ENDED, TABLE, Ending, Refused, Trigger, allowed, transition
 
 # --- rules ---------------------------------------------------------------------------------------
 

@@ -10,8 +10,8 @@ from engine_doubles import RATE, MemoryRig, a_test, eventually
 
 from drivers.api import InputFault, InputFaultKind
 from rigapp.engine.judging.saturation import BACK_S, STAYS_S, SaturationWatch
-from rigapp.engine.run import ENDED, Refused
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
+from rigapp.schema.states import ENDED, Refused
 
 LONG = 1_000_000
 

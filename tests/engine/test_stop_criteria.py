@@ -27,9 +27,9 @@ from rigapp.engine.judging.criteria import (
 )
 from rigapp.engine.judging.guard import PREDICTED_NAMES
 from rigapp.engine.recording.store import Opened
-from rigapp.engine.run import ENDED
 from rigapp.engine.values.reduce import NAMES, PLACE
 from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState
+from rigapp.schema.states import ENDED
 
 RPM = 60.0
 QUICK = Path(__file__).parents[2] / "examples" / "quick.toml"

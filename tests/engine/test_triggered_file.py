@@ -13,8 +13,8 @@ from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
 from rigapp.engine.recording.fileplan import file_plan
 from rigapp.engine.recording.store import open_file
-from rigapp.engine.run import ENDED
 from rigapp.schema.messages import Flag
+from rigapp.schema.states import ENDED
 from rigapp.storage import TestReader, compact_test, open_test
 from rigapp.storage.layout import reserved_bytes, streams_of
 

@@ -12,9 +12,9 @@ from engine_doubles import MemoryRig, a_test, eventually
 
 from drivers.api import Block, InputFault, InputFaultKind, Quality
 from rigapp.config.recipe import TestFile
-from rigapp.engine.run import ENDED
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
+from rigapp.schema.states import ENDED
 
 LONG = 1_000_000
 

@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 from PySide6.QtCore import Qt
 
-from rigapp.engine.run import Refused
 from rigapp.gui.data.link import Link
 from rigapp.gui.data.session import Session
 from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.window.guarded import GuardedButton
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Reply, Request, RunState, Snapshot
+from rigapp.schema.states import Refused
 from rigapp.service.command import Command
 
 

@@ -12,13 +12,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from rigapp.config.loading import read_rig
-from rigapp.engine.run import ENDED
 from rigapp.gui.data.link import Link
 from rigapp.gui.data.session import Session
 from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.window.recover import KEY, RecoverPanel
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Alarm, Ends, Recovery, Reply, RunState, Severity, Step
+from rigapp.schema.states import ENDED
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
 from rigapp.service.launch import find_engine

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.engine.run import Refused
 from rigapp.schema.messages import Reply, Request
+from rigapp.schema.states import Refused
 from rigapp.service.command import ASLEEP_S, GONE_AFTER_S, Command
 
 ADA = {"operator": "Ada", "client": "a"}

@@ -16,8 +16,8 @@ from pathlib import Path
 import pytest
 from stories import RIG, Running, recipe, summary, until
 
-from rigapp.ending import Background, asked_to_end, finish_in_time
-from rigapp.leftovers import process_alive
+from rigapp.process.ending import Background, asked_to_end, finish_in_time
+from rigapp.process.leftovers import process_alive
 from rigapp.schema.messages import RunState
 from rigapp.service import launch
 from rigapp.service.client import EngineUnreachable
@@ -158,7 +158,7 @@ def test_an_interruption_while_connecting_starts_no_test(running: Running, folde
 def test_what_hangs_at_the_end_is_left_after_some_time_or_when_asked_again(folder: Path) -> None:
     program = (
         "import threading\n"
-        "from rigapp.ending import asked_to_end, finish_in_time\n"
+        "from rigapp.process.ending import asked_to_end, finish_in_time\n"
         "def hang():\n"
         "    print('closing', flush=True)\n"
         "    threading.Event().wait()\n"
@@ -267,7 +267,7 @@ def test_a_start_that_takes_long_starts_no_second_engine(
     program.chmod(0o755)
     monkeypatch.setattr(launch.sys, "executable", str(program))
     monkeypatch.setattr(launch, "START_S", 0.2)
-    monkeypatch.setattr("rigapp.leftovers.owner_lives", lambda pid: True)
+    monkeypatch.setattr("rigapp.process.leftovers.owner_lives", lambda pid: True)
     for _ in range(3):
         with pytest.raises(EngineUnreachable, match=r"is still starting after 0\.2 s"):
             launch.attach(RIG)

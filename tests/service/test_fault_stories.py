@@ -30,7 +30,7 @@ from stories import (
 )
 
 from rigapp.config.loading import read_rig
-from rigapp.engine.run import ENDED
+from rigapp.schema.states import ENDED
 from rigapp.service.host import EngineHost, read_test
 from rigapp.service.simulated import parse_speed
 from rigapp.simulation.handle import start_simulated_rig

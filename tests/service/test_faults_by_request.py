@@ -9,8 +9,8 @@ import pytest
 from stories import recipe
 
 from rigapp.config.loading import read_rig
-from rigapp.engine.run import ENDED
 from rigapp.schema.messages import FinishReason, Request, RunState
+from rigapp.schema.states import ENDED
 from rigapp.service.host import EngineHost, read_test
 from rigapp.service.simulated import parse_speed
 

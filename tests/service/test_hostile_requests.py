@@ -17,8 +17,8 @@ import zmq
 from stories import NEVER_OVER, RIG, recipe, until
 
 from rigapp.config.loading import read_rig
-from rigapp.engine.run import ACTIVE, ENDED
 from rigapp.schema.messages import NOTE_CHARACTERS, Event, Reply, Request, RunState
+from rigapp.schema.states import ACTIVE, ENDED
 from rigapp.schema.verbs import SAFETY_VERBS, VERBS
 from rigapp.service.bounds import MESSAGE_BYTES
 from rigapp.service.client import Client, EngineUnreachable

@@ -14,7 +14,7 @@ import pytest
 from stories import until
 
 from rigapp.config.errors import UnusableInput
-from rigapp.leftovers import owner_lives, remove_left_behind
+from rigapp.process.leftovers import owner_lives, remove_left_behind
 from rigapp.service.private import SMALL_BYTES
 from rigapp.service.registry import EngineEntry, announce, running_engines, runtime_folder
 

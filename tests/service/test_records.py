@@ -108,7 +108,7 @@ def test_rig_without_records_is_left_alone() -> None:
 
 def test_uncertainty_of_the_record_is_shown_beside_the_live_force(tmp_path: Path) -> None:
     from rigapp.engine.core import Core
-    from rigapp.engine.timing import Timing
+    from rigapp.engine.drive.timing import Timing
     from rigapp.engine.views import uncertainty_of_force
 
     found = with_records(rig_with(tmp_path, CELL), IN_TIME)

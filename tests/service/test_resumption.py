@@ -18,9 +18,9 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.recording.store import calibration_record
-from rigapp.engine.run import ENDED, Refused
 from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.schema.messages import Reply, Request, RunState
+from rigapp.schema.states import ENDED, Refused
 from rigapp.service.host import EngineHost, read_test
 from rigapp.service.resumption import Fit, Past, Resumption, compare, remarks
 from rigapp.service.simulated import parse_speed

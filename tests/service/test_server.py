@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigapp.leftovers import process_alive
+from rigapp.process.leftovers import process_alive
 from rigapp.schema.columns import revolution_columns
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,

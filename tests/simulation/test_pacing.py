@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rigapp.owntime import LONGEST_PASS_S, OwnTime
+from rigapp.process.owntime import LONGEST_PASS_S, OwnTime
 from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, Pace
 
 

@@ -25,11 +25,11 @@ from stories import PATIENCE_S, RIG, Running, numbers, recipe, summary, until
 
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
+from rigapp.engine.drive.timing import Timing
 from rigapp.engine.recording.store import open_file
-from rigapp.engine.run import ACTIVE
-from rigapp.engine.timing import Timing
 from rigapp.engine.values.reduce import NAMES
 from rigapp.schema.messages import FinishReason, as_array
+from rigapp.schema.states import ACTIVE
 from rigapp.service.client import Client
 from rigapp.service.registry import running_engines
 from rigapp.storage.reader import open_test

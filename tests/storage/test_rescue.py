@@ -12,8 +12,7 @@ from pathlib import Path
 import pytest
 from storage_samples import PLAN, check, new_test, write
 
-from rigapp.engine.recording.store import LookedAfter
-from rigapp.schema.messages import Event
+from rigapp.schema.messages import Event, LookedAfter
 from rigapp.storage import TestWriter, keeper, open_test, reopen_test
 from rigapp.storage.compact import compact_test
 from rigapp.storage.errors import StorageFailed

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from drivers.api import DeviceError, DriveStatus, Spindle
 from rigapp.engine.drive.sequences import Do, PauseSequence, Seen, StopSequence
-from rigapp.engine.timing import Timing
+from rigapp.engine.drive.timing import Timing
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,9 +14,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from rigapp.engine.judging.causes import Cause
-from rigapp.engine.run import Refused
 from rigapp.schema.loglines import AlarmChange, What
 from rigapp.schema.messages import Alarm, Ends, Severity
+from rigapp.schema.states import Refused
 
 LONGEST_SHELF_S = 12 * 3600.0
 

@@ -17,12 +17,12 @@ from rigapp.engine.judging.limits import Verdict
 from rigapp.engine.judging.speeds import SpeedComparison
 from rigapp.engine.judging.testrun import Row
 from rigapp.engine.recording.recorder import cycle_message, measured_history
-from rigapp.engine.run import ACTIVE, TURNING, Ending, Trigger
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.engine.values.calibrate import ANALOG, analog_inputs
 from rigapp.engine.values.reduce import PLACE
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import FinishReason, Flag, RevolutionMeasured, RunState
+from rigapp.schema.states import ACTIVE, TURNING, Ending, Trigger
 
 if TYPE_CHECKING:
     from rigapp.engine.connection import Connection

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import deque
 
-from rigapp.owntime import LONGEST_PASS_S, OwnTime
+from rigapp.process.owntime import LONGEST_PASS_S, OwnTime
 
 TICKS_KEPT = 4096
 

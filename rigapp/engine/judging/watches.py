@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 from drivers.api import InputFault, InputFaultKind, InputSupervision
 from rigapp.engine.core import Core
 from rigapp.engine.judging import causes
-from rigapp.engine.run import ACTIVE, Ending
 from rigapp.engine.values.calibrate import ANALOG, analog_inputs
 from rigapp.schema.messages import FinishReason
+from rigapp.schema.states import ACTIVE, Ending
 
 if TYPE_CHECKING:
     from rigapp.engine.connection import Connection

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rigapp.engine.recording.history import History, Kept
-from rigapp.engine.recording.store import LookedAfter, Store
+from rigapp.engine.recording.store import Store
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.engine.values.calibrate import Calibrated, Calibration, calibrate
 from rigapp.engine.values.reduce import PLACE
@@ -20,6 +20,7 @@ from rigapp.schema.columns import PREDICTED_CURVES, PROFILE_CURVES, cycle_column
 from rigapp.schema.messages import (
     Cycle,
     Event,
+    LookedAfter,
     Prediction,
     RevolutionMeasured,
     WornProfile,

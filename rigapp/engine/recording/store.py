@@ -21,15 +21,7 @@ from rigapp.engine.recording.history import TRIGGERED
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.engine.values.uncertainty import noise_of_sample, stated_uncertainty, uncertainty_record
 from rigapp.schema.loglines import RestSignals
-from rigapp.schema.messages import Event
-
-
-@dataclass(frozen=True, slots=True)
-class LookedAfter:
-    """Say what happened to the file of a test, and whether everything in it has a name again."""
-
-    sentence: str
-    saved: bool
+from rigapp.schema.messages import Event, LookedAfter
 
 
 class Store(Protocol):

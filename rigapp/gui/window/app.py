@@ -9,12 +9,12 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
-from rigapp.ending import asked_to_end, end_at_once
 from rigapp.gui.data.link import ClientFactory, Link
 from rigapp.gui.data.session import Session
 from rigapp.gui.plots.palette import THEMES, apply_theme
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import MainWindow
+from rigapp.process.ending import asked_to_end, end_at_once
 
 log = logging.getLogger(__name__)
 

@@ -28,7 +28,7 @@ from drivers.api import (
     StreamSetup,
 )
 from drivers.registry import check_settings, load_simulator
-from rigapp.owntime import OwnTime
+from rigapp.process.owntime import OwnTime
 from rigapp.simulation.endpoints import PtyEndpoint
 from rigapp.simulation.link import Wire, WireFault
 
