@@ -545,7 +545,7 @@ def calibrate_history(
     json: JsonOption = False,
 ) -> None:
     """Show the daily checks and their control charts; status 1 when a rule asks for action."""
-    from rigapp.calibrating.daily_history import show_history
+    from rigapp.commands.calibrate import show_history
 
     raise typer.Exit(show_history(store, to, rig, as_json=json))
 
@@ -556,9 +556,9 @@ def calibrate_certificate(
     to: Annotated[Path, _file("--to", "FILE.pdf or FILE.html")],
 ) -> None:
     """Write the certificate of a record, the same bytes each time."""
-    from rigapp.commands.calibrate import write_certificate
+    from rigapp.commands.calibrate import certify
 
-    raise typer.Exit(write_certificate(record, to))
+    raise typer.Exit(certify(record, to))
 
 
 @app.command()

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from calibration.control_chart import Chart, Finding, chart
-from calibration.daily import DailyCheck
+from calibration.load_cell.control_chart import Chart, Finding, chart
+from calibration.load_cell.daily import DailyCheck
 from rigapp.calibrating.journal import Journal
 from rigapp.config.errors import UnusableInput
 
@@ -203,19 +203,3 @@ def when(entry: Mapping[str, Any]) -> str:
     """Return the time of a check, UTC."""
     moment = float(entry["time"])
     return time.strftime("%Y-%m-%d %H:%M", time.gmtime(moment)) if math.isfinite(moment) else "?"
-
-
-def show_history(store: Path, to: Path | None, rig: str | None, *, as_json: bool) -> int:
-    """Print the history and draw its charts; status 1 when a rule asks for action."""
-    found = read_history(store, rig)
-    if as_json:
-        print(json.dumps(history_result(found)))
-    else:
-        print("\n".join(history_lines(found)))
-    if to is not None:
-        from rigapp.report.daily_chart import write_chart
-
-        write_chart(found, to)
-        if not as_json:
-            print(f"The chart is {to}.")
-    return 0 if found.in_control else 1

@@ -17,29 +17,26 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from calibration.daily import DailyCheck, daily_check
-from calibration.level import LevelError, LevelReading, reversed_level, single
-from calibration.live import Readiness, Verdict, Window, assess
-from calibration.load_cell import LoadCellCalibration, calibrate_load_cell
-from calibration.pieces import PiecesError
-from calibration.plans import PlanKind, StepKind
-from calibration.plausible import check_settings
-from calibration.procedure import Procedure, ProcedureError, begin, take_up
-from calibration.readings import LOAD_CELL_COLUMNS, LoadCellReadings, parse_load_cell
-from calibration.settings import LoadCellSettings
-from calibration.two_axis import Terms, TwoAxisFit, fit
-from calibration.weights import pin_force, weight_force
+from calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
+from calibration.load_cell.daily import DailyCheck, daily_check
+from calibration.load_cell.level import LevelError, LevelReading, reversed_level, single
+from calibration.load_cell.live import Readiness, Verdict, Window, assess
+from calibration.load_cell.pieces import PiecesError
+from calibration.load_cell.plans import PlanKind, StepKind
+from calibration.load_cell.plausible import check_settings
+from calibration.load_cell.procedure import Procedure, ProcedureError, begin, take_up
+from calibration.load_cell.readings import LOAD_CELL_COLUMNS, LoadCellReadings, parse_load_cell
+from calibration.load_cell.settings import LoadCellSettings
+from calibration.load_cell.two_axis import Terms, TwoAxisFit, fit
+from calibration.load_cell.weights import pin_force, weight_force
 from rigapp.calibrating.daily_history import History, append_check, entry_of, read_history
 from rigapp.calibrating.journal import Journal
-from rigapp.commands.calibrate import (
-    keep_record,
-    load_cell_result,
-    refuse_existing,
-)
+from rigapp.calibrating.load_cell_result import load_cell_result
+from rigapp.calibrating.records import keep_record, refuse_existing
+from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.calibration_settings import LoadCellFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
-from rigapp.service.records import with_records
 
 PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
 Array = NDArray[np.float64]

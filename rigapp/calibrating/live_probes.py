@@ -16,12 +16,13 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from calibration.alignment import PairCalibration, calibrate_pair, split_pair
-from calibration.live import Readiness, Verdict
-from calibration.probe import ProbeCalibration, calibrate_probe
-from calibration.probe_live import ProbeWindow, assess_probe
-from calibration.probe_positions import robust_line
-from calibration.probe_procedure import (
+from calibration.load_cell.live import Readiness, Verdict
+from calibration.load_cell.procedure import ProcedureError
+from calibration.probes.alignment import PairCalibration, calibrate_pair, split_pair
+from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
+from calibration.probes.live import ProbeWindow, assess_probe
+from calibration.probes.positions import robust_line
+from calibration.probes.procedure import (
     ProbePlan,
     ProbeProcedure,
     ProbeStepKind,
@@ -29,13 +30,12 @@ from calibration.probe_procedure import (
     make_probe_plan,
     take_up_probes,
 )
-from calibration.procedure import ProcedureError
-from calibration.readings import OTHER_COLUMN, PROBE_COLUMNS, parse_probe
-from calibration.settings import ProbeSettings
+from calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS, parse_probe
+from calibration.probes.settings import ProbeSettings
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.live_calibration import Rig
-from rigapp.calibrating.probe_results import pair_result, probe_result
-from rigapp.commands.calibrate import keep_record, refuse_existing
+from rigapp.calibrating.probe_results import pair_lines, pair_result, probe_lines, probe_result
+from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.config.calibration_settings import ProbeFile, probe_meaning
 from rigapp.config.errors import UnusableInput
 
@@ -292,3 +292,11 @@ def plan_of(
     except ProcedureError as error:
         raise UnusableInput(f"the plan is not possible: {error}.") from error
     return wanted
+
+
+def outcome_lines(outcome: ProbeOutcome) -> list[str]:
+    """Return an outcome in words and numbers, a line each."""
+    if outcome.pair is not None:
+        return pair_lines(outcome.pair)
+    assert outcome.single is not None
+    return probe_lines(outcome.single)

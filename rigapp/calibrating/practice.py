@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from calibration.plans import StepKind
-from calibration.procedure import Procedure
+from calibration.load_cell.plans import StepKind
+from calibration.load_cell.procedure import Procedure
 
 
 class Mistake(enum.StrEnum):

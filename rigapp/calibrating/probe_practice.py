@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 
-from calibration.probe_procedure import ProbeProcedure, ProbeStepKind
+from calibration.probes.procedure import ProbeProcedure, ProbeStepKind
 from rigapp.calibrating.practice import Action
 
 BACKLASH_UM = 15.0

@@ -3,21 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from calibration.alignment import Alignment, PairCalibration
-from calibration.probe import ProbeCalibration
-from calibration.problems import Problem
+from calibration.probes.alignment import Alignment, PairCalibration
+from calibration.probes.calibrate import ProbeCalibration
+from rigapp.calibrating.records import problems_of
 
 UM = 1e6
-
-
-def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
-    """Return problems as plain values."""
-    return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
 
 
 def probe_result(found: ProbeCalibration) -> dict[str, Any]:

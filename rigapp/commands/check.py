@@ -12,6 +12,7 @@ import msgspec
 
 from drivers.api import DeviceError
 from drivers.registry import load_driver
+from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
 from rigapp.config.recipe import TestFile
@@ -19,7 +20,6 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
 from rigapp.schema.messages import Status
 from rigapp.service.preflight import Check, Verdict, blocked, disk_facts, preflight
-from rigapp.service.records import RigRecords, with_records
 from rigapp.simulation.handle import SimulationFailed
 
 FIRST_DATA_S = 10.0

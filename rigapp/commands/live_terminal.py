@@ -8,9 +8,9 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from calibration.live import Readiness, Window
-from calibration.plans import PlanKind, StepKind
-from calibration.procedure import ProcedureError
+from calibration.load_cell.live import Readiness, Window
+from calibration.load_cell.plans import PlanKind, StepKind
+from calibration.load_cell.procedure import ProcedureError
 from rigapp.calibrating.daily_history import STORE, History, history_result, verdict_lines
 from rigapp.calibrating.live_calibration import (
     PLANS,
@@ -21,8 +21,10 @@ from rigapp.calibrating.live_calibration import (
     parse_pieces,
     window_of,
 )
+from rigapp.calibrating.load_cell_result import cell_lines
 from rigapp.calibrating.practice import Mistake, preparation, step_actions, tidy_up
-from rigapp.commands.calibrate import cell_lines, refuse_existing, say_result
+from rigapp.calibrating.records import refuse_existing
+from rigapp.commands.calibrate import say_result
 from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.commands.terminal_parts import LISTEN_S, act, ask_rejection, take_all, wait_ready
 from rigapp.config.calibration_settings import read_load_cell_settings

@@ -7,17 +7,18 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from calibration.alignment import calibrate_pair, split_pair
-from calibration.live import Readiness
-from calibration.probe import calibrate_probe
-from calibration.probe_live import ProbeWindow
-from calibration.probe_procedure import ProbeStepKind
-from calibration.readings import ReadingsError, parse_probe
+from calibration.load_cell.live import Readiness
+from calibration.probes.alignment import calibrate_pair, split_pair
+from calibration.probes.calibrate import calibrate_probe
+from calibration.probes.live import ProbeWindow
+from calibration.probes.procedure import ProbeStepKind
+from calibration.probes.readings import parse_probe
+from calibration.taking.readings import ReadingsError
 from rigapp.calibrating.live_calibration import Rig
 from rigapp.calibrating.live_probes import (
     PROBES,
     LiveProbeSession,
-    ProbeOutcome,
+    outcome_lines,
     plan_of,
     usual_reach_um,
 )
@@ -28,7 +29,8 @@ from rigapp.calibrating.probe_practice import (
     probe_tidy_up,
 )
 from rigapp.calibrating.probe_results import pair_lines, pair_result, probe_lines, probe_result
-from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
+from rigapp.calibrating.records import keep_record, refuse_existing
+from rigapp.commands.calibrate import say_result
 from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.commands.terminal_parts import LISTEN_S, act, ask_rejection, take_all, wait_ready
 from rigapp.config.calibration_settings import read_probe_settings
@@ -227,11 +229,3 @@ def _conclude(session: LiveProbeSession, to: Path, *, as_json: bool) -> int:
         outcome = session.save(outcome, to)
     say_result(outcome.result, to, as_json=as_json, lines=outcome_lines(outcome))
     return 0 if outcome.accepted else 1
-
-
-def outcome_lines(outcome: ProbeOutcome) -> list[str]:
-    """Return an outcome in words and numbers, a line each."""
-    if outcome.pair is not None:
-        return pair_lines(outcome.pair)
-    assert outcome.single is not None
-    return probe_lines(outcome.single)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from calibration.run_out import (
+from calibration.turning.run_out import (
     Roll,
     RunOutError,
     RunOutMap,
@@ -23,8 +23,9 @@ from calibration.run_out import (
     make_map,
     spread_at,
 )
-from rigapp.calibrating.probe_results import UM, problems_of
-from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
+from rigapp.calibrating.probe_results import UM
+from rigapp.calibrating.records import keep_record, problems_of, refuse_existing
+from rigapp.commands.calibrate import say_result
 from rigapp.commands.slow_roll import take_roll
 from rigapp.config.calibration_settings import RunOutFile, read_run_out_settings
 from rigapp.config.errors import UnusableInput

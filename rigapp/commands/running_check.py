@@ -17,9 +17,10 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from calibration.running_check import Known, RunningCheck, SpeedRun, running_check
+from calibration.turning.running_check import Known, RunningCheck, SpeedRun, running_check
 from rigapp.calibrating.practice import preparation
-from rigapp.commands.calibrate import keep_record, refuse_existing, say_result
+from rigapp.calibrating.records import keep_record, refuse_existing
+from rigapp.commands.calibrate import say_result
 from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.config.calibration_settings import CellSection, LoadCellFile, read_load_cell_settings
 from rigapp.config.errors import UnusableInput
@@ -88,7 +89,9 @@ def check_running(
             "files": [path.name for path in files],
         }
         keep_record(to, "running check", runs_csv(runs), given, result, taken)
-    say_result(result, to, as_json=as_json, lines=[*running_lines(found), found.sentence])
+    if not as_json:
+        print("\n".join([*running_lines(found), found.sentence]))
+    say_result(result, to, as_json=as_json, lines=())
     return 0 if found.accepted else 1
 
 

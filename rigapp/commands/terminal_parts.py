@@ -6,8 +6,8 @@ import time
 from collections.abc import Callable, Iterable
 from typing import Protocol, TypeVar
 
-from calibration.live import WINDOW_S, Readiness
-from calibration.procedure import ProcedureError
+from calibration.load_cell.live import WINDOW_S, Readiness
+from calibration.load_cell.procedure import ProcedureError
 from rigapp.calibrating.practice import Action
 from rigapp.commands.engine_line import Ask
 

@@ -11,8 +11,9 @@ from typing import Literal
 
 import msgspec
 
-from calibration.settings import CellSettings, LoadCellSettings, ProbeSettings
-from calibration.weights import Place, WeightSet, normal_gravity
+from calibration.load_cell.settings import CellSettings, LoadCellSettings
+from calibration.load_cell.weights import Place, WeightSet, normal_gravity
+from calibration.probes.settings import ProbeSettings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
 

@@ -251,7 +251,7 @@ CALIBRATION: Final = {
     "probe.alignment_standard_uncertainty_deg": Range(0.0, 45.0),
 }
 """Settings files of calibrations; what is plausible for weights and air is judged with the readings
-(``calibration.plausible``)."""
+(``calibration.load_cell.plausible``)."""
 
 RANGES: Final[Mapping[str, Range]] = {
     **TEST,

@@ -18,6 +18,7 @@ from typing import Any
 import msgspec
 
 from drivers.api import DeviceError
+from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test, read_rig, read_test
 from rigapp.config.ranges import refusal as range_refusal
@@ -44,7 +45,6 @@ from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, File, Hand, Nothing, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import Command
-from rigapp.service.records import with_records
 from rigapp.service.registry import (
     EngineEntry,
     announce,

@@ -12,12 +12,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from rigapp.calibrating.records_in_use import RigRecords
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.judging.criteria import described
 from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
 from rigapp.schema.messages import DeviceView, RunState, Severity, Status
-from rigapp.service.records import RigRecords
 
 FEW_SAMPLES = 60
 """With fewer samples a revolution, extremes are missed."""

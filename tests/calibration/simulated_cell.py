@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from calibration.readings import LoadCellReadings
-from calibration.settings import CellSettings, LoadCellSettings
-from calibration.weights import Place, WeightSet, pin_force, weight_force
+from calibration.load_cell.readings import LoadCellReadings
+from calibration.load_cell.settings import CellSettings, LoadCellSettings
+from calibration.load_cell.weights import Place, WeightSet, pin_force, weight_force
 
 SETTINGS = LoadCellSettings(
     cell=CellSettings("pin load cell", 400.0, 2.0, "mV/V"),

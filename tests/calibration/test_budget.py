@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from calibration.budget import Contribution, combine, expanded_line
-from calibration.load_cell import calibrate_load_cell
+from calibration.load_cell.budget import Contribution, combine, expanded_line
+from calibration.load_cell.calibrate import calibrate_load_cell
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
 TRIALS = 1_000_000

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calibration.readings import LoadCellReadings
+from calibration.load_cell.readings import LoadCellReadings
 from calibration.records import RecordError, seal, unseal
 from tests.calibration.simulated_cell import Cell, take
 

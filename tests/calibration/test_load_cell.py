@@ -8,10 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calibration.load_cell import calibrate_load_cell
-from calibration.readings import LoadCellReadings, numbered_twice
-from calibration.settings import LoadCellSettings
-from calibration.weights import Place
+from calibration.load_cell.calibrate import calibrate_load_cell
+from calibration.load_cell.readings import LoadCellReadings
+from calibration.load_cell.settings import LoadCellSettings
+from calibration.load_cell.weights import Place
+from calibration.taking.readings import numbered_twice
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
 

@@ -8,17 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.alignment import calibrate_pair
-from calibration.probe import calibrate_probe
-from calibration.readings import ProbeReadings
+from calibration.probes.alignment import calibrate_pair
+from calibration.probes.calibrate import calibrate_probe
+from calibration.probes.readings import ProbeReadings
+from calibration.probes.settings import ProbeSettings
 from calibration.records import Record, unseal
-from calibration.run_out import Roll, Turn, evaluate, make_map
-from calibration.settings import ProbeSettings
+from calibration.turning.run_out import Roll, Turn, evaluate, make_map
+from rigapp.calibrating.certificates.certificate import certificate_of
 from rigapp.calibrating.probe_results import pair_result, probe_result
-from rigapp.commands.calibrate import keep_record
+from rigapp.calibrating.records import keep_record
 from rigapp.commands.run_out import harmonics_csv, run_out_lines, run_out_result
 from rigapp.config.calibration_settings import PinSection, ProbeFile, ProbeSection, RunOutFile
-from rigapp.report.certificate import certificate_of
 from rigapp.report.html import as_html
 from rigapp.report.pdf import as_pdf
 

@@ -9,9 +9,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calibration.alignment import align, calibrate_pair
-from calibration.probe import calibrate_probe
-from calibration.probe_procedure import (
+from calibration.load_cell.procedure import ProcedureError
+from calibration.probes.alignment import align, calibrate_pair
+from calibration.probes.calibrate import calibrate_probe
+from calibration.probes.procedure import (
     ProbePlan,
     ProbeProcedure,
     ProbeStep,
@@ -19,9 +20,8 @@ from calibration.probe_procedure import (
     begin_probes,
     take_up_probes,
 )
-from calibration.procedure import ProcedureError
-from calibration.readings import ProbeReadings
-from calibration.settings import ProbeSettings
+from calibration.probes.readings import ProbeReadings
+from calibration.probes.settings import ProbeSettings
 
 SETTINGS = ProbeSettings("probe", 10.0, 0.5e-6, nominal=100e-6)
 SENSITIVITY = (101e-6, 98.5e-6)

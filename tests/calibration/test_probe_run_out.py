@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calibration.run_out import Roll, RunOutError, Turn, evaluate, make_map, spread_at
+from calibration.turning.run_out import Roll, RunOutError, Turn, evaluate, make_map, spread_at
 from rigapp.config.loading import read_rig
 from rigapp.config.model_parameters import to_parameters
 from rigapp.simulation import kernels

@@ -10,12 +10,13 @@ import msgspec
 import numpy as np
 import pytest
 
-from calibration.alignment import calibrate_pair
-from calibration.probe_procedure import ProbePlan, begin_probes
+from calibration.probes.alignment import calibrate_pair
+from calibration.probes.procedure import ProbePlan, begin_probes
+from calibration.probes.settings import ProbeSettings
 from calibration.records import seal
-from calibration.run_out import Turn, evaluate
-from calibration.settings import ProbeSettings
+from calibration.turning.run_out import Turn, evaluate
 from drivers.api import Block
+from rigapp.calibrating.records_in_use import with_records
 from rigapp.commands.run_out import _as_read, _with_elastic
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig
@@ -26,7 +27,6 @@ from rigapp.engine.values.calibrate import Calibration, calibrate
 from rigapp.engine.values.probes import probe_correction
 from rigapp.engine.values.reduce import NAMES, PLACE, Reducer
 from rigapp.report.uncertainty import position_uncertainty
-from rigapp.service.records import with_records
 from rigapp.simulation import kernels
 from rigapp.simulation.constants import packaged_parameters, plant_constants
 from rigapp.simulation.kernels import Drive

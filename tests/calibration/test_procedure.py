@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calibration.load_cell import calibrate_load_cell
-from calibration.pieces import PiecesError, next_change, possible_loads
-from calibration.plans import PlanKind, StepKind, make_plan, time_needed
-from calibration.procedure import Procedure, ProcedureError, begin, take_up
-from calibration.stability import judge
-from calibration.weights import force_per_mass, pin_force
+from calibration.load_cell.calibrate import calibrate_load_cell
+from calibration.load_cell.pieces import PiecesError, next_change, possible_loads
+from calibration.load_cell.plans import PlanKind, StepKind, make_plan, time_needed
+from calibration.load_cell.procedure import Procedure, ProcedureError, begin, take_up
+from calibration.load_cell.weights import force_per_mass, pin_force
+from calibration.taking.stability import judge
 from tests.calibration.simulated_cell import SETTINGS, Cell
 
 SET = (5.0,) * 8 + (2.0, 2.0, 1.0, 0.5)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from calibration.records import unseal
-from calibration.running_check import Known, SpeedRun, dither_error, running_check
+from calibration.turning.running_check import Known, SpeedRun, dither_error, running_check
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 KNOWN = Known(moment=0.05 * 0.0762, moment_uncertainty=0.01, resolution=2.0, relative=0.001)
@@ -71,7 +71,7 @@ def test_error_of_coarse_steps_in_a_mean_against_simulation() -> None:
 def test_simulated_rig_passes_with_its_pin_and_not_with_another(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from rigapp.commands.calibrate import write_certificate
+    from rigapp.calibrating.certificates.certificate import write_certificate
     from rigapp.commands.running_check import check_running, read_run
 
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
@@ -91,7 +91,7 @@ def test_simulated_rig_passes_with_its_pin_and_not_with_another(
     assert result["speeds"][0]["known_N"][0] == pytest.approx(-3.61, abs=0.05)
     assert unseal((tmp_path / "right.json").read_bytes()).kind == "running check"
     for ending in ("html", "pdf"):
-        assert write_certificate(tmp_path / "right.json", tmp_path / f"c.{ending}") == 0
+        write_certificate(tmp_path / "right.json", tmp_path / f"c.{ending}")
     assert "the known inertia of the pin" in (tmp_path / "c.html").read_text()
     runs = [read_run(tmp_path / f"right.{rpm:g}rpm.h5", rpm) for rpm in (60.0, 240.0)]
     wrong = running_check(runs, replace(KNOWN, moment=0.04 * 0.0762))

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from scipy import integrate
 
-from calibration.cylinder import apparent_gap, sensitivity_gain
-from calibration.weights import (
+from calibration.load_cell.weights import (
     Place,
     WeightSet,
     force_per_mass,
@@ -17,6 +16,10 @@ from calibration.weights import (
     pin_force,
     relative_force_uncertainty,
     weight_force,
+)
+from calibration.probes.cylinder import (
+    apparent_gap,
+    sensitivity_gain,
 )
 
 

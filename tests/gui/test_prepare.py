@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtWidgets import QComboBox, QLineEdit
 
+from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.loading import parse_test, read_rig, read_test
 from rigapp.gui.data.tasks import Worker
 from rigapp.gui.plots.palette import DARK, LIGHT
@@ -27,7 +28,6 @@ from rigapp.gui.testfile.prepare import PreparePanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.schema.messages import DriveView, RunState
 from rigapp.service.preflight import DiskFacts, Verdict, disk_facts, preflight
-from rigapp.service.records import with_records
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.live import Verdict
-from calibration.plans import PlanKind, StepKind
-from calibration.procedure import ProcedureError, take_up
+from calibration.load_cell.live import Verdict
+from calibration.load_cell.plans import PlanKind, StepKind
+from calibration.load_cell.procedure import ProcedureError, take_up
 from calibration.records import unseal
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.live_calibration import LiveSession, Rig, Wish, parse_pieces, window_of

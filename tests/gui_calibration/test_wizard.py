@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWizard,
 )
 
-from calibration.plans import StepKind
+from calibration.load_cell.plans import StepKind
 from rigapp.calibrating.practice import Mistake
 from rigapp.gui.wizard.plan_page import NEW
 

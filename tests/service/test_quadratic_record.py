@@ -11,10 +11,11 @@ import msgspec
 import numpy as np
 import pytest
 
-from calibration.load_cell import LoadCellCalibration, calibrate_load_cell
+from calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
 from calibration.records import seal
 from drivers.api import Block, ChannelSpec, StreamSetup
-from rigapp.commands.calibrate import load_cell_result
+from rigapp.calibrating.load_cell_result import load_cell_result
+from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig
 from rigapp.config.rig import RigFile
@@ -24,7 +25,6 @@ from rigapp.engine.processing import Processor
 from rigapp.engine.samples.assembler import Assembler
 from rigapp.engine.values.calibrate import Calibration, calibrate, calibration_of
 from rigapp.engine.values.reduce import PLACE, Reducer
-from rigapp.service.records import with_records
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"

@@ -8,9 +8,9 @@ import msgspec
 import pytest
 
 from calibration.records import seal
+from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
-from rigapp.service.records import with_records
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 CELL = {

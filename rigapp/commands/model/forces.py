@@ -12,9 +12,9 @@ import numpy as np
 
 from rigapp.commands.model.cycle import Cycle, columns_of
 from rigapp.commands.model.impacts import Impacting, check_impacting, impact_cycle
-from rigapp.commands.tables import check_target, write_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import MM, read_parameters
+from rigapp.report.tables import check_target, write_table
 
 if TYPE_CHECKING:
     from model.parameters import Parameters

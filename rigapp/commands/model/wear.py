@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 import numpy as np
 
 from rigapp.commands.model.progress import check_time_limit, watched
-from rigapp.commands.tables import check_target, write_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import MM, MPA, read_parameters
+from rigapp.report.tables import check_target, write_table
 
 if TYPE_CHECKING:
     from model.wear.life import Life

@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSplitter
 
+from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.gui.data.tasks import Worker
@@ -17,7 +18,6 @@ from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.schema.messages import Status
 from rigapp.service.preflight import Check, DiskFacts, Verdict, disk_facts, preflight
-from rigapp.service.records import RigRecords, with_records
 
 DEFAULT_RATE_HZ = 1000.0
 LOOK_AGAIN_S = 20.0

@@ -7,7 +7,7 @@ import math
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QPushButton, QVBoxLayout, QWizardPage
 
-from calibration.plans import StepKind
+from calibration.load_cell.plans import StepKind
 from rigapp.calibrating.practice import Mistake
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.bench import Bench

@@ -8,9 +8,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from calibration.live import WINDOW_S, Readiness, Verdict, Window
-from calibration.plans import StepKind
-from calibration.procedure import ProcedureError
+from calibration.load_cell.live import WINDOW_S, Readiness, Verdict, Window
+from calibration.load_cell.plans import StepKind
+from calibration.load_cell.procedure import ProcedureError
 from rigapp.calibrating.live_calibration import LiveSession, Outcome, Rig, Wish, window_of
 from rigapp.calibrating.practice import (
     Mistake,

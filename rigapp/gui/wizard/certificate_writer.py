@@ -62,7 +62,7 @@ class CertificateWriter:
         outcome = self._bench.outcome
         if outcome is None or outcome.saved is None:
             return
-        from rigapp.commands.calibrate import write_certificate
+        from rigapp.calibrating.certificates.certificate import write_certificate
 
         record, target = outcome.saved, outcome.saved.with_suffix(suffix)
         self.words.setText(self._writing)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from calibration.live import Readiness, Verdict
+from calibration.load_cell.live import Readiness, Verdict
 from rigapp.calibrating.live_calibration import LiveSession
 from rigapp.gui.plots.palette import Theme, line_pen
 from rigapp.gui.plots.plotting import QuietPlot

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWizardPage,
 )
 
-from calibration.plans import make_plan, time_needed
+from calibration.load_cell.plans import make_plan, time_needed
 from rigapp.calibrating.live_calibration import PLANS, Wish, heaviest_load, parse_pieces
 from rigapp.config.calibration_settings import (
     CellSection,

@@ -8,10 +8,10 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from calibration.live import Readiness, Verdict
-from calibration.probe_live import ProbeWindow
-from calibration.probe_procedure import ProbePlan
-from calibration.procedure import ProcedureError
+from calibration.load_cell.live import Readiness, Verdict
+from calibration.load_cell.procedure import ProcedureError
+from calibration.probes.live import ProbeWindow
+from calibration.probes.procedure import ProbePlan
 from rigapp.calibrating.live_calibration import Rig
 from rigapp.calibrating.live_probes import LiveProbeSession, ProbeOutcome
 from rigapp.calibrating.probe_practice import (

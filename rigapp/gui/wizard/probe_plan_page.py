@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
     QWizardPage,
 )
 
-from calibration.probe_procedure import FEWEST_POSITIONS, ProbePlan, make_probe_plan, time_needed
-from calibration.procedure import ProcedureError
+from calibration.load_cell.procedure import ProcedureError
+from calibration.probes.procedure import FEWEST_POSITIONS, ProbePlan, make_probe_plan, time_needed
 from rigapp.calibrating.live_probes import PROBE_PLANS, PROBES, plan_of, usual_reach_um
 from rigapp.config.calibration_settings import ProbeFile, ProbeSection, read_probe_settings
 from rigapp.config.errors import UnusableInput

@@ -6,7 +6,7 @@ import math
 
 from PySide6.QtWidgets import QFormLayout
 
-from calibration.probe_procedure import ProbeProcedure, ProbeStepKind
+from calibration.probes.procedure import ProbeProcedure, ProbeStepKind
 from rigapp.calibrating.probe_practice import ProbeMistake
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.hands_panel import HandsPanel

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWizardPage,
 )
 
-from rigapp.commands.probes import outcome_lines
+from rigapp.calibrating.live_probes import outcome_lines
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.certificate_writer import CertificateWriter

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from calibration.plans import StepKind
-from calibration.procedure import Procedure
+from calibration.load_cell.plans import StepKind
+from calibration.load_cell.procedure import Procedure
 from rigapp.calibrating.practice import Mistake
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.bench import Bench

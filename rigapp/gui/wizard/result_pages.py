@@ -18,14 +18,14 @@ from PySide6.QtWidgets import (
 
 from rigapp.calibrating.daily_history import STORE, History
 from rigapp.calibrating.live_calibration import Outcome
-from rigapp.commands.calibrate import cell_lines
+from rigapp.calibrating.load_cell_result import cell_lines
+from rigapp.calibrating.rig_file import name_record
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.bench import Bench
 from rigapp.gui.wizard.certificate_writer import CertificateWriter
 from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.parts import larger, named, prose
-from rigapp.service.rigfile import name_record
 
 USE = "Write its name into the &rig file…"
 
@@ -266,6 +266,6 @@ def _load_writers() -> None:
     """Load what draws a certificate while the operator reads the page."""
     import matplotlib.figure  # noqa: F401
 
-    import rigapp.report.certificate
+    import rigapp.calibrating.certificates.certificate
     import rigapp.report.html
     import rigapp.report.pdf  # noqa: F401

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
     QWizardPage,
 )
 
-from calibration.live import Readiness
+from calibration.load_cell.live import Readiness
 from rigapp.calibrating.live_calibration import Rig
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.hands_panel import HandsPanel

@@ -7,12 +7,12 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from rigapp.commands.tables import write_table
 from rigapp.config.errors import UnusableInput
 from rigapp.report.document import Block, Document, Figure, Section, Table, Text
 from rigapp.report.html import as_html
 from rigapp.report.paper.chapter import Chapter
 from rigapp.report.plots import STYLE
+from rigapp.report.tables import write_table
 
 TITLE = "The paper's comparisons, computed again"
 INTRODUCTION = (

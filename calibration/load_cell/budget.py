@@ -1,0 +1,171 @@
+"""The uncertainty of a calibrated force: a budget by GTC, and what class it would allow."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import GTC
+import numpy as np
+from GTC import reporting
+from numpy.typing import NDArray
+
+from calibration.load_cell.characteristics import Characteristics
+from calibration.load_cell.settings import LoadCellSettings
+from calibration.load_cell.two_axis import TwoAxisFit
+from calibration.load_cell.weights import relative_force_uncertainty
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Contribution:
+    """One line of the budget: name, standard uncertainty (N), degrees of freedom."""
+
+    name: str
+    uncertainty: float
+    degrees: float
+
+
+@dataclass(frozen=True, slots=True)
+class Budget:
+    """The uncertainty at one force: contributions, combined (N), coverage factor, expanded (N)."""
+
+    force: float
+    contributions: tuple[Contribution, ...]
+    combined: float
+    degrees: float
+    coverage_factor: float
+    expanded: float
+
+
+def turn_derivative(sensitivity: Array) -> Array:
+    """Return how the fitted A (2, 2) changes with a common angle offset, per radian.
+
+    A pin that stands at a larger angle than believed turns every force; the fit turns A with it and
+    leaves no residual, so only the angle reference step bounds this error.
+    """
+    return np.asarray(sensitivity @ np.array([[0.0, 1.0], [-1.0, 0.0]]), dtype=np.float64)
+
+
+def sensitivity_covariance(
+    found: TwoAxisFit, traits: Characteristics, settings: LoadCellSettings
+) -> Array:
+    """Return the covariance (4, 4) of A11, A12, A21, A22 with what no residual shows.
+
+    That is the scale (applied force), half the hysteresis loop (the fit lies between rising and
+    falling readings) and the turn (angle reference).
+    """
+    scale = found.sensitivity.ravel()
+    turn = turn_derivative(found.sensitivity).ravel()
+    relative = relative_force_uncertainty(settings.weights, settings.place)
+    between = abs(traits.loop or 0.0) / 100.0 / 2.0 / math.sqrt(3.0)
+    return np.asarray(
+        found.sensitivity_covariance()
+        + (relative**2 + between**2) * np.outer(scale, scale)
+        + settings.angle_uncertainty**2 * np.outer(turn, turn),
+        dtype=np.float64,
+    )
+
+
+def matrix_covariance(
+    found: TwoAxisFit, traits: Characteristics, settings: LoadCellSettings
+) -> Array:
+    """Return the covariance (4, 4) of the matrix elements 11, 12, 21, 22 (first order)."""
+    return _through_inverse(found.matrix, sensitivity_covariance(found, traits, settings))
+
+
+def budget(
+    found: TwoAxisFit, traits: Characteristics, settings: LoadCellSettings, force: float
+) -> Budget:
+    """Return the budget at a force (N): the worst direction of the load is taken.
+
+    Contributions after ISO 376 annex C: applied force, angle reference, fit, single reading
+    (repeatability), resolution, reversibility, zero return. A single reading is assumed; averaging
+    n readings divides repeatability and resolution by sqrt(n).
+    """
+    relative = relative_force_uncertainty(settings.weights, settings.place)
+    directions = np.linspace(0.0, 2.0 * np.pi, 73)
+    load = force * np.stack((np.cos(directions), np.sin(directions)), axis=-1)
+    variance = float(np.linalg.eigvalsh(found.force_covariance(load)).max())
+    lines = [
+        Contribution("applied force (mass, gravity, buoyancy)", relative * force, math.inf),
+        Contribution("angle reference", settings.angle_uncertainty * force, math.inf),
+        Contribution("fit", math.sqrt(variance), 2.0 * found.degrees),
+        Contribution("repeatability of one reading", found.residual_std, 2.0 * found.degrees),
+        Contribution("resolution", settings.cell.resolution / math.sqrt(6.0), math.inf),
+    ]
+    if traits.reversibility is not None:
+        hysteresis = traits.reversibility / 100.0 * force / math.sqrt(3.0)
+        lines.append(Contribution("reversibility", hysteresis, math.inf))
+    if traits.zero_return is not None:
+        zero = traits.zero_return / 100.0 * settings.cell.full_scale / math.sqrt(3.0)
+        lines.append(Contribution("zero return", zero, math.inf))
+    return combine(force, tuple(lines))
+
+
+def combine(force: float, lines: tuple[Contribution, ...]) -> Budget:
+    """Combine contributions; the coverage factor gives 95 % by the Welch-Satterthwaite formula."""
+    total = GTC.constant(force)
+    for line in lines:
+        total = total + GTC.ureal(0.0, line.uncertainty, df=line.degrees, label=line.name)
+    combined = float(GTC.uncertainty(total))
+    degrees = float(GTC.dof(total))
+    factor = float(reporting.k_factor(degrees if combined > 0.0 else math.inf))
+    return Budget(force, lines, combined, degrees, factor, factor * combined)
+
+
+def expanded_line(budgets: tuple[Budget, ...]) -> tuple[float, float]:
+    """Return a (N) and b of U(F) = a + b F that bounds the expanded uncertainties from above."""
+    force = np.array([one.force for one in budgets])
+    expanded = np.array([one.expanded for one in budgets])
+    slope, intercept = np.polyfit(force, expanded, 1)
+    lift = float(np.max(expanded - intercept - slope * force))
+    return float(intercept) + lift, float(slope)
+
+
+def classification(settings: LoadCellSettings, single: float) -> str:
+    """Say in words what the force standards allow, and what averaging would have to reach.
+
+    single: standard deviation of one reading, N.
+    """
+    full, step = settings.cell.full_scale, settings.cell.resolution
+    e74, iso = 400.0 * step, 500.0 * step
+    if e74 <= full and iso <= full:
+        return (
+            f"With a resolution of {step:g} N the smallest force for ASTM E74 class A is {e74:g} N"
+            f" and for ISO 376 class 2 {iso:g} N; whether a class is reached is for a calibration"
+            " of one axis under these standards to show. This procedure follows them, it does not"
+            " comply."
+        )
+    smallest = 80.0
+    class_2, class_1 = smallest / 500.0, smallest / 1000.0
+    return (
+        f"Not classifiable: with a resolution of {step:g} N, ASTM E74 class A needs forces of at"
+        f" least {e74:g} N and ISO 376 class 2 of at least {iso:g} N, above the full scale of"
+        f" {full:g} N. The expanded uncertainty is stated instead of a class. For forces from"
+        f" {smallest:g} N upward, class 2 would need a resolution of {class_2:.2f} N and class 1 of"
+        f" {class_1:.2f} N.{_averaging(single, class_2)}"
+    )
+
+
+def _averaging(single: float, wanted: float) -> str:
+    """Say how many readings a mean needs until it is known as well as a resolution ``wanted``."""
+    if not single > 0.0:
+        return ""
+    count = math.ceil((single / (wanted / math.sqrt(12.0))) ** 2)
+    if count < 2:
+        return (
+            f" The readings of this calibration scatter by {single:.3f} N: if they are means of"
+            " many, such means would reach class 2; a single reading does not."
+        )
+    return (
+        f" A reading scatters by {single:.2f} N: the mean of about {count} readings at each load"
+        " would reach class 2."
+    )
+
+
+def _through_inverse(matrix: Array, covariance: Array) -> Array:
+    """Carry a covariance of A to one of its inverse."""
+    jacobian = -np.einsum("ia,bj->ijab", matrix, matrix).reshape(4, 4)
+    return np.asarray(jacobian @ covariance @ jacobian.T, dtype=np.float64)

@@ -1,0 +1,211 @@
+"""What the series say about the cell: hysteresis, zero return, repeatability, reproducibility.
+
+Definitions follow ISO 376 where the readings allow it, taken along the direction of the load; in
+per cent of the force (of full scale for zero return), computed from the readings themselves.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibration.load_cell.readings import LoadCellReadings
+
+Array = NDArray[np.float64]
+
+ANGLE_STEP = np.radians(1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Characteristics:
+    """Hold what is defined by the readings; None where they cannot tell. Percentages; N for drift.
+
+    reproducibility b: between pin angles. repeatability b': between series at one angle.
+    interpolation fc, zero_return f0, reversibility v (hysteresis); loop: the signed mean of falling
+    less rising over all loads. drift: change of the zero over the whole calibration, N. Loads below
+    a tenth of full scale are left out.
+    """
+
+    reproducibility: float | None
+    repeatability: float | None
+    interpolation: float | None
+    zero_return: float | None
+    reversibility: float | None
+    loop: float | None
+    drift: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Loads:
+    """Readings in terms of the load: applied and measured along it and across it, N.
+
+    group: number of the pin angle (angles within a degree are one). rising: the load was reached
+    from below.
+    """
+
+    applied: Array
+    along: Array
+    across: Array
+    group: NDArray[np.int64]
+    rising: NDArray[np.bool_]
+    series: tuple[str, ...]
+
+
+def angle_groups(angle: Array) -> NDArray[np.int64]:
+    """Return the number of the pin angle of each reading; within one degree is the same angle."""
+    turned = np.mod(angle, 2.0 * np.pi)
+    turned = np.where(turned > 2.0 * np.pi - 0.5 * ANGLE_STEP, 0.0, turned)
+    order = np.argsort(turned, kind="stable")
+    group = np.zeros(len(angle), dtype=np.int64)
+    number = 0
+    for before, here in pairwise(order):
+        if turned[here] - turned[before] > ANGLE_STEP:
+            number += 1
+        group[here] = number
+    return group
+
+
+def loads(readings: LoadCellReadings, force: Array, measured: Array) -> Loads:
+    """Resolve applied and measured forces (n, 2) along the load of each reading."""
+    size = np.hypot(*force.T)
+    group = angle_groups(readings.angle)
+    direction = np.zeros_like(force)
+    for number in np.unique(group):
+        members = group == number
+        loaded = members & (size > 0.0)
+        if loaded.any():
+            mean = (force[loaded] / size[loaded, None]).mean(axis=0)
+            direction[members] = mean / np.hypot(*mean)
+    own = size > 0.0
+    direction[own] = force[own] / size[own, None]
+    along = np.einsum("ij,ij->i", measured, direction)
+    across = measured[:, 1] * direction[:, 0] - measured[:, 0] * direction[:, 1]
+    return Loads(size, along, across, group, _rising(readings), readings.series)
+
+
+def characteristics(found: Loads, full_scale: float, residual: Array) -> Characteristics:
+    """Compute what the readings define; residual (n, 2) in N from the fit."""
+    enough = found.applied >= 0.1 * full_scale
+    size = np.hypot(*residual.T)
+    interpolation = (
+        float(100.0 * np.max(size[enough] / found.applied[enough])) if enough.any() else None
+    )
+    return Characteristics(
+        reproducibility=_spread(found, enough, between_angles=True),
+        repeatability=_spread(found, enough, between_angles=False),
+        interpolation=interpolation,
+        zero_return=_zero_return(found, full_scale),
+        reversibility=_reversibility(found, enough),
+        loop=_loop(found, enough),
+        drift=_drift(found),
+    )
+
+
+def _reversibility(found: Loads, enough: NDArray[np.bool_]) -> float | None:
+    """Return the mean |falling - rising| over the loads taken both ways, per cent of the load."""
+    both = _both_ways(found, enough)
+    if not both:
+        return None
+    by_load = {load: np.mean([d for _, at, d in both if at == load]) for _, load, _ in both}
+    return float(100.0 * np.mean([abs(d) / load for load, d in by_load.items()]))
+
+
+def _loop(found: Loads, enough: NDArray[np.bool_]) -> float | None:
+    """Return the mean of falling - rising over all loads, per cent of the load, signed."""
+    both = _both_ways(found, enough)
+    return float(100.0 * np.mean([d / load for _, load, d in both])) if both else None
+
+
+def _both_ways(found: Loads, enough: NDArray[np.bool_]) -> list[tuple[int, float, float]]:
+    """Return (angle group, load, falling - rising) of each load but the largest of each series."""
+    rising = _means(found, enough & found.rising, by_series=True)
+    falling = _means(found, enough & ~found.rising, by_series=True)
+    largest = round(float(found.applied.max()), 3)
+    return [
+        (key[0], key[2], falling[key] - rising[key])
+        for key in sorted(set(rising) & set(falling))
+        if key[2] < largest
+    ]
+
+
+def hysteresis_by_load(found: Loads) -> dict[float, float]:
+    """Return load -> falling less rising (N), the median over the pin angles; empty without both.
+
+    A single wrong reading moves a median of some angles little.
+    """
+    loaded = found.applied > 0.0
+    rising = _means(found, loaded & found.rising, by_series=False)
+    falling = _means(found, loaded & ~found.rising, by_series=False)
+    by_load: dict[float, list[float]] = {}
+    for key in set(rising) & set(falling):
+        by_load.setdefault(key[2], []).append(falling[key] - rising[key])
+    return {load: float(np.median(values)) for load, values in by_load.items()}
+
+
+Key = tuple[int, str, float]
+
+
+def _means(found: Loads, chosen: NDArray[np.bool_], *, by_series: bool) -> dict[Key, float]:
+    collected: dict[Key, list[float]] = {}
+    for index in np.flatnonzero(chosen):
+        name = found.series[index] if by_series else ""
+        key = (int(found.group[index]), name, round(float(found.applied[index]), 3))
+        collected.setdefault(key, []).append(float(found.along[index]))
+    return {key: float(np.mean(values)) for key, values in collected.items()}
+
+
+def _spread(found: Loads, enough: NDArray[np.bool_], *, between_angles: bool) -> float | None:
+    rising = _means(found, enough & found.rising, by_series=not between_angles)
+    by_load: dict[tuple[int, float], list[float]] = {}
+    for (group, _, load), value in rising.items():
+        by_load.setdefault((0 if between_angles else group, load), []).append(value)
+    spreads = [
+        100.0 * (max(values) - min(values)) / float(np.mean(values))
+        for values in by_load.values()
+        if len(values) > 1
+    ]
+    return float(max(spreads)) if spreads else None
+
+
+def _zero_return(found: Loads, full_scale: float) -> float | None:
+    """Return the mean change of the zero over a series, per cent of full scale."""
+    changes = []
+    for name in dict.fromkeys(found.series):
+        members = np.array([one == name for one in found.series])
+        zeros = np.flatnonzero(members & (found.applied == 0.0))
+        if len(zeros) > 1:
+            changes.append(
+                (
+                    found.along[zeros[-1]] - found.along[zeros[0]],
+                    found.across[zeros[-1]] - found.across[zeros[0]],
+                )
+            )
+    if not changes:
+        return None
+    return float(100.0 * np.hypot(*np.mean(changes, axis=0)) / full_scale)
+
+
+def _drift(found: Loads) -> float | None:
+    zeros = np.flatnonzero(found.applied == 0.0)
+    if len(zeros) < 3:
+        return None
+    order = zeros / max(len(found.applied) - 1, 1)
+    slopes = [np.polyfit(order, values[zeros], 1)[0] for values in (found.along, found.across)]
+    return float(np.hypot(*slopes))
+
+
+def _rising(readings: LoadCellReadings) -> NDArray[np.bool_]:
+    """Tell which readings were reached by adding weights within their series."""
+    rising = np.ones(len(readings), dtype=np.bool_)
+    last: dict[str, float] = {}
+    state: dict[str, bool] = {}
+    for index, (name, mass) in enumerate(zip(readings.series, readings.mass, strict=True)):
+        before = last.get(name)
+        if before is not None and mass != before:
+            state[name] = bool(mass > before)
+        rising[index] = state.get(name, True)
+        last[name] = float(mass)
+    return rising

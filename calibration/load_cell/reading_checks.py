@@ -1,0 +1,219 @@
+"""Checks of dead-weight readings and settings alone, before any fit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibration.load_cell.characteristics import angle_groups
+from calibration.load_cell.plausible import check_settings, heaviest_mass
+from calibration.load_cell.readings import LoadCellReadings
+from calibration.load_cell.settings import LoadCellSettings
+from calibration.problems import Problem
+from calibration.taking.readings import numbered_twice, place_of
+
+FEWEST_LOADED = 12
+FEWEST_ANGLES = 4
+LIGHTEST_SHARE = 2e-3
+"""Of what the cell may bear: with lighter weights its noise is all that is seen."""
+WIDEST_GAP = np.radians(130.0)
+
+
+def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
+    """Yield what makes readings or settings unusable whatever the fit says."""
+    yield from _not_numbers(readings)
+    yield from _impossible_masses(readings, settings)
+    yield from _angles(readings)
+    yield from check_settings(settings)
+    yield from _dead_or_stuck(readings, settings)
+    loaded = int(np.count_nonzero(readings.mass > 0.0))
+    if loaded < FEWEST_LOADED:
+        yield Problem(
+            "too_few_readings",
+            f"Only {loaded} readings with weights; take at least {FEWEST_LOADED}, better 40"
+            " (4 pin angles, 5 loads up and down).",
+        )
+    if not np.any(readings.mass == 0.0):
+        yield Problem("no_zero", "There is no reading without weights; take a zero in each series.")
+
+
+def _not_numbers(readings: LoadCellReadings) -> Iterator[Problem]:
+    columns = np.column_stack((readings.mass, readings.angle, readings.signal))
+    bad = np.flatnonzero(~np.isfinite(columns).all(axis=1))
+    if len(bad):
+        yield Problem(
+            "not_a_number",
+            f"The reading at {place_of(readings, int(bad[0]))} is not a number"
+            + (f" (and {len(bad) - 1} more)" if len(bad) > 1 else "")
+            + "; take it again.",
+        )
+
+
+def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
+    heaviest = float(np.nanmax(readings.mass, initial=0.0))
+    if np.nanmin(readings.mass, initial=0.0) < 0.0:
+        yield Problem("negative_mass", "A mass is negative; masses are written in kg, from 0 up.")
+    limit = heaviest_mass(settings)
+    if heaviest > 50.0 * limit:
+        yield Problem(
+            "mass_unit",
+            f"A mass of {heaviest:g} kg is written; was it meant in grams? Write kilograms.",
+        )
+    elif 0.0 < heaviest < LIGHTEST_SHARE * limit:
+        yield Problem(
+            "mass_unit",
+            f"The heaviest mass is {heaviest:g} kg, the cell may bear {limit:.1f} kg: nothing can"
+            " be told from so little; write kilograms, not tonnes.",
+        )
+    elif heaviest > limit:
+        yield Problem(
+            "overload",
+            f"{heaviest:g} kg is more than the cell may bear ({limit:.1f} kg); check the mass,"
+            " which is written in kilograms, not in grams, newtons or pounds.",
+        )
+
+
+def _angles(readings: LoadCellReadings) -> Iterator[Problem]:
+    loaded = readings.mass > 0.0
+    angle = readings.angle[loaded & np.isfinite(readings.angle)]
+    if not len(angle):
+        return
+    degrees = np.degrees(angle)
+    if np.ptp(degrees) > 0.5 and np.abs(degrees).max() < 6.3 and len(np.unique(degrees)) >= 4:
+        yield Problem(
+            "angle_unit",
+            "All pin angles lie between 0 and 6.3; they look like radians, write degrees.",
+        )
+        return
+    groups = angle_groups(angle)
+    count = len(np.unique(groups))
+    if count < FEWEST_ANGLES:
+        yield Problem(
+            "too_few_angles",
+            f"Only {count} pin angle{'s' if count > 1 else ''}: the two axes cannot be told apart;"
+            f" take at least {FEWEST_ANGLES}, evenly round the turn.",
+        )
+        return
+    turned = np.sort(np.mod([angle[groups == g].mean() for g in np.unique(groups)], 2 * np.pi))
+    gap = float(np.max(np.diff(np.append(turned, turned[0] + 2.0 * np.pi))))
+    if gap > WIDEST_GAP:
+        yield Problem(
+            "angles_uneven",
+            f"No pin angle within {np.degrees(gap):.0f} degrees of the turn; spread the angles"
+            " evenly.",
+        )
+
+
+def _dead_or_stuck(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
+    signal = readings.signal
+    if len(signal) < 4 or not np.isfinite(signal).all():
+        return
+    for axis in range(2):
+        if np.ptp(signal[:, axis]) == 0.0:
+            yield Problem(
+                "bridge_dead",
+                f"signal_{axis + 1} never changes ({signal[0, axis]:g}); is the bridge connected"
+                " and switched on?",
+            )
+    largest = float(np.abs(signal).max())
+    if settings.cell.signal_unit == "mV/V" and not 5e-3 < largest < 100.0:
+        yield Problem(
+            "signal_unit",
+            f"The largest signal is {largest:g} mV/V; a strain-gauge bridge gives about 0.5 to 4."
+            " Write the signals in the unit of the settings.",
+        )
+    yield from _copied(readings)
+    yield from _duplicated(readings)
+
+
+def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
+    """Rows that stand in the table twice, every digit the same.
+
+    Where a coarse display lets readings repeat themselves this cannot be told.
+    """
+    if coarse(readings):
+        yield from _numbered_twice(readings)
+        return
+    rows: dict[tuple[object, ...], int] = {}
+    twice = []
+    for index in range(len(readings)):
+        key = (
+            readings.series[index],
+            int(readings.step[index]),
+            float(readings.mass[index]),
+            float(readings.angle[index]),
+            *readings.signal[index].tolist(),
+        )
+        if key in rows:
+            twice.append(index)
+        rows[key] = index
+    if twice:
+        more = f" ({len(twice) - 1} more like it)" if len(twice) > 1 else ""
+        yield Problem(
+            "duplicated_rows",
+            f"The reading at {place_of(readings, twice[0])} stands twice in the table{more};"
+            " remove what was pasted twice.",
+        )
+    else:
+        yield from _numbered_twice(readings)
+
+
+def _numbered_twice(readings: LoadCellReadings) -> Iterator[Problem]:
+    runs = list(zip(readings.series, angle_groups(readings.angle).tolist(), strict=True))
+    index = numbered_twice(runs, readings.step.tolist())
+    if index is not None:
+        yield Problem(
+            "duplicated_step",
+            f"The step number of {place_of(readings, index)} stands twice at this pin angle; give"
+            " each reading of a series a number of its own, in the order taken.",
+        )
+
+
+def coarse(readings: LoadCellReadings) -> bool:
+    """Tell whether the signals come in steps of more than a few hundredths of a newton."""
+    per_newton = np.ptp(readings.signal, axis=0) / (20.0 * max(readings.mass.max(), 1e-9))
+    steps = [np.diff(np.unique(column)) for column in readings.signal.T]
+    return any(len(d) == 0 or d.min() > 0.05 * g for d, g in zip(steps, per_newton, strict=True))
+
+
+def _copied(readings: LoadCellReadings) -> Iterator[Problem]:
+    """Two series with the same digits, where the cell's noise would have changed some."""
+    names = list(dict.fromkeys(readings.series))
+    series = np.array(readings.series)
+    members = {name: np.flatnonzero(series == name) for name in names}
+    group = angle_groups(readings.angle)
+    for place, name in enumerate(names):
+        for other in names[:place]:
+            here, there = members[name], members[other]
+            if len(here) <= 4 or not np.array_equal(readings.signal[here], readings.signal[there]):
+                continue
+            if np.array_equal(group[here], group[there]):
+                rest = ~np.isin(series, (name, other))
+                if _repeating(readings, group, rest) ** len(here) > 1e-3:
+                    continue
+            yield Problem(
+                "copied_series",
+                f"Series {name} repeats series {other} digit for digit; was it copied instead"
+                " of taken?",
+            )
+
+
+def _repeating(
+    readings: LoadCellReadings, group: NDArray[np.int64], chosen: NDArray[np.bool_]
+) -> float:
+    """Return how often two of the chosen readings of one load and angle have the same digits.
+
+    A quiet cell with a coarse display repeats itself; 0 where nothing was taken twice.
+    """
+    same = pairs = 0
+    where: dict[tuple[int, float], list[int]] = {}
+    for index in np.flatnonzero(chosen):
+        where.setdefault((int(group[index]), float(readings.mass[index])), []).append(int(index))
+    for members in where.values():
+        for first, second in combinations(members, 2):
+            pairs += 1
+            same += np.array_equal(readings.signal[first], readings.signal[second])
+    return same / pairs if pairs else 0.0

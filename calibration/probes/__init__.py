@@ -1,0 +1,1 @@
+"""Capacitance probes by micrometer steps: readings, line, checks, budget, how a pair stands."""

@@ -1,0 +1,145 @@
+"""Calibrate a capacitance probe from micrometer steps: V = V0 + S d, and what it is worth."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import GTC
+import numpy as np
+from GTC import reporting
+from numpy.typing import NDArray
+
+from calibration.probes.checks import checks, unusable
+from calibration.probes.cylinder import apparent_gap, sensitivity_gain
+from calibration.probes.positions import robust_line
+from calibration.probes.readings import ProbeReadings
+from calibration.probes.settings import ProbeSettings
+from calibration.problems import Problem
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class ProbeCalibration:
+    """The result: position = sensitivity (voltage - offset), m/V and V; None when refused early.
+
+    linearity: largest residual over the range, best-fit line, per cent. residual_std in m.
+    hysteresis: mean difference between falling and rising steps, m. gain: cylinder correction
+    included in the sensitivity (1 without). expanded: uncertainty of one position, m. budget: names
+    and standard uncertainties, m.
+    """
+
+    accepted: bool
+    problems: tuple[Problem, ...]
+    sensitivity: float | None = None
+    offset: float | None = None
+    sensitivity_uncertainty: float | None = None
+    linearity: float | None = None
+    residual_std: float | None = None
+    hysteresis: float | None = None
+    gain: float = 1.0
+    combined: float | None = None
+    expanded: float | None = None
+    coverage_factor: float | None = None
+    residual: Array | None = None
+    budget: tuple[tuple[str, float], ...] = ()
+
+
+def calibrate_probe(readings: ProbeReadings, settings: ProbeSettings) -> ProbeCalibration:
+    """Fit, check and judge; a calibration with a blocking problem is not accepted."""
+    problems = list(unusable(readings, settings))
+    if problems:
+        return ProbeCalibration(False, tuple(problems))
+    line = robust_line(readings.position, readings.signal)
+    if line.slope == 0.0:
+        flat = Problem("probe_dead", "The voltage does not change with the position.")
+        return ProbeCalibration(False, (flat,))
+    return _result(readings, settings, list(checks(readings, settings, line)))
+
+
+def _hysteresis(readings: ProbeReadings, residual: Array) -> float | None:
+    """Return the mean of falling less rising at common positions, m."""
+    rising: dict[float, list[float]] = {}
+    falling: dict[float, list[float]] = {}
+    last: dict[str, float] = {}
+    direction: dict[str, float] = {}
+    for name, position, value in zip(readings.series, readings.position, residual, strict=True):
+        if name in last and position != last[name]:
+            direction[name] = position - last[name]
+        last[name] = float(position)
+        side = rising if direction.get(name, 1.0) > 0.0 else falling
+        side.setdefault(round(float(position), 9), []).append(float(value))
+    common = [p for p in set(rising) & set(falling) if p < max(rising)]
+    if not common:
+        return None
+    return float(np.mean([np.mean(falling[p]) - np.mean(rising[p]) for p in common]))
+
+
+def _result(
+    readings: ProbeReadings, settings: ProbeSettings, problems: list[Problem]
+) -> ProbeCalibration:
+    count = len(readings.position)
+    slope, intercept = np.polyfit(readings.position, readings.signal, 1)
+    residual = readings.signal / slope - intercept / slope - readings.position
+    std = math.sqrt(float(np.sum(residual**2)) / (count - 2))
+    span = float(np.ptp(readings.position))
+    gain, bending = _cylinder(readings, settings)
+    spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
+    relative = std / spread
+    hysteresis = _hysteresis(readings, residual)
+    parts = [
+        GTC.ureal(0.0, std, df=count - 2, label="residual of the line"),
+        GTC.ureal(0.0, 0.5 * span * relative, df=count - 2, label="slope"),
+        GTC.ureal(0.0, settings.micrometer_uncertainty, label="micrometer"),
+        GTC.ureal(
+            0.0, settings.resolution_volts / abs(slope) / math.sqrt(12.0), label="resolution"
+        ),
+        GTC.ureal(0.0, abs(hysteresis or 0.0) / 2.0 / math.sqrt(3.0), label="backlash"),
+        GTC.ureal(0.0, bending / math.sqrt(3.0), label="cylindrical target, change of sensitivity"),
+        GTC.ureal(0.0, _off_axis(settings) / math.sqrt(3.0), label="motion across the axis"),
+        GTC.ureal(
+            0.0,
+            settings.direction * settings.off_axis / math.sqrt(3.0),
+            label="direction of the probe",
+        ),
+    ]
+    total = sum(parts[1:], parts[0])
+    combined = float(GTC.uncertainty(total))
+    factor = float(reporting.k_factor(float(GTC.dof(total))))
+    return ProbeCalibration(
+        accepted=not any(problem.blocks for problem in problems),
+        problems=tuple(problems),
+        sensitivity=float(1.0 / (slope * gain)),
+        offset=float(intercept),
+        sensitivity_uncertainty=relative,
+        linearity=float(100.0 * np.max(np.abs(residual)) / span),
+        residual_std=std,
+        hysteresis=hysteresis,
+        gain=gain,
+        combined=combined,
+        expanded=factor * combined,
+        coverage_factor=factor,
+        residual=residual,
+        budget=tuple((part.label, float(part.u)) for part in parts),
+    )
+
+
+def _cylinder(readings: ProbeReadings, settings: ProbeSettings) -> tuple[float, float]:
+    """Return the gain at the middle of the range and what its change over the range makes, m."""
+    if not (settings.target_radius and settings.sensor_radius and settings.gap_at_zero):
+        return 1.0, 0.0
+    sensor, target = settings.sensor_radius, settings.target_radius
+    gap = settings.gap_at_zero + np.unique(readings.position)
+    middle = settings.gap_at_zero + float(np.mean(readings.position))
+    gain = float(sensitivity_gain(middle, sensor, target))
+    straight = apparent_gap(middle, sensor, target) + gain * (gap - middle)
+    bending = np.abs(apparent_gap(gap, sensor, target) - straight).max() / gain
+    return gain, float(bending)
+
+
+def _off_axis(settings: ProbeSettings) -> float:
+    """Return what a motion across the axis reads on a cylindrical pin, y^2 / (2 R), m."""
+    if not settings.target_radius:
+        return 0.0
+    return settings.off_axis**2 / (2.0 * settings.target_radius)

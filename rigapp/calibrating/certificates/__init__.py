@@ -1,0 +1,1 @@
+"""Certificates of calibration records, the same bytes each time."""

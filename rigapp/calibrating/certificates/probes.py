@@ -1,0 +1,177 @@
+"""What the certificate of a probe, of a pair of probes, says beside the identification."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from calibration.probes.alignment import split_pair
+from calibration.probes.readings import ProbeReadings, parse_probe
+from rigapp.calibrating.certificates.plots import scatter
+from rigapp.report.document import Figure, Row, Table
+
+Content = Mapping[str, Any]
+MICROMETRE = "µm"
+
+
+def probe_conditions(content: Content) -> Table:
+    """Return micrometer, range and geometry."""
+    probe = content["settings"]["probe"]
+    rows: list[Row] = [
+        ("Micrometer", f"u = {probe['micrometer_standard_uncertainty_um']:g} {MICROMETRE}"),
+        ("Range", f"{probe['range_V']:g} V"),
+    ]
+    if probe.get("target_radius_mm"):
+        rows.append(("Cylindrical target", f"radius {probe['target_radius_mm']:g} mm"))
+    if probe.get("sensor_radius_mm") and probe.get("gap_at_zero_um"):
+        rows.append(
+            (
+                "Sensing area, gap at position 0",
+                f"radius {probe['sensor_radius_mm']:g} mm, {probe['gap_at_zero_um']:g}"
+                f" {MICROMETRE}",
+            )
+        )
+    if probe.get("off_axis_um"):
+        rows.append(("Motion across the axis in use", f"{probe['off_axis_um']:g} {MICROMETRE}"))
+    taken = content.get("taken")
+    if taken is not None:
+        rows.append(("Readings", _how_taken(taken)))
+    return Table("Conditions", tuple(rows))
+
+
+def _how_taken(taken: Content) -> str:
+    words = f"live on the rig {taken['rig']}"
+    if taken["operator"]:
+        words += f" by {taken['operator']}"
+    rejected = sum(1 for event in taken["events"] if event["event"] == "reject")
+    words += f"; {taken['positions']} positions, {taken['runs']} runs up and down"
+    words += f"; {rejected} series rejected and repeated" if rejected else "; nothing rejected"
+    return words + ("; SIMULATED rig, for practice" if taken["simulated"] else "")
+
+
+def probe_statements(content: Content) -> list[str]:
+    """Return method, uncertainty and what they do not cover."""
+    result = content["result"]
+    pair = "probes" in result
+    least = "the larger one of the two probes, " if pair else ""
+    texts = [
+        "Method: micrometer steps up and down; voltage fitted as a straight line of position (least"
+        " squares, best-fit line). Linearity is the largest residual over the range.",
+        f"The expanded uncertainty of one position is {least}"
+        f"{result['expanded_uncertainty_um']:.2f} {MICROMETRE} with a coverage factor"
+        f" k = {result['coverage_factor']:.2f} (about 95 %).",
+    ]
+    probe = content["settings"]["probe"]
+    if not probe.get("off_axis_um"):
+        texts.append(
+            "It does not contain what a motion of the pin across the probe's axis adds on a"
+            " cylindrical target, y²/(2R): its size in use was not stated."
+        )
+    if pair:
+        texts.append(
+            "Alignment: the target was moved along the follower's axis, then across it, and both"
+            " probes were read. No reading shows an error of the direction in which the micrometer"
+            f" moves; u = {probe['alignment_standard_uncertainty_deg']:g}° was stated for it."
+        )
+    return texts
+
+
+def probe_tables(content: Content) -> list[Table]:
+    """Return the line and the budget of each probe, the alignment, and the readings."""
+    result = content["result"]
+    readings = parse_probe(content["readings_csv"])
+    if "probes" not in result:
+        return [*_line_tables(result, ""), _readings_table(readings, result, "")]
+    tables = []
+    for number, (one, taken) in enumerate(
+        zip(result["probes"], split_pair(readings), strict=True), 1
+    ):
+        name = f"Probe {number}: "
+        tables += [*_line_tables(one, name), _readings_table(taken, one, name)]
+    return [_alignment_table(result["alignment"]), *tables]
+
+
+def _line_tables(result: Content, name: str) -> list[Table]:
+    hysteresis = result["hysteresis_um"]
+    line = Table(
+        f"{name}Position = sensitivity (voltage - offset)",
+        (
+            ("Sensitivity", f"{result['sensitivity_um_per_V']:.5f} {MICROMETRE}/V"),
+            ("relative u", f"{result['sensitivity_relative_standard_uncertainty']:.2e}"),
+            ("Offset", f"{result['offset_V']:.6f} V"),
+            ("Linearity, best-fit line", f"{result['linearity_percent']:.3f} %"),
+            ("Residual standard deviation", f"{result['residual_std_um']:.3f} {MICROMETRE}"),
+            (
+                "Backlash",
+                "not measured" if hysteresis is None else f"{hysteresis:.3f} {MICROMETRE}",
+            ),
+            ("Cylinder gain", f"{result['cylinder_gain']:.5f}"),
+        ),
+    )
+    shares = result.get("budget")
+    if not shares:
+        return [line]
+    rows = [(one["name"], f"{one['standard_uncertainty_um']:.4f} {MICROMETRE}") for one in shares]
+    expanded = f"{result['expanded_uncertainty_um']:.3f} {MICROMETRE}"
+    return [line, Table(f"{name}Uncertainty", (*rows, ("expanded", expanded)))]
+
+
+def _alignment_table(found: Content) -> Table:
+    angle, spread = found["angle_deg"], found["angle_standard_uncertainty_deg"]
+    matrix = found["matrix"]
+    return Table(
+        "Alignment: position along and across the follower = matrix (probe 1, probe 2)",
+        (
+            ("Probe 1 from the follower's axis", f"{angle[0]:+.3f}°", f"{spread[0]:.3f}°"),
+            ("Probe 2 from across it", f"{angle[1]:+.3f}°", f"{spread[1]:.3f}°"),
+            (
+                "Angle between them less 90°",
+                f"{found['orthogonality_deg']:+.3f}°",
+                f"{found['orthogonality_standard_uncertainty_deg']:.3f}°",
+            ),
+            *(
+                (
+                    f"m{i + 1}{j + 1}",
+                    f"{matrix[i][j]:+.6f}",
+                    f"{found['matrix_standard_uncertainty'][i][j]:.6f}",
+                )
+                for i in range(2)
+                for j in range(2)
+            ),
+        ),
+        ("", "value", "u"),
+    )
+
+
+def _readings_table(readings: ProbeReadings, result: Content, name: str) -> Table:
+    rows = [
+        (s, str(k), f"{1e6 * p:.3f}", f"{v:.6f}", f"{r:.3f}")
+        for s, k, p, v, r in zip(
+            readings.series, readings.step, readings.position, readings.signal,
+            result["residual_um"], strict=True,
+        )
+    ]  # fmt: skip
+    header = ("series", "step", f"position {MICROMETRE}", "V", f"residual {MICROMETRE}")
+    return Table(f"{name}Readings", tuple(rows), header)
+
+
+def probe_figures(content: Content) -> list[Figure]:
+    """Return the residuals over the position."""
+    result = content["result"]
+    readings = parse_probe(content["readings_csv"])
+    if "probes" not in result:
+        return [_residuals(readings, result, "Residual against position")]
+    return [
+        _residuals(taken, one, f"Probe {number}: residual against position")
+        for number, (one, taken) in enumerate(
+            zip(result["probes"], split_pair(readings), strict=True), 1
+        )
+    ]
+
+
+def _residuals(readings: ProbeReadings, result: Content, title: str) -> Figure:
+    residual = np.array(result["residual_um"])[:, None]
+    x = 1e6 * readings.position
+    return scatter(title, f"position ({MICROMETRE})", x, residual, f"residual ({MICROMETRE})")

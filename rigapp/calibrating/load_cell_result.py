@@ -1,0 +1,84 @@
+"""What a load-cell calibration prints and its record keeps, and the same in words."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from calibration.load_cell.calibrate import LoadCellCalibration
+from calibration.load_cell.settings import LoadCellSettings
+from rigapp.calibrating.records import problems_of
+
+
+def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> dict[str, Any]:
+    """Return what ``--json`` prints and the record keeps, units in the keys."""
+    fit, traits, budget = found.fit, found.traits, found.budget
+    result: dict[str, Any] = {
+        "accepted": found.accepted,
+        "problems": problems_of(found.problems),
+        "classification": found.classification,
+        "full_scale_N": settings.cell.full_scale,
+    }
+    if fit is None or traits is None or budget is None or found.covariance is None:
+        return {
+            **result,
+            "matrix_N_per_unit": None,
+            "zero": None,
+            "residual_std_N": None,
+            "expanded_uncertainty_N": None,
+            "coverage_factor": None,
+        }
+    line = found.expanded_line or (budget.expanded, 0.0)
+    return {
+        **result,
+        "terms": found.terms,
+        "matrix_N_per_unit": fit.matrix.tolist(),
+        "matrix_covariance": found.covariance.tolist(),
+        "matrix_standard_uncertainty_N_per_unit": np.sqrt(np.diag(found.covariance))
+        .reshape(2, 2)
+        .tolist(),
+        "zero": fit.zero.tolist(),
+        "sensitivity_unit_per_N": fit.sensitivity.tolist(),
+        "quadratic_unit_per_N2": None if fit.quadratic is None else fit.quadratic.tolist(),
+        "residual_std_N": fit.residual_std,
+        "expanded_uncertainty_N": budget.expanded,
+        "coverage_factor": budget.coverage_factor,
+        "uncertainty_line_N": {"constant_N": line[0], "per_N": line[1]},
+        "budget": [
+            {"name": one.name, "standard_uncertainty_N": one.uncertainty}
+            for one in budget.contributions
+        ],
+        "characteristics_percent": {
+            "reproducibility_b": traits.reproducibility,
+            "repeatability_b_prime": traits.repeatability,
+            "interpolation_fc": traits.interpolation,
+            "zero_return_f0": traits.zero_return,
+            "reversibility_v": traits.reversibility,
+            "creep_c": None,
+        },
+        "zero_drift_N": traits.drift,
+        "applied_N": found.applied.tolist(),
+        "residual_N": fit.residual.tolist(),
+    }
+
+
+def cell_lines(found: LoadCellCalibration, settings: LoadCellSettings) -> list[str]:
+    """Return the result in words and numbers, a line each."""
+    if found.fit is None or found.budget is None or found.expanded_line is None:
+        return [found.classification]
+    unit = settings.cell.signal_unit
+    rows = [
+        "    " + "  ".join(f"{value:12.5f}" for value in row) for row in found.fit.matrix.tolist()
+    ]
+    zero = ", ".join(f"{value:.6f}" for value in found.fit.zero)
+    constant, slope = found.expanded_line
+    return [
+        f"Force on the pin = matrix (signal - zero), pin frame; matrix in N per {unit}:",
+        *rows,
+        f"Zero: {zero} {unit}.  Model: {found.terms}.",
+        f"Residual standard deviation: {found.fit.residual_std:.3f} N.",
+        f"Expanded uncertainty at {found.budget.force:g} N: {found.budget.expanded:.2f} N"
+        f" (k = {found.budget.coverage_factor:.2f}); U(F) = {constant:.2f} N + {slope:.5f} F.",
+        found.classification,
+    ]

@@ -1,0 +1,72 @@
+"""Keep the record of a calibration: whole or not at all, read-only, never overwritten."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Mapping, Sequence
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from calibration.problems import Problem
+from calibration.records import seal
+from rigapp.config.calibration_settings import LoadCellFile, ProbeFile, RunOutFile
+from rigapp.config.errors import UnusableInput
+
+
+def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
+    """Return problems as plain values."""
+    return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
+
+
+def refuse_existing(to: Path) -> None:
+    """Refuse a record that exists or has no folder; raise UnusableInput."""
+    if os.path.lexists(to):
+        raise UnusableInput(f"{to}: exists; records are never overwritten, name another file.")
+    if not to.parent.is_dir():
+        raise UnusableInput(f"{to}: the folder {to.parent} does not exist; make it first.")
+
+
+def keep_record(
+    to: Path,
+    kind: str,
+    readings: str,
+    settings: LoadCellFile | ProbeFile | RunOutFile,
+    result: Mapping[str, Any],
+    taken: Mapping[str, Any] | None = None,
+) -> None:
+    """Write the record so that it is there whole or not at all, and read-only.
+
+    taken: how the readings were taken, for those that the program took itself.
+    """
+    now = int(time.time())
+    content = {
+        "kind": kind,
+        "calibrated_at": _day(now),
+        "due_at": _day(now + 86400 * settings.paperwork.valid_days),
+        "software": f"rigapp {metadata.version('rigapp')}",
+        "settings": msgspec.to_builtins(settings),
+        "readings_csv": readings,
+        "result": dict(result),
+    }
+    if taken is not None:
+        content["taken"] = dict(taken)
+    part = to.with_name(f".{to.name}.part-{os.getpid()}")
+    try:
+        with part.open("xb") as stream:
+            stream.write(seal(content))
+            stream.flush()
+            os.fsync(stream.fileno())
+        part.chmod(0o444)
+        os.link(part, to)
+    except OSError as error:
+        raise UnusableInput(f"{to}: cannot be written ({error}).") from error
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _day(seconds: int) -> str:
+    return time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds))

@@ -1,0 +1,62 @@
+"""Write a calibration record's name into a rig file: comments kept, a copy kept, checked first."""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+
+from rigapp.calibrating.records_in_use import with_records
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document, parse_rig, read_rig
+
+
+def name_record(rig: Path, record: Path, section: str = "load_cell") -> Path:
+    """Let ``[section] calibration`` of a rig file name a record; return the copy of the old file.
+
+    The name is relative to the rig file. A calibration_override goes: its reason was the former
+    record's. Everything else stays, comments included. Nothing is changed when the rig would not be
+    usable with the record. Raises UnusableInput.
+    """
+    import tomlkit
+
+    before = read_rig(rig)
+    document = tomlkit.parse(before.text)
+    table = document[section]
+    table["calibration"] = os.path.relpath(record.resolve(), rig.resolve().parent)
+    table.pop("calibration_override", None)
+    text = tomlkit.dumps(document)
+    with_records(Document(rig, text, parse_rig(text, str(rig))))
+    copy = _copy(rig, before.text)
+    part = rig.with_name(f".{rig.name}.part-{os.getpid()}")
+    try:
+        with part.open("x", encoding="utf-8", newline="") as stream:
+            stream.write(text)
+            stream.flush()
+            os.fsync(stream.fileno())
+        part.chmod(rig.stat().st_mode & 0o777)
+        part.replace(rig)
+    except OSError as error:
+        raise UnusableInput(f"{rig}: cannot be written ({error}); it is as it was.") from error
+    finally:
+        part.unlink(missing_ok=True)
+    return copy
+
+
+def _copy(rig: Path, text: str) -> Path:
+    """Write the old text beside the rig file under a name that is free."""
+    stamp = time.strftime("%Y%m%d-%H%M%S")
+    for count in range(100):
+        more = f"-{count}" if count else ""
+        copy = rig.with_name(f"{rig.stem}.before-{stamp}{more}{rig.suffix}")
+        try:
+            with copy.open("x", encoding="utf-8", newline="") as stream:
+                stream.write(text)
+        except FileExistsError:
+            continue
+        except OSError as error:
+            raise UnusableInput(
+                f"{copy}: the copy of the rig file cannot be written ({error}); nothing is changed."
+            ) from error
+        return copy
+    raise UnusableInput(f"{rig}: there are too many copies beside it; remove some.")
