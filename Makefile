@@ -1,5 +1,6 @@
 # make run    the operator's window on the simulated rig (without a display: the same test, headless)
-# make test   everything: style, types, import rules, tests
+# make test   everything: style, types, import rules, tests; make test TESTS=tests/storage tests only these
+# make docs   guides and pages of the packages as a site in build/site; its links are checked
 # make search random search for what breaks a property; it prints its seed, SEED=N repeats it
 # make bench  performance as ratios, measured side by side in one run
 # make pictures   the pictures of README and guides, anew; needs Xvfb, openbox, xdotool, ImageMagick
@@ -11,23 +12,33 @@ BIN := $(VENV)/bin
 RUN_READY := $(VENV)/ready-run
 TEST_READY := $(VENV)/ready-test
 BENCH_READY := $(VENV)/ready-bench
+DOCS_READY := $(VENV)/ready-docs
 SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: run test kernels lint search bench soak lock pictures clean
+.PHONY: run test kernels lint hooks search bench soak docs lock pictures clean
 
 run: kernels
 	@$(BIN)/python -m rigapp.start
 
-test: lint kernels
-	$(BIN)/python -m pytest -n 2 --dist loadgroup -m "not soak"
+# One file or folder is quicker without workers and without the checks of the whole source.
+test: $(if $(TESTS),$(TEST_READY),lint) kernels
+	$(BIN)/python -m pytest $(or $(TESTS),-n 2 --dist loadgroup) -m "not soak"
 
 lint: $(TEST_READY)
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+hooks: $(TEST_READY)
+	$(BIN)/pre-commit install
+
+docs: $(DOCS_READY) kernels
+	rm -rf docs/api build/site
+	$(BIN)/sphinx-build --quiet --fail-on-warning --keep-going -b html docs build/site
+	@echo "open build/site/index.html"
 
 search: $(TEST_READY) kernels
 	@echo "make search SEED=$(SEED) repeats this search"
@@ -62,6 +73,10 @@ $(BENCH_READY): constraints-bench.txt $(TEST_READY)
 	$(BIN)/python -m pip install --quiet --require-hashes -r constraints-bench.txt
 	@touch $@
 
+$(DOCS_READY): constraints-docs.txt $(RUN_READY)
+	$(BIN)/python -m pip install --quiet --require-hashes -r constraints-docs.txt
+	@touch $@
+
 pictures: $(RUN_READY)
 	$(BIN)/python docs/make_pictures.py
 
@@ -73,6 +88,8 @@ lock:
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints.txt --quiet -o constraints-test.txt
 	uv pip compile pyproject.toml --extra gui --extra build --extra test --extra bench --universal --python-version 3.11 \
 		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-bench.txt
+	uv pip compile pyproject.toml --extra docs --universal --python-version 3.11 \
+		--generate-hashes --no-header --no-annotate --no-emit-index-url -c constraints-test.txt --quiet -o constraints-docs.txt
 
 clean:
-	rm -rf $(VENV) build dist *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache
+	rm -rf $(VENV) build dist docs/api *.egg-info .mypy_cache .ruff_cache .pytest_cache .import_linter_cache

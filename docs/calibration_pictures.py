@@ -21,7 +21,7 @@ RESULT_HEIGHT = 420
 
 
 class Line:
-    """Ask an engine of this process as the window's link does: on a worker, answers in ``deliver``."""
+    """Ask an engine of this process as the window's link does: a worker asks, the window hears."""
 
     def __init__(self, host: Any) -> None:
         from rigapp.gui.data.tasks import Worker
@@ -62,8 +62,8 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
 
 def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
     from rigapp.calibrating.live_calibration import Rig
-    from rigapp.gui.wizard.wizard import CalibrationWizard
     from rigapp.gui.plots.palette import LIGHT
+    from rigapp.gui.wizard.wizard import CalibrationWizard
 
     settings = folder / "settings.toml"
     settings.write_text(SETTINGS, "utf-8")
@@ -95,8 +95,8 @@ def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: A
 
 def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
     from rigapp.calibrating.live_calibration import Rig
-    from rigapp.gui.wizard.probe_wizard import ProbeWizard
     from rigapp.gui.plots.palette import LIGHT
+    from rigapp.gui.wizard.probe_wizard import ProbeWizard
 
     mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
     wizard = ProbeWizard(line, mine, LIGHT, folder, "both")

@@ -16,6 +16,7 @@ from typing import Any
 import h5py
 import numpy as np
 import pytest
+from patience import PATIENCE_S
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"
@@ -29,7 +30,7 @@ def _own_runtime_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
 
 
-def rigapp(*arguments: str | Path, seconds: float = 100.0) -> subprocess.CompletedProcess[str]:
+def rigapp(*arguments: str | Path, seconds: float = PATIENCE_S) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [*COMMAND, *map(str, arguments)],
         capture_output=True,
@@ -94,7 +95,7 @@ def info(path: Path) -> dict[str, Any]:
     return result
 
 
-def until(condition: Callable[[], bool], what: str, seconds: float = 60.0) -> None:
+def until(condition: Callable[[], bool], what: str, seconds: float = PATIENCE_S) -> None:
     deadline = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < deadline, f"not within {seconds:g} s: {what}"
@@ -114,10 +115,12 @@ def test_complete_run_is_exact_and_agrees_with_the_model(
     with xarray.open_dataset(out, group="/entry/revolutions", engine="h5netcdf") as data:
         assert "force_max" in data
     if shutil.which("h5dump"):
-        subprocess.run(["h5dump", "-H", str(out)], check=True, capture_output=True, timeout=60)
+        subprocess.run(
+            ["h5dump", "-H", str(out)], check=True, capture_output=True, timeout=PATIENCE_S
+        )
     end = test.until(lambda e: e["event"] == "finished")
     assert end["reason"] == "complete"
-    assert test.process.wait(30) == 0
+    assert test.process.wait(PATIENCE_S) == 0
     counts = [e["revolutions"] for e in test.events if e["event"] == "committed"]
     assert counts == sorted(counts)
     summary = info(out)
@@ -163,7 +166,7 @@ def test_killed_engine_leaves_every_committed_revolution(
     again.committed(summary["revolutions"] + 5)
     again.process.send_signal(signal.SIGINT)
     assert again.until(lambda e: e["event"] == "finished")["reason"] == "operator"
-    assert again.process.wait(30) == 1
+    assert again.process.wait(PATIENCE_S) == 1
     after = info(out)
     assert after["status"] == "stopped"
     assert after["gaps"] >= 1
@@ -233,7 +236,7 @@ def test_lost_daq_stops_the_spindle_and_names_the_port(
     simulation.send_signal(signal.SIGKILL)
     end = test.until(lambda e: e["event"] == "finished")
     assert end["reason"] == "device"
-    assert test.process.wait(60) == 3
+    assert test.process.wait(PATIENCE_S) == 3
     complaint = test.complaint()
     assert urls["daq"] in complaint or urls["drive"] in complaint
     assert "Traceback" not in complaint
@@ -247,7 +250,7 @@ def test_interrupt_stops_under_control(tmp_path: Path, running: Callable[..., Ru
     test.committed(5)
     os.kill(test.process.pid, signal.SIGTERM)
     assert test.until(lambda e: e["event"] == "finished")["reason"] == "operator"
-    assert test.process.wait(30) == 1
+    assert test.process.wait(PATIENCE_S) == 1
     assert info(out)["status"] == "stopped"
 
 

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from patience import PATIENCE_S
 
 from drivers.api import (
     Block,
@@ -530,7 +531,7 @@ def a_test(
     )
 
 
-def eventually(condition: Any, seconds: float = 60.0) -> None:
+def eventually(condition: Any, seconds: float = PATIENCE_S) -> None:
     """Wait until a condition holds; fail with its name when it does not in time."""
     deadline = time.monotonic() + seconds
     while not condition():

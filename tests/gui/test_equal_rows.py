@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from patience import PATIENCE_MS, PATIENCE_S
 
 from rigapp.gui.data.link import Link
 from rigapp.gui.data.session import Session
@@ -24,7 +25,6 @@ from rigapp.storage import open_test
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"
 REVOLUTIONS = 6
-DEADLINE_MS = 60_000
 
 OF_THE_START = {
     "time": "counts from the request to start, which comes at any moment between two samples",
@@ -58,10 +58,9 @@ def engine_of_the_window(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Ite
         )
     yield
     process.terminate()
-    process.wait(timeout=60)
+    process.wait(timeout=PATIENCE_S)
 
 
-@pytest.mark.timeout(240)
 def test_command_line_and_window_write_the_same_rows(
     recipe: Path, engine_of_the_window: None, tmp_path: Path, qtbot: Any, light_application: Any
 ) -> None:
@@ -73,7 +72,7 @@ def test_command_line_and_window_write_the_same_rows(
         stderr=subprocess.PIPE,
     )
     start_in_the_window(recipe, by_window, qtbot)
-    _, errors = line.communicate(timeout=120)
+    _, errors = line.communicate(timeout=PATIENCE_S)
     assert line.returncode == 0, errors.decode()
     assert_equal(by_line, by_window)
 
@@ -96,7 +95,7 @@ def start_in_the_window(recipe: Path, out: Path, qtbot: Any) -> None:
         status = window._link.status
         return status is not None and status.state in states
 
-    qtbot.waitUntil(lambda: in_state(RunState.READY), timeout=DEADLINE_MS)
+    qtbot.waitUntil(lambda: in_state(RunState.READY), timeout=PATIENCE_MS)
     window.controls.buttons["start"].click()
     window.start_bar.out.setText(str(out))
     window.start_bar.go.click()
@@ -104,7 +103,7 @@ def start_in_the_window(recipe: Path, out: Path, qtbot: Any) -> None:
     def complete() -> bool:
         return in_state(RunState.STOPPED, RunState.READY) and out.exists() and is_complete(out)
 
-    qtbot.waitUntil(complete, timeout=DEADLINE_MS)
+    qtbot.waitUntil(complete, timeout=PATIENCE_MS)
     window.close()
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 
 from rigapp.config.loading import parse_test
@@ -176,7 +177,7 @@ def test_the_log_is_read_from_the_file_and_searched(
         worker.deliver()
         return bool(panel.events)
 
-    qtbot.waitUntil(read, timeout=90_000)
+    qtbot.waitUntil(read, timeout=PATIENCE_MS)
     assert panel.table.texts()[0][1:4] == ["120", "note", "Ann"]
     panel.filter.setText("water")
     assert panel.table.texts() == []
@@ -197,7 +198,7 @@ def test_a_log_that_cannot_be_read_is_said(
         worker.deliver()
         return "cannot be read" in panel.count.text()
 
-    qtbot.waitUntil(said, timeout=90_000)
+    qtbot.waitUntil(said, timeout=PATIENCE_MS)
 
 
 @pytest.fixture
@@ -228,7 +229,7 @@ def test_results_are_compared_and_replayed(
         worker.deliver()
         return panel.table.rowCount() == 3
 
-    qtbot.waitUntil(listed, timeout=90_000)
+    qtbot.waitUntil(listed, timeout=PATIENCE_MS)
     names = [row[0] for row in panel.table.texts()]
     panel.table.selectRow(names.index("broken.h5"))
     assert not panel.buttons["replay"].isEnabled()
@@ -247,7 +248,7 @@ def test_results_are_compared_and_replayed(
         worker.deliver()
         return len(panel.compare.runs) == 2
 
-    qtbot.waitUntil(compared, timeout=90_000)
+    qtbot.waitUntil(compared, timeout=PATIENCE_MS)
     x, y = panel.compare._curves[0].getData()
     assert len(x) == 300
     assert y[0] == pytest.approx(97.0, abs=2.0)
@@ -258,7 +259,6 @@ def test_results_are_compared_and_replayed(
     assert len(panel.compare.legend._entries) == 2
 
 
-@pytest.mark.timeout(240)
 def test_the_report_is_written_beside_the_file(
     qtbot: Any, qapp: Any, recorded: Path, worker: Worker
 ) -> None:
@@ -274,7 +274,7 @@ def test_the_report_is_written_beside_the_file(
         worker.deliver()
         return len(said) == 2
 
-    qtbot.waitUntil(answered, timeout=180_000)
+    qtbot.waitUntil(answered, timeout=PATIENCE_MS)
     target = recorded.with_suffix(".html")
     assert said[1] == (f"The report is in {target}", True)
     assert "Quick test" in target.read_text(encoding="utf-8")
@@ -316,7 +316,7 @@ def test_faults_of_the_simulated_rig_are_caused_and_ended(
         worker.deliver()
         return panel.kind.count() > 10
 
-    qtbot.waitUntil(offered, timeout=30_000)
+    qtbot.waitUntil(offered, timeout=PATIENCE_MS)
     assert panel.kind.currentText() == panel.kind.itemText(0)  # not what is shown before
     panel.kind.setCurrentIndex(panel.kind.findText("signal: stuck value"))
     panel.channel.setCurrentText("probe_1")
@@ -500,7 +500,7 @@ def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
         window.tick()
         return "Grey: revolution 40" in cycle.overlay.title.whole
 
-    qtbot.waitUntil(compared, timeout=90_000)
+    qtbot.waitUntil(compared, timeout=PATIENCE_MS)
     assert cycle.stored.value() == 40
     assert len(cycle.overlay._references["force"].getData()[0]) > 100
     cycle.show_stored.setChecked(False)
@@ -598,10 +598,10 @@ def test_closing_asks_while_a_test_is_under_way(
     def asked() -> bool:
         return "stop" in engine.verbs
 
-    qtbot.waitUntil(asked, timeout=90_000)
+    qtbot.waitUntil(asked, timeout=PATIENCE_MS)
     assert window.isVisible()
     engine.say(first=6, count=1, state=RunState.STOPPED)
-    qtbot.waitUntil(lambda: not window.isVisible(), timeout=90_000)
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=PATIENCE_MS)
 
 
 def test_a_minimised_window_draws_nothing(
@@ -631,14 +631,14 @@ def test_a_replay_starts_again(recorded: Path, qtbot: Any, qapp: Any) -> None:
         window.tick()
         return len(window._session.data.rows) == count
 
-    qtbot.waitUntil(lambda: rows(300), timeout=90_000)
+    qtbot.waitUntil(lambda: rows(300), timeout=PATIENCE_MS)
     assert window.replay_bar.isVisible()
     assert not window.tabs.isTabVisible(8)
     client.request("replay", {"speed": 0.0})
     client.request("rewind")
-    qtbot.waitUntil(lambda: rows(0), timeout=90_000)
+    qtbot.waitUntil(lambda: rows(0), timeout=PATIENCE_MS)
     client.request("replay", {"speed": 3000.0})
-    qtbot.waitUntil(lambda: rows(300), timeout=90_000)
+    qtbot.waitUntil(lambda: rows(300), timeout=PATIENCE_MS)
     window.close()
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtGui import QImage
 
 from rigapp.config.errors import UnusableInput
@@ -40,10 +41,10 @@ def test_a_recorded_test_plays_from_its_first_to_its_last_row(
         status = window._link.status
         return status is not None and status.state is RunState.STOPPED and window.settled
 
-    qtbot.waitUntil(playing, timeout=60_000)
+    qtbot.waitUntil(playing, timeout=PATIENCE_MS)
     assert lengths[-1] < 300
     assert client.request("replay", {"speed": 400.0}).ok
-    qtbot.waitUntil(ended, timeout=90_000)
+    qtbot.waitUntil(ended, timeout=PATIENCE_MS)
     assert lengths == sorted(lengths)
     assert lengths[-1] == 300
     data = window._session.data
@@ -65,7 +66,7 @@ def test_a_replay_pauses_and_refuses_what_needs_a_rig(recorded: Path, qtbot: Any
     client = ReplayClient(recorded, speed=1.0)
     try:
         assert client.request("pause", {"reason": ""}).ok
-        qtbot.waitUntil(lambda: _state(client) is RunState.PAUSED, timeout=90_000)
+        qtbot.waitUntil(lambda: _state(client) is RunState.PAUSED, timeout=PATIENCE_MS)
         refused = client.request("start", {"test": "x", "out": "y"})
         assert not refused.ok
         assert "replay" in refused.sentence
@@ -117,10 +118,10 @@ def test_a_window_opened_late_gets_the_earlier_rows_from_the_file(
         window.tick()
         return len(window._session.data.rows) == 302
 
-    qtbot.waitUntil(complete, timeout=90_000)
+    qtbot.waitUntil(complete, timeout=PATIENCE_MS)
     assert list(window._session.data.rows.revolutions[[0, -1]]) == [1.0, 302.0]
     engine.say(first=320, count=2, file=str(recorded))
-    qtbot.waitUntil(lambda: _after_gap(window), timeout=90_000)
+    qtbot.waitUntil(lambda: _after_gap(window), timeout=PATIENCE_MS)
     window.close()
 
 
@@ -136,7 +137,7 @@ def test_a_window_opened_after_the_end_shows_the_whole_test(
         window.tick()
         return len(window._session.data.rows) == 300
 
-    qtbot.waitUntil(complete, timeout=90_000)
+    qtbot.waitUntil(complete, timeout=PATIENCE_MS)
     window.draw_now()
     shown = window.tabs.overview.shown
     assert shown is not None
@@ -165,7 +166,7 @@ def test_a_history_that_cannot_be_read_is_said(
         window.tick()
         return "Earlier cycles cannot be shown" in window.controls.answer.whole
 
-    qtbot.waitUntil(said, timeout=90_000)
+    qtbot.waitUntil(said, timeout=PATIENCE_MS)
     assert window.header.state.value.whole == "Running"
     assert window.header.state._level is Level.NORMAL
     window.close()

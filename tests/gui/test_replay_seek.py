@@ -9,6 +9,7 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 
 from rigapp.config.loading import parse_test
@@ -50,7 +51,7 @@ def reach(window: MainWindow, qtbot: Any, rows: int) -> None:
         window.tick()
         return len(window._session.data.rows) == rows and window.settled
 
-    qtbot.waitUntil(there, timeout=30_000)
+    qtbot.waitUntil(there, timeout=PATIENCE_MS)
 
 
 def test_a_leap_back_shows_what_was_there_and_a_leap_forward_all_between(
@@ -115,7 +116,7 @@ def test_a_long_leap_comes_in_steps(
                 sizes.append(snapshot.status.committed)
             return bool(sizes) and sizes[-1] == 300
 
-        qtbot.waitUntil(all_here, timeout=30_000)
+        qtbot.waitUntil(all_here, timeout=PATIENCE_MS)
         assert all(size % 100 == 0 for size in sizes)
     finally:
         client.close()

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWizard
 
@@ -117,7 +118,7 @@ def judged(wizard: ProbeWizard, qtbot: Any) -> None:
         wizard.bench.tick()
         return wizard.bench.outcome is not None
 
-    qtbot.waitUntil(ready, timeout=60000)
+    qtbot.waitUntil(ready, timeout=PATIENCE_MS)
 
 
 def test_whole_wizard_finds_both_probes_and_how_they_stand(
@@ -155,7 +156,7 @@ def test_whole_wizard_finds_both_probes_and_how_they_stand(
         wizard.bench.tick()
         return "The certificate is" in wizard.certificate.words.text()
 
-    qtbot.waitUntil(written, timeout=60000)
+    qtbot.waitUntil(written, timeout=PATIENCE_MS)
     assert saved.with_suffix(".html").stat().st_size > 1000
     wizard.accept()
     assert not probes.off
@@ -258,7 +259,7 @@ def test_chooser_tells_what_was_chosen_by_key(qtbot: Any) -> None:
     chooser = CalibrationChooser()
     qtbot.addWidget(chooser)
     chooser.show()
-    with qtbot.waitSignal(chooser.chosen, timeout=90_000) as heard:
+    with qtbot.waitSignal(chooser.chosen, timeout=PATIENCE_MS) as heard:
         qtbot.keyClick(chooser.buttons["both"], Qt.Key.Key_Space)
     assert heard.args == ["both"]
     assert not chooser.isVisible()

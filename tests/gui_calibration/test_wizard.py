@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import (
@@ -61,7 +62,7 @@ def judged(wizard: Any, qtbot: Any) -> None:
         wizard.bench.tick()
         return wizard.bench.outcome is not None
 
-    qtbot.waitUntil(ready, timeout=120000)
+    qtbot.waitUntil(ready, timeout=PATIENCE_MS)
 
 
 def test_level_is_turned_end_for_end(wizard: Any, scripted: Any) -> None:
@@ -95,7 +96,7 @@ def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path:
             wizard.bench.tick()
             return page.chart.isVisible()
 
-        qtbot.waitUntil(charted, timeout=120000)
+        qtbot.waitUntil(charted, timeout=PATIENCE_MS)
         assert "1 check with this calibration" in page.chart.words.text()
         wizard.back()
     assert len((tmp_path / "daily-checks.jsonl").read_text().splitlines()) == 1
@@ -127,7 +128,7 @@ def test_whole_wizard_to_the_certificate(wizard: Any, qtbot: Any, tmp_path: Path
         wizard.bench.tick()
         return "The certificate is" in wizard.certificate.words.text()
 
-    qtbot.waitUntil(written, timeout=120000)
+    qtbot.waitUntil(written, timeout=PATIENCE_MS)
     assert record.with_suffix(".html").stat().st_size > 1000
 
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from patience import PATIENCE_S
 
 from rigapp.schema.messages import Event
 from rigapp.service.client import Client
@@ -42,11 +43,6 @@ def recipe(folder: Path, revolutions: int, *, twin: bool, every: int = 10) -> Pa
 
 NEVER_OVER = 5000
 """More revolutions than a simulated rig makes while a test waits for something."""
-
-
-PATIENCE_S = 240.0
-"""Whatever is waited for comes within seconds where nothing else runs; a loaded computer may take
-minutes. A test has 300 s in all."""
 
 
 def until(condition: Callable[[], Any], what: str, seconds: float = PATIENCE_S) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from patience import PATIENCE_S
 
 from rigapp.process.leftovers import process_alive
 from rigapp.schema.columns import revolution_columns
@@ -90,7 +91,7 @@ class Handler:
 
     def __call__(self, request: Request) -> Reply:
         if request.verb == "wait":
-            self.release.wait(20.0)
+            self.release.wait(PATIENCE_S)
         if request.verb == "break":
             raise ValueError("a handler's own mistake")
         return Reply(ok=True, result={"verb": request.verb, **request.arguments})
@@ -121,7 +122,7 @@ def client(server: Server) -> Iterator[Client]:
     client.close()
 
 
-def until(condition: object, seconds: float = 60.0) -> None:
+def until(condition: object, seconds: float = PATIENCE_S) -> None:
     deadline = time.monotonic() + seconds
     while not condition():  # type: ignore[operator]
         assert time.monotonic() < deadline, "the condition did not come true in time"
@@ -135,18 +136,18 @@ def test_request_is_answered_with_its_arguments(client: Client) -> None:
 
 
 def test_slow_request_does_not_delay_another(client: Client, handler: Handler) -> None:
-    slow = threading.Thread(target=client.request, args=("wait", {}, 30.0))
+    slow = threading.Thread(target=client.request, args=("wait", {}, PATIENCE_S))
     slow.start()
     assert client.request("stop").ok
     handler.release.set()
-    slow.join(10.0)
+    slow.join(PATIENCE_S)
     assert not slow.is_alive()
 
 
 def test_too_many_requests_are_told_busy(client: Client, handler: Handler) -> None:
     replies: list[Reply] = []
     threads = [
-        threading.Thread(target=lambda: replies.append(client.request("wait", {}, 30.0)))
+        threading.Thread(target=lambda: replies.append(client.request("wait", {}, PATIENCE_S)))
         for _ in range(PENDING + 3)
     ]
     for thread in threads:
@@ -154,7 +155,7 @@ def test_too_many_requests_are_told_busy(client: Client, handler: Handler) -> No
     until(lambda: len(replies) >= 3)
     handler.release.set()
     for thread in threads:
-        thread.join(20.0)
+        thread.join(PATIENCE_S)
     assert sum("busy" in reply.sentence for reply in replies) == 3
     assert sum(reply.ok for reply in replies) == PENDING
 

@@ -21,7 +21,8 @@ import pytest
 from engine_doubles import Crank, MemoryRig
 from footprint import MEGABYTE, Footprint, footprint
 from numpy.typing import NDArray
-from stories import PATIENCE_S, RIG, Running, numbers, recipe, summary, until
+from patience import PATIENCE_S
+from stories import RIG, Running, numbers, recipe, summary, until
 
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
