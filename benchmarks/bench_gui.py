@@ -21,7 +21,7 @@ import pyqtgraph as pg
 from PySide6.QtWidgets import QApplication, QGridLayout, QWidget
 
 from rigapp.gui.data.comparison import CURVES, compose
-from rigapp.gui.data.frames import Frame
+from rigapp.gui.data.frames import ForceFrame
 from rigapp.gui.data.series import LiveData, MeasuredCycle, PredictedCycle
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import LIGHT, apply_theme
@@ -98,7 +98,7 @@ def own_overlays(application: QApplication) -> float:
 
     def update(frame: int) -> None:
         for index, panel in enumerate(panels):
-            panel.draw(compose(*data[(frame + index) % 4], Frame.CRANK, None))
+            panel.draw(compose(*data[(frame + index) % 4], ForceFrame.CRANK, None))
 
     return median_ms(application, box, update)
 

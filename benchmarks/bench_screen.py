@@ -134,8 +134,8 @@ def revolution_ms(folder: Path) -> list[float]:
 
     from PySide6.QtWidgets import QApplication
 
-    from rigapp.gui.data.link import Link
-    from rigapp.gui.data.session import Session
+    from rigapp.gui.data.connection import EngineConnection
+    from rigapp.gui.data.showntest import ShownTest
     from rigapp.gui.plots.palette import LIGHT, apply_theme
     from rigapp.gui.window.window import MainWindow
     from rigapp.service.launch import attach
@@ -148,8 +148,8 @@ def revolution_ms(folder: Path) -> list[float]:
     apply_theme(application, LIGHT)
     test = long_test(folder)
     window = MainWindow(
-        Link(lambda: attach(rig, "benchmark")),
-        Session(),
+        EngineConnection(lambda: attach(rig, "benchmark")),
+        ShownTest(),
         LIGHT,
         tests=[test],
         results_folder=folder,
@@ -197,7 +197,7 @@ def painted(application: Any, window: Any) -> list[float]:
         if running_since is not None and time.monotonic() - running_since > SECONDS:
             break
         time.sleep(0.0005)
-    ends = ends_of(window._session.path)
+    ends = ends_of(window._test.path)
     numbers = sorted(seen)[LEFT_OUT:]
     return [1000.0 * (seen[number] - ends[number]) for number in numbers if number in ends]
 

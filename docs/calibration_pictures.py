@@ -24,10 +24,10 @@ class Line:
     """Ask an engine of this process as the window's link does: a worker asks, the window hears."""
 
     def __init__(self, host: Any) -> None:
-        from rigapp.gui.data.tasks import Worker
+        from rigapp.gui.data.tasks import TaskWorker
 
         self._host = host
-        self.worker = Worker("pictures", bound=64)
+        self.worker = TaskWorker("pictures", bound=64)
 
     def __call__(self, verb: str, arguments: dict[str, Any], handler: Any) -> None:
         """Queue a request."""

@@ -78,8 +78,8 @@ def replay_file(path: Path) -> int:
 
     with open_test(path):
         pass
-    from rigapp.gui.data.replay import ReplayClient
     from rigapp.gui.window.app import main
+    from rigapp.replay.client import ReplayClient
 
     return main(
         lambda: ReplayClient(path), rig_path=path, tests=[], results_folder=path.resolve().parent

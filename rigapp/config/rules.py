@@ -39,6 +39,19 @@ def level_refusal(quantity: str, level: str, value: object) -> str:
     return refusal(level, value, allowed, "" if unit == "1" else unit)
 
 
+ALWAYS = ("overload_N", "overspeed_rpm", "stale_data_s")
+"""What is always watched, beside the rules."""
+
+
+def limit_refusal(name: str, value: object) -> str:
+    """Return what is wrong with the value of a limit or level of that name; empty when right."""
+    if name in ALWAYS:
+        return refusal(f"limits.{name}", value)
+    quantity, _, level = name.partition(".")
+    wrong = level_refusal(quantity, level, value)
+    return f"{quantity}.{wrong}" if wrong else ""
+
+
 def _faults(rule: LimitRule) -> Iterator[str]:
     if rule.quantity not in QUANTITIES:
         near = difflib.get_close_matches(rule.quantity, QUANTITIES, n=1, cutoff=0.0)

@@ -1,0 +1,7 @@
+"""The operator's window, the only code that knows Qt; ``rigapp.commands.window`` opens it.
+
+Its rooms, from the top down, each knowing only those below it: ``window`` (the frame, the state,
+the controls, the table of tabs), then side by side ``panels`` (what a tab shows), ``testfile``
+(prepare a test) and ``wizard`` (calibrate), then ``plots``, then ``widgets`` and ``data``.
+Of the engine all of them see what ``rigapp.schema``, ``rigapp.service`` and ``rigapp.replay`` say.
+"""

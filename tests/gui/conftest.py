@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 
+from rigapp.gui.data.recording import StoredTest
+
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("QT_LOGGING_RULES", "qt.qpa.*=false")
 
@@ -18,10 +20,9 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
 
-from rigapp.gui.data.link import Link
-from rigapp.gui.data.recording import History
+from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.series import LiveData
-from rigapp.gui.data.session import Session
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import LIGHT, apply_theme
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
@@ -291,9 +292,9 @@ def alarm() -> Alarm:
 
 
 @pytest.fixture
-def no_history() -> Callable[[Path, int], History]:
+def no_history() -> Callable[[Path, int], StoredTest]:
     """Return a loader that finds an empty file."""
-    return lambda path, planned: History(LiveData(planned), None, np.empty(0, dtype=np.int64))
+    return lambda path, planned: StoredTest(LiveData(planned), None, np.empty(0, dtype=np.int64))
 
 
 @pytest.fixture(scope="session")
@@ -316,8 +317,8 @@ def window(
 ) -> Iterator[MainWindow]:
     """Return the window on a scripted engine; the test ticks it by hand."""
     window = MainWindow(
-        Link(engine.client),
-        Session(no_history),
+        EngineConnection(engine.client),
+        ShownTest(no_history),
         LIGHT,
         tests=[Path("examples/quick.toml"), Path("examples/paper.toml")],
         results_folder=tmp_path,

@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 from PySide6.QtCore import Qt
 
-from rigapp.gui.data.link import Link
-from rigapp.gui.data.session import Session
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import DARK, LIGHT
-from rigapp.gui.window.guarded import GuardedButton
+from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Reply, Request, RunState, Snapshot
 from rigapp.schema.states import Refused
@@ -83,8 +83,8 @@ def windows(
     for identity in ("first", "second"):
         client = Viewer(engine, "Ann", identity)
         window = MainWindow(
-            Link(lambda client=client: client),  # type: ignore[misc]
-            Session(no_history),
+            EngineConnection(lambda client=client: client),  # type: ignore[misc]
+            ShownTest(no_history),
             LIGHT,
             tests=[Path("examples/quick.toml")],
             results_folder=tmp_path,

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from patience import PATIENCE_MS, PATIENCE_S
 
-from rigapp.gui.data.link import Link
-from rigapp.gui.data.session import Session
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import RunState
@@ -86,13 +86,15 @@ def start_in_the_window(recipe: Path, out: Path, qtbot: Any) -> None:
             raise ConnectionError("the engine is not there yet")
         return Client(entry, "operator")
 
-    window = MainWindow(Link(factory), Session(), LIGHT, tests=[recipe], results_folder=out.parent)
+    window = MainWindow(
+        EngineConnection(factory), ShownTest(), LIGHT, tests=[recipe], results_folder=out.parent
+    )
     qtbot.addWidget(window)
     window.show()
 
     def in_state(*states: RunState) -> bool:
         window.tick()
-        status = window._link.status
+        status = window._connection.status
         return status is not None and status.state in states
 
     qtbot.waitUntil(lambda: in_state(RunState.READY), timeout=PATIENCE_MS)

@@ -7,7 +7,13 @@ from typing import Any
 
 import pytest
 
-from rigapp.gui.data.link import FIRST_SNAPSHOT_S, LOST_AFTER_S, SILENT_AFTER_S, Link, LinkState
+from rigapp.gui.data.connection import (
+    FIRST_SNAPSHOT_S,
+    LOST_AFTER_S,
+    SILENT_AFTER_S,
+    ConnectionState,
+    EngineConnection,
+)
 from rigapp.schema.messages import Reply
 
 
@@ -27,18 +33,20 @@ def clock() -> Clock:
 
 
 @pytest.fixture
-def link(engine: Any, clock: Clock) -> Iterator[Link]:
-    link = Link(engine.client, clock)
-    yield link
-    link.close()
+def connection(engine: Any, clock: Clock) -> Iterator[EngineConnection]:
+    connection = EngineConnection(engine.client, clock)
+    yield connection
+    connection.close()
 
 
 @pytest.fixture
-def pump_until(link: Link, clock: Clock, qtbot: Any) -> Callable[[Callable[[], bool]], None]:
+def pump_until(
+    connection: EngineConnection, clock: Clock, qtbot: Any
+) -> Callable[[Callable[[], bool]], None]:
     def until(condition: Callable[[], bool]) -> None:
         def step() -> bool:
             clock.now += 0.05
-            link.pump()
+            connection.pump()
             return condition()
 
         qtbot.waitUntil(step, timeout=90_000)
@@ -47,93 +55,99 @@ def pump_until(link: Link, clock: Clock, qtbot: Any) -> Callable[[Callable[[], b
 
 
 def test_attached_means_that_the_engine_has_spoken(
-    link: Link, engine: Any, pump_until: Any
+    connection: EngineConnection, engine: Any, pump_until: Any
 ) -> None:
-    assert link.state is LinkState.ATTACHING
-    assert link.data_age_s() is None
+    assert connection.state is ConnectionState.ATTACHING
+    assert connection.data_age_s() is None
     pump_until(lambda: engine.clients == 1)
-    assert link.state is LinkState.ATTACHING
+    assert connection.state is ConnectionState.ATTACHING
     engine.say(count=3)
-    pump_until(lambda: link.state is LinkState.ATTACHED)
-    assert link.status is not None
+    pump_until(lambda: connection.state is ConnectionState.ATTACHED)
+    assert connection.status is not None
 
 
 def test_silence_shows_and_data_age_grows(
-    link: Link, engine: Any, clock: Clock, pump_until: Any
+    connection: EngineConnection, engine: Any, clock: Clock, pump_until: Any
 ) -> None:
     engine.say(count=3)
-    pump_until(lambda: link.state is LinkState.ATTACHED)
-    before = link.data_age_s()
+    pump_until(lambda: connection.state is ConnectionState.ATTACHED)
+    before = connection.data_age_s()
     assert before is not None
     clock.now += SILENT_AFTER_S + 0.1
-    link.pump()
-    assert link.state is LinkState.SILENT
-    age = link.data_age_s()
+    connection.pump()
+    assert connection.state is ConnectionState.SILENT
+    age = connection.data_age_s()
     assert age is not None
     assert age >= before + SILENT_AFTER_S
     engine.say(first=4, count=1)
-    link.pump()
-    assert link.state is LinkState.ATTACHED
+    connection.pump()
+    assert connection.state is ConnectionState.ATTACHED
 
 
 def test_a_lost_engine_is_attached_again(
-    link: Link, engine: Any, clock: Clock, pump_until: Any
+    connection: EngineConnection, engine: Any, clock: Clock, pump_until: Any
 ) -> None:
     engine.say(count=3)
-    pump_until(lambda: link.state is LinkState.ATTACHED)
+    pump_until(lambda: connection.state is ConnectionState.ATTACHED)
     clock.now += LOST_AFTER_S + 0.1
-    link.pump()
-    assert link.state is LinkState.LOST
+    connection.pump()
+    assert connection.state is ConnectionState.LOST
     engine.refuses_clients = True
-    pump_until(lambda: "no engine is running" in link.reason)
-    assert link.state is LinkState.LOST
+    pump_until(lambda: "no engine is running" in connection.reason)
+    assert connection.state is ConnectionState.LOST
     engine.refuses_clients = False
     engine.say(first=4, count=1)
-    pump_until(lambda: link.state is LinkState.ATTACHED)
+    pump_until(lambda: connection.state is ConnectionState.ATTACHED)
     assert engine.clients == 2
 
 
-def test_a_broken_connection_is_loss_at_once(link: Link, engine: Any, pump_until: Any) -> None:
+def test_a_broken_connection_is_loss_at_once(
+    connection: EngineConnection, engine: Any, pump_until: Any
+) -> None:
     engine.say(count=3)
-    pump_until(lambda: link.state is LinkState.ATTACHED)
+    pump_until(lambda: connection.state is ConnectionState.ATTACHED)
     engine.dead = True
-    link.pump()
-    assert link.state is LinkState.LOST
-    assert "closed the connection" in link.reason
+    connection.pump()
+    assert connection.state is ConnectionState.LOST
+    assert "closed the connection" in connection.reason
 
 
 def test_a_client_that_never_speaks_is_given_up(
-    link: Link, engine: Any, clock: Clock, pump_until: Any
+    connection: EngineConnection, engine: Any, clock: Clock, pump_until: Any
 ) -> None:
     pump_until(lambda: engine.clients == 1)
     clock.now += FIRST_SNAPSHOT_S + 1.0
-    link.pump()
+    connection.pump()
     pump_until(lambda: engine.clients == 2)
 
 
-def test_a_request_is_answered_through_pump(link: Link, engine: Any, pump_until: Any) -> None:
+def test_a_request_is_answered_through_pump(
+    connection: EngineConnection, engine: Any, pump_until: Any
+) -> None:
     pump_until(lambda: engine.clients == 1)
     engine.reply = Reply(ok=False, sentence="No test is running.")
     replies: list[Reply] = []
-    pump_until(lambda: link._client is not None)
-    link.request("resume", {}, replies.append)
+    pump_until(lambda: connection._client is not None)
+    connection.request("resume", {}, replies.append)
     assert replies == []
     pump_until(lambda: bool(replies))
     assert replies[0].sentence == "No test is running."
 
 
-def test_without_an_engine_a_request_is_refused_in_words(link: Link, engine: Any) -> None:
+def test_without_an_engine_a_request_is_refused_in_words(
+    connection: EngineConnection, engine: Any
+) -> None:
     replies: list[Reply] = []
-    link.request("stop", {"reason": "x"}, replies.append)
+    connection.request("stop", {"reason": "x"}, replies.append)
     assert not replies[0].ok
     assert "not reachable" in replies[0].sentence
 
 
 def test_stop_does_not_wait_behind_a_slow_request(
-    link: Link, engine: Any, pump_until: Any, monkeypatch: pytest.MonkeyPatch
+    connection: EngineConnection, engine: Any, pump_until: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    pump_until(lambda: link._client is not None)
-    client = link._client
+    pump_until(lambda: connection._client is not None)
+    client = connection._client
     assert client is not None
     plain = client.request
 
@@ -147,18 +161,20 @@ def test_stop_does_not_wait_behind_a_slow_request(
     engine.answering.clear()
     monkeypatch.setattr(client, "request", slow)
     replies: list[str] = []
-    link.request("connect", {}, lambda _: replies.append("connect"))
-    link.request("stop", {"reason": "x"}, lambda _: replies.append("stop"))
+    connection.request("connect", {}, lambda _: replies.append("connect"))
+    connection.request("stop", {"reason": "x"}, lambda _: replies.append("stop"))
     pump_until(lambda: len(replies) == 2)
     assert engine.verbs == ["stop"]
 
 
-def test_requests_are_refused_when_too_many_wait(link: Link, engine: Any, pump_until: Any) -> None:
-    pump_until(lambda: link._client is not None)
+def test_requests_are_refused_when_too_many_wait(
+    connection: EngineConnection, engine: Any, pump_until: Any
+) -> None:
+    pump_until(lambda: connection._client is not None)
     engine.answering.clear()
     replies: list[Reply] = []
     for _ in range(30):
-        link.request("note", {"text": "x"}, replies.append)
+        connection.request("note", {"text": "x"}, replies.append)
     refused = [reply for reply in replies if "Too many" in reply.sentence]
     assert 10 <= len(refused) <= 14
     engine.answering.set()
@@ -166,16 +182,16 @@ def test_requests_are_refused_when_too_many_wait(link: Link, engine: Any, pump_u
 
 
 def test_a_lost_client_is_closed_only_when_no_request_uses_it(
-    link: Link, engine: Any, clock: Clock, pump_until: Any
+    connection: EngineConnection, engine: Any, clock: Clock, pump_until: Any
 ) -> None:
     engine.say(count=3)
-    pump_until(lambda: link.state is LinkState.ATTACHED)
-    client: Any = link._client
+    pump_until(lambda: connection.state is ConnectionState.ATTACHED)
+    client: Any = connection._client
     engine.answering.clear()
     replies: list[Reply] = []
-    link.request("note", {"text": "x"}, replies.append)
+    connection.request("note", {"text": "x"}, replies.append)
     clock.now += LOST_AFTER_S + 0.1
-    link.pump()
+    connection.pump()
     pump_until(lambda: engine.clients == 2)
     assert not client.closed
     engine.answering.set()

@@ -16,7 +16,7 @@ from PySide6.QtCore import Qt
 
 from rigapp.config.loading import parse_test
 from rigapp.gui.data.recording import load_history
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.panels.browser import BrowserPanel, list_tests
 from rigapp.gui.panels.compare import line_of
@@ -42,8 +42,8 @@ MakeStatus = Callable[..., Status]
 
 
 @pytest.fixture
-def worker() -> Iterator[Worker]:
-    worker = Worker("test-files")
+def worker() -> Iterator[TaskWorker]:
+    worker = TaskWorker("test-files")
     yield worker
     worker.close()
 
@@ -167,7 +167,7 @@ def test_changed_limits_are_read_from_the_log() -> None:
 
 
 def test_the_log_is_read_from_the_file_and_searched(
-    qtbot: Any, qapp: Any, recorded: Path, worker: Worker
+    qtbot: Any, qapp: Any, recorded: Path, worker: TaskWorker
 ) -> None:
     panel = LogPanel(worker)
     qtbot.addWidget(panel)
@@ -188,7 +188,7 @@ def test_the_log_is_read_from_the_file_and_searched(
 
 
 def test_a_log_that_cannot_be_read_is_said(
-    qtbot: Any, qapp: Any, tmp_path: Path, worker: Worker
+    qtbot: Any, qapp: Any, tmp_path: Path, worker: TaskWorker
 ) -> None:
     panel = LogPanel(worker)
     qtbot.addWidget(panel)
@@ -218,7 +218,7 @@ def test_the_results_folder_is_listed_with_what_cannot_be_read(folder: Path) -> 
 
 
 def test_results_are_compared_and_replayed(
-    qtbot: Any, qapp: Any, folder: Path, worker: Worker
+    qtbot: Any, qapp: Any, folder: Path, worker: TaskWorker
 ) -> None:
     launched: list[list[str]] = []
     panel = BrowserPanel(LIGHT, folder, worker, lambda arguments: launched.append([*arguments]))
@@ -260,7 +260,7 @@ def test_results_are_compared_and_replayed(
 
 
 def test_the_report_is_written_beside_the_file(
-    qtbot: Any, qapp: Any, recorded: Path, worker: Worker
+    qtbot: Any, qapp: Any, recorded: Path, worker: TaskWorker
 ) -> None:
     panel = BrowserPanel(LIGHT, recorded.parent, worker)
     qtbot.addWidget(panel)
@@ -289,7 +289,7 @@ def test_a_comparison_on_the_wear_axis_ascends(recorded: Path) -> None:
 
 
 def test_an_interrupted_test_can_be_gone_on_with(
-    qtbot: Any, qapp: Any, recorded: Path, worker: Worker, asked: list[Any]
+    qtbot: Any, qapp: Any, recorded: Path, worker: TaskWorker, asked: list[Any]
 ) -> None:
     panel = BrowserPanel(LIGHT, recorded.parent, worker)
     qtbot.addWidget(panel)
@@ -303,7 +303,7 @@ def test_an_interrupted_test_can_be_gone_on_with(
 
 
 def test_faults_of_the_simulated_rig_are_caused_and_ended(
-    qtbot: Any, qapp: Any, make_status: MakeStatus, worker: Worker, asked: list[Any]
+    qtbot: Any, qapp: Any, make_status: MakeStatus, worker: TaskWorker, asked: list[Any]
 ) -> None:
     panel = FaultPanel(worker)
     qtbot.addWidget(panel)
@@ -370,10 +370,10 @@ def test_the_worn_area_is_that_of_the_two_circles() -> None:
 
 def test_the_profile_panel_shows_both_depths(qtbot: Any, qapp: Any, recorded: Path) -> None:
     history = load_history(recorded)
-    assert history.test is not None
+    assert history.recipe is not None
     panel = WearProfilePanel("test", LIGHT)
     qtbot.addWidget(panel)
-    panel.refresh(history.data, history.test.model.joint)
+    panel.refresh(history.data, history.recipe.model.joint)
     predicted = history.data.predictions.last("wear_depth")
     assert panel._model.getData()[1].max() == pytest.approx(predicted)
     assert f"model {predicted:.4f} mm" in panel.legend.accessibleName()
@@ -481,7 +481,7 @@ def test_the_cursor_reads_values_with_units(
 def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
     window: Any, engine: Any, attach: Callable[[], None], qtbot: Any, recorded: Path
 ) -> None:
-    window._session._revolution = lambda path, revolution: load_it(recorded, revolution)
+    window._test._revolution = lambda path, revolution: load_it(recorded, revolution)
     window.tabs.setCurrentIndex(1)
     engine.say(count=5)
     attach()
@@ -570,7 +570,7 @@ def test_a_trend_is_read_at_a_cycle(
     trend = window.tabs.upper_trend
     trend.point_at(700.3)
     window.draw_now()
-    expected = window._session.data.rows.series("force_max").values[699]
+    expected = window._test.data.rows.series("force_max").values[699]
     assert f"At cycle 700: maximum {expected:.4g}" in trend.values.whole
     assert "model maximum" in trend.values.whole
     trend.point_at(99_999.0)
@@ -613,23 +613,23 @@ def test_a_minimised_window_draws_nothing(
     engine.say(first=6, count=1)
     window.tick()
     assert window.tabs.overview.shown.measured_revolution == 5
-    assert len(window._session.data.rows) == 6
+    assert len(window._test.data.rows) == 6
 
 
 def test_a_replay_starts_again(recorded: Path, qtbot: Any, qapp: Any) -> None:
-    from rigapp.gui.data.link import Link
-    from rigapp.gui.data.replay import ReplayClient
-    from rigapp.gui.data.session import Session
+    from rigapp.gui.data.connection import EngineConnection
+    from rigapp.gui.data.showntest import ShownTest
     from rigapp.gui.window.window import MainWindow
+    from rigapp.replay.client import ReplayClient
 
     client = ReplayClient(recorded, at_end=True)
-    window = MainWindow(Link(lambda: client), Session(), LIGHT)
+    window = MainWindow(EngineConnection(lambda: client), ShownTest(), LIGHT)
     qtbot.addWidget(window)
     window.show()
 
     def rows(count: int) -> bool:
         window.tick()
-        return len(window._session.data.rows) == count
+        return len(window._test.data.rows) == count
 
     qtbot.waitUntil(lambda: rows(300), timeout=PATIENCE_MS)
     assert window.replay_bar.isVisible()
@@ -647,13 +647,15 @@ def test_the_layout_is_remembered(
 ) -> None:
     from PySide6.QtCore import QSettings
 
-    from rigapp.gui.data.link import Link
-    from rigapp.gui.data.session import Session
+    from rigapp.gui.data.connection import EngineConnection
+    from rigapp.gui.data.showntest import ShownTest
     from rigapp.gui.window.window import MainWindow
 
     def make() -> MainWindow:
         settings = QSettings(str(tmp_path / "layout.ini"), QSettings.Format.IniFormat)
-        window = MainWindow(Link(engine.client), Session(no_history), LIGHT, settings=settings)
+        window = MainWindow(
+            EngineConnection(engine.client), ShownTest(no_history), LIGHT, settings=settings
+        )
         qtbot.addWidget(window)
         window.show()
         return window

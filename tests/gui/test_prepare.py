@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QComboBox, QLineEdit
 
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.loading import parse_test, read_rig, read_test
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.testfile.fields import (
     changes,
@@ -240,7 +240,7 @@ def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
 def test_the_list_follows_form_and_engine(
     qtbot: Any, qapp: Any, tmp_path: Path, make_status: Any
 ) -> None:
-    worker = Worker("test-files")
+    worker = TaskWorker("test-files")
     panel = PreparePanel(DARK, tmp_path, worker)
     qtbot.addWidget(panel)
     panel.recipe.open_file(EXAMPLES / "quick.toml")
@@ -277,7 +277,7 @@ def test_window_and_command_line_show_one_list(
     monkeypatch.setattr(check, "look", lambda records, test: (status, []))
     assert check.check_rig(EXAMPLES / "simulated.toml", EXAMPLES / "quick.toml") == 0
     lines = capsys.readouterr().out.splitlines()
-    worker = Worker("test-files")
+    worker = TaskWorker("test-files")
     panel = PreparePanel(LIGHT, tmp_path, worker)
     qtbot.addWidget(panel)
     panel.set_rig(EXAMPLES / "simulated.toml")
@@ -311,7 +311,7 @@ def test_a_rig_file_that_became_unusable_blocks(
     rig = tmp_path / "rig.toml"
     text = (EXAMPLES / "simulated.toml").read_text(encoding="utf-8")
     rig.write_text(text, encoding="utf-8")
-    worker, now = Worker("test-files"), [0.0]
+    worker, now = TaskWorker("test-files"), [0.0]
     panel = PreparePanel(LIGHT, tmp_path, worker, clock=lambda: now[0])
     qtbot.addWidget(panel)
     panel.set_rig(rig)

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigapp.gui.data.frames import Frame, to_frame
+from rigapp.gui.data.frames import ForceFrame, to_frame
 from rigapp.gui.data.ranges import SteadyRange, nice_step
 
 REFERENCE = Path(__file__).parent.parent / "data" / "gui_forces_spring.csv"
@@ -60,9 +60,9 @@ def test_frames_agree_with_the_closed_form() -> None:
     )
     ratio = 76.2 / 203.2
     for frame, wanted in (
-        (Frame.CRANK, (e1, n1)),
-        (Frame.GLOBAL, (x, y)),
-        (Frame.FOLLOWER, (e2, n2)),
+        (ForceFrame.CRANK, (e1, n1)),
+        (ForceFrame.GLOBAL, (x, y)),
+        (ForceFrame.FOLLOWER, (e2, n2)),
     ):
         found = to_frame(e1, n1, angle, frame, ratio)
         np.testing.assert_allclose(found, wanted, atol=1e-9)
@@ -70,4 +70,4 @@ def test_frames_agree_with_the_closed_form() -> None:
 
 def test_the_follower_frame_needs_the_mechanism() -> None:
     with pytest.raises(ValueError, match="mechanism"):
-        to_frame([1.0], [0.0], [10.0], Frame.FOLLOWER)
+        to_frame([1.0], [0.0], [10.0], ForceFrame.FOLLOWER)

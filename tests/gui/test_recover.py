@@ -12,8 +12,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from rigapp.config.loading import read_rig
-from rigapp.gui.data.link import Link
-from rigapp.gui.data.session import Session
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.window.recover import KEY, RecoverPanel
 from rigapp.gui.window.window import MainWindow
@@ -115,7 +115,7 @@ class Operator:
 
     @property
     def status(self) -> Any:
-        return self.window._link.status
+        return self.window._connection.status
 
     def click(self, widget: QWidget) -> None:
         self.see(lambda: widget.isVisible() and widget.isEnabled())
@@ -146,7 +146,9 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
         assert entry is not None
         return Client(entry, "E. Sample")
 
-    window = MainWindow(Link(factory), Session(), LIGHT, tests=[test], results_folder=tmp_path)
+    window = MainWindow(
+        EngineConnection(factory), ShownTest(), LIGHT, tests=[test], results_folder=tmp_path
+    )
     qtbot.addWidget(window)
     window.show()
     window.start()

@@ -10,15 +10,15 @@ from patience import PATIENCE_MS
 from PySide6.QtGui import QImage
 
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.data.frames import Frame
-from rigapp.gui.data.link import Link
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.frames import ForceFrame
 from rigapp.gui.data.recording import load_events, load_revolution
-from rigapp.gui.data.replay import ReplayClient
-from rigapp.gui.data.session import Session
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import DARK
 from rigapp.gui.window.headline import Level
 from rigapp.gui.window.picture import save_picture
 from rigapp.gui.window.window import MainWindow
+from rigapp.replay.client import ReplayClient
 from rigapp.schema.messages import RunState
 
 
@@ -26,19 +26,19 @@ def test_a_recorded_test_plays_from_its_first_to_its_last_row(
     recorded: Path, qtbot: Any, qapp: Any
 ) -> None:
     client = ReplayClient(recorded, speed=4.0)
-    window = MainWindow(Link(lambda: client), Session(), DARK)
+    window = MainWindow(EngineConnection(lambda: client), ShownTest(), DARK)
     qtbot.addWidget(window)
     window.show()
     lengths: list[int] = []
 
     def playing() -> bool:
         window.tick()
-        lengths.append(len(window._session.data.rows))
+        lengths.append(len(window._test.data.rows))
         return len(set(lengths)) > 3
 
     def ended() -> bool:
         playing()
-        status = window._link.status
+        status = window._connection.status
         return status is not None and status.state is RunState.STOPPED and window.settled
 
     qtbot.waitUntil(playing, timeout=PATIENCE_MS)
@@ -47,15 +47,15 @@ def test_a_recorded_test_plays_from_its_first_to_its_last_row(
     qtbot.waitUntil(ended, timeout=PATIENCE_MS)
     assert lengths == sorted(lengths)
     assert lengths[-1] == 300
-    data = window._session.data
+    data = window._test.data
     assert len(data.predictions) == 300
     assert data.cycle is not None
     assert data.cycle.revolution == 300
     assert "All revolutions are done" in window.header.state.detail.whole
-    assert window._session.crank_over_follower == pytest.approx(0.375)
+    assert window._test.crank_over_follower == pytest.approx(0.375)
     box = window.tabs.overview.frame_box
     window.draw_now()
-    box.setCurrentIndex(box.findData(Frame.FOLLOWER))
+    box.setCurrentIndex(box.findData(ForceFrame.FOLLOWER))
     window.draw_now()
     assert window.tabs.overview.shown is not None
     assert abs(window.tabs.overview.shown.model["force_2"]).max() < 5e-3  # type: ignore[index]
@@ -109,17 +109,17 @@ def test_the_nearest_stored_revolution_is_found(recorded: Path) -> None:
 def test_a_window_opened_late_gets_the_earlier_rows_from_the_file(
     recorded: Path, engine: Any, qtbot: Any, qapp: Any
 ) -> None:
-    window = MainWindow(Link(engine.client), Session(), DARK)
+    window = MainWindow(EngineConnection(engine.client), ShownTest(), DARK)
     qtbot.addWidget(window)
     window.show()
     engine.say(first=301, count=2, file=str(recorded))
 
     def complete() -> bool:
         window.tick()
-        return len(window._session.data.rows) == 302
+        return len(window._test.data.rows) == 302
 
     qtbot.waitUntil(complete, timeout=PATIENCE_MS)
-    assert list(window._session.data.rows.revolutions[[0, -1]]) == [1.0, 302.0]
+    assert list(window._test.data.rows.revolutions[[0, -1]]) == [1.0, 302.0]
     engine.say(first=320, count=2, file=str(recorded))
     qtbot.waitUntil(lambda: _after_gap(window), timeout=PATIENCE_MS)
     window.close()
@@ -128,14 +128,14 @@ def test_a_window_opened_late_gets_the_earlier_rows_from_the_file(
 def test_a_window_opened_after_the_end_shows_the_whole_test(
     recorded: Path, engine: Any, qtbot: Any, qapp: Any
 ) -> None:
-    window = MainWindow(Link(engine.client), Session(), DARK)
+    window = MainWindow(EngineConnection(engine.client), ShownTest(), DARK)
     qtbot.addWidget(window)
     window.show()
     engine.say(count=0, curves=False, file=str(recorded), committed=300, state=RunState.STOPPED)
 
     def complete() -> bool:
         window.tick()
-        return len(window._session.data.rows) == 300
+        return len(window._test.data.rows) == 300
 
     qtbot.waitUntil(complete, timeout=PATIENCE_MS)
     window.draw_now()
@@ -147,7 +147,7 @@ def test_a_window_opened_after_the_end_shows_the_whole_test(
 
 def _after_gap(window: MainWindow) -> bool:
     window.tick()
-    revolutions = window._session.data.rows.revolutions
+    revolutions = window._test.data.rows.revolutions
     return window.settled and revolutions[-1] == 321.0
 
 
@@ -155,7 +155,7 @@ def test_a_history_that_cannot_be_read_is_said(
     engine: Any, qtbot: Any, qapp: Any, tmp_path: Path
 ) -> None:
     now = [0.0]
-    window = MainWindow(Link(engine.client), Session(clock=lambda: now[0]), DARK)
+    window = MainWindow(EngineConnection(engine.client), ShownTest(clock=lambda: now[0]), DARK)
     qtbot.addWidget(window)
     window.show()
 

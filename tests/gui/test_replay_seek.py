@@ -15,14 +15,14 @@ from PySide6.QtCore import Qt
 from rigapp.config.loading import parse_test
 from rigapp.engine.judging import causes
 from rigapp.engine.judging.alarms import AlarmBook
-from rigapp.gui.data.link import Link
+from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.pyramid import Pyramid
-from rigapp.gui.data.recordedalarms import RecordedAlarms
 from rigapp.gui.data.recording import load_history
-from rigapp.gui.data.replay import ReplayClient
-from rigapp.gui.data.session import Session
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import LIGHT
 from rigapp.gui.window.window import MainWindow
+from rigapp.replay.alarms import RecordedAlarms
+from rigapp.replay.client import ReplayClient
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Alarm, Event, Flag, RunState, Severity
 from rigapp.storage.oldlog import translated
@@ -35,7 +35,7 @@ RULE = '\n[[limits.rule]]\nquantity = "force_max"\nwarning_above = 150.0\ncritic
 def player(recorded: Path, qtbot: Any, qapp: Any) -> Iterator[tuple[MainWindow, ReplayClient]]:
     """Return a window that shows the end of a replay."""
     client = ReplayClient(recorded, at_end=True)
-    window = MainWindow(Link(lambda: client), Session(), LIGHT)
+    window = MainWindow(EngineConnection(lambda: client), ShownTest(), LIGHT)
     qtbot.addWidget(window)
     window.resize(1300, 850)
     window.show()
@@ -49,7 +49,7 @@ def reach(window: MainWindow, qtbot: Any, rows: int) -> None:
 
     def there() -> bool:
         window.tick()
-        return len(window._session.data.rows) == rows and window.settled
+        return len(window._test.data.rows) == rows and window.settled
 
     qtbot.waitUntil(there, timeout=PATIENCE_MS)
 
@@ -62,7 +62,7 @@ def test_a_leap_back_shows_what_was_there_and_a_leap_forward_all_between(
     for place in (120, 37, 250, 1, 300, 0, 299):
         assert client.request("seek", {"revolution": place}).ok
         reach(window, qtbot, place)
-        data = window._session.data
+        data = window._test.data
         assert client.request("status").result["revolution"] == place
         np.testing.assert_array_equal(data.rows.revolutions, np.arange(1.0, place + 1.0))
         assert len(data.predictions) == place
@@ -104,7 +104,7 @@ def test_the_bar_follows_and_leads_the_replay(
 def test_a_long_leap_comes_in_steps(
     recorded: Path, monkeypatch: pytest.MonkeyPatch, qtbot: Any
 ) -> None:
-    monkeypatch.setattr("rigapp.gui.data.replay.MOST_ROWS", 100)
+    monkeypatch.setattr("rigapp.replay.client.MOST_ROWS", 100)
     client = ReplayClient(recorded, speed=0.0)
     try:
         client.request("seek", {"revolution": 300})
@@ -204,8 +204,8 @@ def test_the_window_shows_margin_of_a_recorded_test(
     window, _ = player
     assert window.header.margin.value.whole == "66 %"
     assert window.header.margin.detail.whole == "overspeed"
-    assert window._link.status is not None
-    assert window._link.status.state is RunState.STOPPED
+    assert window._connection.status is not None
+    assert window._connection.status.state is RunState.STOPPED
 
 
 @pytest.mark.parametrize("kept", [0, 1, 15, 16, 17, 255, 256, 257, 4095, 4097, 9999])

@@ -8,7 +8,7 @@ from typing import Any
 import PySide6
 import pytest
 
-from rigapp.gui.window.window import selftest
+from rigapp.gui.window import selftest
 
 
 def test_the_installed_library_passes(qapp: Any) -> None:

@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rigapp.gui.data.profiles import profile_message, shown_profile
+from rigapp.gui.data.profiles import shown_profile
 from rigapp.gui.data.recording import load_history
-from rigapp.gui.data.replay import read_tape
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.plots.palette import LIGHT
 from rigapp.gui.plots.wearprofile import WearProfilePanel
+from rigapp.replay.client import read_recording
+from rigapp.replay.messages import profile_message
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.storage import open_test
 
@@ -74,4 +75,4 @@ def test_unknown_profiles_say_so(qtbot: Any) -> None:
 def test_old_files_have_no_profile(recorded: Path) -> None:
     assert load_history(recorded).data.profile is None
     with open_test(recorded) as test:
-        assert read_tape(test).profiles["measured"].shape == (0, ANGLES.size)
+        assert read_recording(test).profiles["measured"].shape == (0, ANGLES.size)

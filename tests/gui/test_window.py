@@ -182,7 +182,7 @@ def test_a_dead_engine_is_said_and_attached_again(
     engine.say(first=6, count=2)
     attach()
     assert window.header.state.value.whole == "Running"
-    assert len(window._session.data.rows) == 7
+    assert len(window._test.data.rows) == 7
 
 
 def test_alarms_show_cause_consequence_action_and_are_acknowledged(
@@ -315,7 +315,7 @@ def test_thousands_of_updates_leak_neither_memory_nor_references(
     for begin in range(300, len(snapshots), 300):
         run(snapshots[begin : begin + 300])
         resident.append(resident_kB())
-    assert len(window._session.data.rows) == 50 + 2 * len(snapshots)
+    assert len(window._test.data.rows) == 50 + 2 * len(snapshots)
     # A leak grows in every batch; what the tests before have left may move the memory in one.
     assert min(after - before for before, after in itertools.pairwise(resident)) < 4_000
     assert abs(sys.getrefcount(None) - nones) < 500

@@ -9,9 +9,9 @@ import msgspec
 
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.causes import KINDS, drive_warning, index_missed
-from rigapp.engine.words import WORDS
 from rigapp.gui.panels.alarms import COLUMNS, AlarmPanel
 from rigapp.gui.plots.palette import LIGHT
+from rigapp.schema.words import WORDS
 
 GUIDE = Path(__file__).parents[2] / "docs" / "operator.md"
 

@@ -15,7 +15,7 @@ from calibration.records import unseal
 from rigapp.calibrating.live_calibration import Rig
 from rigapp.commands.run import run_test
 from rigapp.config.loading import read_rig
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Request
@@ -34,7 +34,7 @@ class HostLine:
 
     def __init__(self, host: EngineHost) -> None:
         self._host = host
-        self.worker = Worker("story-requests", bound=64)
+        self.worker = TaskWorker("story-requests", bound=64)
 
     def __call__(self, verb: str, arguments: dict[str, Any], handler: Any) -> None:
         """Queue a request."""

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 import msgspec
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.ranges import refusal
 from rigapp.config.recipe import Action, LimitRule, LimitsSection
-from rigapp.config.rules import BOUNDS, check_rules, level_refusal
+from rigapp.config.rules import ALWAYS, BOUNDS, check_rules, limit_refusal
 from rigapp.schema.messages import Severity
 
 
@@ -147,19 +146,6 @@ class RuleMonitor:
                 side = "above" if watch.above else "below"
                 worst, name = margin, f"{watch.quantity} {watch.severity.value} {side}"
         return worst, name
-
-
-ALWAYS = ("overload_N", "overspeed_rpm", "stale_data_s")
-"""What is always watched, beside the rules."""
-
-
-def limit_refusal(name: str, value: object) -> str:
-    """Return what is wrong with the value of a limit or level of that name; empty when right."""
-    if name in ALWAYS:
-        return refusal(f"limits.{name}", value)
-    quantity, _, level = name.partition(".")
-    wrong = level_refusal(quantity, level, value)
-    return f"{quantity}.{wrong}" if wrong else ""
 
 
 def least_margin(

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.gui.data.frames import Frame, to_frame
+from rigapp.gui.data.frames import ForceFrame, to_frame
 from rigapp.gui.data.series import MeasuredCycle, PredictedCycle
 from rigapp.schema.messages import ChannelView
 
@@ -18,7 +18,7 @@ CURVES = ("force", "force_1", "force_2")
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class RevolutionCurves:
     """The arrays on the screen: crank angle, |F| and components of measurement and model.
 
     ``model`` is on the model's own angles, ``residual`` (measured - model) on the measured ones.
@@ -36,19 +36,19 @@ class Shown:
 def compose(
     cycle: MeasuredCycle,
     prediction: PredictedCycle | None,
-    frame: Frame,
+    frame: ForceFrame,
     crank_over_follower: float | None,
-) -> Shown:
+) -> RevolutionCurves:
     """Return measurement, model and their difference over one revolution in a frame."""
     angle = cycle.angle_deg.astype(np.float64)
     measured = _in_frame(angle, cycle.channels, frame, crank_over_follower)
     if prediction is None:
-        return Shown(angle, measured, cycle.revolution)
+        return RevolutionCurves(angle, measured, cycle.revolution)
     model_angle = np.append(prediction.angle_deg, 360.0)
     curves = {name: np.append(values, values[0]) for name, values in prediction.curves.items()}
     on_measured = {name: prediction.at(angle, name) for name in CURVES}
     model = _in_frame(angle, on_measured, frame, crank_over_follower)
-    return Shown(
+    return RevolutionCurves(
         angle,
         measured,
         cycle.revolution,
@@ -71,7 +71,7 @@ def binned(angle_deg: Floats, values: Floats, width_deg: float) -> tuple[Floats,
     return middles[filled], means.astype(np.float64)
 
 
-def values_at(shown: Shown, angle_deg: float, first: str, second: str) -> str:
+def values_at(shown: RevolutionCurves, angle_deg: float, first: str, second: str) -> str:
     """Return measured and predicted values at a crank angle as one line with units."""
     names = {"force": "|F|", "force_1": first, "force_2": second}
     parts = []
@@ -85,7 +85,7 @@ def values_at(shown: Shown, angle_deg: float, first: str, second: str) -> str:
     return f"At {angle_deg:.1f} deg:  " + ",   ".join(parts)
 
 
-def statistics(shown: Shown) -> list[tuple[str, list[float]]]:
+def statistics(shown: RevolutionCurves) -> list[tuple[str, list[float]]]:
     """Return per curve maximum, minimum, RMS: measured, model, difference (NaN: no model)."""
     table = []
     for name in CURVES:
@@ -114,7 +114,7 @@ def uncertainty_of(channels: Sequence[ChannelView]) -> float | None:
 def _in_frame(
     angle_deg: Floats,
     curves: Mapping[str, NDArray[np.floating]],
-    frame: Frame,
+    frame: ForceFrame,
     crank_over_follower: float | None,
 ) -> dict[str, Floats]:
     one, two = to_frame(curves["force_1"], curves["force_2"], angle_deg, frame, crank_over_follower)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 
-class Frame(enum.StrEnum):
+class ForceFrame(enum.StrEnum):
     """Name the frame of the two components."""
 
     CRANK = "crank"
@@ -19,9 +19,9 @@ class Frame(enum.StrEnum):
 
 
 COMPONENT_NAMES = {
-    Frame.CRANK: ("along crank", "across crank"),
-    Frame.FOLLOWER: ("along follower", "across follower"),
-    Frame.GLOBAL: ("along x", "along y"),
+    ForceFrame.CRANK: ("along crank", "across crank"),
+    ForceFrame.FOLLOWER: ("along follower", "across follower"),
+    ForceFrame.GLOBAL: ("along x", "along y"),
 }
 
 
@@ -37,7 +37,7 @@ def to_frame(
     force_1: ArrayLike,
     force_2: ArrayLike,
     crank_angle_deg: ArrayLike,
-    frame: Frame,
+    frame: ForceFrame,
     crank_over_follower: float | None = None,
 ) -> tuple[Floats, Floats]:
     """Turn crank-frame components into a frame; arrays of one length in N and degrees.
@@ -46,10 +46,10 @@ def to_frame(
     """
     first = np.asarray(force_1, dtype=np.float64)
     second = np.asarray(force_2, dtype=np.float64)
-    if frame is Frame.CRANK:
+    if frame is ForceFrame.CRANK:
         return first, second
     turn = np.radians(np.asarray(crank_angle_deg, dtype=np.float64))
-    if frame is Frame.FOLLOWER:
+    if frame is ForceFrame.FOLLOWER:
         if crank_over_follower is None:
             raise ValueError("The follower frame needs the mechanism of the test, which is unknown")
         turn = turn - follower_angle(turn, crank_over_follower)

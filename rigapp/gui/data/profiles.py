@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
+from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES
 from rigapp.schema.messages import WornProfile, as_array
 
 Floats = NDArray[np.float64]
@@ -39,12 +37,3 @@ def shown_profile(message: WornProfile) -> ShownProfile:
     """Unpack a message."""
     curves = {name: as_array(getattr(message, name)).astype(np.float64) for name in PROFILE_CURVES}
     return ShownProfile(message.revolution, **curves)
-
-
-def profile_message(columns: Mapping[str, NDArray[Any]], index: int) -> WornProfile:
-    """Return profile ``index`` of a file's ``profiles()`` as the engine would send it."""
-    values = [float(columns[one.name][index]) for one in profile_columns()]
-    curves = {name: columns[name][index].astype("<f4").tobytes() for name in PROFILE_CURVES}
-    return WornProfile(
-        int(columns["revolution"][index]), np.array(values, dtype="<f8").tobytes(), **curves
-    )

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import TestFile
-from rigapp.gui.data.profiles import profile_message, shown_profile
-from rigapp.gui.data.series import LiveData, MeasuredCycle, PredictedCycle
-from rigapp.schema.messages import Event
-
-if TYPE_CHECKING:
-    from rigapp.storage import TestReader
-
-PREDICTION_BACK = 5
-"""Saved cycles to go back for a predicted curve when the newest has none."""
+from rigapp.gui.data.profiles import shown_profile
+from rigapp.gui.data.series import (
+    LiveData,
+    MeasuredCycle,
+    PredictedCycle,
+    measured_cycle,
+    predicted_cycle,
+)
+from rigapp.schema.messages import Cycle, Event, Prediction
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,24 +30,25 @@ class StoredRevolution:
 
 
 @dataclass(frozen=True, slots=True)
-class History:
+class StoredTest:
     """Carry what a file holds of a test at one moment.
 
-    cycle_revolutions: the revolutions whose whole cycle is saved. test: None when the test file
+    cycle_revolutions: the revolutions whose whole cycle is saved. recipe: None when the test file
     inside cannot be read. newest: the newest saved cycle, None while there is none.
     """
 
     data: LiveData
-    test: TestFile | None
+    recipe: TestFile | None
     cycle_revolutions: NDArray[np.int64]
     newest: StoredRevolution | None = None
 
 
-def load_history(path: Path, planned: int = 0) -> History:
+def load_history(path: Path, planned: int = 0) -> StoredTest:
     """Return everything that a file holds of a test, with its levels of detail built.
 
     Raises UnusableInput when the file is not a readable test.
     """
+    from rigapp.replay.messages import newest_messages, profile_message, recipe_of
     from rigapp.storage import open_test
 
     with open_test(path) as test:
@@ -64,8 +64,8 @@ def load_history(path: Path, planned: int = 0) -> History:
         data.rows.settle()
         data.predictions.settle()
         saved = test.cycle_revolutions()
-        newest = newest_revolution(test, len(saved) - 1) if len(saved) else None
-        return History(data, recipe_of(test), saved, newest)
+        newest = _unpacked(newest_messages(test, len(saved) - 1)) if len(saved) else None
+        return StoredTest(data, recipe_of(test), saved, newest)
 
 
 def load_revolution(path: Path, revolution: int) -> StoredRevolution:
@@ -73,40 +73,21 @@ def load_revolution(path: Path, revolution: int) -> StoredRevolution:
 
     Raises UnusableInput when the file has none.
     """
+    from rigapp.replay.messages import cycle_messages
     from rigapp.storage import open_test
 
     with open_test(path) as test:
         saved = test.cycle_revolutions()
         if len(saved) == 0:
             raise UnusableInput(f"{path}: no whole cycle is saved yet")
-        return stored_revolution(test, int(np.argmin(np.abs(saved - revolution))))
+        return _unpacked(cycle_messages(test, int(np.argmin(np.abs(saved - revolution)))))
 
 
-def stored_revolution(test: TestReader, index: int) -> StoredRevolution:
-    """Return the saved cycle ``index`` with the prediction of the same revolution."""
-    stored = test.cycle(index)
-    names = ("force_1", "force_2", "force", "probe_1", "probe_2")
-    cycle = MeasuredCycle(
-        stored.revolution,
-        stored.columns["angle"],
-        {name: stored.columns[name] for name in names},
+def _unpacked(messages: tuple[Cycle, Prediction | None]) -> StoredRevolution:
+    cycle, prediction = messages
+    return StoredRevolution(
+        measured_cycle(cycle), predicted_cycle(prediction) if prediction is not None else None
     )
-    curves = test.predicted_curve(stored.revolution)
-    if curves is None:
-        return StoredRevolution(cycle, None)
-    angle = np.asarray(curves.pop("angle"), dtype=np.float64)
-    return StoredRevolution(cycle, PredictedCycle(stored.revolution, angle, curves))
-
-
-def newest_revolution(test: TestReader, index: int) -> StoredRevolution:
-    """Return saved cycle ``index``, with the newest prediction saved up to there."""
-    stored = stored_revolution(test, index)
-    prediction = stored.prediction
-    earlier = index - 1
-    while prediction is None and earlier >= max(0, index - PREDICTION_BACK):
-        prediction = stored_revolution(test, earlier).prediction
-        earlier -= 1
-    return StoredRevolution(stored.cycle, prediction)
 
 
 def load_events(path: Path) -> list[Event]:
@@ -115,13 +96,3 @@ def load_events(path: Path) -> list[Event]:
 
     with open_test(path) as test:
         return test.events()
-
-
-def recipe_of(test: TestReader) -> TestFile | None:
-    """Return the test file that was copied into a recorded file, None when it cannot be read."""
-    from rigapp.config.loading import parse_test
-
-    try:
-        return parse_test(str(test.configuration()["test"]), test.path.name, recorded=True)
-    except (UnusableInput, KeyError):
-        return None

@@ -26,7 +26,7 @@ UNFOLLOWED_SHARE = 0.05
 NOT_DRAWN = ("revolution", "samples", "lost_samples")
 
 
-class Table:
+class SeriesTable:
     """Hold columns that grow together, each with its levels of detail, against ``revolution``."""
 
     def __init__(self, columns: tuple[str, ...], capacity: int = 1 << 16) -> None:
@@ -142,8 +142,10 @@ class LiveData:
 
     def __init__(self, planned: int = 0) -> None:
         capacity = max(1 << 16, planned + 1024)
-        self.rows = Table(tuple(column.name for column in revolution_columns()), capacity)
-        self.predictions = Table(tuple(column.name for column in prediction_columns()), capacity)
+        self.rows = SeriesTable(tuple(column.name for column in revolution_columns()), capacity)
+        self.predictions = SeriesTable(
+            tuple(column.name for column in prediction_columns()), capacity
+        )
         self.cycle: MeasuredCycle | None = None
         self.prediction: PredictedCycle | None = None
         self.profile: ShownProfile | None = None

@@ -14,7 +14,7 @@ Done = Callable[[Any], None]
 Failed = Callable[[Exception], None]
 
 
-class Worker:
+class TaskWorker:
     """Run calls one after another on a thread of its own.
 
     At most ``bound`` calls wait; a further one is refused, so that nothing piles up behind a call

@@ -24,10 +24,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.engine.words import explained
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.window.guarded import GuardedButton
+from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, RunState, Severity
+from rigapp.schema.words import explained
 
 Index = QModelIndex | QPersistentModelIndex
 

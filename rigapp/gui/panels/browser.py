@@ -12,13 +12,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSplitter, QVBoxLayout, QWidget
 
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.data.texts import grouped
 from rigapp.gui.panels.compare import ComparePanel
-from rigapp.gui.panels.devices import PlainTable
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.window.guarded import GuardedButton
-from rigapp.gui.window.header import ElidedLabel
-from rigapp.gui.window.headline import grouped
+from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.widgets.tables import PlainTable
 
 HEADINGS = ("File", "State", "Title", "Specimen", "Revolutions", "Cycles", "Started", "Reason")
 REPORT_TIMEOUT_S = 300.0
@@ -100,7 +100,7 @@ class BrowserPanel(QSplitter):
     said = Signal(str, bool)
 
     def __init__(
-        self, theme: Theme, folder: Path, worker: Worker, launch: Launch = launch_process
+        self, theme: Theme, folder: Path, worker: TaskWorker, launch: Launch = launch_process
     ) -> None:
         super().__init__(Qt.Orientation.Vertical)
         self._theme = theme

@@ -13,12 +13,12 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidg
 
 from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.recording import History, load_history
-from rigapp.gui.data.series import LiveData, Table
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.recording import StoredTest, load_history
+from rigapp.gui.data.series import LiveData, SeriesTable
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import Theme, line_pen
 from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
-from rigapp.gui.window.header import ElidedLabel
+from rigapp.gui.widgets.labels import ElidedLabel
 
 Floats = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ AXES = {"cycle": "Cycle", "measured_wear_depth": "Measured wear depth (mm)"}
 
 
 @dataclass(frozen=True, slots=True)
-class Run:
+class ComparedTest:
     """One test of the comparison."""
 
     path: Path
@@ -68,18 +68,18 @@ def line_of(data: LiveData, quantity: str, axis: str) -> tuple[Floats, Floats]:
     return at[order], y[order]
 
 
-def _table(data: LiveData, quantity: str) -> Table:
+def _table(data: LiveData, quantity: str) -> SeriesTable:
     return data.rows if quantity in data.rows.names else data.predictions
 
 
 class ComparePanel(QWidget):
     """Draw one quantity of each chosen test."""
 
-    def __init__(self, theme: Theme, worker: Worker) -> None:
+    def __init__(self, theme: Theme, worker: TaskWorker) -> None:
         super().__init__()
         self._theme = theme
         self._worker = worker
-        self._runs: list[Run] = []
+        self._runs: list[ComparedTest] = []
         self._wanted: list[Path] = []
         self.setObjectName("compare_panel")
         self.setAccessibleName("Comparison of tests")
@@ -114,7 +114,7 @@ class ComparePanel(QWidget):
         return box
 
     @property
-    def runs(self) -> list[Run]:
+    def runs(self) -> list[ComparedTest]:
         """Return the tests that are compared."""
         return self._runs
 
@@ -138,9 +138,9 @@ class ComparePanel(QWidget):
         if len(paths) > MOST:
             self.message.show_text(f"Only the first {MOST} are compared.")
 
-    def _loaded(self, path: Path, history: History) -> None:
+    def _loaded(self, path: Path, history: StoredTest) -> None:
         if path in self._wanted and all(run.path != path for run in self._runs):
-            self._runs.append(Run(path, history.data))
+            self._runs.append(ComparedTest(path, history.data))
             self._runs.sort(key=lambda run: self._wanted.index(run.path))
             if len(self._runs) == len(self._wanted):
                 self.message.show_text("")

@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.data.comparison import Shown, statistics
-from rigapp.gui.data.frames import COMPONENT_NAMES, Frame
+from rigapp.gui.data.comparison import RevolutionCurves, statistics
+from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.plots.overlay import OverlayPanel
@@ -52,7 +52,7 @@ class ValueTable(QTableWidget):
                 self.setItem(row, column, item)
         self._fit()
 
-    def show_values(self, shown: Shown | None, frame: Frame) -> None:
+    def show_values(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
         """Fill the table, with dashes when nothing is shown."""
         first, second = COMPONENT_NAMES[frame]
         self.setVerticalHeaderLabels(["|F| (N)", f"{first} (N)", f"{second} (N)"])
@@ -86,7 +86,7 @@ class CyclePanel(QSplitter):
         self.values = ValueTable("cycle")
         self.polar = PolarPanel("cycle", theme)
         self.probes = ProbePanel("cycle", theme)
-        self._valued: Shown | None = None
+        self._valued: RevolutionCurves | None = None
         self._add_tools()
         left = QWidget()
         column = QVBoxLayout(left)

@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
 )
 
 from drivers.registry import DriverNotFound, load_driver, load_simulator
-from rigapp.gui.data.tasks import Worker
-from rigapp.gui.window.guarded import GuardedButton
+from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.schema.messages import Status
 
 CHANNELS = ("force_1", "force_2", "probe_1", "probe_2")
@@ -57,7 +57,7 @@ class FaultPanel(QWidget):
 
     wanted = Signal(str, dict)
 
-    def __init__(self, worker: Worker) -> None:
+    def __init__(self, worker: TaskWorker) -> None:
         super().__init__()
         self._worker = worker
         self._devices: tuple[tuple[str, str], ...] | None = None

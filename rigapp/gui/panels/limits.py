@@ -9,12 +9,10 @@ from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLa
 
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
-from rigapp.engine.judging.limits import ALWAYS, limit_refusal
-from rigapp.gui.panels.devices import PlainTable
-from rigapp.gui.testfile.rules import LEVELS
-from rigapp.gui.window.guarded import GuardedButton
-from rigapp.gui.window.headline import ACTIVE_STATES
-from rigapp.schema.messages import NOTE_CHARACTERS, RunState
+from rigapp.config.rules import ALWAYS, BOUNDS, limit_refusal
+from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.tables import PlainTable
+from rigapp.schema.messages import ACTIVE_STATES, NOTE_CHARACTERS, RunState
 
 REVOLUTIONS = "revolutions"
 WORDS = {
@@ -33,7 +31,7 @@ def limits_of(test: TestFile | None, changed: Mapping[str, float]) -> dict[str, 
     for name in ALWAYS:
         found[name] = (float(getattr(test.limits, name)), "drive off")
     for rule in test.limits.rule:
-        for level in LEVELS:
+        for level in reversed(BOUNDS):
             value = getattr(rule, level)
             if value is not None:
                 critical = level.startswith("critical")

@@ -8,8 +8,8 @@ from pathlib import Path
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from rigapp.gui.data.recording import load_events
-from rigapp.gui.data.tasks import Worker
-from rigapp.gui.panels.devices import PlainTable
+from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.messages import Event
 
 HEADINGS = ("Time", "Cycle", "What", "Who", "Before", "After", "Text")
@@ -21,7 +21,7 @@ SHOWN = 2000
 class LogPanel(QWidget):
     """Show the log; read from the file on a worker while the panel can be seen."""
 
-    def __init__(self, worker: Worker) -> None:
+    def __init__(self, worker: TaskWorker) -> None:
         super().__init__()
         self._worker = worker
         self._path: Path | None = None

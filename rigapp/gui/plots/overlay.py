@@ -10,15 +10,22 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from rigapp.gui.data.comparison import CURVES, Shown, binned, compose, uncertainty_of, values_at
-from rigapp.gui.data.frames import COMPONENT_NAMES, Frame
+from rigapp.gui.data.comparison import (
+    CURVES,
+    RevolutionCurves,
+    binned,
+    compose,
+    uncertainty_of,
+    values_at,
+)
+from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
 from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
-from rigapp.gui.window.header import ElidedLabel
+from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.messages import ChannelView
 
 CursorMoved = Callable[[float | None], None]
@@ -77,9 +84,9 @@ class OverlayPanel(QWidget):
         self._reference: StoredRevolution | None = None
         self._drawn: tuple[object, ...] = ()
         self._doubt = ""
-        self.frame = Frame.CRANK
+        self.frame = ForceFrame.CRANK
         self.held = False
-        self.shown: Shown | None = None
+        self.shown: RevolutionCurves | None = None
         self.setObjectName(f"{prefix}_overlay_panel")
         self.setAccessibleName("Joint force over one revolution")
         self._make_plots()
@@ -119,7 +126,7 @@ class OverlayPanel(QWidget):
         self.frame_box = QComboBox()
         self.frame_box.setObjectName(f"{prefix}_frame")
         self.frame_box.setAccessibleName("Frame of the force components")
-        for frame in Frame:
+        for frame in ForceFrame:
             self.frame_box.addItem(f"{frame.value} frame", frame)
         self.frame_box.currentIndexChanged.connect(self._frame_chosen)
         caption = QLabel("Fra&me")
@@ -211,7 +218,7 @@ class OverlayPanel(QWidget):
             for curve in (*curves, self._raw_residual):
                 curve.setData([], [])
 
-    def draw(self, shown: Shown) -> None:
+    def draw(self, shown: RevolutionCurves) -> None:
         """Draw arrays."""
         self.shown = shown
         buckets = max(self.plot.width(), 200)
@@ -233,7 +240,7 @@ class OverlayPanel(QWidget):
             plot.show_cursor(angle_deg, self._theme)
         self._read_out()
 
-    def _draw_model(self, shown: Shown, buckets: int) -> None:
+    def _draw_model(self, shown: RevolutionCurves, buckets: int) -> None:
         if shown.model is None or shown.residual is None:
             for curve in (*self._model.values(), *self._residual.values(), self._raw_residual):
                 curve.setData([], [])
@@ -259,7 +266,7 @@ class OverlayPanel(QWidget):
         for name, curve in self._references.items():
             curve.setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
 
-    def _show_title(self, shown: Shown) -> None:
+    def _show_title(self, shown: RevolutionCurves) -> None:
         text = f"Measured: revolution {shown.measured_revolution}"
         if shown.model is None:
             text += ".  No prediction yet"
@@ -280,19 +287,19 @@ class OverlayPanel(QWidget):
         return steady.range or (-1.0, 1.0)
 
     def _frame_chosen(self) -> None:
-        self.frame = Frame(self.frame_box.currentData())
+        self.frame = ForceFrame(self.frame_box.currentData())
         self._range.forget()
         self._residual_range.forget()
         self._drawn = ()
         self._show_legend()
 
     def _offer_follower_frame(self) -> None:
-        index = self.frame_box.findData(Frame.FOLLOWER)
+        index = self.frame_box.findData(ForceFrame.FOLLOWER)
         known = self._ratio is not None
         flags = None if known else Qt.ItemFlag.NoItemFlags.value
         self.frame_box.setItemData(index, flags, Qt.ItemDataRole.UserRole - 1)
-        if not known and self.frame is Frame.FOLLOWER:
-            self.frame_box.setCurrentIndex(self.frame_box.findData(Frame.CRANK))
+        if not known and self.frame is ForceFrame.FOLLOWER:
+            self.frame_box.setCurrentIndex(self.frame_box.findData(ForceFrame.CRANK))
 
     def _apply_model_pen(self) -> None:
         for curve in self._model.values():

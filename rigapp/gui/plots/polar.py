@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from rigapp.gui.data.comparison import Shown
-from rigapp.gui.data.frames import COMPONENT_NAMES, Frame
+from rigapp.gui.data.comparison import RevolutionCurves
+from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.ranges import nice_step
 from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
 from rigapp.gui.plots.plotting import QuietPlot
@@ -20,7 +20,7 @@ class PolarPanel(QWidget):
 
     def __init__(self, prefix: str, theme: Theme) -> None:
         super().__init__()
-        self._drawn: Shown | None = None
+        self._drawn: RevolutionCurves | None = None
         self._radius = 0.0
         self.setObjectName(f"{prefix}_polar_panel")
         self.setAccessibleName("Force vector over one revolution")
@@ -43,7 +43,7 @@ class PolarPanel(QWidget):
         self._measured.setPen(measured_pen(theme, "force"))
         self._model.setPen(model_pen(theme, width=2.0))
 
-    def refresh(self, shown: Shown | None, frame: Frame) -> None:
+    def refresh(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
         """Draw the revolution that the overlay shows."""
         if shown is self._drawn:
             return

@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBox
 
 from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.ranges import SteadyRange, nice_step
-from rigapp.gui.data.series import LiveData, Table
+from rigapp.gui.data.series import LiveData, SeriesTable
 from rigapp.gui.plots.palette import CHECKED, Theme, line_pen, measured_pen, model_pen
 from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
-from rigapp.gui.window.header import ElidedLabel
+from rigapp.gui.widgets.labels import ElidedLabel
 
 Floats = NDArray[np.float64]
 
@@ -26,7 +26,7 @@ FOLLOWED = 1000
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class TrendLine:
     """One line of a trend: its column, the role of its colour, its name in the legend.
 
     doubt: the column of its expanded uncertainty (k = 2), where it has one.
@@ -39,68 +39,68 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
-class Quantity:
+class TrendQuantity:
     """What a trend can show: measured lines and predicted lines of one unit."""
 
     title: str
     axis: str
     minimum_span: float
-    measured: tuple[Line, ...]
-    predicted: tuple[Line, ...] = ()
+    measured: tuple[TrendLine, ...]
+    predicted: tuple[TrendLine, ...] = ()
 
 
-def _statistics(channel: str) -> tuple[Line, ...]:
+def _statistics(channel: str) -> tuple[TrendLine, ...]:
     return (
-        Line(f"{channel}_max", "max", "maximum"),
-        Line(f"{channel}_rms", "rms", "RMS"),
-        Line(f"{channel}_min", "min", "minimum"),
+        TrendLine(f"{channel}_max", "max", "maximum"),
+        TrendLine(f"{channel}_rms", "rms", "RMS"),
+        TrendLine(f"{channel}_min", "min", "minimum"),
     )
 
 
 QUANTITIES = {
-    "force": Quantity("|F|", "Force (N)", 5.0, _statistics("force"), _statistics("force")),
-    "force_1": Quantity(
+    "force": TrendQuantity("|F|", "Force (N)", 5.0, _statistics("force"), _statistics("force")),
+    "force_1": TrendQuantity(
         "Force along crank", "Force (N)", 5.0, _statistics("force_1"), _statistics("force_1")
     ),
-    "force_2": Quantity(
+    "force_2": TrendQuantity(
         "Force across crank", "Force (N)", 5.0, _statistics("force_2"), _statistics("force_2")
     ),
-    "probe_1": Quantity("Probe 1", "Position (µm)", 5.0, _statistics("probe_1")),
-    "probe_2": Quantity("Probe 2", "Position (µm)", 5.0, _statistics("probe_2")),
-    "wear": Quantity(
+    "probe_1": TrendQuantity("Probe 1", "Position (µm)", 5.0, _statistics("probe_1")),
+    "probe_2": TrendQuantity("Probe 2", "Position (µm)", 5.0, _statistics("probe_2")),
+    "wear": TrendQuantity(
         "Wear depth",
         "Depth (mm)",
         0.002,
         (),
         (
-            Line(
+            TrendLine(
                 "measured_wear_depth",
                 "max",
                 "measured",
                 "measured_wear_depth_uncertainty",
             ),
-            Line("wear_depth", "model", "model"),
+            TrendLine("wear_depth", "model", "model"),
         ),
     ),
-    "residual": Quantity(
+    "residual": TrendQuantity(
         "Measured − model",
         "RMS (N)",
         1.0,
         (),
         (
-            Line("residual_rms", "rms", "|F|"),
-            Line("residual_1_rms", "max", "along crank"),
-            Line("residual_2_rms", "min", "across crank"),
+            TrendLine("residual_rms", "rms", "|F|"),
+            TrendLine("residual_1_rms", "max", "along crank"),
+            TrendLine("residual_2_rms", "min", "across crank"),
         ),
     ),
-    "speed": Quantity(
+    "speed": TrendQuantity(
         "Speed",
         "Speed (rpm)",
         1.0,
         (
-            Line("speed_max", "max", "maximum"),
-            Line("speed", "rms", "mean"),
-            Line("speed_min", "min", "minimum"),
+            TrendLine("speed_max", "max", "maximum"),
+            TrendLine("speed", "rms", "mean"),
+            TrendLine("speed_min", "min", "minimum"),
         ),
     ),
 }
@@ -164,7 +164,7 @@ class TrendPanel(QWidget):
         self._name = quantity
         self._mode = "whole"
         self._drawn: tuple[object, ...] = ()
-        self._curves: list[tuple[Line, bool, object]] = []
+        self._curves: list[tuple[TrendLine, bool, object]] = []
         self.setObjectName(f"{prefix}_trend_panel")
         self.setAccessibleName("Statistics against cycle")
         self._cursor: float | None = None
@@ -213,7 +213,7 @@ class TrendPanel(QWidget):
         return button
 
     @property
-    def quantity(self) -> Quantity:
+    def quantity(self) -> TrendQuantity:
         """Return what is shown."""
         return QUANTITIES[self._name]
 
@@ -264,7 +264,7 @@ class TrendPanel(QWidget):
         self.plot.show_cursor(self._cursor, self._theme)
         self._drawn = ()
 
-    def _value(self, table: Table, column: str) -> float:
+    def _value(self, table: SeriesTable, column: str) -> float:
         if self._cursor is None or not len(table):
             return table.last(column)
         place = int(np.searchsorted(table.revolutions, self._cursor))
@@ -272,7 +272,7 @@ class TrendPanel(QWidget):
             return float("nan")
         return float(table.series(column).values[place])
 
-    def _doubt(self, table: Table, line: Line) -> str:
+    def _doubt(self, table: SeriesTable, line: TrendLine) -> str:
         doubt = self._value(table, line.doubt) if line.doubt else float("nan")
         return f" ± {doubt:.2g} (k = 2)" if np.isfinite(doubt) else ""
 
@@ -281,7 +281,7 @@ class TrendPanel(QWidget):
         if steady.update(low, high) and steady.range is not None:
             self.plot.setYRange(*steady.range, padding=0.0)
 
-    def _place_view(self, rows: Table, predictions: Table) -> None:
+    def _place_view(self, rows: SeriesTable, predictions: SeriesTable) -> None:
         if self._mode == "free":
             return
         known = rows.revolutions if len(rows) else predictions.revolutions
@@ -327,7 +327,7 @@ class TrendPanel(QWidget):
         self.plot.label("left", self.quantity.axis)
         self._show_legend()
 
-    def _pen(self, line: Line, predicted: bool) -> QPen:
+    def _pen(self, line: TrendLine, predicted: bool) -> QPen:
         if line.role == "model" or (predicted and self.quantity.measured):
             return model_pen(self._theme)
         return measured_pen(self._theme, line.role)
@@ -343,7 +343,7 @@ class TrendPanel(QWidget):
         self.legend.show_entries(entries)
 
 
-def visible(table: Table, column: str, low: float, high: float) -> tuple[Floats, Floats]:
+def visible(table: SeriesTable, column: str, low: float, high: float) -> tuple[Floats, Floats]:
     """Return the points to draw of one series between two revolutions, one row beyond each end."""
     revolutions = table.revolutions
     start = int(np.searchsorted(revolutions, low)) - 1

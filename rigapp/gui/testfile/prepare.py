@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QSplitter
 from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
@@ -31,7 +31,7 @@ class PreparePanel(QSplitter):
         self,
         theme: Theme,
         results_folder: Path,
-        worker: Worker,
+        worker: TaskWorker,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         super().__init__(Qt.Orientation.Horizontal)

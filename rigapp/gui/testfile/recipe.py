@@ -44,7 +44,7 @@ from rigapp.gui.testfile.fields import (
 from rigapp.gui.testfile.rules import RuleTable
 from rigapp.gui.testfile.tomltext import edited
 from rigapp.gui.testfile.unsaved import UnsavedBar
-from rigapp.gui.window.header import ElidedLabel
+from rigapp.gui.widgets.labels import ElidedLabel
 
 COLUMNS = (
     ("", "run", "metadata", "cycles", "prediction", "model.spring", "model.joint"),

@@ -20,10 +20,10 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.config.recipe import Action
-from rigapp.config.rules import QUANTITIES
+from rigapp.config.rules import BOUNDS, QUANTITIES
 from rigapp.gui.testfile.fields import show_value
 
-LEVELS = ("warning_below", "warning_above", "critical_below", "critical_above")
+LEVELS = tuple(reversed(BOUNDS))
 COLUMNS = ("quantity", *LEVELS, "hysteresis", "delay_revolutions", "action_critical")
 HEADINGS = (
     "Quantity",

@@ -9,8 +9,8 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
-from rigapp.gui.data.link import ClientFactory, Link
-from rigapp.gui.data.session import Session
+from rigapp.gui.data.connection import ClientFactory, EngineConnection
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import THEMES, apply_theme
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import MainWindow
@@ -48,8 +48,8 @@ def main(
     theme = THEMES.get(str(settings.value("theme", "light")), THEMES["light"])
     apply_theme(application, theme)
     window = MainWindow(
-        Link(client_factory),
-        Session(),
+        EngineConnection(client_factory),
+        ShownTest(),
         theme,
         rig=rig_path if rig_path.suffix == ".toml" else None,
         tests=tests,

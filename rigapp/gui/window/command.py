@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Callable
 from typing import Any
 
@@ -10,63 +9,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
+from rigapp.gui.data.commanding import CommandHolder
 from rigapp.gui.plots.palette import Theme
-from rigapp.schema.messages import Reply
 
 KEY = "F2"
-ASK_EVERY_S = 2.0
-
-
-class Holder(enum.Enum):
-    """Tell who is in command, as seen from this window."""
-
-    NOBODY = "nobody"
-    THIS = "this window"
-    OTHER = "another viewer"
-
-
-class CommandWatch:
-    """Know who is in command. A name is not enough, for two viewers may bear the same one.
-
-    The engine is asked whether it is this viewer whenever the name changes, and every two seconds
-    while somebody is in command.
-    """
-
-    def __init__(self, clock: Callable[[], float]) -> None:
-        self._clock = clock
-        self._asked_at = -ASK_EVERY_S
-        self._mine = False
-        self.name = ""
-
-    @property
-    def holder(self) -> Holder:
-        """Return who is in command."""
-        if not self.name:
-            return Holder.NOBODY
-        return Holder.THIS if self._mine else Holder.OTHER
-
-    def take_name(self, name: str) -> bool:
-        """Take the name that the engine tells; return whether it is to be asked whose it is."""
-        now = self._clock()
-        if name != self.name:
-            self.name = name
-            self._mine = False
-            self._asked_at = -ASK_EVERY_S
-        if not name or now - self._asked_at < ASK_EVERY_S:
-            return False
-        self._asked_at = now
-        return True
-
-    def answered(self, reply: Reply) -> None:
-        """Take the engine's answer to ``present``."""
-        result = reply.result
-        if reply.ok and isinstance(result, dict):
-            self._mine = bool(result.get("in_command"))
-
-    def forget(self) -> None:
-        """Know nothing: another engine may answer next."""
-        self.name, self._mine = "", False
-        self._asked_at = -ASK_EVERY_S
 
 
 class CommandLine(QWidget):
@@ -77,7 +23,7 @@ class CommandLine(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self._holder: Holder | None = None
+        self._holder: CommandHolder | None = None
         self._name = ""
         self.setObjectName("command_line")
         self.setAccessibleName("Who is in command")
@@ -92,26 +38,26 @@ class CommandLine(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.text)
         row.addWidget(self.button)
-        self.show_holder(Holder.NOBODY, "")
+        self.show_holder(CommandHolder.NOBODY, "")
 
-    def show_holder(self, holder: Holder, name: str) -> None:
+    def show_holder(self, holder: CommandHolder, name: str) -> None:
         """Show who is in command."""
         if (holder, name) == (self._holder, self._name):
             return
         self._holder, self._name = holder, name
         text, label, tip = {
-            Holder.NOBODY: (
+            CommandHolder.NOBODY: (
                 "Nobody is in command",
                 "Take command",
                 "Every window may operate the rig. In command, only this one does, apart from"
                 " stopping and acknowledging",
             ),
-            Holder.THIS: (
+            CommandHolder.THIS: (
                 "You are in command",
                 "Release command",
                 "Let every window operate the rig again",
             ),
-            Holder.OTHER: (
+            CommandHolder.OTHER: (
                 f"{name} is in command",
                 "Take over…",
                 f"{name} loses command; it is recorded in the log",
@@ -124,10 +70,10 @@ class CommandLine(QWidget):
 
     def act(self) -> None:
         """Take command, release it, or ask whether it is to be taken over."""
-        if self._holder is Holder.OTHER:
+        if self._holder is CommandHolder.OTHER:
             self.take_over_wanted.emit()
         else:
-            verb = "release_command" if self._holder is Holder.THIS else "take_command"
+            verb = "release_command" if self._holder is CommandHolder.THIS else "take_command"
             self.wanted.emit(verb, {})
 
 
@@ -171,9 +117,9 @@ class ViewerBar(QFrame):
             " border-radius: 4px; } #viewer_text { font-weight: bold; }"
         )
 
-    def show_holder(self, holder: Holder, name: str) -> None:
+    def show_holder(self, holder: CommandHolder, name: str) -> None:
         """Appear while another viewer is in command."""
-        other = holder is Holder.OTHER
+        other = holder is CommandHolder.OTHER
         if not other or name != self._name:
             self._name, self._asking = name, False
         self._say()
@@ -217,8 +163,8 @@ class ViewerBar(QFrame):
         self._say()
 
 
-def why_forbidden(holder: Holder, name: str) -> str:
+def why_forbidden(holder: CommandHolder, name: str) -> str:
     """Return why this window may not change anything, empty when it may."""
-    if holder is not Holder.OTHER:
+    if holder is not CommandHolder.OTHER:
         return ""
     return f"{name} is in command of this rig; take command over first ({KEY})"

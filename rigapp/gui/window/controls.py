@@ -19,13 +19,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.data.link import LinkState
+from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.plots.palette import Theme
+from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.command import CommandLine
-from rigapp.gui.window.guarded import GuardedButton
-from rigapp.gui.window.header import ElidedLabel
-from rigapp.gui.window.headline import ACTIVE_STATES
-from rigapp.schema.messages import NOTE_CHARACTERS, Reply, RunState, Status, Step
+from rigapp.schema.messages import ACTIVE_STATES, NOTE_CHARACTERS, Reply, RunState, Status, Step
 
 Send = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
 
@@ -134,15 +133,19 @@ class ControlRow(QWidget):
         self._theme = theme
         self._paint_answer()
 
-    def show_status(self, status: Status | None, link: LinkState, *, replay: bool = False) -> None:
+    def show_status(
+        self, status: Status | None, connection: ConnectionState, *, replay: bool = False
+    ) -> None:
         """Enable what applies now; Stop stays enabled when the state is not known."""
         self._state = status.state if status is not None else None
         self._start_when_ready()
         for command in COMMANDS:
             applies = status is not None and self._applies(command, status)
             if command.verb == "stop":
-                applies = applies or link is not LinkState.ATTACHED
-            elif link is LinkState.LOST or (replay and command.verb in ("connect", "start")):
+                applies = applies or connection is not ConnectionState.ATTACHED
+            elif connection is ConnectionState.LOST or (
+                replay and command.verb in ("connect", "start")
+            ):
                 applies = False
             button = self.buttons[command.verb]
             button.setEnabled(applies)

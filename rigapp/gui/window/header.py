@@ -5,12 +5,10 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
-    QFont,
     QFontMetrics,
     QPainter,
     QPaintEvent,
     QPolygonF,
-    QResizeEvent,
 )
 from PySide6.QtWidgets import (
     QFrame,
@@ -24,69 +22,10 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.window.headline import Field, Headline, Level, Shape
-
-SMALLEST = 0.5
-"""Of its font's size, the smallest to which a value shrinks before it is cut."""
+from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel, scaled_font
+from rigapp.gui.window.headline import Headline, Level, StateShape, TileText
 
 MARKS = {Level.NORMAL: "", Level.WARNING: "▲ ", Level.CRITICAL: "◆ "}
-
-
-class ElidedLabel(QLabel):
-    """Show one line, cut with an ellipsis where it does not fit; the tool tip has it whole."""
-
-    def __init__(self, name: str, spoken: str) -> None:
-        super().__init__()
-        self._whole = ""
-        self.setObjectName(name)
-        self.setAccessibleName(spoken)
-        self.setTextFormat(Qt.TextFormat.PlainText)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-
-    def show_text(self, text: str) -> None:
-        """Show a text; nothing is repainted when it is the one shown."""
-        if text != self._whole:
-            self._whole = text
-            self.setToolTip(text)
-            self._cut()
-
-    @property
-    def whole(self) -> str:
-        """Return the text, not cut."""
-        return self._whole
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Cut again for the new width."""
-        super().resizeEvent(event)
-        self._cut()
-
-    def _cut(self) -> None:
-        metrics = QFontMetrics(self.font())
-        room = max(self.contentsRect().width(), 1)
-        self.setText(metrics.elidedText(self._whole, Qt.TextElideMode.ElideRight, room))
-
-
-class FittedLabel(ElidedLabel):
-    """Show one line, smaller where it does not fit; cut only when half its size is too large."""
-
-    def __init__(self, name: str, spoken: str, font: QFont) -> None:
-        super().__init__(name, spoken)
-        self._largest = font
-        self.setFont(font)
-        self.setFixedHeight(QFontMetrics(font).height())
-
-    def _cut(self) -> None:
-        font = QFont(self._largest)
-        room = max(self.contentsRect().width(), 1)
-        smallest = SMALLEST * font.pointSizeF()
-        while (
-            QFontMetrics(font).horizontalAdvance(self._whole) > room
-            and font.pointSizeF() > smallest
-        ):
-            font.setPointSizeF(0.95 * font.pointSizeF())
-        if font != self.font():
-            self.setFont(font)
-        super()._cut()
 
 
 class ShapeMark(QWidget):
@@ -94,13 +33,13 @@ class ShapeMark(QWidget):
 
     def __init__(self, size: int) -> None:
         super().__init__()
-        self._shape = Shape.ARROWS
+        self._shape = StateShape.ARROWS
         self._colour = QColor("black")
         self.setFixedSize(QSize(size, size))
         self.setObjectName("state_shape")
         self.setAccessibleName("Shape of the state")
 
-    def show_shape(self, shape: Shape, colour: str) -> None:
+    def show_shape(self, shape: StateShape, colour: str) -> None:
         """Show a shape in a colour."""
         if shape is not self._shape or QColor(colour) != self._colour:
             self._shape, self._colour = shape, QColor(colour)
@@ -159,22 +98,14 @@ def _polygon(painter: QPainter, *corners: tuple[float, float]) -> None:
 
 
 _SHAPES = {
-    Shape.CIRCLE: _circle,
-    Shape.TRIANGLE: _triangle,
-    Shape.BARS: _bars,
-    Shape.SQUARE: _square,
-    Shape.ARROWS: _arrows,
-    Shape.DIAMOND: _diamond,
-    Shape.BROKEN: _broken,
+    StateShape.CIRCLE: _circle,
+    StateShape.TRIANGLE: _triangle,
+    StateShape.BARS: _bars,
+    StateShape.SQUARE: _square,
+    StateShape.ARROWS: _arrows,
+    StateShape.DIAMOND: _diamond,
+    StateShape.BROKEN: _broken,
 }
-
-
-def scaled_font(widget: QWidget, factor: float, *, bold: bool = False) -> QFont:
-    """Return the widget's font times a factor: sizes follow the user's font, never pixels."""
-    font = QFont(widget.font())
-    font.setPointSizeF(font.pointSizeF() * factor)
-    font.setBold(bold)
-    return font
 
 
 class Tile(QFrame):
@@ -206,7 +137,7 @@ class Tile(QFrame):
         level, self._level = self._level, None
         self._set_level(level or Level.NORMAL)
 
-    def show_field(self, field: Field) -> None:
+    def show_field(self, field: TileText) -> None:
         """Show a field."""
         self._set_level(field.level)
         self.value.show_text(field.value)

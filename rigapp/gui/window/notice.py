@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy
 
+from rigapp.gui.data.texts import grouped
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.window.headline import ACTIVE_STATES, grouped
-from rigapp.schema.messages import RunState, Status
+from rigapp.schema.messages import ACTIVE_STATES, RunState, Status
 
 WORTH_SAYING = frozenset({RunState.FAULT, RunState.STOPPED, RunState.PAUSED, RunState.PAUSING})
 

@@ -9,11 +9,11 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication
 
-from rigapp.gui.data.link import Link
-from rigapp.gui.data.replay import ReplayClient
-from rigapp.gui.data.session import Session
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import THEMES, apply_theme
 from rigapp.gui.window.window import MainWindow
+from rigapp.replay.client import ReplayClient
 
 WAIT_S = 30.0
 
@@ -31,7 +31,7 @@ def save_picture(path_h5: Path, target_png: Path, *, theme: str = "light", tab: 
     assert isinstance(application, QApplication)
     apply_theme(application, THEMES[theme])
     client = ReplayClient(path_h5, at_end=True)
-    window = MainWindow(Link(lambda: client), Session(), THEMES[theme])
+    window = MainWindow(EngineConnection(lambda: client), ShownTest(), THEMES[theme])
     window.resize(1400, 900)
     window.show()
     window.tabs.setCurrentIndex(tab)

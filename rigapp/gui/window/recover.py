@@ -12,9 +12,8 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy
 
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.window.guarded import GuardedButton
-from rigapp.gui.window.headline import ACTIVE_STATES
-from rigapp.schema.messages import Alarm, RunState, Severity, Status, Step
+from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.schema.messages import ACTIVE_STATES, Alarm, RunState, Severity, Status, Step
 
 KEY: Final = "F10"
 

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QSpinBox,
 )
 
-from rigapp.gui.window.guarded import GuardedButton
+from rigapp.gui.widgets.guarded import GuardedButton
 
 
 class StartBar(QFrame):

@@ -11,9 +11,9 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QVBoxLayout, QWidget
 
-from rigapp.gui.data.link import Link
-from rigapp.gui.data.session import Session
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.showntest import ShownTest
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.panels.browser import BrowserPanel
 from rigapp.gui.panels.cycle import CyclePanel
@@ -57,16 +57,16 @@ class Tabs(QTabWidget):
 
     def __init__(
         self,
-        link: Link,
-        session: Session,
+        connection: EngineConnection,
+        test: ShownTest,
         theme: Theme,
         results_folder: Path,
-        worker: Worker,
+        worker: TaskWorker,
         watchdog: Watchdog,
     ) -> None:
         super().__init__()
-        self._link = link
-        self._session = session
+        self._connection = connection
+        self._test = test
         self.setObjectName("tabs")
         self.setAccessibleName("Panels")
         self.overview = OverlayPanel("overview", theme)
@@ -126,14 +126,14 @@ class Tabs(QTabWidget):
         for panel in (self.overview_alarms, self.alarms):
             panel.show_alarms(status.alarms)
             panel.show_state(status.state)
-        simulated = status.simulated and not self._link.is_replay
+        simulated = status.simulated and not self._connection.is_replay
         if self.isTabVisible(self._fault_index) != simulated:
             self.setTabVisible(self._fault_index, simulated)
 
     def draw_fast(self, status: Status | None) -> None:
         """Draw the newest revolution where it can be seen."""
-        data = self._session.data
-        ratio = self._session.crank_over_follower
+        data = self._test.data
+        ratio = self._test.crank_over_follower
         stale = status is not None and is_stale(status)
         if self.overview.isVisible():
             self.overview.set_mechanism(ratio)
@@ -168,23 +168,23 @@ class Tabs(QTabWidget):
         ]
 
     def _draw_trend(self, trend: TrendPanel, status: Status | None) -> None:
-        trend.refresh(self._session.data)
+        trend.refresh(self._test.data)
 
     def _draw_profile(self, status: Status | None) -> None:
-        test = self._session.test
-        self.profile.refresh(self._session.data, test.model.joint if test is not None else None)
+        test = self._test.recipe
+        self.profile.refresh(self._test.data, test.model.joint if test is not None else None)
 
     def _draw_devices(self, status: Status | None) -> None:
-        self.devices.show_status(status, self._link.silence_s())
+        self.devices.show_status(status, self._connection.silence_s())
 
     def _follow_log(self, status: Status | None) -> None:
-        self.log.follow(self._session.path)
+        self.log.follow(self._test.path)
 
     def _draw_limits(self, status: Status | None) -> None:
         state = status.state if status is not None else None
         planned = status.planned if status is not None else 0
         changed = newest_limits(self.log.events)
-        self.limits.show_limits(state, self._session.test, changed, planned)
+        self.limits.show_limits(state, self._test.recipe, changed, planned)
 
     def show_prepare(self) -> None:
         """Go to the tab that prepares a test."""
@@ -265,7 +265,7 @@ class Tabs(QTabWidget):
             self.setCurrentIndex(index)
 
     def _changed(self) -> None:
-        self.draw_fast(self._link.status)
+        self.draw_fast(self._connection.status)
         calls: list[Callable[[], object]] = []
         for panel in self._staged:
             if panel.isVisible():
@@ -285,14 +285,14 @@ class Tabs(QTabWidget):
 
     def _draw_later(self, panel: QWidget, draw: Drawing) -> None:
         if panel.isVisible():
-            draw(self._link.status)
+            draw(self._connection.status)
 
     def _ask_revolution(self, revolution: int) -> None:
         def failed(error: Exception) -> None:
             self.said.emit(f"No stored revolution: {error}", False)
             self.cycle.no_revolution()
 
-        self._session.ask_revolution(revolution, self.cycle.show_revolution, failed)
+        self._test.ask_revolution(revolution, self.cycle.show_revolution, failed)
 
 
 def _scrolling(page: QWidget, text: str) -> QScrollArea:

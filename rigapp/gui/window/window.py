@@ -20,17 +20,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.data.link import Link, LinkState
-from rigapp.gui.data.session import Session
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.connection import ConnectionState, EngineConnection
+from rigapp.gui.data.showntest import ShownTest
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import THEMES, Theme, apply_theme
+from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.closebar import CloseBar
 from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
 from rigapp.gui.window.controls import STARTABLE, ControlRow
-from rigapp.gui.window.guarded import GuardedButton
 from rigapp.gui.window.header import Header
-from rigapp.gui.window.headline import ACTIVE_STATES, headline
+from rigapp.gui.window.headline import headline
 from rigapp.gui.window.help import HelpWindow
 from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.recover import RecoverPanel
@@ -38,7 +38,7 @@ from rigapp.gui.window.replaybar import ReplayBar
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import Watchdog
-from rigapp.schema.messages import Snapshot, Status
+from rigapp.schema.messages import ACTIVE_STATES, Snapshot, Status
 
 if TYPE_CHECKING:
     from rigapp.gui.wizard.chooser import CalibrationChooser
@@ -61,12 +61,12 @@ SLOW_EVERY = 20
 
 
 class MainWindow(QMainWindow):
-    """Show one engine. Everything slow happens on the workers of link and session."""
+    """Show one engine. Everything slow happens on the workers of connection and test."""
 
     def __init__(
         self,
-        link: Link,
-        session: Session,
+        connection: EngineConnection,
+        test: ShownTest,
         theme: Theme,
         *,
         rig: Path | None = None,
@@ -75,10 +75,10 @@ class MainWindow(QMainWindow):
         settings: QSettings | None = None,
     ) -> None:
         super().__init__()
-        self._link = link
-        self._session = session
+        self._connection = connection
+        self._test = test
         self._settings = settings
-        self._reader = Worker("gui-files", bound=32)
+        self._reader = TaskWorker("gui-files", bound=32)
         self._ticks = 0
         self._help: HelpWindow | None = None
         self._start_wanted: Path | None = None
@@ -94,7 +94,7 @@ class MainWindow(QMainWindow):
         self.setWindowTitle("rigapp")
         self.setAccessibleName("Rig control")
         self.header = Header(theme)
-        self.controls = ControlRow(link.request, theme)
+        self.controls = ControlRow(connection.request, theme)
         self.start_bar = StartBar(tests, results_folder)
         self.close_bar = CloseBar()
         self.notice = NoticeBar(theme)
@@ -103,7 +103,7 @@ class MainWindow(QMainWindow):
         self._forbidden = ""
         self.replay_bar = ReplayBar()
         self.replay_bar.hide()
-        self.tabs = Tabs(link, session, theme, results_folder, self._reader, self.watchdog)
+        self.tabs = Tabs(connection, test, theme, results_folder, self._reader, self.watchdog)
         if rig is not None:
             self.tabs.prepare.set_rig(rig)
         self.tabs.open_tests(list(tests))
@@ -122,44 +122,49 @@ class MainWindow(QMainWindow):
     def tick(self) -> None:
         """Pull what is new and draw what is visible."""
         self._ticks += 1
-        self._session.deliver()
+        self._test.deliver()
         self._reader.deliver()
-        before = self._link.state
-        snapshot = self._link.pump()
+        before = self._connection.state
+        snapshot = self._connection.pump()
         if snapshot is not None:
             self._take(snapshot)
-        news = snapshot is not None or before is not self._link.state
-        if news or self._session.problem or self._ticks % STATE_EVERY == 1:
+        news = snapshot is not None or before is not self._connection.state
+        if news or self._test.problem or self._ticks % STATE_EVERY == 1:
             self._show_state()
         if not self.isMinimized():
-            status = self._link.status
+            status = self._connection.status
             self.tabs.draw_fast(status)
             self.tabs.draw_part(status, self._ticks % SLOW_EVERY, SLOW_EVERY)
 
     def _show_state(self) -> None:
-        status = self._link.status
+        status = self._connection.status
         self.header.show_headline(
-            headline(status, self._link.state, self._link.reason, self._link.data_age_s())
+            headline(
+                status,
+                self._connection.state,
+                self._connection.reason,
+                self._connection.data_age_s(),
+            )
         )
-        self.controls.show_status(status, self._link.state, replay=self._link.is_replay)
-        self.replay_bar.setVisible(self._link.is_replay)
-        if self._link.is_replay and status is not None:
-            self.replay_bar.show_status(status, self._link.last_recorded)
+        self.controls.show_status(status, self._connection.state, replay=self._connection.is_replay)
+        self.replay_bar.setVisible(self._connection.is_replay)
+        if self._connection.is_replay and status is not None:
+            self.replay_bar.show_status(status, self._connection.last_recorded)
         self._show_who_commands()
-        if self._session.problem:
-            self.controls.show_answer(self._session.problem, good=False)
-            self._session.problem = ""
+        if self._test.problem:
+            self.controls.show_answer(self._test.problem, good=False)
+            self._test.problem = ""
         self._close_when_stopped()
 
     @property
     def settled(self) -> bool:
         """Tell whether the engine has spoken and the history of its test is read."""
-        return self._link.status is not None and self._session.settled
+        return self._connection.status is not None and self._test.settled
 
     def draw_now(self) -> None:
         """Draw what is visible without waiting for the next tick."""
-        self.tabs.draw_fast(self._link.status)
-        self.tabs.draw_slow(self._link.status)
+        self.tabs.draw_fast(self._connection.status)
+        self.tabs.draw_slow(self._connection.status)
 
     def start_when_idle(self, test: Path) -> None:
         """Start a test as soon as the engine has been heard and runs no other."""
@@ -218,7 +223,7 @@ class MainWindow(QMainWindow):
             return
         operator = status.operator or getuser()
         rig = Rig(status.rig, status.simulated, operator, self._rig_file)
-        line, folder = self._link.request, self._results_folder
+        line, folder = self._connection.request, self._results_folder
         if which == "load cell":
             self._calibration = CalibrationWizard(line, rig, self.theme, folder, parent=self)
         else:
@@ -226,8 +231,8 @@ class MainWindow(QMainWindow):
         self._front(self._calibration)
 
     def _may_calibrate(self) -> Status | None:
-        status = self._link.status
-        if self._link.is_replay or status is None or status.state in ACTIVE_STATES:
+        status = self._connection.status
+        if self._connection.is_replay or status is None or status.state in ACTIVE_STATES:
             why = "Calibrating needs a running engine and no test under way."
             self.controls.show_answer(why, good=False)
             return None
@@ -240,9 +245,11 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask while a test is under way; else remember the layout and detach."""
-        status = self._link.status
+        status = self._connection.status
         active = status is not None and status.state in ACTIVE_STATES
-        attached = self._link.state is LinkState.ATTACHED and not self._link.is_replay
+        attached = (
+            self._connection.state is ConnectionState.ATTACHED and not self._connection.is_replay
+        )
         if active and attached and self._closing != "now" and self._timer.isActive():
             event.ignore()
             self.close_bar.ask()
@@ -253,8 +260,8 @@ class MainWindow(QMainWindow):
         self._timer.stop()
         self.watchdog.stop()
         self._save_layout()
-        self._link.close()
-        self._session.close()
+        self._connection.close()
+        self._test.close()
         self._reader.close()
         if self._help is not None:
             self._help.close()
@@ -282,13 +289,13 @@ class MainWindow(QMainWindow):
 
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
-        self.recover.take_status(None if self._link.is_replay else status)
+        self.recover.take_status(None if self._connection.is_replay else status)
         self.notice.take_status(status, told=not self.recover.isHidden())
-        self._session.take(snapshot)
+        self._test.take(snapshot)
         self.tabs.take_status(status)
         if self._start_wanted is not None and status.state in STARTABLE:
             test, self._start_wanted = self._start_wanted, None
-            self.controls.show_status(status, self._link.state)
+            self.controls.show_status(status, self._connection.state)
             self.start_bar.start(test)
         title = f"{status.test or status.rig} – rigapp"
         if self._forbidden:
@@ -297,9 +304,9 @@ class MainWindow(QMainWindow):
             self.setWindowTitle(title)
 
     def _show_who_commands(self) -> None:
-        watch = self._link.command
+        watch = self._connection.command
         line = self.controls.command_line
-        line.setVisible(not self._link.is_replay)
+        line.setVisible(not self._connection.is_replay)
         line.show_holder(watch.holder, watch.name)
         self.viewer_bar.show_holder(watch.holder, watch.name)
         why = why_forbidden(watch.holder, watch.name)
@@ -317,7 +324,7 @@ class MainWindow(QMainWindow):
         self.controls.act("stop")
 
     def _close_when_stopped(self) -> None:
-        status = self._link.status
+        status = self._connection.status
         if self._closing == "when stopped" and status and status.state not in ACTIVE_STATES:
             self._leave()
 

@@ -21,7 +21,7 @@ from rigapp.calibrating.practice import (
 )
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.wizard.hands_queue import HandsQueue, Line
 from rigapp.schema.messages import Reply
 
@@ -51,7 +51,7 @@ class Bench(QObject):
         self._asked = False
         self._done_for = (-1, -1)
         self._hands = HandsQueue(line, self._acted, self._failed)
-        self._worker = Worker("calibration-fit", bound=4)
+        self._worker = TaskWorker("calibration-fit", bound=4)
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_MS)
         self._timer.timeout.connect(self.tick)

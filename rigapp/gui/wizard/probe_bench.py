@@ -22,7 +22,7 @@ from rigapp.calibrating.probe_practice import (
 )
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.wizard.bench import LISTEN_S, LOOK_MS
 from rigapp.gui.wizard.hands_queue import HandsQueue, Line
 from rigapp.schema.messages import Reply
@@ -52,7 +52,7 @@ class ProbeBench(QObject):
         self._asked = False
         self._done_for = (-1, -1)
         self._hands = HandsQueue(line, self._acted, self._failed)
-        self._worker = Worker("probe-fit", bound=4)
+        self._worker = TaskWorker("probe-fit", bound=4)
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_MS)
         self._timer.timeout.connect(self.tick)

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.recipe import TestFile
-from rigapp.gui.data.recording import History, StoredRevolution, load_history, load_revolution
+from rigapp.gui.data.recording import StoredRevolution, StoredTest, load_history, load_revolution
 from rigapp.gui.data.series import LiveData
-from rigapp.gui.data.tasks import Worker
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.schema.messages import Snapshot, Status
 
 log = logging.getLogger(__name__)
@@ -25,11 +25,11 @@ HELD_SNAPSHOTS = 600
 ATTEMPTS = 3
 RETRY_S = 2.0
 
-HistoryLoader = Callable[[Path, int], History]
+HistoryLoader = Callable[[Path, int], StoredTest]
 RevolutionLoader = Callable[[Path, int], StoredRevolution]
 
 
-class Session:
+class ShownTest:
     """Turn snapshots into the data of the present test."""
 
     def __init__(
@@ -41,7 +41,7 @@ class Session:
         self._history = history
         self._revolution = revolution
         self._clock = clock
-        self._worker = Worker("gui-history", bound=8)
+        self._worker = TaskWorker("gui-history", bound=8)
         self._file: str | None = None
         self._started_at = 0.0
         self._held: deque[Snapshot] | None = None
@@ -49,7 +49,7 @@ class Session:
         self._again_at: float | None = None
         self._not_before = 0.0
         self.data = LiveData()
-        self.test: TestFile | None = None
+        self.recipe: TestFile | None = None
         self.cycle_revolutions: NDArray[np.int64] = np.empty(0, dtype=np.int64)
         self.problem = ""
 
@@ -66,9 +66,9 @@ class Session:
     @property
     def crank_over_follower(self) -> float | None:
         """Return crank radius / follower length of the present test, None when not known."""
-        if self.test is None:
+        if self.recipe is None:
             return None
-        mechanism = self.test.model.mechanism
+        mechanism = self.recipe.model.mechanism
         return mechanism.crank_radius_mm / mechanism.follower_length_mm
 
     def take(self, snapshot: Snapshot) -> bool:
@@ -121,7 +121,7 @@ class Session:
         self._attempts = 0
         self._again_at = self._clock() if status.file else None
         self.data = LiveData(status.planned)
-        self.test = None
+        self.recipe = None
         self.cycle_revolutions = np.empty(0, dtype=np.int64)
         self.problem = ""
 
@@ -147,18 +147,18 @@ class Session:
             self._held = None
             self._again_at = self._clock() + RETRY_S
 
-    def _loaded(self, path: Path, history: History) -> None:
+    def _loaded(self, path: Path, history: StoredTest) -> None:
         if path != self.path or self._held is None:
             return
         held, self._held = self._held, None
         if self.data.missing_from is not None:
             self._replace(history, held)
-        self.test = history.test
+        self.recipe = history.recipe
         self.cycle_revolutions = history.cycle_revolutions
         self._attempts = 0
         self.problem = ""
 
-    def _replace(self, history: History, held: deque[Snapshot]) -> None:
+    def _replace(self, history: StoredTest, held: deque[Snapshot]) -> None:
         data, newest = history.data, history.newest
         for snapshot in held:
             data.take(snapshot)

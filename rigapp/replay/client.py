@@ -12,10 +12,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.gui.data.profiles import profile_message
-from rigapp.gui.data.recordedalarms import RecordedAlarms
-from rigapp.gui.data.recording import StoredRevolution, newest_revolution, recipe_of
-from rigapp.schema.columns import PREDICTED_CURVES, prediction_columns, revolution_columns
+from rigapp.replay.alarms import RecordedAlarms
+from rigapp.replay.messages import newest_messages, profile_message, recipe_of
+from rigapp.schema.columns import prediction_columns, revolution_columns
 from rigapp.schema.messages import (
     Cycle,
     Prediction,
@@ -25,6 +24,7 @@ from rigapp.schema.messages import (
     Status,
     WornProfile,
 )
+from rigapp.service.client import merged
 from rigapp.storage import TestReader, open_test
 
 Floats = NDArray[np.float64]
@@ -35,7 +35,7 @@ MOST_ROWS = 20_000
 
 
 @dataclass(frozen=True, slots=True)
-class Tape:
+class Recording:
     """Carry a whole recorded test in memory, except its cycles."""
 
     rows: Floats
@@ -59,12 +59,12 @@ class ReplayClient:
         """Open a recorded test; raise UnusableInput. at_end: begin with everything shown."""
         self._path = path
         self._test = open_test(path)
-        self._tape = read_tape(self._test)
+        self._recording = read_recording(self._test)
         self._lock = threading.Lock()
         self._ready: Snapshot | None = None
         self._speed = speed
-        self._row = float(len(self._tape.rows)) if at_end else 0.0
-        self._most = len(self._tape.rows) if at_end else MOST_ROWS
+        self._row = float(len(self._recording.rows)) if at_end else 0.0
+        self._most = len(self._recording.rows) if at_end else MOST_ROWS
         self._wanted: float | None = None
         self._sent = self._sent_predictions = 0
         self._shown_cycle = self._shown_profile = -1
@@ -78,7 +78,7 @@ class ReplayClient:
     @property
     def last_recorded(self) -> int:
         """Return the last revolution of the test."""
-        rows = self._tape.rows
+        rows = self._recording.rows
         return int(rows[-1, 0]) if len(rows) else 0
 
     def poll(self) -> Snapshot | None:
@@ -133,7 +133,7 @@ class ReplayClient:
 
     def _row_of(self, revolution: float) -> float:
         """Return how many rows there are up to a revolution."""
-        return float(np.searchsorted(self._tape.rows[:, 0], revolution, side="right"))
+        return float(np.searchsorted(self._recording.rows[:, 0], revolution, side="right"))
 
     def _leap(self) -> None:
         wanted, self._wanted = self._wanted, None
@@ -145,8 +145,8 @@ class ReplayClient:
         self._row = wanted
         self._shown_cycle = self._shown_profile = -1
         if wanted < self._sent:
-            until = float(self._tape.rows[int(wanted) - 1, 0]) if wanted >= 1.0 else 0.0
-            predictions = self._tape.predictions[:, 0]
+            until = float(self._recording.rows[int(wanted) - 1, 0]) if wanted >= 1.0 else 0.0
+            predictions = self._recording.predictions[:, 0]
             self._sent = int(wanted)
             self._sent_predictions = int(np.searchsorted(predictions, until, side="right"))
             self._takes += 1
@@ -154,75 +154,81 @@ class ReplayClient:
                 self._ready = None
 
     def _advance(self, elapsed_s: float) -> None:
-        end = len(self._tape.rows)
+        end = len(self._recording.rows)
         if self._state is RunState.RUNNING:
-            self._row = min(end, self._row + self._speed * elapsed_s * self._tape.rpm / 60.0)
+            self._row = min(end, self._row + self._speed * elapsed_s * self._recording.rpm / 60.0)
             if self._row >= end:
                 self._state = RunState.STOPPED
-                self._reason = f"end of the replay; the test: {self._tape.status.reason}"
+                self._reason = f"end of the replay; the test: {self._recording.status.reason}"
 
     def _prepare(self) -> None:
         done = min(int(self._row), self._sent + self._most)
-        rows = self._tape.rows[self._sent : done]
-        until = float(self._tape.rows[done - 1, 0]) if done else 0.0
-        stop = int(np.searchsorted(self._tape.predictions[:, 0], until, side="right"))
-        predictions = self._tape.predictions[self._sent_predictions : stop]
-        stored = self._newest_cycle(until)
+        rows = self._recording.rows[self._sent : done]
+        until = float(self._recording.rows[done - 1, 0]) if done else 0.0
+        stop = int(np.searchsorted(self._recording.predictions[:, 0], until, side="right"))
+        predictions = self._recording.predictions[self._sent_predictions : stop]
+        cycle, prediction = self._newest_cycle(until)
         snapshot = Snapshot(
             status=self._status(done),
             first_row=self._sent,
             rows=rows.tobytes(),
             predictions=predictions.tobytes(),
-            cycle=_cycle_message(stored) if stored is not None else None,
-            prediction=_prediction_message(stored) if stored is not None else None,
+            cycle=cycle,
+            prediction=prediction,
             profile=self._newest_profile(until),
         )
         self._sent, self._sent_predictions = done, stop
         with self._lock:
-            self._ready = snapshot if self._ready is None else merged(self._ready, snapshot)
+            self._ready = snapshot if self._ready is None else merged((self._ready, snapshot))
 
-    def _newest_cycle(self, until: float) -> StoredRevolution | None:
-        index = int(np.searchsorted(self._tape.cycle_revolutions, until, side="right")) - 1
+    def _newest_cycle(self, until: float) -> tuple[Cycle | None, Prediction | None]:
+        index = int(np.searchsorted(self._recording.cycle_revolutions, until, side="right")) - 1
         if index < 0 or index == self._shown_cycle:
-            return None
+            return None, None
         self._shown_cycle = index
-        return newest_revolution(self._test, index)
+        return newest_messages(self._test, index)
 
     def _newest_profile(self, until: float) -> WornProfile | None:
-        numbers = self._tape.profiles["revolution"]
+        numbers = self._recording.profiles["revolution"]
         index = int(np.searchsorted(numbers, until, side="right")) - 1
         if index < 0 or index == self._shown_profile:
             return None
         self._shown_profile = index
-        return profile_message(self._tape.profiles, index)
+        return profile_message(self._recording.profiles, index)
 
     def _status(self, done: int) -> Status:
-        tape = self._tape
-        row = tape.rows[done - 1] if done else None
+        recording = self._recording
+        row = recording.rows[done - 1] if done else None
         revolution = int(row[0]) if row is not None else 0
         values = dict(zip(_ROW, row.tolist(), strict=True)) if row is not None else None
         margin, limit = (
-            tape.alarms.margin(revolution, values) if values is not None else (float("nan"), "")
+            recording.alarms.margin(revolution, values)
+            if values is not None
+            else (float("nan"), "")
         )
         shown = self._sent_predictions
-        left_s = (len(tape.rows) - done) * 60.0 / tape.rpm / self._speed if self._speed else 0.0
+        left_s = (
+            (len(recording.rows) - done) * 60.0 / recording.rpm / self._speed
+            if self._speed
+            else 0.0
+        )
         now = time.time()
         return msgspec.structs.replace(
-            tape.status,
+            recording.status,
             state=self._state,
             reason=self._reason or f"replay × {self._speed:g}",
             revolution=revolution,
             worst_margin_percent=margin,
             worst_margin=limit,
-            alarms=tape.alarms.alarms(revolution),
+            alarms=recording.alarms.alarms(revolution),
             committed=done,
             speed_rpm=float(row[_ROW["speed"]]) if row is not None else 0.0,
             started_at=float(self._takes),
             expected_end_at=now + left_s,
             host_time=now,
-            twin_revolution=int(tape.predictions[shown - 1, 0]) if shown else -1,
+            twin_revolution=int(recording.predictions[shown - 1, 0]) if shown else -1,
             residual_rms_N=(
-                float(tape.predictions[shown - 1, _PREDICTION["residual_rms"]])
+                float(recording.predictions[shown - 1, _PREDICTION["residual_rms"]])
                 if shown
                 else float("nan")
             ),
@@ -233,7 +239,7 @@ _ROW = {column.name: index for index, column in enumerate(revolution_columns())}
 _PREDICTION = {column.name: index for index, column in enumerate(prediction_columns())}
 
 
-def read_tape(test: TestReader) -> Tape:
+def read_recording(test: TestReader) -> Recording:
     """Read what a replay needs of a recorded test."""
     metadata, summary = test.metadata(), test.summary()
     recipe = recipe_of(test)
@@ -267,40 +273,10 @@ def read_tape(test: TestReader) -> Tape:
     predictions = _matrix(test.predictions(), tuple(_PREDICTION))
     alarms = RecordedAlarms(test.events(), recipe.limits if recipe is not None else None)
     cycles = test.cycle_revolutions()
-    return Tape(rows, predictions, cycles, rpm, status, test.profiles(), alarms)
-
-
-def merged(older: Snapshot, newer: Snapshot) -> Snapshot:
-    """Return two snapshots as one."""
-    return Snapshot(
-        status=newer.status,
-        first_row=older.first_row,
-        rows=older.rows + newer.rows,
-        predictions=older.predictions + newer.predictions,
-        cycle=newer.cycle or older.cycle,
-        prediction=newer.prediction or older.prediction,
-        profile=newer.profile or older.profile,
-    )
+    return Recording(rows, predictions, cycles, rpm, status, test.profiles(), alarms)
 
 
 def _matrix(columns: dict[str, NDArray[Any]], names: tuple[str, ...]) -> Floats:
     count = len(columns["revolution"])
     unknown = np.full(count, np.nan)
     return np.column_stack([columns.get(name, unknown) for name in names]).astype(np.float64)
-
-
-def _cycle_message(stored: StoredRevolution) -> Cycle:
-    channels = {name: _bytes(values) for name, values in stored.cycle.channels.items()}
-    return Cycle(stored.cycle.revolution, _bytes(stored.cycle.angle_deg), **channels)
-
-
-def _prediction_message(stored: StoredRevolution) -> Prediction | None:
-    if stored.prediction is None:
-        return None
-    curves = stored.prediction.curves
-    force_1, force_2, force = (_bytes(curves[name]) for name in PREDICTED_CURVES)
-    return Prediction(stored.prediction.revolution, b"", force_1, force_2, force)
-
-
-def _bytes(values: NDArray[np.floating]) -> bytes:
-    return values.astype("<f4", copy=False).tobytes()

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, Protocol
 
-from rigapp.gui.data.tasks import Worker
-from rigapp.gui.window.command import CommandWatch, Holder
+from rigapp.gui.data.commanding import CommandHolder, CommandWatch
+from rigapp.gui.data.tasks import TaskWorker
 from rigapp.schema.messages import Reply, Snapshot, Status
 from rigapp.schema.verbs import verb_of
 
@@ -45,7 +45,7 @@ ClientFactory = Callable[[], EngineClient]
 ReplyHandler = Callable[[Reply], None]
 
 
-class LinkState(enum.StrEnum):
+class ConnectionState(enum.StrEnum):
     """Tell how the line to the engine is."""
 
     ATTACHING = "attaching"
@@ -54,7 +54,7 @@ class LinkState(enum.StrEnum):
     LOST = "lost"
 
 
-class Link:
+class EngineConnection:
     """Own the client. ``pump`` is called by the window's timer and never waits.
 
     Stopping has a thread of its own, so that it never waits behind another request.
@@ -63,12 +63,12 @@ class Link:
     def __init__(self, factory: ClientFactory, clock: Callable[[], float] = time.monotonic) -> None:
         self._factory = factory
         self._clock = clock
-        self._attaching = Worker("gui-attach", bound=4)
-        self._requests = Worker("gui-requests", bound=16)
-        self._urgent = Worker("gui-stop", bound=4)
+        self._attaching = TaskWorker("gui-attach", bound=4)
+        self._requests = TaskWorker("gui-requests", bound=16)
+        self._urgent = TaskWorker("gui-stop", bound=4)
         self._client: EngineClient | None = None
         self._discarded: list[EngineClient] = []
-        self._state = LinkState.ATTACHING
+        self._state = ConnectionState.ATTACHING
         self._reason = "looking for the engine"
         self._last_snapshot_at: float | None = None
         self._attached_at = 0.0
@@ -79,7 +79,7 @@ class Link:
         self.status: Status | None = None
 
     @property
-    def state(self) -> LinkState:
+    def state(self) -> ConnectionState:
         """Return the state of the line."""
         return self._state
 
@@ -126,7 +126,7 @@ class Link:
             return None
         if snapshot is not None:
             self._last_snapshot_at = now
-            self._state, self._reason, self._attempts = LinkState.ATTACHED, "", 0
+            self._state, self._reason, self._attempts = ConnectionState.ATTACHED, "", 0
             self.status = snapshot.status
             self._look_who_commands(snapshot.status)
             return snapshot
@@ -153,7 +153,7 @@ class Link:
         """Detach; the engine goes on. A client still in use is left to the end of the process."""
         self._closed = True
         client, self._client = self._client, None
-        if client is not None and self.command.holder is Holder.THIS:
+        if client is not None and self.command.holder is CommandHolder.THIS:
             with suppress(Exception):
                 client.request("release_command", {}, RELEASE_S)
         if client is not None and self._requests.idle and self._urgent.idle:
@@ -194,12 +194,12 @@ class Link:
         self._attempts += 1
 
     def _judge_silence(self, now: float) -> None:
-        if self._state in (LinkState.ATTACHED, LinkState.SILENT):
+        if self._state in (ConnectionState.ATTACHED, ConnectionState.SILENT):
             silence = self.silence_s()
             if silence > LOST_AFTER_S:
                 self._lose(f"no word from the engine for {silence:.0f} s", now)
             elif silence > SILENT_AFTER_S:
-                self._state = LinkState.SILENT
+                self._state = ConnectionState.SILENT
                 self._reason = "no word from the engine"
         elif now - self._attached_at > FIRST_SNAPSHOT_S:
             self._lose(f"the engine did not answer within {FIRST_SNAPSHOT_S:.0f} s", now)
@@ -209,7 +209,7 @@ class Link:
         client, self._client = self._client, None
         self.command.forget()
         seen_before = self._last_snapshot_at is not None
-        self._state = LinkState.LOST if seen_before else LinkState.ATTACHING
+        self._state = ConnectionState.LOST if seen_before else ConnectionState.ATTACHING
         self._reason = reason
         if client is not None:
             self._discarded.append(client)

@@ -1,0 +1,26 @@
+"""Numbers as the window writes them."""
+
+from __future__ import annotations
+
+import math
+
+
+def grouped(number: int) -> str:
+    """Return a whole number with thin spaces between groups of three digits."""
+    return f"{number:,}".replace(",", "\u2009")
+
+
+def duration(seconds: float) -> str:
+    """Return a length of time in the two largest units that matter."""
+    if not math.isfinite(seconds):
+        return "–"
+    minutes, rest = divmod(int(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    days, hours = divmod(hours, 24)
+    if days:
+        return f"{days} d {hours} h"
+    if hours:
+        return f"{hours} h {minutes} min"
+    if minutes:
+        return f"{minutes} min" if minutes >= 10 else f"{minutes} min {rest} s"
+    return f"{rest} s"

@@ -1,0 +1,75 @@
+"""Labels of one line: cut with an ellipsis, or set smaller, where there is no room for them."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+
+SMALLEST = 0.5
+"""Of its font's size, the smallest to which a value shrinks before it is cut."""
+
+
+class ElidedLabel(QLabel):
+    """Show one line, cut with an ellipsis where it does not fit; the tool tip has it whole."""
+
+    def __init__(self, name: str, spoken: str) -> None:
+        super().__init__()
+        self._whole = ""
+        self.setObjectName(name)
+        self.setAccessibleName(spoken)
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+
+    def show_text(self, text: str) -> None:
+        """Show a text; nothing is repainted when it is the one shown."""
+        if text != self._whole:
+            self._whole = text
+            self.setToolTip(text)
+            self._cut()
+
+    @property
+    def whole(self) -> str:
+        """Return the text, not cut."""
+        return self._whole
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Cut again for the new width."""
+        super().resizeEvent(event)
+        self._cut()
+
+    def _cut(self) -> None:
+        metrics = QFontMetrics(self.font())
+        room = max(self.contentsRect().width(), 1)
+        self.setText(metrics.elidedText(self._whole, Qt.TextElideMode.ElideRight, room))
+
+
+class FittedLabel(ElidedLabel):
+    """Show one line, smaller where it does not fit; cut only when half its size is too large."""
+
+    def __init__(self, name: str, spoken: str, font: QFont) -> None:
+        super().__init__(name, spoken)
+        self._largest = font
+        self.setFont(font)
+        self.setFixedHeight(QFontMetrics(font).height())
+
+    def _cut(self) -> None:
+        font = QFont(self._largest)
+        room = max(self.contentsRect().width(), 1)
+        smallest = SMALLEST * font.pointSizeF()
+        while (
+            QFontMetrics(font).horizontalAdvance(self._whole) > room
+            and font.pointSizeF() > smallest
+        ):
+            font.setPointSizeF(0.95 * font.pointSizeF())
+        if font != self.font():
+            self.setFont(font)
+        super()._cut()
+
+
+def scaled_font(widget: QWidget, factor: float, *, bold: bool = False) -> QFont:
+    """Return the widget's font times a factor: sizes follow the user's font, never pixels."""
+    font = QFont(widget.font())
+    font.setPointSizeF(font.pointSizeF() * factor)
+    font.setBold(bold)
+    return font
