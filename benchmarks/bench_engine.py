@@ -30,9 +30,7 @@ from rigapp.engine.recording.recorder import Recorder
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.engine.values.reduce import Reducer
-from rigapp.storage.layout import FilePlan
-from rigapp.storage.metadata import TestMetadata
-from rigapp.storage.writer import create_test
+from rigapp.storage import FilePlan, TestMetadata, create_test
 
 SAMPLES = 3600
 RATE = 3600.0

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from rigapp.config.errors import UnusableInput
-from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage import hold_writer_lock
 
 
 class Journal:

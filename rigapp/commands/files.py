@@ -10,8 +10,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from rigapp.engine.values.uncertainty import force_uncertainty
-from rigapp.storage.export import export_test
-from rigapp.storage.reader import open_test
+from rigapp.storage import export_test, open_test
 
 
 def print_info(path: Path, *, as_json: bool) -> int:

@@ -102,7 +102,7 @@ def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
     how its forces move the pin in an unworn bushing of the file's test. Returns the roll and what
     the record tells of the file. Raises UnusableInput.
     """
-    from rigapp.storage.reader import open_test
+    from rigapp.storage import open_test
 
     with open_test(path) as reader:
         quality = dict(

@@ -222,7 +222,7 @@ def _stated(tree: Any) -> Any:
 
 def read_run(path: Path, rpm: float) -> SpeedRun:
     """Return the revolutions of a test file at its steady speed."""
-    from rigapp.storage.reader import open_test
+    from rigapp.storage import open_test
 
     with open_test(path) as reader:
         summary = reader.summary()

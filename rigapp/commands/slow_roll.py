@@ -48,8 +48,7 @@ def take_roll(
     if revolutions < 1:
         raise UnusableInput("--revolutions: take at least 1; 12 are good.")
     from rigapp.calibrating.records_in_use import with_records
-    from rigapp.storage.compact import compact_test
-    from rigapp.storage.errors import StorageFailed
+    from rigapp.storage import StorageFailed, compact_test
 
     document = read_rig(rig)
     if "run_out" in with_records(document).blocking:

@@ -74,7 +74,7 @@ def _tests(rig: Path, test: Path | None) -> list[Path]:
 
 def replay_file(path: Path) -> int:
     """Show a recorded test in the same window; return the exit status."""
-    from rigapp.storage.reader import open_test
+    from rigapp.storage import open_test
 
     with open_test(path):
         pass

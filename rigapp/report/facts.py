@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from rigapp.report.envelope import Floats, envelope
 from rigapp.schema.columns import CHANNELS
 from rigapp.schema.messages import Flag
-from rigapp.storage.reader import TestReader
+from rigapp.storage import TestReader
 
 Line = tuple[Floats, Floats]
 

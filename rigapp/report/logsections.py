@@ -17,7 +17,7 @@ from rigapp.report.history import (
 )
 from rigapp.report.wording import UNKNOWN, count, counted, duration, number, symbol, utc
 from rigapp.schema.messages import Event
-from rigapp.storage.reader import TestReader
+from rigapp.storage import TestReader
 
 SHOWN = 60
 """Longest table of the log; the rest is counted, and is in the file."""

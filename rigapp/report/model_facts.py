@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rigapp.report.envelope import Floats, envelope
 from rigapp.report.facts import Line, Peak, mean
-from rigapp.storage.reader import Columns, TestReader
+from rigapp.storage import Columns, TestReader
 
 TRIGGERED = ("before", "trigger", "after")
 RESIDUALS = ("residual_rms", "residual_1_rms", "residual_2_rms", "phase_shift")

@@ -8,7 +8,7 @@ from typing import Any
 from calibration.records import Record, RecordError, unseal
 from rigapp.report.document import Block, Listing, Section, Table, Text
 from rigapp.report.wording import UNKNOWN, settings
-from rigapp.storage.reader import TestReader
+from rigapp.storage import TestReader
 
 TITLES = {
     "load_cell": "Load cell",

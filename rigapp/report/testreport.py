@@ -33,7 +33,7 @@ from rigapp.report.wording import (
     stamp,
 )
 from rigapp.report.worn import worn_of
-from rigapp.storage.reader import TestReader, open_test
+from rigapp.storage import TestReader, open_test
 
 LEADS = {
     "running": "The test was still running when this report was made.",

@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from typing import Any
 
 from rigapp.schema.messages import Flag
-from rigapp.storage.metadata import name_and_unit
+from rigapp.storage import name_and_unit
 
 UNKNOWN = "unknown"
 THIN = "\u202f"

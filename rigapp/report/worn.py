@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rigapp.report import plots
 from rigapp.report.document import Block, Figure, Table, Text
 from rigapp.report.wording import UNKNOWN, count, number
-from rigapp.storage.reader import TestReader
+from rigapp.storage import TestReader
 
 Floats = NDArray[np.float64]
 

@@ -427,7 +427,7 @@ def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Docum
 
 def recorded_test(path: Path) -> Document[TestFile]:
     """Return the test that a file records, to go on with it; raise UnusableInput."""
-    from rigapp.storage.reader import open_test
+    from rigapp.storage import open_test
 
     with open_test(path) as reader:
         text = reader.configuration()["test"]
@@ -438,8 +438,7 @@ def recorded_test(path: Path) -> Document[TestFile]:
 
 def end_whole_test(path: Path) -> Finished | None:
     """End an interrupted file that has all its revolutions already; None for any other."""
-    from rigapp.storage.reader import open_test
-    from rigapp.storage.resume import finish_whole_test
+    from rigapp.storage import finish_whole_test, open_test
 
     revolutions = finish_whole_test(path)
     if not revolutions:
@@ -453,7 +452,7 @@ def end_whole_test(path: Path) -> Finished | None:
 
 def _checkpoint(path: Path) -> bytes:
     """Return what the twin of an earlier part of the test left in its file, or nothing."""
-    from rigapp.storage.reader import open_test
+    from rigapp.storage import open_test
 
     with open_test(path) as reader:
         return reader.checkpoint()
@@ -500,7 +499,7 @@ def compress_complete(end: Finished) -> None:
     A test that was stopped stays as it is: it can be resumed.
     """
     if end.status == "complete":
-        from rigapp.storage.compact import compact_in_background
+        from rigapp.storage import compact_in_background
 
         compact_in_background(Path(end.file))
 

@@ -59,7 +59,7 @@ class DiskFacts:
 def disk_facts(test: TestFile, sample_rate_Hz: float, folder: Path) -> DiskFacts:
     """Return the room that a test needs in a folder; reads the disk."""
     from rigapp.engine.recording.fileplan import file_plan
-    from rigapp.storage.layout import reserved_bytes, streams_of
+    from rigapp.storage import reserved_bytes, streams_of
 
     needed = reserved_bytes(streams_of(file_plan(test, sample_rate_Hz)).values())
     try:

@@ -111,8 +111,7 @@ def read_past(path: Path) -> Past:
 
     A complete test and one that another process writes are refused here, before a device is opened.
     """
-    from rigapp.storage.reader import open_test
-    from rigapp.storage.resume import has_all_revolutions
+    from rigapp.storage import has_all_revolutions, open_test
 
     with open_test(path) as reader:
         status = reader.summary()["status"]

@@ -1,18 +1,33 @@
-"""Test files: made whole before the test, written in place, readable at every instant."""
+"""Test files: made whole before the test, written in place, readable at every instant.
+
+``structure`` says what a file holds, ``writing`` fills it while the test runs, ``reading`` answers
+questions at any time, ``upkeep`` goes on with files that are there already. What others may use is
+named here; storage knows the schema and the errors of the configuration, and nothing that measures
+or draws.
+"""
 
 from __future__ import annotations
 
-from rigapp.storage.compact import compact_in_background, compact_test
 from rigapp.storage.errors import NoRoom, StorageFailed
-from rigapp.storage.export import export_test
-from rigapp.storage.layout import FilePlan
-from rigapp.storage.metadata import TestMetadata
-from rigapp.storage.reader import StoredCycle, TestReader, open_test
-from rigapp.storage.resample import on_grid
-from rigapp.storage.resume import finish_whole_test, reopen_test
-from rigapp.storage.writer import TestWriter, create_test
+from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage.reading.export import export_test
+from rigapp.storage.reading.reader import Columns, StoredCycle, TestReader, open_test
+from rigapp.storage.reading.resample import on_grid
+from rigapp.storage.structure.layout import (
+    CALIBRATION,
+    FilePlan,
+    profile_rows,
+    reserved_bytes,
+    streams_of,
+)
+from rigapp.storage.structure.metadata import TestMetadata, name_and_unit
+from rigapp.storage.upkeep.compact import compact_in_background, compact_test
+from rigapp.storage.upkeep.resume import finish_whole_test, has_all_revolutions, reopen_test
+from rigapp.storage.writing.writer import TestWriter, create_test
 
 __all__ = [
+    "CALIBRATION",
+    "Columns",
     "FilePlan",
     "NoRoom",
     "StorageFailed",
@@ -25,7 +40,13 @@ __all__ = [
     "create_test",
     "export_test",
     "finish_whole_test",
+    "has_all_revolutions",
+    "hold_writer_lock",
+    "name_and_unit",
     "on_grid",
     "open_test",
+    "profile_rows",
     "reopen_test",
+    "reserved_bytes",
+    "streams_of",
 ]

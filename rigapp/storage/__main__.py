@@ -4,6 +4,6 @@ from __future__ import annotations
 
 import sys
 
-from rigapp.storage.compact import main
+from rigapp.storage.upkeep.compact import main
 
 sys.exit(main())

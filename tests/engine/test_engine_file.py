@@ -15,7 +15,7 @@ from rigapp.engine.recording.store import open_file
 from rigapp.engine.values.reduce import NAMES
 from rigapp.schema.messages import Flag, RunState
 from rigapp.schema.states import ENDED
-from rigapp.storage.reader import open_test
+from rigapp.storage import open_test
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 

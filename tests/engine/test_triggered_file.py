@@ -15,8 +15,7 @@ from rigapp.engine.recording.fileplan import file_plan
 from rigapp.engine.recording.store import open_file
 from rigapp.schema.messages import Flag
 from rigapp.schema.states import ENDED
-from rigapp.storage import TestReader, compact_test, open_test
-from rigapp.storage.layout import reserved_bytes, streams_of
+from rigapp.storage import TestReader, compact_test, open_test, reserved_bytes, streams_of
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 

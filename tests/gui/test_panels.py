@@ -30,7 +30,7 @@ from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.watchdog import STALL_S, Watchdog
 from rigapp.schema.loglines import newest_limits
 from rigapp.schema.messages import DeviceView, DriveView, Event, RunState, Status
-from rigapp.storage.oldlog import translated
+from rigapp.storage.reading.oldlog import translated
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RULE = (

@@ -22,7 +22,7 @@ from rigapp.schema.states import ENDED
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
 from rigapp.service.launch import find_engine
-from rigapp.storage.reader import open_test
+from rigapp.storage import open_test
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"

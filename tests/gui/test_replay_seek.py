@@ -25,7 +25,7 @@ from rigapp.replay.alarms import RecordedAlarms
 from rigapp.replay.client import ReplayClient
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Alarm, Event, Flag, RunState, Severity
-from rigapp.storage.oldlog import translated
+from rigapp.storage.reading.oldlog import translated
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RULE = '\n[[limits.rule]]\nquantity = "force_max"\nwarning_above = 150.0\ncritical_above = 200.0\n'

@@ -22,7 +22,7 @@ from rigapp.schema.messages import Request
 from rigapp.service.host import EngineHost
 from rigapp.simulation.constants import plant_section
 from rigapp.simulation.handle import start_simulated_rig
-from rigapp.storage.reader import open_test
+from rigapp.storage import open_test
 
 WITHIN_S = 240.0
 REVOLUTIONS = 16

@@ -19,7 +19,7 @@ from rigapp.report.html import as_html
 from rigapp.report.pdf import as_pdf
 from rigapp.report.wording import count, duration, flags, number, quantity, settings, size, stamp
 from rigapp.schema.messages import Event
-from rigapp.storage.oldlog import translated
+from rigapp.storage.reading.oldlog import translated
 
 
 @given(st.integers(0, 6000), st.integers(0, 2**32 - 1))

@@ -18,7 +18,7 @@ from patience import PATIENCE_S
 from rigapp.schema.messages import Event
 from rigapp.service.client import Client
 from rigapp.service.launch import find_engine
-from rigapp.storage.reader import open_test
+from rigapp.storage import open_test
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"

@@ -34,7 +34,7 @@ from rigapp.schema.states import ENDED
 from rigapp.service.host import EngineHost, read_test
 from rigapp.service.simulated import parse_speed
 from rigapp.simulation.handle import start_simulated_rig
-from rigapp.storage.reader import open_test
+from rigapp.storage import open_test
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs Linux's /proc")
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from stories import NEVER_OVER, RIG, Running, end_soon, recipe
 
-from rigapp.storage.reader import open_test
+from rigapp.storage import open_test
 
 
 @pytest.fixture

@@ -16,9 +16,8 @@ from stories import NEVER_OVER, RIG, Running, recipe
 
 from rigapp.schema.loglines import alarm_change, rest_signals
 from rigapp.schema.messages import Flag
-from rigapp.storage import open_test, reopen_test
-from rigapp.storage.compact import compact_test
-from rigapp.storage.hdf import is_bare
+from rigapp.storage import compact_test, open_test, reopen_test
+from rigapp.storage.structure.hdf import is_bare
 
 RULE = '\n[[limits.rule]]\nquantity = "force_max"\nwarning_above = 1.0\n'
 ENGINES = ("h5netcdf", "netcdf4")

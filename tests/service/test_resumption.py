@@ -24,7 +24,7 @@ from rigapp.schema.states import ENDED, Refused
 from rigapp.service.host import EngineHost, read_test
 from rigapp.service.resumption import Fit, Past, Resumption, compare, remarks
 from rigapp.service.simulated import parse_speed
-from rigapp.storage.reader import open_test
+from rigapp.storage import open_test
 
 INPUTS = ("analog_1", "analog_2", "analog_3", "analog_4")
 

@@ -33,7 +33,7 @@ from rigapp.schema.messages import FinishReason, as_array
 from rigapp.schema.states import ACTIVE
 from rigapp.service.client import Client
 from rigapp.service.registry import running_engines
-from rigapp.storage.reader import open_test
+from rigapp.storage import open_test
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="needs Linux's /proc")
 

@@ -24,7 +24,7 @@ from rigapp.storage import (
     open_test,
     reopen_test,
 )
-from rigapp.storage import compact as compact_module
+from rigapp.storage.upkeep import compact as compact_module
 
 
 def ended(folder: Path, revolutions: int = 150, status: str = "complete") -> Path:
@@ -128,7 +128,7 @@ def test_too_little_room_for_the_copy_leaves_the_original(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = ended(quick_folder)
-    monkeypatch.setattr("rigapp.storage.create.SPACE_MARGIN", 1 << 60)
+    monkeypatch.setattr("rigapp.storage.folder.SPACE_MARGIN", 1 << 60)
     with pytest.raises(UnusableInput, match="MB are missing"):
         compact_test(path)
     with open_test(path) as reader:
@@ -138,7 +138,7 @@ def test_too_little_room_for_the_copy_leaves_the_original(
 STEPS = ("write_duplicate", "_sync_file", "first_difference", "sync_folder")
 KILLED_AT = """
 import os, signal, sys
-from rigapp.storage import compact
+from rigapp.storage.upkeep import compact
 honest = getattr(compact, sys.argv[2])
 def die(*arguments):
     if sys.argv[3] == "after": honest(*arguments)

@@ -20,8 +20,8 @@ from storage_samples import PLAN, check, new_test, write
 from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, StorageFailed, open_test, reopen_test
-from rigapp.storage.disk import Disk
 from rigapp.storage.locks import writer_is_alive
+from rigapp.storage.writing.disk import Disk
 
 PAGE = 4096
 SMALL = FilePlan(
@@ -313,8 +313,8 @@ def test_a_failing_disk_is_reported_for_good_and_costs_nothing_committed(
 def test_many_threads_append_while_one_commits(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.storage.backlog.SOFT_LIMIT", 4096)
-    monkeypatch.setattr("rigapp.storage.backlog.HARD_LIMIT", 16384)
+    monkeypatch.setattr("rigapp.storage.writing.backlog.SOFT_LIMIT", 4096)
+    monkeypatch.setattr("rigapp.storage.writing.backlog.HARD_LIMIT", 16384)
     done = threading.Event()
     safe: list[int] = []
     with new_test(quick_folder) as writer:

@@ -15,10 +15,10 @@ import pytest
 from storage_samples import METADATA, PLAN, new_test, write
 
 from rigapp.config.errors import UnusableInput
-from rigapp.storage import FilePlan, TestWriter, create_test, open_test
-from rigapp.storage import create as create_module
-from rigapp.storage.create import places_of
-from rigapp.storage.layout import reserved_bytes, streams_of
+from rigapp.storage import FilePlan, TestWriter, create_test, open_test, reserved_bytes, streams_of
+from rigapp.storage.folder import SPACE_MARGIN
+from rigapp.storage.writing import create as create_module
+from rigapp.storage.writing.create import places_of
 
 NOBODY = 65534
 
@@ -78,7 +78,7 @@ def test_too_little_space_is_refused_beforehand_naming_the_missing_megabytes(
     values = list(free)
     values[4] = blocks
     monkeypatch.setattr(os, "statvfs", lambda _: os.statvfs_result(values))
-    missing = create_module.STRUCTURE_BYTES + create_module.SPACE_MARGIN + needed
+    missing = create_module.STRUCTURE_BYTES + SPACE_MARGIN + needed
     missing -= blocks * free.f_frsize
     with pytest.raises(UnusableInput, match=rf"; {missing / 1e6:.1f} MB are missing"):
         new_test(quick_folder, plan)
@@ -138,10 +138,12 @@ def test_leftovers_of_a_killed_creation_go(quick_folder: Path) -> None:
     gone = subprocess.Popen([sys.executable, "-c", ""])
     gone.wait()
     (quick_folder / f".test.h5.new-{gone.pid}").write_text("left")
-    alive = quick_folder / f".test.h5.new-{os.getppid()}"
-    alive.write_text("of another process")
-    new_test(quick_folder).close()
-    assert names(quick_folder) == [alive.name, "test.h5"]
+    with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as other:
+        alive = quick_folder / f".test.h5.new-{other.pid}"
+        alive.write_text("of another process")
+        new_test(quick_folder).close()
+        assert names(quick_folder) == [alive.name, "test.h5"]
+        other.communicate(b"\n")
 
 
 # ------------------------------------------------------------------ readers and intruders meanwhile

@@ -12,7 +12,7 @@ from storage_samples import PLAN, cycle, new_test, row, write
 
 from rigapp.config.errors import UnusableInput
 from rigapp.storage import compact_test, export_test
-from rigapp.storage import export as export_module
+from rigapp.storage.reading import export as export_module
 
 
 @pytest.fixture

@@ -13,9 +13,9 @@ from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, compact_test, open_test, reopen_test
-from rigapp.storage.create import hidden_name, remove_stale
-from rigapp.storage.disk import Disk
-from rigapp.storage.holes import punch_hole
+from rigapp.storage.folder import hidden_name, remove_stale
+from rigapp.storage.writing.disk import Disk
+from rigapp.storage.writing.holes import punch_hole
 
 MEGABYTE = 1 << 20
 
@@ -107,7 +107,7 @@ def test_a_kill_at_any_moment_of_the_giving_back_costs_nothing(
 def test_a_file_system_that_gives_nothing_back_is_no_fault(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.storage.holes._fallocate", lambda: None)
+    monkeypatch.setattr("rigapp.storage.writing.holes._fallocate", lambda: None)
     writer = new_test(quick_folder)
     write(writer, 1, 5)
     writer.finish("stopped", "operator", "enough")
@@ -146,7 +146,7 @@ def test_a_kill_between_opening_and_protecting_is_mended(
     path = quick_folder / "test.h5"
     program = (
         "import os, sys\n"
-        "from rigapp.storage import resume\n"
+        "from rigapp.storage.upkeep import resume\n"
         "os.access = lambda *_: False\n"
         "resume.protect = lambda fd: os._exit(9)\n"
         "resume.reopen_test(sys.argv[1])\n"

@@ -13,10 +13,9 @@ import pytest
 from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.messages import Event, LookedAfter
-from rigapp.storage import TestWriter, keeper, open_test, reopen_test
-from rigapp.storage.compact import compact_test
-from rigapp.storage.errors import StorageFailed
+from rigapp.storage import StorageFailed, TestWriter, compact_test, open_test, reopen_test
 from rigapp.storage.locks import writer_is_alive
+from rigapp.storage.writing import keeper
 
 Deed = Callable[[Path], object]
 
@@ -121,7 +120,7 @@ def test_nothing_is_lost_and_the_test_goes_on(quick_folder: Path, deed: str) -> 
 def test_writing_while_the_file_is_copied_is_not_lost(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.storage.backlog.SOFT_LIMIT", 4096)
+    monkeypatch.setattr("rigapp.storage.writing.backlog.SOFT_LIMIT", 4096)
     path = quick_folder / "results" / "test.h5"
     inside, go_on = threading.Event(), threading.Event()
     copy = keeper.copy_content

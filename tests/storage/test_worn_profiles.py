@@ -10,10 +10,8 @@ import numpy as np
 from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
-from rigapp.storage import TestWriter, open_test
-from rigapp.storage.compact import compact_test
-from rigapp.storage.layout import CHECKPOINT_BYTES, FilePlan, profile_rows
-from rigapp.storage.resume import reopen_test
+from rigapp.storage import FilePlan, TestWriter, compact_test, open_test, profile_rows, reopen_test
+from rigapp.storage.structure.layout import CHECKPOINT_BYTES
 
 ANGLES = len(PROFILE_ANGLES_DEG)
 WITH: FilePlan = replace(PLAN, profiles=profile_rows(PLAN.revolutions))

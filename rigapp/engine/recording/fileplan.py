@@ -7,7 +7,7 @@ import math
 from rigapp.config.recipe import TestFile
 from rigapp.engine.recording.history import triggered_cycles
 from rigapp.engine.recording.schedule import Schedule
-from rigapp.storage.layout import FilePlan, profile_rows
+from rigapp.storage import FilePlan, profile_rows
 
 SLOWER = 1.05
 """A revolution may have so many times the samples of one at the set speed."""

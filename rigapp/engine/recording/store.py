@@ -22,6 +22,13 @@ from rigapp.engine.values.calibrate import Calibration
 from rigapp.engine.values.uncertainty import noise_of_sample, stated_uncertainty, uncertainty_record
 from rigapp.schema.loglines import RestSignals
 from rigapp.schema.messages import Event, LookedAfter
+from rigapp.storage import (
+    CALIBRATION,
+    TestMetadata,
+    create_test,
+    open_test,
+    reopen_test,
+)
 
 
 class Store(Protocol):
@@ -163,8 +170,6 @@ def open_file(request: OpenRequest) -> Opened:
 
 def _create(request: OpenRequest) -> Opened:
     from rigapp.engine.recording.fileplan import file_plan
-    from rigapp.storage.metadata import TestMetadata
-    from rigapp.storage.writer import create_test
 
     test, rig = request.test.record, request.rig.record
     calibration = request.calibration
@@ -197,9 +202,6 @@ def _create(request: OpenRequest) -> Opened:
 
 
 def _resume(request: OpenRequest) -> Opened:
-    from rigapp.storage.reader import open_test
-    from rigapp.storage.resume import reopen_test
-
     store = reopen_test(request.path)
     try:
         with open_test(request.path) as reader:
@@ -222,8 +224,6 @@ def _resume(request: OpenRequest) -> Opened:
 
 
 def _history(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
-    from rigapp.storage.reader import open_test
-
     with open_test(path) as reader:
         for first in range(0, rows, HISTORY_ROWS):
             stop = min(rows, first + HISTORY_ROWS)
@@ -232,8 +232,6 @@ def _history(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
 
 
 def _depths(path: Path) -> NDArray[np.float64]:
-    from rigapp.storage.reader import open_test
-
     with open_test(path) as reader:
         found = reader.predictions()
         return np.array([found[name] for name in DEPTH_COLUMNS], np.float64)
@@ -288,7 +286,6 @@ def _uncertainty(request: OpenRequest) -> dict[str, Any]:
 
 def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[str, Any]]:
     """Return what measures, as nested plain values, units in the keys; rate: of the device."""
-    from rigapp.storage.layout import CALIBRATION
 
     cell, probes, encoder = rig.load_cell, rig.probes, rig.encoder
     return {

@@ -14,7 +14,7 @@ from rigapp.report.model_facts import CyclePicture, cycles_of
 from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, DEGREES
 from rigapp.report.worn import CURVES, worn_of
-from rigapp.storage.reader import TestReader, open_test
+from rigapp.storage import TestReader, open_test
 
 COMPONENTS = {"force_1": "component 1", "force_2": "component 2", "force": "magnitude"}
 EXTREMA = ("max", "rms", "min")

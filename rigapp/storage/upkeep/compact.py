@@ -14,18 +14,18 @@ import sys
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.storage.create import (
+from rigapp.storage.errors import StorageFailed
+from rigapp.storage.folder import (
     hidden_name,
     refuse_little_space,
     remove_stale,
     short_reason,
     sync_folder,
 )
-from rigapp.storage.duplicate import first_difference, write_duplicate
-from rigapp.storage.errors import StorageFailed
-from rigapp.storage.layout import streams_of
-from rigapp.storage.reader import TestReader, open_test
-from rigapp.storage.resume import open_exclusively
+from rigapp.storage.reading.reader import TestReader, open_test
+from rigapp.storage.structure.layout import streams_of
+from rigapp.storage.upkeep.duplicate import first_difference, write_duplicate
+from rigapp.storage.upkeep.resume import open_exclusively
 
 
 def compact_test(path: str | os.PathLike[str]) -> bool:

@@ -9,8 +9,8 @@ import threading
 from pathlib import Path
 
 from rigapp.storage.errors import StorageFailed
-from rigapp.storage.holes import punch_hole
-from rigapp.storage.rescue import copy_ranges
+from rigapp.storage.writing.holes import punch_hole
+from rigapp.storage.writing.rescue import copy_ranges
 
 Bytes = bytes | bytearray | memoryview
 

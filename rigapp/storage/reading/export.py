@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import CHANNELS
-from rigapp.storage.create import move_into_place
-from rigapp.storage.metadata import unit_suffix
-from rigapp.storage.reader import StoredCycle, TestReader, open_test
+from rigapp.storage.folder import move_into_place
+from rigapp.storage.reading.reader import StoredCycle, TestReader, open_test
+from rigapp.storage.structure.metadata import unit_suffix
 
 ROWS_AT_A_TIME = 65536
 SAMPLES_AT_A_TIME = 1 << 18

@@ -9,9 +9,9 @@ from typing import Any
 import h5py
 import numpy as np
 
-from rigapp.storage.build import scale_label
-from rigapp.storage.hdf import is_bare, open_for_reading
-from rigapp.storage.layout import COMPRESSED, FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE
+from rigapp.storage.structure.build import scale_label
+from rigapp.storage.structure.hdf import is_bare, open_for_reading
+from rigapp.storage.structure.layout import COMPRESSED, FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE
 
 CHUNK_BYTES = 1 << 18
 PIECE_BYTES = 1 << 24

@@ -12,9 +12,9 @@ import msgspec
 import numpy as np
 
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES
-from rigapp.storage.conventions import conventions
-from rigapp.storage.hdf import NOT_A_VARIABLE
-from rigapp.storage.layout import (
+from rigapp.storage.structure.conventions import conventions
+from rigapp.storage.structure.hdf import NOT_A_VARIABLE
+from rigapp.storage.structure.layout import (
     CALIBRATION,
     CHECKPOINT_BYTES,
     CONFIGURATION,
@@ -31,12 +31,12 @@ from rigapp.storage.layout import (
     STATE,
     STATE_FIELDS,
     TIME_DTYPE,
-    Field,
+    FileColumn,
     FilePlan,
-    Stream,
+    FileStream,
     streams_of,
 )
-from rigapp.storage.metadata import TestMetadata, iso_time, name_and_unit, versions
+from rigapp.storage.structure.metadata import TestMetadata, iso_time, name_and_unit, versions
 
 PAGE = 4096
 METADATA_BLOCK = 1 << 18
@@ -209,7 +209,7 @@ def _build_state(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> Non
         dataset[()] = first.get(name, b"" if dtype.startswith("S") else 0)
 
 
-def _build_stream(file: h5py.File, stream: Stream, uncertain: bool) -> None:
+def _build_stream(file: h5py.File, stream: FileStream, uncertain: bool) -> None:
     group = _group(file, stream.group, "NXcollection")
     if stream.counter:
         counter = placed_dataset(group, stream.counter, "<i8", (), "1", _COUNTERS[stream.counter])
@@ -249,7 +249,7 @@ def scale_label(is_variable: bool, name: str, length: int) -> str:
     return name if is_variable else f"{NOT_A_VARIABLE}{length:10d}"
 
 
-def _build_field(group: h5py.Group, one: Field, rows: int) -> h5py.Dataset:
+def _build_field(group: h5py.Group, one: FileColumn, rows: int) -> h5py.Dataset:
     shape = (rows, *one.shape)
     return placed_dataset(group, one.name, one.dtype, shape, one.unit, one.description)
 

@@ -18,9 +18,12 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.schema.messages import Event
-from rigapp.storage.events import events_of, first_broken_link
-from rigapp.storage.hdf import is_bare, open_for_reading
-from rigapp.storage.layout import (
+from rigapp.storage.locks import writer_is_alive
+from rigapp.storage.reading.oldlog import translated
+from rigapp.storage.reading.resample import Method, resample_channels
+from rigapp.storage.structure.events import events_of, first_broken_link
+from rigapp.storage.structure.hdf import is_bare, open_for_reading
+from rigapp.storage.structure.layout import (
     CALIBRATION,
     CHECKPOINT_BYTES,
     CHECKPOINT_SLOTS,
@@ -36,12 +39,9 @@ from rigapp.storage.layout import (
     START_TIME,
     STATE,
     FilePlan,
-    Stream,
+    FileStream,
     streams_of,
 )
-from rigapp.storage.locks import writer_is_alive
-from rigapp.storage.oldlog import translated
-from rigapp.storage.resample import Method, resample_channels
 
 Columns = dict[str, NDArray[Any]]
 
@@ -62,7 +62,7 @@ class StoredCycle:
     def resampled(self, points: int = 360, method: Method = "linear") -> StoredCycle:
         """Return this cycle on a uniform grid of crank angles, without time and raw signals.
 
-        method: linear or band-limited, see ``rigapp.storage.resample``. Raises ValueError.
+        method: linear or band-limited, see ``rigapp.storage.reading.resample``. Raises ValueError.
         """
         return replace(self, columns=dict(resample_channels(self.columns, points, method)))
 
@@ -353,7 +353,7 @@ class TestReader:
         return xarray.Dataset(variables, coords={found.dimension: coordinate})
 
     def _table(self, stream: str, first: int) -> Columns:
-        found: Stream = self._streams[stream]
+        found: FileStream = self._streams[stream]
         end = self.committed(stream)
         return {
             one.name: np.asarray(self._file[found.path(one.name)][first:end])

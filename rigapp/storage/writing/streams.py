@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.storage.backlog import Backlog
-from rigapp.storage.disk import Disk
-from rigapp.storage.layout import Stream
+from rigapp.storage.structure.layout import FileStream
+from rigapp.storage.writing.backlog import Backlog
+from rigapp.storage.writing.disk import Disk
 
 Float = NDArray[np.float64]
 Offsets = dict[str, int]
@@ -23,7 +23,7 @@ class Room:
 
     __slots__ = ("_disk", "_offsets", "_stream", "reserved")
 
-    def __init__(self, disk: Disk, stream: Stream, offsets: Offsets, reserved: int) -> None:
+    def __init__(self, disk: Disk, stream: FileStream, offsets: Offsets, reserved: int) -> None:
         self._disk = disk
         self._stream = stream
         self._offsets = offsets
@@ -65,7 +65,13 @@ class RowBuffer:
     """
 
     def __init__(
-        self, backlog: Backlog, stream: Stream, offsets: Offsets, room: Room, count: int, rows: int
+        self,
+        backlog: Backlog,
+        stream: FileStream,
+        offsets: Offsets,
+        room: Room,
+        count: int,
+        rows: int,
     ) -> None:
         self._backlog = backlog
         self._fields = stream.fields
@@ -121,7 +127,7 @@ class RowBuffer:
 class RecordPlacer:
     """Hand whole records (cycles' samples, curves, events) to the backlog."""
 
-    def __init__(self, backlog: Backlog, stream: Stream, offsets: Offsets, room: Room) -> None:
+    def __init__(self, backlog: Backlog, stream: FileStream, offsets: Offsets, room: Room) -> None:
         self._backlog = backlog
         self._stream = stream
         self._offsets = offsets

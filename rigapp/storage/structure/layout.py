@@ -69,13 +69,9 @@ TIME_DTYPE = "S32"
 
 
 @dataclass(frozen=True, slots=True)
-class Field:
+class FileColumn(Column):
     """Describe one dataset of a stream; ``shape`` is that of one row."""
 
-    name: str
-    dtype: str
-    unit: str
-    description: str
     shape: tuple[int, ...] = ()
 
     @property
@@ -85,14 +81,14 @@ class Field:
 
 
 @dataclass(frozen=True, slots=True)
-class Stream:
+class FileStream:
     """Describe datasets that grow together; ``counter`` is empty where another stream counts."""
 
     name: str
     group: str
     dimension: str
     counter: str
-    fields: tuple[Field, ...]
+    fields: tuple[FileColumn, ...]
     planned: int
     capacity: int
 
@@ -136,43 +132,49 @@ class FilePlan:
 
 
 _EVENT_FIELDS = (
-    Field("time", "<f8", "s", "UTC seconds since 1970-01-01"),
-    Field("revolution", "<i8", "1", "revolution at which it happened"),
-    Field("kind", "S32", "", "what happened, as a code"),
-    Field("source", "S32", "", "who or what caused it"),
-    Field("text", "S256", "", "what happened, as a sentence"),
-    Field("before", "S128", "", "value before"),
-    Field("after", "S128", "", "value after"),
+    FileColumn("time", "<f8", "s", "UTC seconds since 1970-01-01"),
+    FileColumn("revolution", "<i8", "1", "revolution at which it happened"),
+    FileColumn("kind", "S32", "", "what happened, as a code"),
+    FileColumn("source", "S32", "", "who or what caused it"),
+    FileColumn("text", "S256", "", "what happened, as a sentence"),
+    FileColumn("before", "S128", "", "value before"),
+    FileColumn("after", "S128", "", "value after"),
 )
 _EVENT_DETAILS = (
-    Field("key", "S128", "", "what it is about, of an alarm or a limit its key"),
-    Field("level", "S16", "", "how bad it is: information, warning or critical"),
-    Field("data", "S256", "", "what programs read of it, as JSON; empty when there is nothing"),
+    FileColumn("key", "S128", "", "what it is about, of an alarm or a limit its key"),
+    FileColumn("level", "S16", "", "how bad it is: information, warning or critical"),
+    FileColumn(
+        "data", "S256", "", "what programs read of it, as JSON; empty when there is nothing"
+    ),
 )
 _EVENT_CHAIN = (
-    Field("continued", "<i4", "1", "1: the texts go on in the next row"),
-    Field("digest", "S64", "", "SHA-256 over the digest before and this row, see file-format.md"),
+    FileColumn("continued", "<i4", "1", "1: the texts go on in the next row"),
+    FileColumn(
+        "digest", "S64", "", "SHA-256 over the digest before and this row, see file-format.md"
+    ),
 )
 
 
-def event_fields(details: bool) -> tuple[Field, ...]:
+def event_fields(details: bool) -> tuple[FileColumn, ...]:
     """Return the columns of the log, with or without key, level and data."""
     return (*_EVENT_FIELDS, *(_EVENT_DETAILS if details else ()), *_EVENT_CHAIN)
 
 
 INDEX_FIELDS = (
-    Field("revolution", "<i8", "1", "number of the revolution"),
-    Field("first", "<i8", "1", "index of the cycle's first sample"),
-    Field("count", "<i8", "1", "samples of the cycle"),
+    FileColumn("revolution", "<i8", "1", "number of the revolution"),
+    FileColumn("first", "<i8", "1", "index of the cycle's first sample"),
+    FileColumn("count", "<i8", "1", "samples of the cycle"),
 )
-QUALITY_FIELD = Field("quality", "<i4", "1", "quality of the revolution, flags as in its row")
-WHY_FIELD = Field("why", "S16", "", "why it is kept: scheduled, last, before, trigger or after")
+QUALITY_FIELD = FileColumn("quality", "<i4", "1", "quality of the revolution, flags as in its row")
+WHY_FIELD = FileColumn(
+    "why", "S16", "", "why it is kept: scheduled, last, before, trigger or after"
+)
 
 UNFINISHED_ROWS = 64
 """Unfinished revolutions that a file can hold: one each time a test is stopped."""
 
 
-def streams_of(plan: FilePlan) -> dict[str, Stream]:
+def streams_of(plan: FilePlan) -> dict[str, FileStream]:
     """Return the streams of a file by name, in the order in which they lie in the file."""
     rows = max(1, plan.revolutions)
     all_rows = _rounded(rows + max(rows, SPARE_REVOLUTIONS))
@@ -184,35 +186,37 @@ def streams_of(plan: FilePlan) -> dict[str, Stream]:
     all_samples = _rounded(math.ceil(samples * all_rows / rows) if plan.cycles else 1)
     twin_rows, all_twin_rows = (rows, all_rows) if plan.prediction else (1, ROW_MULTIPLE)
     curves, all_curves = (cycles, all_cycles) if plan.prediction else (1, ROW_MULTIPLE)
-    index: tuple[Field, ...] = INDEX_FIELDS
+    index: tuple[FileColumn, ...] = INDEX_FIELDS
     if plan.cycle_reason:
         index = (*index, QUALITY_FIELD, WHY_FIELD)
     curve_fields = (
-        Field("curve_revolution", "<i8", "1", "number of the revolution of the predicted curve"),
+        FileColumn(
+            "curve_revolution", "<i8", "1", "number of the revolution of the predicted curve"
+        ),
         *(
-            Field(f"curve_{name}", "<f4", "N", f"predicted {name}", (plan.prediction_points,))
+            FileColumn(f"curve_{name}", "<f4", "N", f"predicted {name}", (plan.prediction_points,))
             for name in plan.predicted_curves
         ),
     )
-    found: tuple[Stream, ...] = (
-        Stream(
+    found: tuple[FileStream, ...] = (
+        FileStream(
             "revolutions", "/entry/revolutions", "revolution", "committed",
             _fields(plan.revolution_columns), rows, all_rows,
         ),
-        Stream("cycles", "/entry/cycles", "revolution", "committed", index, cycles, all_cycles),
-        Stream(
+        FileStream("cycles", "/entry/cycles", "revolution", "committed", index, cycles, all_cycles),
+        FileStream(
             "samples", "/entry/cycles", "sample", "", _fields(plan.cycle_columns),
             samples, all_samples,
         ),
-        Stream(
+        FileStream(
             "prediction", "/entry/prediction", "revolution", "committed",
             _fields(plan.prediction_columns), twin_rows, all_twin_rows,
         ),
-        Stream(
+        FileStream(
             "curves", "/entry/prediction", "curve_revolution", "committed_curves", curve_fields,
             curves, all_curves,
         ),
-        Stream(
+        FileStream(
             "events", "/entry/events", "event", "committed", event_fields(plan.event_details),
             plan.events, _rounded(plan.events),
         ),
@@ -224,14 +228,14 @@ def streams_of(plan: FilePlan) -> dict[str, Stream]:
     return {stream.name: stream for stream in found}
 
 
-def _unfinished_streams(plan: FilePlan) -> tuple[Stream, Stream]:
+def _unfinished_streams(plan: FilePlan) -> tuple[FileStream, FileStream]:
     group, samples = "/entry/unfinished", plan.unfinished_samples
     return (
-        Stream(
+        FileStream(
             "unfinished", group, "revolution", "committed", (*INDEX_FIELDS, QUALITY_FIELD),
             UNFINISHED_ROWS, _rounded(UNFINISHED_ROWS),
         ),
-        Stream(
+        FileStream(
             "unfinished_samples", group, "sample", "", _fields(plan.cycle_columns),
             samples, _rounded(UNFINISHED_ROWS * samples),
         ),
@@ -256,7 +260,7 @@ PROFILE_SENTENCES = {
 }
 
 
-def _worn_streams(plan: FilePlan) -> tuple[Stream, Stream]:
+def _worn_streams(plan: FilePlan) -> tuple[FileStream, FileStream]:
     group, size = "/entry/prediction", (len(PROFILE_ANGLES_DEG),)
     profiles = (
         *_fields(
@@ -264,35 +268,37 @@ def _worn_streams(plan: FilePlan) -> tuple[Stream, Stream]:
             for one in profile_columns()
         ),
         *(
-            Field(f"profile_{one}", "<f4", "mm", PROFILE_SENTENCES[one], size)
+            FileColumn(f"profile_{one}", "<f4", "mm", PROFILE_SENTENCES[one], size)
             for one in PROFILE_CURVES
         ),
     )
     checkpoints = (
-        Field("checkpoint_revolution", "<i8", "1", "newest revolution in the twin's checkpoint"),
-        Field("checkpoint_length", "<i8", "1", "bytes of the checkpoint, 0: none"),
-        Field("checkpoint_crc", "<i8", "1", "CRC-32 of these bytes"),
-        Field("checkpoint_state", "|u1", "1", "the twin's bushings", (CHECKPOINT_BYTES,)),
+        FileColumn(
+            "checkpoint_revolution", "<i8", "1", "newest revolution in the twin's checkpoint"
+        ),
+        FileColumn("checkpoint_length", "<i8", "1", "bytes of the checkpoint, 0: none"),
+        FileColumn("checkpoint_crc", "<i8", "1", "CRC-32 of these bytes"),
+        FileColumn("checkpoint_state", "|u1", "1", "the twin's bushings", (CHECKPOINT_BYTES,)),
     )
     room = profile_rows(2 * plan.revolutions + SPARE_REVOLUTIONS)
     return (
-        Stream(
+        FileStream(
             "profiles", group, "profile_revolution", "committed_profiles", profiles,
             plan.profiles, max(room, plan.profiles),
         ),
-        Stream(
+        FileStream(
             "checkpoints", group, "checkpoint", "", checkpoints,
             CHECKPOINT_SLOTS, CHECKPOINT_SLOTS,
         ),
     )  # fmt: skip
 
 
-def reserved_bytes(streams: Iterable[Stream]) -> int:
+def reserved_bytes(streams: Iterable[FileStream]) -> int:
     """Return the disk space in bytes that the planned rows of the streams need."""
     return sum(stream.planned * stream.row_bytes for stream in streams)
 
 
-def declared_bytes(streams: Iterable[Stream]) -> int:
+def declared_bytes(streams: Iterable[FileStream]) -> int:
     """Return the length in bytes that the streams give the file."""
     return sum(stream.capacity * stream.row_bytes for stream in streams)
 
@@ -308,8 +314,8 @@ def planned_rows(plan: FilePlan, revolutions: int) -> dict[str, int]:
     }
 
 
-def _fields(columns: Iterable[Column]) -> tuple[Field, ...]:
-    return tuple(Field(one.name, one.dtype, one.unit, one.description) for one in columns)
+def _fields(columns: Iterable[Column]) -> tuple[FileColumn, ...]:
+    return tuple(FileColumn(one.name, one.dtype, one.unit, one.description) for one in columns)
 
 
 def _rounded(rows: int) -> int:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rigapp.schema.messages import Flag
-from rigapp.storage.layout import DETECTORS, FORCE_UNCERTAINTY, Field, Stream
+from rigapp.storage.structure.layout import DETECTORS, FORCE_UNCERTAINTY, FileColumn, FileStream
 
 UTC = {
     "units": "seconds since 1970-01-01 00:00:00",
@@ -33,7 +33,7 @@ _SOURCES = (
 _FORCE = re.compile(r"force(?P<component>_[12])?(_(?P<statistic>max|min|mean|rms))?")
 
 
-def conventions(stream: Stream, field: Field, uncertain: bool = False) -> dict[str, Any]:
+def conventions(stream: FileStream, field: FileColumn, uncertain: bool = False) -> dict[str, Any]:
     """Return further attributes of a column. uncertain: the file states that of its forces."""
     found: dict[str, Any] = {}
     if (stream.name, field.name) in _UTC_COLUMNS:

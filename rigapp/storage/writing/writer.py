@@ -17,31 +17,26 @@ from numpy.typing import ArrayLike, NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import PROFILE_CURVES, prediction_columns, profile_columns
 from rigapp.schema.messages import Event, LookedAfter
-from rigapp.storage.backlog import Backlog
-from rigapp.storage.build import PAGE
-from rigapp.storage.create import (
-    Places,
-    create_file,
-    fitted_streams,
-    refuse_little_space,
-    reserve_stream,
-)
-from rigapp.storage.disk import Disk
 from rigapp.storage.errors import NoRoom, StorageFailed
-from rigapp.storage.events import asked_for, columns_of, rows_of, seed_of
-from rigapp.storage.keeper import Keeper
-from rigapp.storage.layout import (
+from rigapp.storage.folder import refuse_little_space
+from rigapp.storage.structure.build import PAGE
+from rigapp.storage.structure.events import asked_for, columns_of, rows_of, seed_of
+from rigapp.storage.structure.layout import (
     CHECKPOINT_BYTES,
     END_TIME,
     STATE,
     FilePlan,
-    Stream,
+    FileStream,
     planned_rows,
     streams_of,
 )
-from rigapp.storage.metadata import TestMetadata, iso_time
-from rigapp.storage.scalars import COUNTERS, FINAL_STATUSES, Counts, Scalars
-from rigapp.storage.streams import RecordPlacer, Room, RowBuffer
+from rigapp.storage.structure.metadata import TestMetadata, iso_time
+from rigapp.storage.writing.backlog import Backlog
+from rigapp.storage.writing.create import Places, create_file, fitted_streams, reserve_stream
+from rigapp.storage.writing.disk import Disk
+from rigapp.storage.writing.keeper import Keeper
+from rigapp.storage.writing.scalars import COUNTERS, FINAL_STATUSES, Counts, Scalars
+from rigapp.storage.writing.streams import RecordPlacer, Room, RowBuffer
 
 ROWS_BUFFERED = 256
 EVENTS_KEPT_BACK = 64
@@ -513,5 +508,5 @@ class TestWriter:
             self._backlog, stream, self._offsets(stream), self._rooms[name], count, ROWS_BUFFERED
         )
 
-    def _offsets(self, stream: Stream) -> dict[str, int]:
+    def _offsets(self, stream: FileStream) -> dict[str, int]:
         return {one.name: self._places[stream.path(one.name)][0] for one in stream.fields}

@@ -15,27 +15,34 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.names import name_refusal
-from rigapp.process.leftovers import left_behind, remove_left_behind
-from rigapp.storage.build import build_file
-from rigapp.storage.disk import Disk
 from rigapp.storage.errors import StorageFailed
-from rigapp.storage.hdf import open_for_reading
-from rigapp.storage.layout import (
+from rigapp.storage.folder import (
+    MEGABYTE,
+    hidden_name,
+    move_into_place,
+    protect,
+    refuse_little_space,
+    remove_stale,
+    short_reason,
+    sync_folder,
+)
+from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage.structure.build import build_file
+from rigapp.storage.structure.hdf import open_for_reading
+from rigapp.storage.structure.layout import (
     FilePlan,
-    Stream,
+    FileStream,
     declared_bytes,
     reserved_bytes,
     streams_of,
 )
-from rigapp.storage.locks import hold_writer_lock
-from rigapp.storage.metadata import TestMetadata
+from rigapp.storage.structure.metadata import TestMetadata
+from rigapp.storage.writing.disk import Disk
 
 Places = dict[str, tuple[int, int]]
 """Path of a dataset -> offset and length in bytes."""
 
 STRUCTURE_BYTES = 1 << 20
-SPACE_MARGIN = 32 << 20
-MEGABYTE = 1e6
 
 
 def refuse_bad_target(path: Path, plan: FilePlan) -> None:
@@ -62,19 +69,6 @@ def refuse_bad_target(path: Path, plan: FilePlan) -> None:
             f"{path}: the test needs a file of {length / MEGABYTE:.0f} MB, but this system allows "
             f"files of {limit / MEGABYTE:.0f} MB; {(length - limit) / MEGABYTE:.1f} MB are missing,"
             " keep fewer whole cycles or raise the limit (ulimit -f)"
-        )
-
-
-def refuse_little_space(folder: Path, path: Path, needed: int, who: str = "the test") -> None:
-    """Refuse when the folder's disk has not ``needed`` bytes and a margin free: UnusableInput."""
-    disk = os.statvfs(folder)
-    free = disk.f_bavail * disk.f_frsize
-    missing = needed + SPACE_MARGIN - free
-    if missing > 0:
-        raise UnusableInput(
-            f"{path}: {who} needs {(needed + SPACE_MARGIN) / MEGABYTE:.0f} MB, {folder} has "
-            f"{free / MEGABYTE:.0f} MB free; {missing / MEGABYTE:.1f} MB are missing, "
-            "free them or keep fewer whole cycles"
         )
 
 
@@ -110,14 +104,6 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
     return disk, places
 
 
-def hidden_name(path: Path, what: str = "new") -> Path:
-    """Return the name of a file that is being made; what a killed process leaves is known by it.
-
-    what: at most 6 letters, see ``LONGEST_NAME_BYTES``.
-    """
-    return path.parent / f".{path.name}.{what}-{os.getpid()}"
-
-
 def places_of(path: Path) -> Places:
     """Return where the in-place datasets of a file lie, as h5py reports it."""
     places: Places = {}
@@ -133,9 +119,9 @@ def places_of(path: Path) -> Places:
     return places
 
 
-def fitted_streams(plan: FilePlan, places: Places) -> dict[str, Stream]:
+def fitted_streams(plan: FilePlan, places: Places) -> dict[str, FileStream]:
     """Return the streams of a plan with the sizes that the file really has."""
-    found: dict[str, Stream] = {}
+    found: dict[str, FileStream] = {}
     for name, stream in streams_of(plan).items():
         first = stream.fields[0]
         capacity = places[stream.path(first.name)][1] // first.row_bytes
@@ -144,14 +130,14 @@ def fitted_streams(plan: FilePlan, places: Places) -> dict[str, Stream]:
     return found
 
 
-def reserve_stream(disk: Disk, stream: Stream, places: Places, first: int, rows: int) -> None:
+def reserve_stream(disk: Disk, stream: FileStream, places: Places, first: int, rows: int) -> None:
     """Reserve the disk space of rows ``first`` .. ``rows`` of a stream; raises OSError."""
     for one in stream.fields:
         offset = places[stream.path(one.name)][0]
         disk.reserve(offset + first * one.row_bytes, (rows - first) * one.row_bytes)
 
 
-def check_places(disk: Disk, file: Path, streams: Mapping[str, Stream], places: Places) -> None:
+def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], places: Places) -> None:
     """Write a mark through each place, read it back through h5py, and clear it again.
 
     Raises StorageFailed when the library's offsets do not hold: then no test may start.
@@ -180,24 +166,6 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, Stream], places: 
             assert places[stream.path(stream.counter)][0] % 8 == 0
 
 
-def protect(fd: int) -> None:
-    """Make a file read-only for everybody, where the file system knows modes."""
-    with contextlib.suppress(OSError):
-        os.fchmod(fd, 0o444)
-
-
-def sync_folder(folder: Path) -> None:
-    """Return when the folder's names are on the disk."""
-    fd = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        os.fsync(fd)
-    except OSError as error:
-        if error.errno != errno.EINVAL:
-            raise
-    finally:
-        os.close(fd)
-
-
 @contextlib.contextmanager
 def _space_errors(path: Path) -> Iterator[None]:
     try:
@@ -220,35 +188,3 @@ def _space_errors(path: Path) -> Iterator[None]:
         raise UnusableInput(
             f"{path}: the file cannot be created ({error.strerror or error}); choose another folder"
         ) from error
-
-
-def short_reason(error: Exception) -> str:
-    """Return the operating system's words out of HDF5's long message, or its first line."""
-    text = str(error)
-    _, found, rest = text.partition("error message = '")
-    return rest.partition("'")[0] if found else text.partition("\n")[0]
-
-
-def move_into_place(hidden: Path, path: Path) -> None:
-    """Give the file its name, never over an existing one."""
-    try:
-        os.link(hidden, path)
-    except FileExistsError:
-        raise
-    except OSError:
-        if os.path.lexists(path):
-            raise FileExistsError(errno.EEXIST, "file exists", str(path)) from None
-        os.rename(hidden, path)
-    else:
-        hidden.unlink()
-
-
-def remove_stale(folder: Path) -> None:
-    """Remove what killed processes left in a folder of results; protect what they had opened."""
-    for mark, match in left_behind(folder, r"\.(?P<name>.+)\.opened-(?P<pid>\d+)"):
-        left = folder / match["name"]
-        with contextlib.suppress(OSError):
-            if not left.is_symlink():
-                left.chmod(0o444)
-            mark.unlink()
-    remove_left_behind(folder, r"\..+\.(?:new|packed)-(?P<pid>\d+)")

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.messages import Event
-from rigapp.storage.layout import Field
+from rigapp.storage.structure.layout import FileColumn
 
 CODES = ("kind", "source", "key", "level")
 """Texts of one row; one that is too long is cut."""
@@ -33,7 +33,7 @@ def asked_for(event: Event) -> bool:
     return event.kind in ASKED_KINDS or (event.kind == "alarm" and event.source != OWN_ALARMS)
 
 
-def rows_of(event: Event, digest: bytes, fields: Sequence[Field]) -> list[dict[str, Any]]:
+def rows_of(event: Event, digest: bytes, fields: Sequence[FileColumn]) -> list[dict[str, Any]]:
     """Return an event as rows; a text longer than its column goes on in the next row.
 
     digest: hexadecimal digest of the row before, of the file's identifier for the first row.
@@ -108,7 +108,7 @@ def table_rows(columns: Mapping[str, NDArray[Any]]) -> Iterable[dict[str, Any]]:
 
 
 def columns_of(
-    rows: Sequence[Mapping[str, Any]], fields: Sequence[Field]
+    rows: Sequence[Mapping[str, Any]], fields: Sequence[FileColumn]
 ) -> dict[str, NDArray[Any]]:
     """Return rows as one array a column."""
     return {one.name: np.array([row[one.name] for row in rows], one.dtype) for one in fields}

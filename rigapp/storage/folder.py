@@ -1,0 +1,86 @@
+"""What a test file needs of its folder: room, a hidden name until it is whole, then its own."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+from rigapp.process.leftovers import left_behind, remove_left_behind
+
+SPACE_MARGIN = 32 << 20
+"""Bytes that stay free beside a file: for the log, the report and what else writes to the disk."""
+MEGABYTE = 1e6
+
+
+def refuse_little_space(folder: Path, path: Path, needed: int, who: str = "the test") -> None:
+    """Refuse when the folder's disk has not ``needed`` bytes and a margin free: UnusableInput."""
+    disk = os.statvfs(folder)
+    free = disk.f_bavail * disk.f_frsize
+    missing = needed + SPACE_MARGIN - free
+    if missing > 0:
+        raise UnusableInput(
+            f"{path}: {who} needs {(needed + SPACE_MARGIN) / MEGABYTE:.0f} MB, {folder} has "
+            f"{free / MEGABYTE:.0f} MB free; {missing / MEGABYTE:.1f} MB are missing, "
+            "free them or keep fewer whole cycles"
+        )
+
+
+def hidden_name(path: Path, what: str = "new") -> Path:
+    """Return the name of a file that is being made; what a killed process leaves is known by it.
+
+    what: at most 6 letters, see ``LONGEST_NAME_BYTES``.
+    """
+    return path.parent / f".{path.name}.{what}-{os.getpid()}"
+
+
+def move_into_place(hidden: Path, path: Path) -> None:
+    """Give the file its name, never over an existing one."""
+    try:
+        os.link(hidden, path)
+    except FileExistsError:
+        raise
+    except OSError:
+        if os.path.lexists(path):
+            raise FileExistsError(errno.EEXIST, "file exists", str(path)) from None
+        os.rename(hidden, path)
+    else:
+        hidden.unlink()
+
+
+def protect(fd: int) -> None:
+    """Make a file read-only for everybody, where the file system knows modes."""
+    with contextlib.suppress(OSError):
+        os.fchmod(fd, 0o444)
+
+
+def sync_folder(folder: Path) -> None:
+    """Return when the folder's names are on the disk."""
+    fd = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        os.fsync(fd)
+    except OSError as error:
+        if error.errno != errno.EINVAL:
+            raise
+    finally:
+        os.close(fd)
+
+
+def remove_stale(folder: Path) -> None:
+    """Remove what killed processes left in a folder of results; protect what they had opened."""
+    for mark, match in left_behind(folder, r"\.(?P<name>.+)\.opened-(?P<pid>\d+)"):
+        left = folder / match["name"]
+        with contextlib.suppress(OSError):
+            if not left.is_symlink():
+                left.chmod(0o444)
+            mark.unlink()
+    remove_left_behind(folder, r"\..+\.(?:new|packed)-(?P<pid>\d+)")
+
+
+def short_reason(error: Exception) -> str:
+    """Return the operating system's words out of HDF5's long message, or its first line."""
+    text = str(error)
+    _, found, rest = text.partition("error message = '")
+    return rest.partition("'")[0] if found else text.partition("\n")[0]
