@@ -24,11 +24,11 @@ from model.bushing.ring import Ring, ring_of
 from model.bushing.sector import SectorMesh, surface_spectrum
 from model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
 from model.wear.explicit import explicit_step, stable_step
-from model.wear.forces import force_source
 from model.wear.front import Front, implicit_step, touched, wear_problem
 from model.wear.life import life
 from model.wear.loads import constant_load
 from model.wear.state import unworn_state
+from model.wear.techniques import LifeOptions, technique_of
 
 RING = Ring(0.010, 0.020, 0.0095, 500e6, 0.38)
 WIDTH, FORCE_N, K = 0.0131, 110.0, 5.05e-13
@@ -129,7 +129,7 @@ def contacts(rounds: int) -> None:
 def lives(rounds: int) -> None:
     """Print the second table."""
     exact = life(PARAMETERS, SPEED, CYCLES, "perfect", 3e-4).max_depth[-1]
-    loads = force_source(PARAMETERS, SPEED, "perfect").unworn(6)
+    loads = technique_of("perfect").source(PARAMETERS, LifeOptions(SPEED)).unworn(6)
     ring = ring_of(PARAMETERS.joint, PARAMETERS.bushing.material)
     problem = wear_problem(ring, 180, WIDTH, K, loads, 1.2)
     limit = stable_step(ring, problem.sectors, K, loads)

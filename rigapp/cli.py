@@ -14,6 +14,7 @@ from typing import Annotated, Any, NoReturn
 
 import typer
 
+from model.wear.techniques import listed
 from rigapp.config.errors import UnusableInput
 from rigapp.config.names import name_refusal
 
@@ -229,9 +230,7 @@ def picture(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")], to:
 
 ParametersArgument = Annotated[Path, typer.Argument(metavar="PARAMS.toml", help="Parameters.")]
 RpmOption = Annotated[float, typer.Option("--rpm", help="Crank speed, rpm.")]
-JointOption = Annotated[
-    str, typer.Option("--joint", help="perfect, continuous or contact (paper: 3.1, 3.2).")
-]
+JointOption = Annotated[str, typer.Option("--joint", help=f"{listed()} (paper: 3.1, 3.2).")]
 
 TimeLimitOption = Annotated[
     float | None,

@@ -1,18 +1,19 @@
-"""Where a life's forces come from: the three joint techniques, or a constant force."""
+"""Where a life's forces come from: a joint by constraints, or one constant force.
+
+Pin and bushing as separate bodies are in ``impact_forces``.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from typing import Literal, Protocol
+from collections.abc import Iterable, Sequence
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from model.errors import ModelError
 from model.joints import continuous_contact
 from model.parameters import Joint, Parameters
 from model.wear.front import Front
-from model.wear.impact_forces import SeparateBodies
 from model.wear.loads import (
     WIDE_SWING,
     CycleLoads,
@@ -52,29 +53,6 @@ class ForceSource(Protocol):
 
     def notes(self, front: Front) -> Iterable[str]:
         """Return sentences on what the technique assumes and whether it holds."""
-
-
-def force_source(
-    parameters: Parameters,
-    speed: float,
-    technique: Literal["perfect", "continuous", "contact"],
-    tolerance: float = 1e-2,
-    alive: Callable[[], None] = lambda: None,
-    evolving: bool = True,
-) -> ForceSource:
-    """Return the source of a technique; raise ModelError for an unknown one.
-
-    evolving: whether continuous contact lets the clearance grow with the wear; tolerance: of the
-    depth, as a part of it, for forces that must be sampled; alive: called in between where that
-    takes long, and may raise.
-    """
-    if technique == "perfect":
-        return Constrained(parameters, speed, 0.0, follows_wear=False)
-    if technique == "continuous":
-        return Constrained(parameters, speed, parameters.joint.clearance, follows_wear=evolving)
-    if technique == "contact":
-        return SeparateBodies(parameters, speed, tolerance, alive)
-    raise ModelError("technique", technique, "choose perfect, continuous or contact")
 
 
 def constant_source(force: float, joint: Joint) -> ForceSource:

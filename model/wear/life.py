@@ -15,7 +15,7 @@ from model.bushing.ring import ContactModel, Ring, pressure_distribution, ring_o
 from model.errors import ModelError, OutOfTime, require_finite, require_positive
 from model.parameters import Parameters
 from model.wear.explicit import Extrapolation, explicit_moments, extrapolation
-from model.wear.forces import ForceSource, constant_source, force_source
+from model.wear.forces import ForceSource, constant_source
 from model.wear.front import Front, WearProblem, wear_problem
 from model.wear.loads import CycleLoads
 from model.wear.plan import (
@@ -28,9 +28,9 @@ from model.wear.plan import (
 )
 from model.wear.profile import profile
 from model.wear.richardson import Moment, integrate
+from model.wear.techniques import LifeOptions, technique_of
 
 Array = NDArray[np.float64]
-Technique = Literal["perfect", "continuous", "contact"]
 Method = Literal["implicit", "explicit"]
 
 # What the tolerance of the coupled contact solution can add, as a part of the depth.
@@ -54,7 +54,7 @@ class Life:
     ``extrapolation``: of explicit steps; None of implicit ones.
     """
 
-    technique: Technique
+    technique: str
     cycles: Array
     max_depth: Array
     worn_area: Array
@@ -81,7 +81,7 @@ def life(
     parameters: Parameters,
     speed: float,
     cycles: float,
-    technique: Technique = "continuous",
+    technique: str = "continuous",
     tolerance: float = 1e-3,
     force: float | None = None,
     progress: Callable[[float], None] | None = None,
@@ -92,16 +92,14 @@ def life(
 ) -> Life:
     """Compute the wear of the bushing over so many crank cycles.
 
-    speed: of the crank, rad/s; technique: "perfect" keeps the kinematics, "continuous" lets the
-    follower grow by the wear at the contact point, "contact" takes the forces from pin and bushing
-    as separate bodies; tolerance: of the depth at the end, as a part of it; force: a constant
-    force along the follower, N, instead of the mechanism's; evolving: False keeps the clearance of
-    "continuous" as it was when new; method: "implicit" steps as the tolerance needs them, or
-    "explicit" ones, the paper's, of at most ``step`` cycles, None for half the stability limit;
-    contact: of an elastic bushing or of a bed of springs, "winkler"; progress: called with the
-    part done. It may raise OutOfTime: the life then ends with the last row reached, or goes on
-    raising when there is none. Raises ModelError, ContactError or WornThrough naming what is wrong,
-    UnstableStep for a step beyond the stability limit.
+    speed: of the crank, rad/s; technique: one of ``TECHNIQUES``; tolerance: of the depth at the
+    end, as a part of it; force: a constant force along the follower, N, instead of the mechanism's;
+    evolving: False keeps the clearance of "continuous" as it was when new; method: "implicit" steps
+    as the tolerance needs them, or "explicit" ones, the paper's, of at most ``step`` cycles, None
+    for half the stability limit; contact: of an elastic bushing or of a bed of springs, "winkler";
+    progress: called with the part done. It may raise OutOfTime: the life then ends with the last
+    row reached, or goes on raising when there is none. Raises ModelError, ContactError or
+    WornThrough naming what is wrong, UnstableStep for a step beyond the stability limit.
     """
     require_positive("cycles", cycles)
     require_finite("speed", speed, "rad/s")
@@ -111,7 +109,9 @@ def life(
         raise ModelError("speed", speed, "a crank that stands still wears nothing", "rad/s")
     tell = progress or (lambda part: None)
     source = (
-        force_source(parameters, speed, technique, tolerance, lambda: tell(0.0), evolving)
+        technique_of(technique).source(
+            parameters, LifeOptions(speed, tolerance, lambda: tell(0.0), evolving)
+        )
         if force is None
         else constant_source(force, parameters.joint)
     )
@@ -251,7 +251,7 @@ def _life(
     plan: Plan,
     sampling: tuple[RelativeError, RelativeError],
     moments: list[Moment],
-    technique: Technique,
+    technique: str,
     tolerance: float,
     cycles: float,
     explicit: Extrapolation | None,

@@ -5,11 +5,17 @@ What its numbers may be stands in ``rigapp.config.ranges``.
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import msgspec
 
+from model.wear.techniques import SOLVABLE
 from rigapp.config.parameters import ParameterFile
+
+if TYPE_CHECKING:
+    PredictedJoint = str
+else:
+    PredictedJoint = Literal[SOLVABLE]
 
 Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
@@ -94,7 +100,7 @@ class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[prediction]: the model that runs beside the data."""
 
-    joint: Literal["perfect", "continuous"] = "continuous"
+    joint: PredictedJoint = "continuous"
     enabled: bool = True
 
 

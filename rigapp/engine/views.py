@@ -15,6 +15,7 @@ from rigapp.engine.judging.limits import least_margin, margin_to
 from rigapp.engine.recovery import Situation, recovery
 from rigapp.engine.values.reduce import NAMES, PLACE
 from rigapp.engine.values.uncertainty import stated_uncertainty
+from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import (
     ChannelView,
     DeviceView,
@@ -38,7 +39,9 @@ def build_status(core: Core, connection: Connection | None, operator: str) -> St
     margin, margin_name = _margin(core, connection, session)
     speed = connection.processor.motion.speed_rpm() if connection is not None else 0.0
     prediction = session.prediction if session is not None else None
-    residual = float(as_array(prediction.values, "<f8")[1]) if prediction is not None else math.nan
+    predicted = {}
+    if prediction is not None:
+        predicted = by_name(prediction_columns(), as_array(prediction.values, "<f8"))
     return Status(
         state=core.state,
         reason=core.reason,
@@ -65,7 +68,7 @@ def build_status(core: Core, connection: Connection | None, operator: str) -> St
             if session is not None and prediction is not None
             else math.inf
         ),
-        residual_rms_N=residual,
+        residual_rms_N=predicted.get("residual_rms", math.nan),
         alarms=core.alarms.alarms(),
         drive=_drive(connection),
         devices=_devices(connection),

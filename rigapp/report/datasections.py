@@ -139,6 +139,7 @@ def agreement(
     lead = Text(
         f"{counted(found.compared, 'revolution')} of {count(rows.revolutions)} compared."
         + _relative(found, rows)
+        + (f" The model: {found.joint}." if found.joint else "")
     )
     blocks: list[Block] = [lead, residuals]
     if found.pairs:

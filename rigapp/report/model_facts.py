@@ -9,6 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from model.errors import ModelError
+from model.wear.techniques import technique_of
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_test
 from rigapp.report.envelope import Floats, envelope
 from rigapp.report.facts import Line, Peak, mean
 from rigapp.storage import Columns, TestReader
@@ -58,13 +62,17 @@ class Wear:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Agreement:
-    """What the prediction says. compared: revolutions that were compared."""
+    """What the prediction says. compared: revolutions that were compared.
+
+    joint: what its joint technique assumes, empty when the file does not tell.
+    """
 
     compared: int
     residuals: tuple[Residual, ...]
     pairs: tuple[Pair, ...]
     lines: Mapping[str, Line]
     wear: Mapping[str, Wear | None]
+    joint: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -140,7 +148,17 @@ def agreement_of(reader: TestReader) -> Agreement | None:
             else None
             for name in WEAR
         },
+        joint=_assumption(reader),
     )
+
+
+def _assumption(reader: TestReader) -> str:
+    """Return what the joint technique of the test file assumes; empty when it is not readable."""
+    try:
+        test = parse_test(str(reader.configuration()["test"]), "test", recorded=True)
+        return technique_of(test.prediction.joint).sentence
+    except (UnusableInput, KeyError, ModelError):
+        return ""
 
 
 def _residual(name: str, unit: str, number: NDArray[np.int64], values: NDArray[Any]) -> Residual:

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
 
 CHANNELS = ("force_1", "force_2", "force", "probe_1", "probe_2")
 """force_1 and force_2: along the crank (e1) and across it (n1), of the force on the follower by the
@@ -21,6 +26,21 @@ class Column:
     dtype: str
     unit: str
     description: str
+
+
+def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[np.float64]:
+    """Return values by name in the order of columns, (len(columns),); KeyError names one missing.
+
+    What is no column is a ValueError.
+    """
+    if unknown := values.keys() - {one.name for one in columns}:
+        raise ValueError(f"no such column: {', '.join(sorted(unknown))}")
+    return np.array([values[one.name] for one in columns], dtype="<f8")
+
+
+def by_name(columns: Sequence[Column], row: NDArray[np.float64]) -> dict[str, float]:
+    """Return a row, (len(columns),), by the names of its columns."""
+    return dict(zip((one.name for one in columns), row.tolist(), strict=True))
 
 
 def revolution_columns() -> tuple[Column, ...]:
@@ -81,6 +101,7 @@ def cycle_columns() -> tuple[Column, ...]:
     )
 
 
+@cache
 def prediction_columns() -> tuple[Column, ...]:
     """Return the columns of ``/entry/prediction``, in storage order."""
     head = (
@@ -138,6 +159,7 @@ PROFILES_PER_DECADE = 24
 """Worn profiles kept in each decade of revolutions, spaced evenly in the logarithm."""
 
 
+@cache
 def profile_columns() -> tuple[Column, ...]:
     """Return the values of a worn profile, in storage order; its curves are PROFILE_CURVES."""
     return (

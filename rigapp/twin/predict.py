@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from model.dynamics import Motion
 from model.history import FEWEST_SAMPLES, smooth_history
-from model.joints import continuous_contact, perfect_joint
 from model.parameters import Parameters
-from rigapp.schema.columns import PREDICTION_POINTS
+from model.wear.techniques import solve_of
+from rigapp.schema.columns import PREDICTION_POINTS, in_order, prediction_columns
 from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
 from rigapp.twin.uncertainty import PredictionUncertainty, prediction_uncertainty
 
@@ -82,8 +82,7 @@ def predict_force(
 ) -> tuple[Motion, PredictionUncertainty]:
     """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
 
-    joint: "perfect", or "continuous" with the clearance of the bushing worn by depth (m) at the
-    contact point (paper, Eq. 12), on the wall that the sign of the force asks for. Returns also
+    joint: one of ``SOLVABLE``, of a bushing worn by depth (m) at the contact point. Returns also
     how uncertain the angle leaves the force.
     """
     history = smooth_history(measured.time, measured.angle)
@@ -98,11 +97,7 @@ def predict_force(
 def _motion(
     parameters: Parameters, joint: str, depth: float, speed: Array, acceleration: Array
 ) -> Motion:
-    mechanism, surfaces = parameters.mechanism, parameters.joint
-    if joint != "continuous":
-        return perfect_joint(mechanism, GRID, speed, acceleration, surfaces)
-    clearance = surfaces.clearance + depth
-    return continuous_contact(mechanism, surfaces, GRID, speed, acceleration, clearance).motion
+    return solve_of(joint)(parameters, GRID, speed, acceleration, depth)[0]
 
 
 def measured_force(measured: Measured) -> Array:
@@ -118,26 +113,28 @@ def compare(
     """Say what was predicted for a revolution, how surely, and how far the measurement is off."""
     force_1, force_2 = motion.force_crank
     force = motion.force_magnitude
+    curves = {"force_1": force_1, "force_2": force_2, "force": force}
     size = np.hypot(measured.force_1, measured.force_2)
-    head = (
-        measured.revolution,
-        _rms(size - _at(measured.angle, force)),
-        _rms(measured.force_1 - _at(measured.angle, force_1)),
-        _rms(measured.force_2 - _at(measured.angle, force_2)),
-        np.degrees(phase_shift(_on_grid(measured.angle, size), force)),
-        1e3 * wear.predicted_depth,
-        1e3 * wear.measured_depth,
-        1e3 * wear.measured_uncertainty,
-        1e3 * wear.driven_depth,
-    )
-    sure = (math.nan, math.nan) if doubt is None else (doubt.largest, doubt.unfollowed)
-    body = [f(curve) for curve in (force_1, force_2, force) for f in (np.max, np.min, _rms)]
+    values = {
+        "revolution": measured.revolution,
+        "residual_rms": _rms(size - _at(measured.angle, force)),
+        "residual_1_rms": _rms(measured.force_1 - _at(measured.angle, force_1)),
+        "residual_2_rms": _rms(measured.force_2 - _at(measured.angle, force_2)),
+        "phase_shift": np.degrees(phase_shift(_on_grid(measured.angle, size), force)),
+        "wear_depth": 1e3 * wear.predicted_depth,
+        "measured_wear_depth": 1e3 * wear.measured_depth,
+        "measured_wear_depth_uncertainty": 1e3 * wear.measured_uncertainty,
+        "driven_wear_depth": 1e3 * wear.driven_depth,
+        "force_uncertainty": math.nan if doubt is None else doubt.largest,
+        "unfollowed_acceleration": math.nan if doubt is None else doubt.unfollowed,
+    }
+    for name, curve in curves.items():
+        statistics = {"max": np.max(curve), "min": np.min(curve), "rms": _rms(curve)}
+        values |= {f"{name}_{statistic}": one for statistic, one in statistics.items()}
     return Prediction(
         revolution=measured.revolution,
-        values=np.array([*head, *body, *sure], dtype="<f8").tobytes(),
-        force_1=force_1.astype("<f4").tobytes(),
-        force_2=force_2.astype("<f4").tobytes(),
-        force=force.astype("<f4").tobytes(),
+        values=in_order(prediction_columns(), values).tobytes(),
+        **{name: curve.astype("<f4").tobytes() for name, curve in curves.items()},
     )
 
 

@@ -21,7 +21,7 @@ from model.errors import ModelError
 from model.frames import into_frame
 from model.parameters import Parameters
 from model.wear.state import WearState, unworn_state
-from rigapp.schema.columns import PROFILES_PER_DECADE
+from rigapp.schema.columns import PROFILES_PER_DECADE, in_order, profile_columns
 from rigapp.schema.messages import Prediction, WornProfile
 from rigapp.twin.ahead import BushingAhead, bushing_ahead
 from rigapp.twin.approach import RIGID, Approach
@@ -236,16 +236,22 @@ class Twin:
         centre = -1e6 * reference.centre if reference is not None else np.full(2, np.nan)
         run_out = 1e6 * np.hypot(*reference.run_out) if reference is not None else math.nan
         centred = reference is not None and reference.centred
-        values = (
-            revolution, path.revolutions, 1e6 * approach, 1e6 * change, *centre, run_out, centred,
-        )  # fmt: skip
-        head = np.array(values, dtype="<f8").tobytes()
+        values = {
+            "revolution": revolution,
+            "revolutions": path.revolutions,
+            "approach": 1e6 * approach,
+            "approach_change": 1e6 * change,
+            "centre_1": centre[0],
+            "centre_2": centre[1],
+            "run_out": run_out,
+            "centred": centred,
+        }
         measured, predicted, driven, doubt = (
             (1e3 * curve).astype("<f4") for curve in (measured, predicted, driven, doubt)
         )
         return WornProfile(
             revolution=revolution,
-            values=head,
+            values=in_order(profile_columns(), values).tobytes(),
             measured=measured.tobytes(),
             predicted=predicted.tobytes(),
             driven=driven.tobytes(),

@@ -16,6 +16,7 @@ import msgspec
 import zmq
 
 from model.errors import ModelError
+from model.wear.techniques import solve_of
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import to_parameters
 from rigapp.config.parameters import ParameterFile
@@ -77,7 +78,11 @@ class Remarks(logging.Handler):
 
 
 def new_twin(setup: TwinSetup) -> Twin:
-    """Return the twin of a setup, as its checkpoint left it where there is one that fits."""
+    """Return the twin of a setup, as its checkpoint left it where there is one that fits.
+
+    Raises UnusableInput, ModelError for a setup that no twin can be made of.
+    """
+    solve_of(setup.joint)
     twin = Twin(to_parameters(setup.parameters), setup.joint)
     restore(twin, setup.checkpoint)
     if twin.reference is None:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from model.wear.techniques import TECHNIQUES, Technique
+from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import MM
 
 if TYPE_CHECKING:
@@ -33,13 +35,20 @@ Array = np.ndarray
 
 
 @dataclass(frozen=True, slots=True)
-class Cycle:
+class CycleTable:
     """Hold the columns, what to print about them, what must be read, and whether all is there."""
 
     columns: Mapping[str, Array]
     remark: str = ""
     sentences: tuple[str, ...] = ()
     complete: bool = True
+
+
+def joint_technique(name: str) -> Technique:
+    """Return what --joint names; raise UnusableInput for an unknown one."""
+    if name not in TECHNIQUES:
+        raise UnusableInput(f"--joint {name}: choose one of {', '.join(TECHNIQUES)}.")
+    return TECHNIQUES[name]
 
 
 def columns_of(degrees: Array, motion: Motion, pin_radius: float) -> dict[str, Array]:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rigapp.commands.model.cycle import Cycle, columns_of
+from model.wear.techniques import TECHNIQUES, listed
+from rigapp.commands.model.cycle import CycleTable, columns_of, joint_technique
 from rigapp.commands.model.impacts import Impacting, check_impacting, impact_cycle
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import MM, read_parameters
@@ -19,7 +20,6 @@ from rigapp.report.tables import check_target, write_table
 if TYPE_CHECKING:
     from model.parameters import Parameters
 
-JOINTS = ("perfect", "continuous", "contact")
 FEWEST_POINTS, MOST_POINTS = 4, 1_000_000
 
 
@@ -34,10 +34,10 @@ def write_forces(
 ) -> int:
     """Write one cycle at ``points`` equal crank angles as CSV, replacing an earlier table.
 
-    joint: perfect, continuous or contact; clearance_mm: radial clearance instead of the file's (not
-    with perfect); impacting: what only contact has. Sentences on stderr say where continuous
-    contact does not hold, and that a curve is one sample of a chaotic motion. Returns the exit
-    status: 0, or 1 when time ran out; raises UnusableInput naming what cannot be used.
+    joint: one of ``TECHNIQUES``; clearance_mm: radial clearance instead of the file's, where the
+    joint has one; impacting: what only separate bodies have. Sentences on stderr say where
+    continuous contact does not hold, and that a curve is one sample of a chaotic motion. Returns
+    the exit status: 0, or 1 when time ran out; raises UnusableInput naming what cannot be used.
     """
     from model.errors import OutOfTime
 
@@ -73,17 +73,16 @@ def _check(
     """Refuse what the options cannot mean."""
     if not math.isfinite(rpm) or rpm == 0.0:
         raise UnusableInput(f"--rpm {rpm:g}: give a finite speed other than 0.")
-    if joint not in JOINTS:
-        raise UnusableInput(f"--joint {joint}: choose one of {', '.join(JOINTS)}.")
+    technique = joint_technique(joint)
     if not FEWEST_POINTS <= points <= MOST_POINTS:
         raise UnusableInput(f"--points {points}: give {FEWEST_POINTS} to {MOST_POINTS}.")
     if clearance_mm is not None:
         if not math.isfinite(clearance_mm) or clearance_mm < 0.0:
             raise UnusableInput(f"--clearance-mm {clearance_mm:g}: give 0 or more.")
-        if joint == "perfect" and clearance_mm != 0.0:
+        if "clearance" not in technique.needs and clearance_mm != 0.0:
+            others = tuple(one.name for one in TECHNIQUES.values() if "clearance" in one.needs)
             raise UnusableInput(
-                "--clearance-mm has no meaning for a perfect joint; use --joint continuous or"
-                " contact."
+                f"--clearance-mm has no meaning for a {joint} joint; use --joint {listed(others)}."
             )
     check_target("--to", target, source)
 
@@ -101,18 +100,13 @@ def _with_clearance(parameters: Parameters, path: Path, clearance_mm: float | No
 
 def _cycle(
     parameters: Parameters, rpm: float, joint: str, points: int, impacting: Impacting
-) -> Cycle:
+) -> CycleTable:
     """Return the cycle by the technique chosen."""
-    from model.joints import continuous_contact, perfect_joint
-
     speed = rpm * np.pi / 30.0
     degrees = 360.0 / points * np.arange(points)
-    mechanism, bearing = parameters.mechanism, parameters.joint
-    if joint == "perfect":
-        motion = perfect_joint(mechanism, np.deg2rad(degrees), speed, joint=bearing)
-        return Cycle(columns_of(degrees, motion, bearing.pin_radius))
-    if joint == "continuous":
-        answer = continuous_contact(mechanism, bearing, np.deg2rad(degrees), speed)
-        columns = columns_of(degrees, answer.motion, bearing.pin_radius)
-        return Cycle(columns, sentences=tuple(filter(None, [answer.sentence()])))
-    return impact_cycle(parameters, speed, degrees, impacting)
+    solve = TECHNIQUES[joint].solve
+    if solve is None:
+        return impact_cycle(parameters, speed, degrees, impacting)
+    motion, sentence = solve(parameters, np.deg2rad(degrees), speed, 0.0, 0.0)
+    columns = columns_of(degrees, motion, parameters.joint.pin_radius)
+    return CycleTable(columns, sentences=tuple(filter(None, [sentence])))

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rigapp.commands.model.cycle import Cycle, columns_of
+from model.wear.techniques import SOLVABLE, TECHNIQUES, listed
+from rigapp.commands.model.cycle import CycleTable, columns_of
 from rigapp.commands.model.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
 
@@ -36,8 +37,9 @@ class Impacting:
 def check_impacting(joint: str, options: Impacting) -> None:
     """Refuse options that another joint has no use for, or that are out of range."""
     for name, value in (("--revolutions", options.revolutions), ("--tolerance", options.tolerance)):
-        if value is not None and joint != "contact":
-            raise UnusableInput(f"{name} has no meaning for --joint {joint}; use --joint contact.")
+        if value is not None and joint in SOLVABLE:
+            others = listed(tuple(one for one in TECHNIQUES if one not in SOLVABLE))
+            raise UnusableInput(f"{name} has no meaning for --joint {joint}; use --joint {others}.")
     number, tolerance = options.revolutions, options.tolerance
     if number is not None and not FEWEST_REVOLUTIONS <= number <= MOST_REVOLUTIONS:
         raise UnusableInput(
@@ -50,7 +52,9 @@ def check_impacting(joint: str, options: Impacting) -> None:
     check_time_limit(options.time_limit_s)
 
 
-def impact_cycle(parameters: Parameters, speed: float, degrees: Array, options: Impacting) -> Cycle:
+def impact_cycle(
+    parameters: Parameters, speed: float, degrees: Array, options: Impacting
+) -> CycleTable:
     """Return one revolution, and with ``options.revolutions`` their means beside it.
 
     One alone is the second revolution after a start in contact. Raises the model's OutOfTime when
@@ -88,7 +92,7 @@ def impact_cycle(parameters: Parameters, speed: float, degrees: Array, options: 
             f"--time-limit-s {options.time_limit_s:g}: over after {many.revolutions} of"
             f" {options.revolutions} revolutions; the means are of these."
         )
-    return Cycle(columns, _remark(system, sample, many), tuple(sentences), complete)
+    return CycleTable(columns, _remark(system, sample, many), tuple(sentences), complete)
 
 
 def _sample_columns(

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
+from rigapp.commands.model.cycle import joint_technique
 from rigapp.commands.model.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import MM, MPA, read_parameters
@@ -20,7 +21,6 @@ from rigapp.report.tables import check_target, write_table
 if TYPE_CHECKING:
     from model.wear.life import Life
 
-JOINTS = ("perfect", "continuous", "contact")
 METHODS = ("implicit", "explicit")
 CONTACTS = ("finite-element", "winkler")
 MM2 = 1e-6
@@ -56,7 +56,7 @@ def write_wear(
 ) -> int:
     """Write the life of the bushing as CSV, and its worn profile if a name is given.
 
-    joint: perfect, continuous or contact; force_N: a constant force along the follower, positive
+    joint: one of ``TECHNIQUES``; force_N: a constant force along the follower, positive
     in tension, instead of the mechanism's; tolerance: largest relative error of the depth at the
     end; time_limit_s: after it what was reached is written; scheme: implicit steps and finite
     elements if None. What the user must know about the
@@ -77,7 +77,7 @@ def write_wear(
                 parameters,
                 rpm * np.pi / 30.0,
                 float(cycles),
-                cast(Literal["perfect", "continuous", "contact"], joint),
+                joint,
                 tolerance,
                 force_N,
                 tell,
@@ -145,8 +145,7 @@ def _check_wear(
         raise UnusableInput(f"--rpm {rpm:g}: give a finite speed other than 0.")
     if cycles < 1:
         raise UnusableInput(f"--cycles {cycles}: give at least 1.")
-    if joint not in JOINTS:
-        raise UnusableInput(f"--joint {joint}: choose one of {', '.join(JOINTS)}.")
+    joint_technique(joint)
     if force_N is not None and (not math.isfinite(force_N) or force_N == 0.0):
         raise UnusableInput(f"--force-N {force_N:g}: give a finite force other than 0.")
     if not SMALLEST_TOLERANCE <= tolerance <= LARGEST_TOLERANCE:

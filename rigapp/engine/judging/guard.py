@@ -20,7 +20,7 @@ from rigapp.engine.recording.recorder import cycle_message, measured_history
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.engine.values.calibrate import ANALOG, analog_inputs
 from rigapp.engine.values.reduce import PLACE
-from rigapp.schema.columns import prediction_columns
+from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import FinishReason, Flag, RevolutionMeasured, RunState
 from rigapp.schema.states import ACTIVE, TURNING, Ending, Trigger
 
@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from rigapp.engine.connection import Connection
 
 Array = NDArray[np.float64]
-
-PREDICTED_NAMES = tuple(column.name for column in prediction_columns())
 
 AT_SPEED = 0.05
 """The set speed is reached within this share of it."""
@@ -311,7 +309,7 @@ class Guard:
 
     def predicted(self, session: Session, values: Array) -> None:
         """Judge what the twin predicts by the rules of the test."""
-        named = dict(zip(PREDICTED_NAMES, values.tolist(), strict=True))
+        named = by_name(prediction_columns(), values)
         alone = {name: value for name, value in named.items() if name not in PLACE}
         for verdict in session.run.monitor.judge(alone):
             self.verdict(session, verdict)

@@ -31,7 +31,7 @@ def whole_life(parameters: Parameters, speed: float, cycles: int, kind: str, **m
     from model.errors import OutOfTime
     from model.wear.life import life
 
-    found = life(parameters, speed, cycles, kind, **more)  # type: ignore[arg-type]
+    found = life(parameters, speed, cycles, kind, **more)
     if not found.complete:
         raise OutOfTime
     return found

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from model.bushing.ring import ring_of
-from model.wear.forces import constant_source, force_source
+from model.wear.forces import constant_source
 from model.wear.front import implicit_step, wear_problem, worn_area
+from model.wear.techniques import LifeOptions, technique_of
 
 
 def fine_life(parameters, speed, rows, technique, force, sectors, positions, steps, half_angle):
@@ -17,7 +18,7 @@ def fine_life(parameters, speed, rows, technique, force, sectors, positions, ste
     source = (
         constant_source(force, parameters.joint)
         if force is not None
-        else force_source(parameters, speed, technique)
+        else technique_of(technique).source(parameters, LifeOptions(speed))
     )
     ring = ring_of(parameters.joint, parameters.bushing.material)
     loads = source.unworn(positions)
