@@ -23,13 +23,14 @@ except ImportError:  # Windows
     termios_error = OSError  # type: ignore[misc, assignment]
 
 _PORT_ERRORS = (OSError, ValueError, termios_error)  # SerialException is an OSError
+_PARITIES = {"none": "N", "even": "E", "odd": "O"}
 _SLICE_S = 0.1  # a waiting reader looks this often whether the port was closed
 _DRAIN_QUIET_S = 0.02
 _DRAIN_LIMIT_S = 2.0
 
 
 class SerialPort:
-    """Speak to one device over one serial port, opened exclusively.
+    """Speak to one device over one serial port, opened exclusively; 8 data bits.
 
     One thread reads, any thread writes or closes. ``low_latency`` tells whether the adapter took
     the low-latency mode (FTDI on Linux); a pty, a socket and CDC devices have none.
@@ -37,12 +38,20 @@ class SerialPort:
     """
 
     def __init__(
-        self, device: str, port: str, baud_rate: int, *, write_timeout_s: float = 2.0
+        self,
+        device: str,
+        port: str,
+        baud_rate: int,
+        *,
+        write_timeout_s: float = 2.0,
+        parity: str = "none",
+        stop_bits: int = 1,
     ) -> None:
         self.device = device
         self.port = port
         self.baud_rate = baud_rate
         self.write_timeout_s = write_timeout_s
+        self._frame = {"parity": _PARITIES[parity], "stopbits": stop_bits}
         self.low_latency = False
         self.bytes_received = 0
         self.bytes_sent = 0
@@ -68,6 +77,7 @@ class SerialPort:
                 timeout=0,
                 write_timeout=self.write_timeout_s,
                 exclusive=True,
+                **self._frame,
             )
         except _PORT_ERRORS as error:
             sentence = _why_not_opened(error, self.port)

@@ -24,6 +24,8 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         "source_fault": (DriverKind.DATA_SOURCE, True),
         "spindle": (DriverKind.SPINDLE, False),
         "spindle_fault": (DriverKind.SPINDLE, True),
+        "slow": (DriverKind.SLOW_SOURCE, False),
+        "slow_fault": (DriverKind.SLOW_SOURCE, True),
         "contract": (None, False),
     }
     for argument, (kind, faults) in wanted.items():
@@ -47,6 +49,7 @@ def bench(tmp_path: Path) -> Iterator[Callable[..., Any]]:
         kinds = {
             DriverKind.DATA_SOURCE: contract_bench.SourceBench,
             DriverKind.SPINDLE: contract_bench.SpindleBench,
+            DriverKind.SLOW_SOURCE: contract_bench.SlowBench,
         }
         one = kinds[contract.info.kind](contract, tmp_path / f"port{len(made)}", settings)
         made.append(one)

@@ -7,6 +7,7 @@ import select
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,8 @@ from drivers.api import (
     MotorState,
     Quality,
     RigSignals,
+    SlowRequest,
+    SlowSource,
     Spindle,
     StreamSetup,
 )
@@ -118,6 +121,44 @@ class Port:
         if not self.wire.send(made, now_s, droppable=self._streams):
             self._simulator.overrun(now_s)
         self.wire.flush(now_s)
+
+
+# --- slow sources -------------------------------------------------------------------------------
+
+
+class SlowBench:
+    """A slow source, its simulator, and values that differ by quantity."""
+
+    def __init__(self, contract: Contract, link: Path, settings: dict[str, Any]) -> None:
+        self.contract = contract
+        self.simulator = make_simulator(contract, contract.simulator)
+        self.truth = {
+            name: 20.0 + 7.0 * place for place, name in enumerate(contract.info.quantities)
+        }
+        self.simulator.observe(self.truth)
+        later = partial(self.simulator.receive, b"")
+        self.port = Port(self.simulator, link, later, streams=False)
+        self.settings = check_settings(contract.info, contract.settings | settings, "contract")
+        self.driver = self.make()
+
+    def make(self) -> SlowSource:
+        """Return a new driver on the port."""
+        driver = self.contract.info.factory("climate", self.port.url, self.settings)
+        assert isinstance(driver, SlowSource)
+        return driver
+
+    def connect(self) -> None:
+        """Open and configure."""
+        identity = self.driver.open()
+        assert identity.model
+        assert identity.port == self.port.url
+        request = SlowRequest(tuple(self.truth), settings=self.settings)
+        assert set(self.truth) <= set(self.driver.configure(request))
+
+    def close(self) -> None:
+        """Close driver and device."""
+        self.driver.close()
+        self.port.close()
 
 
 # --- data sources -------------------------------------------------------------------------------

@@ -25,7 +25,8 @@ class ExpectedFault:
     """One row: what happens, how the driver tells it, within how many seconds.
 
     layer: ``wire`` (of any device) or ``device`` (the simulator's own list). drivers: names, or
-    ``data source`` / ``spindle`` for all of a kind. tells: names of error classes, ``flag NAME`` of
+    ``data source`` / ``spindle`` / ``slow source`` for
+    all of a kind. tells: names of error classes, ``flag NAME`` of
     a sample's quality, ``fault`` or ``warning`` in the drive's status, ``log`` (a warning of the
     driver), ``silence`` (no samples at all) or ``nothing`` (the fault is borne). words: a regular
     expression for the text. unnumbered: samples are lost without a number, so that the gap stands

@@ -1,0 +1,1 @@
+"""Thermometers, hygrometers and other slow transmitters over Modbus RTU. Enter by ``driver``."""

@@ -1,0 +1,126 @@
+"""Which register of a device carries which quantity, and how its words become a number; pure."""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import Annotated, Any, Final, Literal
+
+import msgspec
+
+MOST_WORDS: Final = 125
+"""Registers that one request may ask for (Modbus application protocol 1.1b3, 6.3 and 6.4)."""
+_FORMATS: Final = {"i16": ">h", "u16": ">H", "i32": ">i", "f32": ">f"}
+
+
+class Register(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """One entry of the setting ``registers``: value = scale * number + offset.
+
+    quantity: its name with the unit at the end, as ``temperature_C``. function: 3 reads holding, 4
+    input registers. address: as it goes over the wire, from 0. words: which of two words comes
+    first. invalid: the number that stands for no value; it is told as NaN.
+    """
+
+    quantity: Annotated[str, msgspec.Meta(pattern=r"^[a-z][a-z0-9_]*_[A-Za-z0-9]+$")]
+    function: Literal[3, 4] = 4
+    address: Annotated[int, msgspec.Meta(ge=0, le=0xFFFF)]
+    type: Literal["i16", "u16", "i32", "f32"] = "i16"
+    scale: float = 1.0
+    offset: float = 0.0
+    words: Literal["high first", "low first"] = "high first"
+    invalid: int | None = None
+
+    @property
+    def count(self) -> int:
+        """Return how many words it takes."""
+        return struct.calcsize(_FORMATS[self.type]) // 2
+
+    def value(self, words: Sequence[int]) -> float:
+        """Return the quantity that the words say."""
+        ordered = words if self.words == "high first" else words[::-1]
+        (number,) = struct.unpack(_FORMATS[self.type], struct.pack(f">{len(words)}H", *ordered))
+        return math.nan if number == self.invalid else self.scale * float(number) + self.offset
+
+    def encode(self, value: float) -> tuple[int, ...]:
+        """Return the words that say a quantity, the nearest that there are."""
+        layout = _FORMATS[self.type]
+        number: float = (value - self.offset) / self.scale
+        if self.type != "f32":
+            bits = 16 * self.count
+            low, high = (
+                (-(1 << bits - 1), (1 << bits - 1) - 1) if self.type[0] == "i" else (0, 65535)
+            )
+            number = max(low, min(high, round(number)))
+        words = struct.unpack(f">{self.count}H", struct.pack(layout, number))
+        return words if self.words == "high first" else words[::-1]
+
+
+PRESETS: Final[Mapping[str, tuple[Register, ...]]] = {
+    "SHT20": (
+        Register(quantity="temperature_C", address=1, scale=0.1),
+        Register(quantity="humidity_percent", address=2, type="u16", scale=0.1),
+    ),
+}
+"""Transmitters that are sold under many names, by the sensor in them; 9600 baud, 8N1."""
+OWN: Final = "own registers"
+
+
+def registers_of(settings: Mapping[str, Any]) -> tuple[Register, ...]:
+    """Return the registers that the settings ask for; raise ValueError with one sentence."""
+    own = settings["registers"]
+    if settings["preset"] != OWN:
+        if own:
+            raise ValueError(f'registers are given: write preset = "{OWN}", or take them out.')
+        return PRESETS[settings["preset"]]
+    if not own:
+        raise ValueError(f'preset = "{OWN}" needs at least one entry in registers.')
+    found = []
+    for place, table in enumerate(own, start=1):
+        try:
+            register = msgspec.convert(table, Register)
+        except msgspec.ValidationError as error:
+            raise ValueError(f"registers, entry {place}: {error}.") from error
+        if not (math.isfinite(register.scale) and register.scale != 0.0):
+            raise ValueError(f"registers, entry {place}: scale = {register.scale:g} tells nothing.")
+        found.append(register)
+    names = [register.quantity for register in found]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise ValueError(f"registers name the quantity {twice} twice.")
+    return tuple(found)
+
+
+class Question(msgspec.Struct, frozen=True):
+    """One request: neighbouring registers of one kind."""
+
+    function: int
+    address: int
+    registers: tuple[Register, ...]
+
+    @property
+    def count(self) -> int:
+        """Return how many words it asks for."""
+        last = self.registers[-1]
+        return last.address + last.count - self.address
+
+    def values(self, words: Sequence[int]) -> dict[str, float]:
+        """Return the quantities in the words of its answer."""
+        return {
+            one.quantity: one.value(words[one.address - self.address :][: one.count])
+            for one in self.registers
+        }
+
+
+def questions(registers: Sequence[Register]) -> tuple[Question, ...]:
+    """Return the fewest requests for registers; only neighbours share one: a gap may be nothing."""
+    ordered = sorted(registers, key=lambda one: (one.function, one.address))
+    groups: list[list[Register]] = [[one] for one in ordered[:1]]
+    for before, one in pairwise(ordered):
+        near = one.function == before.function and one.address == before.address + before.count
+        if near and one.address + one.count - groups[-1][0].address <= MOST_WORDS:
+            groups[-1].append(one)
+        else:
+            groups.append([one])
+    return tuple(Question(g[0].function, g[0].address, tuple(g)) for g in groups)
