@@ -111,7 +111,7 @@ def read_past(path: Path) -> Past:
 
     A complete test and one that another process writes are refused here, before a device is opened.
     """
-    from rigapp.storage import has_all_revolutions, open_test
+    from rigapp.storage import open_test
 
     with open_test(path) as reader:
         status = reader.summary()["status"]
@@ -123,7 +123,7 @@ def read_past(path: Path) -> Past:
         if status == "running":
             raise UnusableInput(f"{path}: this test is running; stop it first")
         rows = reader.committed()
-        if has_all_revolutions(reader):
+        if reader.has_all_revolutions():
             raise UnusableInput(
                 f"{path}: the test was {status} with all its {rows} revolutions; there is nothing"
                 " to go on with, begin a new test"

@@ -22,7 +22,7 @@ from rigapp.storage.structure.layout import (
 )
 from rigapp.storage.structure.metadata import TestMetadata, name_and_unit
 from rigapp.storage.upkeep.compact import compact_in_background, compact_test
-from rigapp.storage.upkeep.resume import finish_whole_test, has_all_revolutions, reopen_test
+from rigapp.storage.upkeep.resume import finish_whole_test, reopen_test
 from rigapp.storage.writing.writer import TestWriter, create_test
 
 __all__ = [
@@ -40,7 +40,6 @@ __all__ = [
     "create_test",
     "export_test",
     "finish_whole_test",
-    "has_all_revolutions",
     "hold_writer_lock",
     "name_and_unit",
     "on_grid",

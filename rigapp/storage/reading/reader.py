@@ -144,6 +144,12 @@ class TestReader:
         """Return one number of ``/entry/state``, for example ``planned_revolutions``."""
         return int(self._file[f"{STATE}/{name}"][()])
 
+    def has_all_revolutions(self) -> bool:
+        """Tell whether the last revolution of the plan is committed."""
+        rows = self.committed()
+        planned = self.state("planned_revolutions")
+        return rows > 0 and int(self.column("revolution", rows - 1)[0]) >= planned
+
     def reason_code(self) -> str:
         """Return why the test ended as a code, empty while it has not."""
         return self._state_text("reason_code")
@@ -369,10 +375,13 @@ class TestReader:
             return "stopped", reason
         if writer_is_alive(self.path):
             return "running", ""
+        whole = self.has_all_revolutions()
+        safe = f"all {revolutions} revolutions are" if whole else f"{revolutions} revolutions are"
+        following = "ends the test with them" if whole else "goes on after them"
         return (
             "interrupted",
             "the program that wrote the file ended without closing the test (killed, crashed or "
-            f"power lost); {revolutions} revolutions are safe, resume goes on after them",
+            f"power lost); {safe} safe, resume {following}",
         )
 
     def _state_text(self, name: str) -> str:

@@ -48,7 +48,7 @@ def finish_whole_test(path: str | os.PathLike[str]) -> int:
     """
     target = Path(path).absolute()
     with open_test(target) as reader:
-        if reader.summary()["status"] != "interrupted" or not has_all_revolutions(reader):
+        if reader.summary()["status"] != "interrupted" or not reader.has_all_revolutions():
             return 0
     writer, last = _writer_at_end(target, _as_planned)
     with writer:
@@ -56,13 +56,6 @@ def finish_whole_test(path: str | os.PathLike[str]) -> int:
         writer.append_event(Event(time.time(), last, "resumed", "storage", text))
         writer.finish("complete", "complete", f"The test is complete: {text}.")
         return writer.revolutions
-
-
-def has_all_revolutions(reader: TestReader) -> bool:
-    """Tell whether the last revolution of the plan is committed."""
-    rows = reader.committed()
-    planned = reader.state("planned_revolutions")
-    return rows > 0 and int(reader.column("revolution", rows - 1)[0]) >= planned
 
 
 def _writer_at_end(
