@@ -25,9 +25,9 @@ from rigapp.engine.judging.criteria import (
     StopMonitor,
     described,
 )
-from rigapp.engine.judging.guard import PREDICTED_NAMES
 from rigapp.engine.recording.store import Opened
 from rigapp.engine.values.reduce import NAMES, PLACE
+from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState
 from rigapp.schema.states import ENDED
 
@@ -109,7 +109,7 @@ def test_the_hold_off_lets_a_joint_run_in() -> None:
 
 def an_answer(**given_values: float) -> dict[str, float]:
     """Return the twin's columns: what is given, else not known."""
-    return dict.fromkeys(PREDICTED_NAMES, math.nan) | given_values
+    return dict.fromkeys((one.name for one in prediction_columns()), math.nan) | given_values
 
 
 Step = tuple[NDArray[np.float64], dict[str, float]]
