@@ -458,7 +458,9 @@ class DriverFactory(Protocol):
 
     def __call__(
         self, name: str, port: str, settings: Mapping[str, Any]
-    ) -> DataSource | Spindle | SlowSource: ...
+    ) -> DataSource | Spindle | SlowSource:
+        """Return the driver, not yet open; settings: as ``SettingSpec`` lists them."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,1 @@
+"""Physics of mechanism, joint, bushing and wear: arrays in, arrays out, SI units, no I/O."""

@@ -168,9 +168,10 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
     cache=True,
 )
 def contact_force(p, table, shape, relative, excess, turn, rates, impact_speed):  # type: ignore[no-untyped-def]
-    """Return force on the bushing (x, y), its moment about the bushing centre, penetration, its
-    rate, the normal (x, y) and the normal force; all global.
+    """Return the force of the contact on the bushing, and what it comes from; all global.
 
+    In order: force (x, y), its moment about the bushing centre, penetration, its rate, the normal
+    (x, y), the normal force.
     relative: pin centre from bushing centre and its velocity, (dx, dy, ux, uy), global; excess:
     see ``penetration``; turn: cosine and sine of the follower's angle; rates: turning speeds of pin
     and follower.

@@ -1,0 +1,1 @@
+"""Control, record and understand slider-crank joint wear tests."""

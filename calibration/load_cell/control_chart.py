@@ -24,8 +24,7 @@ RANGE_FACTOR = 1.128
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """What a rule found: a code, one sentence, the place of the last value (from 0), and whether it
-    asks for action or only for attention."""
+    """What a rule found. at: place of the last value (from 0); action: or only attention."""
 
     code: str
     sentence: str
@@ -35,8 +34,11 @@ class Finding:
 
 @dataclass(frozen=True, slots=True)
 class Chart:
-    """One chart. promised: what the calibration says; expanded: its U, or None. centre, sigma: of
-    the history, None while it is short. Values and limits in the unit of the values."""
+    """One chart; everything in the unit of the values.
+
+    promised: what the calibration says; expanded: its U, or None. centre, sigma: of the history,
+    None while it is short.
+    """
 
     values: Array
     promised: float

@@ -18,8 +18,10 @@ class LevelError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class LevelReading:
-    """The result, rad: the encoder's angle with the crank level, its standard uncertainty, and the
-    level's own error where it was turned."""
+    """The encoder's angle with the crank level, its standard uncertainty, the level's error; rad.
+
+    The level's own error is known where it was turned.
+    """
 
     angle: float
     uncertainty: float

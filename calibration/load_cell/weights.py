@@ -19,8 +19,7 @@ MassKind = Literal["conventional", "true"]
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where the weights hang: gravity (m/s^2) and air density (kg/m^3), each with its standard
-    uncertainty."""
+    """Gravity (m/s^2) and air density (kg/m^3) at the weights, with standard uncertainties."""
 
     gravity: float
     gravity_uncertainty: float

@@ -28,8 +28,11 @@ LEAST_REVOLUTIONS = 5
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """What is known: m r (kg m) and its relative standard uncertainty; of the cell the resolution
-    (N) and the relative standard uncertainty of a force."""
+    """What is known beforehand.
+
+    m r (kg m) and its relative standard uncertainty; of the cell the resolution (N) and the
+    relative standard uncertainty of a force.
+    """
 
     moment: float
     moment_uncertainty: float

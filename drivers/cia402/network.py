@@ -39,7 +39,7 @@ _MISSING: Final = (0x0602_0000, 0x0609_0011)
 Taker = Callable[[bytes, int], None]
 
 
-class _Bus(canopen.Network):
+class _Bus(canopen.Network):  # type: ignore[misc]
     """Let canopen's SDO client send through the node, with a time-out."""
 
     def __init__(self, send: Callable[[int, bytes], None]) -> None:

@@ -54,8 +54,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool) -> int:
 
 
 def _tests(rig: Path, test: Path | None) -> list[Path]:
-    """Return the test files to offer: the one named first, then those beside the rig file,
-    the shortest first."""
+    """Return the test files to offer: the named one, then those beside the rig, shortest first."""
     found: list[Path] = []
     if test is not None:
         read_test(test)

@@ -1,0 +1,1 @@
+"""Rig and test files: what may stand in them, read, checked and told in plain sentences."""

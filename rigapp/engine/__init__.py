@@ -1,0 +1,1 @@
+"""Run tests on a rig: the conductor, its connection to the devices, supervision."""

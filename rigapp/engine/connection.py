@@ -331,6 +331,7 @@ class Connection:
             core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
 
     def follow(self, do: Do) -> None:
+        """Do what a stop or a pause asks for next."""
         core, control = self.core, self.control
         stop = control.stopping
         if stop is None:

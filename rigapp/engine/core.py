@@ -61,8 +61,10 @@ NO_TRIGGERS = frozenset({"cycles_refused", "storage", "file_moved", "file_unsave
 
 @dataclass(slots=True, eq=False)
 class Session:
-    """One test under way, or the last one. steady_from: ordinal of the first whole revolution at
-    the set speed, None while the speed changes."""
+    """One test under way, or the last one.
+
+    steady_from: ordinal of the first whole revolution at the set speed, None while it changes.
+    """
 
     test: Document[TestFile]
     path: Path

@@ -55,8 +55,10 @@ class Channel:
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """Data missing before a revolution. missing: revolutions not recorded. seconds: without data,
-    by the host's clock."""
+    """Data missing before a revolution.
+
+    missing: revolutions not recorded. seconds: without data, by the host's clock.
+    """
 
     revolution: int
     missing: int

@@ -49,9 +49,11 @@ class Pair:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Wear:
-    """A wear depth in mm: the last one known, its revolution, its rate in mm a revolution over
-    the last half of the revolutions with a depth; its expanded uncertainty (k = 2), NaN where the
-    file has none."""
+    """The last wear depth that is known (mm), and its revolution.
+
+    rate: mm a revolution over the last half of the revolutions with a depth. uncertainty: expanded
+    (k = 2), mm, NaN where the file has none.
+    """
 
     depth: float
     revolution: int

@@ -99,6 +99,7 @@ def _panels(canvas: Any, number: int) -> Sequence[Any]:
 
 
 def saved(canvas: Any, title: str, words: str, caption: str, vector: bool) -> Figure:
+    """Return a drawn canvas as a figure of a document: SVG when vector, else PNG."""
     stream = io.BytesIO()
     if vector:
         canvas.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})

@@ -1,0 +1,1 @@
+"""What flows and is stored, said once: columns, messages, events, verbs."""

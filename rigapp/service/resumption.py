@@ -347,8 +347,10 @@ def stored_tare(past: Past) -> Pair | None:
 
 
 def remarks(found: Resumption, operator: str, reason: str) -> list[Remark]:
-    """Return what goes into the log; raise Refused when the test cannot go on, or not without a
-    reason."""
+    """Return what goes into the log.
+
+    Raises Refused when the test cannot go on, or not without a reason.
+    """
     if found.blocked:
         raise Refused(f"{found.file} cannot go on here: {found.blocked}")
     why = reason.strip()

@@ -1,0 +1,1 @@
+"""The simulated rig: physics that the model lacks, wired to the simulated devices."""

@@ -528,9 +528,9 @@ def turn(
     sense: float,
     first: float,
 ) -> None:
-    """Advance the turning crank by one step; first is the acceleration at its start, position what
-    ``geometry`` says of it.
+    """Advance the turning crank by one step.
 
+    first is the acceleration at its start, position what ``geometry`` says of it.
     start and end are the step's place in the chunk, 0 ... 1, for the set-point between its ends.
     """
     half = 0.5 * dt

@@ -1,0 +1,1 @@
+"""Move the spindle: stop and pause sequences, ramps, feeding the watchdog."""

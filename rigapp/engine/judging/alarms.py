@@ -184,8 +184,10 @@ class AlarmBook:
             self._tell("unshelved", alarm, "engine")
 
     def reset(self, operator: str) -> None:
-        """Take latched and returned alarms off the list; raise Refused while one is active
-        or not acknowledged."""
+        """Take latched and returned alarms off the list.
+
+        Raises Refused while one is active or not acknowledged.
+        """
         now = self._elapsed()
         with self._lock:
             for entry in self._entries.values():

@@ -1,0 +1,1 @@
+"""Keep a test: what the file shall hold, which cycles, and the thread that stores."""

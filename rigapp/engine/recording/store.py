@@ -286,7 +286,6 @@ def _uncertainty(request: OpenRequest) -> dict[str, Any]:
 
 def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[str, Any]]:
     """Return what measures, as nested plain values, units in the keys; rate: of the device."""
-
     cell, probes, encoder = rig.load_cell, rig.probes, rig.encoder
     return {
         "load_cell": {

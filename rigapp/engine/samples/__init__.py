@@ -1,0 +1,1 @@
+"""Blocks of samples to revolutions: encoder, clocks, gaps."""

@@ -17,8 +17,11 @@ LONGEST_S = 0.4
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """The end of one block. sample: device sample index. count: counts turned, in the rig's sense.
-    phase: counts from the index, None while the index is not known."""
+    """The end of one block.
+
+    sample: device sample index. count: counts turned, in the rig's sense. phase: counts from the
+    index, None while the index is not known.
+    """
 
     sample: int
     count: int

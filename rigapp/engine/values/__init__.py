@@ -1,0 +1,1 @@
+"""Raw samples to engineering units, once, and their statistics."""

@@ -35,8 +35,11 @@ SHARES_OF_FULL_SCALE = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 @dataclass(frozen=True, slots=True)
 class ForceUncertainty:
-    """The expanded uncertainty of one force. noise_N: standard deviation of one sample of one
-    component, 0 where it is not known; ``source`` says who states the rest."""
+    """The expanded uncertainty of one force.
+
+    noise_N: standard deviation of one sample of one component, 0 where it is not known; ``source``
+    says who states the rest.
+    """
 
     constant_N: float
     relative: float

@@ -43,9 +43,13 @@ HORIZONTAL, VERTICAL = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 class Dressed(Protocol):
     """A panel that takes a theme."""
 
-    def isVisible(self) -> bool: ...
+    def isVisible(self) -> bool:
+        """Tell whether it is on the screen, as Qt has it."""
+        ...
 
-    def dress(self, theme: Theme) -> None: ...
+    def dress(self, theme: Theme) -> None:
+        """Take the colours of a theme."""
+        ...
 
 
 class Tabs(QTabWidget):

@@ -107,8 +107,10 @@ class TestReader:
         return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
 
     def committed(self, stream: str = "revolutions") -> int:
-        """Return the safe rows of a stream: revolutions, cycles, prediction, curves, events,
-        unfinished; of ``samples`` and ``unfinished_samples`` those of their cycles.
+        """Return the safe rows of a stream.
+
+        stream: as in ``streams_of``; of ``samples`` and ``unfinished_samples`` those of their
+        cycles.
         """
         found = self._streams[stream]
         if stream == "samples":

@@ -1,5 +1,7 @@
-"""What a column says of itself beyond unit and sentence: times and flags as CF has them, and the
-detector that it comes from as NeXus has it."""
+"""What a column says of itself beyond unit and sentence.
+
+Times and flags as CF has them, and the detector that it comes from as NeXus has it.
+"""
 
 from __future__ import annotations
 
