@@ -14,6 +14,7 @@ from rigapp.config.parameters import ParameterFile
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import Matrix, RigFile
 from rigapp.config.rules import check_rules
+from rigapp.schema.criteria import CRITERIA
 
 SECTIONS = ("spindle", "encoder", "load_cell", "probes")
 INPUTS = (
@@ -124,15 +125,6 @@ def _listed(matrix: Matrix) -> str:
     return str([list(row) for row in matrix])
 
 
-NEED_THE_MODEL = {
-    "deviation_N": "compares with the model",
-    "deviation_percent": "compares with the model",
-    "wear_depth_um": "needs the model's elastic approach",
-    "wear_rate_um_per_1000_revolutions": "needs the model's elastic approach",
-}
-"""Stop criteria that nothing is known of without the prediction, and why."""
-
-
 def _of_test(test: TestFile) -> Iterator[str]:
     if test.limits.overspeed_rpm <= test.run.speed_rpm:
         yield (
@@ -145,11 +137,12 @@ def _of_test(test: TestFile) -> Iterator[str]:
             f"stop.force_N = {stop.force_N:g} can never be met, because limits.overload_N ="
             f" {limits.overload_N:g} switches the drive off before; lower stop.force_N"
         )
-    for name, why in NEED_THE_MODEL.items():
-        if getattr(stop, name) is not None and not test.prediction.enabled:
+    for name, criterion in CRITERIA.items():
+        blind = criterion.model and not test.prediction.enabled
+        if blind and getattr(stop, name) is not None:
             yield (
-                f"stop.{name} {why}, but prediction.enabled is false; enable the prediction or"
-                " leave the criterion out"
+                f"stop.{name} {criterion.model}, but prediction.enabled is false; enable the"
+                " prediction or leave the criterion out"
             )
     try:
         check_rules(limits.rule)

@@ -9,10 +9,15 @@ import pytest
 
 from model.wear.techniques import SOLVABLE, TECHNIQUES
 from rigapp.config.loading import read_parameter_file
+from rigapp.config.ranges import unit_of
+from rigapp.config.recipe import StopSection
 from rigapp.gui.testfile.fields import form_fields
+from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.criteria import CRITERIA, Criterion, Sight
 from rigapp.twin.worker import TwinSetup, set_up
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
 
 
 def test_a_recipe_and_its_form_offer_the_joints_that_tell_forces_of_a_measured_revolution() -> None:
@@ -28,3 +33,38 @@ def test_a_twin_takes_an_unknown_or_unsuitable_joint_for_no_other(joint: str) ->
     assert twin is None
     assert answer.hopeless
     assert f"technique is {joint}: choose perfect or continuous" in answer.failed
+
+
+COLUMNS = {
+    Sight.CLOCK: {"time", "running_time"},
+    Sight.ROW: {one.name for one in revolution_columns()},
+    Sight.PREDICTION: {one.name for one in prediction_columns()},
+}
+
+
+@pytest.mark.parametrize("criterion", CRITERIA.values(), ids=CRITERIA)
+def test_a_criterion_has_keys_columns_and_a_row_of_the_manual(criterion: Criterion) -> None:
+    keys = StopSection.__struct_fields__
+    assert {criterion.key, criterion.count or criterion.key, criterion.window or criterion.key} <= {
+        *keys
+    }
+    assert unit_of(criterion.key)
+    asked: set[str] = set()
+
+    def at(name: str) -> float:
+        asked.add(name)
+        return 1.0
+
+    assert criterion.value(at) > 0.0
+    assert asked <= COLUMNS[criterion.sight]
+    manual = (ROOT / "docs" / "rig.md").read_text(encoding="utf-8")
+    row = next(line for line in manual.splitlines() if line.startswith(f"| `{criterion.key}` |"))
+    assert row.endswith("| complete |" if criterion.planned else "| stopped |")
+    assert all(f"`{key}`" in row for key in (criterion.count, criterion.window) if key) or (
+        criterion.key == "deviation_percent"
+    )
+
+
+def test_every_level_of_the_section_is_a_criterion() -> None:
+    levels = {one.name for one in msgspec.structs.fields(StopSection) if one.default is None}
+    assert levels == set(CRITERIA)

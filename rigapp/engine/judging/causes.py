@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from rigapp.engine.judging.criteria import TITLES, Met
+from rigapp.engine.judging.criteria import Met
+from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.messages import Ends, Severity
 
 
@@ -578,7 +579,7 @@ def rule(
 
 def criterion(met: Met) -> Cause:
     """A stop criterion of the test that guards the joint is met."""
-    return _cause("stop", met.sentence, key=f"stop:{met.name}", name=TITLES[met.name])
+    return _cause("stop", met.sentence, key=f"stop:{met.name}", name=CRITERIA[met.name].title)
 
 
 def blind_key(name: str) -> str:
@@ -592,5 +593,5 @@ def criterion_blind(name: str) -> Cause:
         "blind",
         f"Nothing has been measured or predicted for stop.{name} in many revolutions.",
         key=blind_key(name),
-        name=TITLES[name],
+        name=CRITERIA[name].title,
     )

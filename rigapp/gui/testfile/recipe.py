@@ -45,6 +45,7 @@ from rigapp.gui.testfile.rules import RuleTable
 from rigapp.gui.testfile.tomltext import edited
 from rigapp.gui.testfile.unsaved import UnsavedBar
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.schema.criteria import CRITERIA
 
 COLUMNS = (
     ("", "run", "metadata", "cycles", "prediction", "model.spring", "model.joint"),
@@ -66,10 +67,9 @@ TITLES = {
 }
 
 BESIDE = {
-    "stop.wear_depth_revolutions": ("stop.wear_depth_um", "in a row"),
-    "stop.force_revolutions": ("stop.force_N", "in a row"),
-    "stop.wear_rate_window_revolutions": ("stop.wear_rate_um_per_1000_revolutions", "over"),
-    "stop.deviation_revolutions": ("stop.deviation_percent", "in a row"),
+    f"stop.{one.count or one.window}": (f"stop.{key}", "in a row" if one.count else "over")
+    for key, one in CRITERIA.items()
+    if one.count or one.window
 }
 """Fields that stand in the row of the field they belong to, with the word before them."""
 

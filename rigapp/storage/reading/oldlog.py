@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Mapping
 import msgspec
 
 from rigapp.engine.judging.causes import KINDS, Kind
-from rigapp.engine.judging.criteria import TITLES
+from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.loglines import (
     ALARM,
     LIMIT_CHANGED,
@@ -41,7 +41,7 @@ _WHAT: Mapping[str, What] = {
     "reset": "reset",
     "no longer shelved": "unshelved",
 }
-_CRITERIA = {title: name for name, title in TITLES.items()}
+_CRITERIA = {one.title: name for name, one in CRITERIA.items()}
 _TITLES = [
     (re.compile(re.escape(kind.title).replace(r"\{\}", "(.+)")), key, kind)
     for key, kind in sorted(KINDS.items(), key=lambda one: "{}" in one[1].title)

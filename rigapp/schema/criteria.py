@@ -1,0 +1,144 @@
+"""The one table of what ends a test before its last revolution: the criteria of ``[stop]``.
+
+A new criterion is one row here and its key in ``config.recipe.StopSection``. Judged are they by
+``engine.judging.criteria``; recipe, form, check, alarms and report read the words here.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable
+from dataclasses import dataclass
+
+At = Callable[[str], float]
+"""Gives the value of a column, by name."""
+
+Sentence = Callable[[float, float, int], str]
+"""Says what met a criterion: value, level, and the number of revolutions of its row or window."""
+
+
+class Sight(enum.Enum):
+    """Where the value comes from: the clocks, every judged revolution, or the twin's answer."""
+
+    CLOCK = enum.auto()
+    ROW = enum.auto()
+    PREDICTION = enum.auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Criterion:
+    """What ends a test when its value, in the unit of its key, is at or above the key's level.
+
+    value: of the columns that ``sight`` gives; a clock has ``time`` (s) and ``running_time`` (h).
+    planned: it is the end that was planned (complete), else a limit (stopped). count: key of how
+    many judged revolutions in a row must reach the level. window: key of the revolutions over which
+    the slope of the value, per 1000 revolutions, is judged in its place. model: why nothing is
+    known of it without the prediction. doubt: the value's expanded uncertainty (k = 2).
+    """
+
+    key: str
+    title: str
+    sight: Sight
+    value: Callable[[At], float]
+    sentence: Sentence
+    planned: bool = False
+    count: str = ""
+    window: str = ""
+    model: str = ""
+    doubt: Callable[[At], float] | None = None
+
+
+def _in_a_row(what: str, unit: str) -> Sentence:
+    def sentence(value: float, level: float, number: int) -> str:
+        times = f"in {number} revolutions in a row" if number > 1 else "in one revolution"
+        return (
+            f"{what} was at or above {level:g} {unit} {times}, {value:.4g} {unit} in the last one."
+        )
+
+    return sentence
+
+
+def _share(at: At) -> float:
+    """Return the deviation in percent of the predicted RMS; NaN where that is 0."""
+    force = at("force_rms")
+    return 100.0 * at("residual_rms") / force if force > 0.0 else float("nan")
+
+
+_ELASTIC = "needs the model's elastic approach"
+_COMPARED = "compares with the model"
+_DEVIATION = "The RMS of measured less predicted |F|"
+
+CRITERIA = {
+    one.key: one
+    for one in (
+        Criterion(
+            "elapsed_time_h",
+            "elapsed time",
+            Sight.CLOCK,
+            lambda at: at("time") / 3600.0,
+            lambda value, level, _: (
+                f"The test has lasted {value:.4g} h; it was planned for {level:g} h."
+            ),
+            planned=True,
+        ),
+        Criterion(
+            "running_time_h",
+            "running time",
+            Sight.CLOCK,
+            lambda at: at("running_time"),
+            lambda value, level, _: (
+                f"The crank has turned for {value:.4g} h; {level:g} h were planned."
+            ),
+            planned=True,
+        ),
+        Criterion(
+            "wear_depth_um",
+            "wear depth",
+            Sight.PREDICTION,
+            lambda at: 1e3 * at("measured_wear_depth"),
+            _in_a_row("The measured wear depth", "um"),
+            planned=True,
+            count="wear_depth_revolutions",
+            model=_ELASTIC,
+            doubt=lambda at: 1e3 * at("measured_wear_depth_uncertainty"),
+        ),
+        Criterion(
+            "force_N",
+            "force",
+            Sight.ROW,
+            lambda at: at("force_max"),
+            _in_a_row("The maximum of |F|", "N"),
+            count="force_revolutions",
+        ),
+        Criterion(
+            "wear_rate_um_per_1000_revolutions",
+            "wear rate",
+            Sight.PREDICTION,
+            lambda at: 1e3 * at("measured_wear_depth"),
+            lambda value, level, window: (
+                f"The wear rate over {window} revolutions was {value:.4g} um per 1000 revolutions;"
+                f" the limit is {level:g}."
+            ),
+            window="wear_rate_window_revolutions",
+            model=_ELASTIC,
+        ),
+        Criterion(
+            "deviation_N",
+            "deviation from the model",
+            Sight.PREDICTION,
+            lambda at: at("residual_rms"),
+            _in_a_row(_DEVIATION, "N"),
+            count="deviation_revolutions",
+            model=_COMPARED,
+        ),
+        Criterion(
+            "deviation_percent",
+            "deviation from the model",
+            Sight.PREDICTION,
+            _share,
+            _in_a_row(_DEVIATION, "% of the predicted RMS"),
+            count="deviation_revolutions",
+            model=_COMPARED,
+        ),
+    )
+}
