@@ -1,0 +1,125 @@
+"""The house as a whole: rooms of a size to know, one name for one idea, words explained."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import Counter, defaultdict
+from pathlib import Path
+
+TOP = Path(__file__).parents[2]
+ROOTS = ("rigapp", "drivers", "model", "calibration")
+PACKAGES = sorted(init.parent for root in ROOTS for init in (TOP / root).rglob("__init__.py"))
+MOST_MODULES = 20
+"""What one can keep in mind of a folder after reading its names once."""
+
+
+def dotted(path: Path) -> str:
+    parts = path.relative_to(TOP).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def classes() -> dict[str, set[str]]:
+    """Return the public classes by name, with the packages in which they stand."""
+    found: dict[str, set[str]] = defaultdict(set)
+    for package in PACKAGES:
+        for path in package.glob("*.py"):
+            for node in ast.parse(path.read_text("utf-8")).body:
+                if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                    found[node.name].add(dotted(package))
+    return found
+
+
+def test_no_package_has_more_modules_than_one_can_know() -> None:
+    sizes = {dotted(one): len(list(one.glob("*.py"))) - 1 for one in PACKAGES}
+    assert {name: size for name, size in sizes.items() if size > MOST_MODULES} == {}
+
+
+def test_every_package_says_what_it_is_for() -> None:
+    silent = [
+        dotted(one)
+        for one in PACKAGES
+        if not ast.get_docstring(ast.parse((one / "__init__.py").read_text("utf-8")))
+    ]
+    assert set(silent) <= {
+        "model",
+        "rigapp",
+        "rigapp.commands.model",
+        "rigapp.config",
+        "rigapp.engine",
+        "rigapp.engine.drive",
+        "rigapp.engine.judging",
+        "rigapp.engine.recording",
+        "rigapp.engine.samples",
+        "rigapp.engine.values",
+        "rigapp.schema",
+        "rigapp.simulation",
+    }
+
+
+EACH_DEVICE_HAS_ITS_OWN = "each device has its own, and one package never meets the other"
+SAME_NAME = dict.fromkeys(
+    ["Entry", "Link", "Readings", "Registers", "Run", "Setup", "Tally", "Unplannable", "Volatile"],
+    EACH_DEVICE_HAS_ITS_OWN,
+)
+"""Class names that stand in two packages or more, each with its reason."""
+
+
+NOT_YET = {
+    "Answer",
+    "Bushing",
+    "Command",
+    "Document",
+    "Finding",
+    "Guard",
+    "Hands",
+    "History",
+    "Identity",
+    "Line",
+    "Motion",
+    "Pace",
+    "Plan",
+    "Refused",
+    "Reply",
+    "Saved",
+    "Session",
+    "Step",
+    "Stepwise",
+    "Turn",
+    "Verdict",
+    "Wear",
+    "Window",
+    "WornProfile",
+}
+"""Names that are to be told apart."""
+
+
+def test_one_name_stands_for_one_idea() -> None:
+    doubled = {name: places for name, places in classes().items() if len(places) > 1}
+    assert {
+        name: places for name, places in doubled.items() if name not in SAME_NAME.keys() | NOT_YET
+    } == {}
+
+
+def test_a_name_is_a_word() -> None:
+    assert [name for name in classes() if len(name) < 3 and name not in {"Do", "E", "P", "S"}] == []
+
+
+def words_of_glossary() -> list[tuple[str, str]]:
+    """Return the rows of the glossary: the word, and what it means."""
+    text = (TOP / "docs/glossary.md").read_text("utf-8")
+    rows = re.findall(r"^\| (.+?) \| (.+) \|$", text, re.MULTILINE)
+    return [row for row in rows if row[0] not in ("word", "---")]
+
+
+def test_each_word_is_explained_once() -> None:
+    words = Counter(part for word, _ in words_of_glossary() for part in word.split(", "))
+    assert len(words) > 50
+    assert [word for word, times in words.items() if times > 1] == []
+
+
+def test_what_the_glossary_names_is_there() -> None:
+    named = [name for _, text in words_of_glossary() for name in re.findall(r"→ `(.+?)`", text)]
+    assert len(named) > 20
+    known = classes().keys() | {dotted(path) for root in PACKAGES for path in root.glob("*.py")}
+    assert [name for name in named if name not in known] == []
