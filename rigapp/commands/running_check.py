@@ -34,6 +34,7 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
+from rigapp.config.toml import toml_text
 from rigapp.process.ending import ending_as_interrupt
 from rigapp.schema.messages import Flag, Request, RunState
 
@@ -209,15 +210,9 @@ def _recipe(rig: RigFile, rpm: float, revolutions: int, operator: str) -> str:
         prediction=PredictionSection(enabled=False),
     )
     tree = {key: value for key, value in msgspec.to_builtins(test).items() if key != "stop"}
-    text = msgspec.toml.encode(_stated(tree)).decode()
+    text = toml_text(tree)
     parse_test(text, "running check")
     return text
-
-
-def _stated(tree: Any) -> Any:
-    if isinstance(tree, dict):
-        return {key: _stated(value) for key, value in tree.items() if value is not None}
-    return tree
 
 
 def read_run(path: Path, rpm: float) -> SpeedRun:

@@ -6,9 +6,6 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
-
-import msgspec
 
 from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.config.errors import UnusableInput
@@ -23,6 +20,7 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
+from rigapp.config.toml import toml_text
 from rigapp.schema.states import ENDED
 
 LOOK_EVERY_S = 0.2
@@ -124,14 +122,6 @@ def roll_text(rig: RigFile, test: Path | None, rpm: float, revolutions: int, ope
         stop=StopSection(),
         prediction=PredictionSection(enabled=False),
     )
-    text = msgspec.toml.encode(_without_none(msgspec.to_builtins(roll))).decode()
+    text = toml_text(roll)
     parse_test(text, "slow roll")
     return text
-
-
-def _without_none(tree: Any) -> Any:
-    if isinstance(tree, dict):
-        return {key: _without_none(value) for key, value in tree.items() if value is not None}
-    if isinstance(tree, list | tuple):
-        return [_without_none(value) for value in tree]
-    return tree

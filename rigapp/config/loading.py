@@ -57,30 +57,36 @@ def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:
 
     recorded: it has run already, and is only shown; what was allowed then is not judged again.
     """
-    return _record(Path(name), text, TestFile, recorded=recorded)
+    return _record(Path(name), toml_tree(text, name), TestFile, recorded=recorded)
+
+
+def test_of(tree: Mapping[str, Any], name: str) -> TestFile:
+    """Return the test that nested tables mean; raise UnusableInput."""
+    return _record(Path(name), tree, TestFile)
 
 
 def parse_rig(text: str, name: str, *, recorded: bool = False) -> RigFile:
     """Read a rig from text, recorded as in ``parse_test``; raise UnusableInput."""
-    return _record(Path(name), text, RigFile, recorded=recorded)
+    return _record(Path(name), toml_tree(text, name), RigFile, recorded=recorded)
 
 
 def read_document(path: Path, record: type[Record]) -> Document[Record]:
     """Read a TOML file as a record that has a ``schema``; raise UnusableInput."""
     text = read_text(path, LARGEST_SETTINGS_BYTES)
-    return Document(path, text, _record(path, text, record))
+    return Document(path, text, _record(path, toml_tree(text, path), record))
 
 
-def _record(path: Path, text: str, kind: type[Record], *, recorded: bool = False) -> Record:
-    record = _decode(path, text, kind)
+def _record(
+    path: Path, tree: Mapping[str, Any], kind: type[Record], *, recorded: bool = False
+) -> Record:
+    record = _decode(path, tree, kind)
     if not recorded:
         for wrong in itertools.chain(refusals(record), faults(record)):
             raise UnusableInput(f"{path}: {wrong.rstrip('.')}.")
     return record
 
 
-def _decode(path: Path, text: str, record: type[Record]) -> Record:
-    tree = toml_tree(text, path)
+def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record:
     _check_schema(path, tree)
     for where, key, allowed in _unknown_keys(tree, record, ""):
         raise UnusableInput(f"{path}: {where}{key} is not a known key{_nearest(key, allowed)}.")

@@ -33,6 +33,21 @@ def toml_tree(text: str, where: str | Path) -> dict[str, Any]:
     return tree
 
 
+def toml_text(record: Any) -> str:
+    """Return a record, or nested tables, as TOML; what is None is left out."""
+    import tomlkit
+
+    return tomlkit.dumps(_stated(msgspec.to_builtins(record)))
+
+
+def _stated(tree: Any) -> Any:
+    if isinstance(tree, dict):
+        return {key: _stated(value) for key, value in tree.items() if value is not None}
+    if isinstance(tree, list | tuple):
+        return [_stated(value) for value in tree]
+    return tree
+
+
 def _depth(text: str) -> int:
     """Return how deep brackets or dotted keys go at most; what stands in quotes does not count."""
     depth = deepest = 0

@@ -24,6 +24,7 @@ from rigapp.config.loading import Document, parse_test, read_rig, read_test
 from rigapp.config.ranges import refusal as range_refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.config.toml import toml_text
 from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, Remark
 from rigapp.engine.publish import Finished
@@ -420,8 +421,7 @@ def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Docum
     if record.run.revolutions != revolutions:
         run = msgspec.structs.replace(test.record.run, revolutions=revolutions)
         record = msgspec.structs.replace(test.record, run=run)
-        tree = msgspec.to_builtins(record)
-        text = msgspec.toml.encode(_without_none(tree)).decode()
+        text = toml_text(record)
     return Document(test.path, text, record)
 
 
@@ -510,11 +510,3 @@ def _connect_quietly(host: EngineHost) -> None:
         host.connect()
     except EXPECTED as error:
         print(f"rigapp engine: {error}", flush=True)
-
-
-def _without_none(tree: Any) -> Any:
-    if isinstance(tree, dict):
-        return {key: _without_none(value) for key, value in tree.items() if value is not None}
-    if isinstance(tree, list | tuple):
-        return [_without_none(value) for value in tree]
-    return tree

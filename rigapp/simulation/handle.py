@@ -18,6 +18,7 @@ import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
+from rigapp.config.toml import toml_text
 
 ANSWER_S = 30.0
 START_S = 180.0
@@ -141,7 +142,7 @@ def start_simulated_rig(
                 tempfile.TemporaryDirectory(prefix=f"{FOLDER}{os.getpid()}-")
             )
             path = Path(folder) / "parameters.toml"
-            path.write_bytes(msgspec.toml.encode(_without_none(parameters)))
+            path.write_text(toml_text(parameters), encoding="utf-8")
             command += ["--parameters", str(path)]
         complaints = tempfile.TemporaryFile()  # noqa: SIM115 - the handle closes it
         process = subprocess.Popen(
@@ -177,11 +178,6 @@ def _failure(
     if status == 2 and said:
         return UnusableInput(said)
     return SimulationFailed(f"the simulated rig ended with status {status}: {said or error}")
-
-
-def _without_none(parameters: ParameterFile) -> dict[str, Any]:
-    tree = msgspec.to_builtins(parameters)
-    return {key: value for key, value in tree.items() if value is not None}
 
 
 def _read_line(process: subprocess.Popen[bytes], timeout_s: float) -> bytes:

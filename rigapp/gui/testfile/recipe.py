@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-import tomli_w
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
@@ -27,7 +26,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import parse_test
+from rigapp.config.loading import test_of
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_tree
@@ -338,7 +337,7 @@ class RecipePanel(QWidget):
         try:
             tree = self.tree()
             name = self._path.name if self._path else "test"
-            test = parse_test(tomli_w.dumps(tree), name)
+            test = test_of(tree, name)
         except (ValueError, UnusableInput) as error:
             self._say(f"Not usable yet. {error}", good=False)
         else:
