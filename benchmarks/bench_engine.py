@@ -16,6 +16,7 @@ import statistics
 import tempfile
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -28,8 +29,10 @@ from rigapp.engine.processing import Processor
 from rigapp.engine.recording.history import History
 from rigapp.engine.recording.recorder import Recorder
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
-from rigapp.engine.values.calibrate import Calibration
+from rigapp.engine.values.calibrate import Calibration, Measured
+from rigapp.engine.values.instruments import Counter, LoadCell, ProbePair, Wire
 from rigapp.engine.values.reduce import Reducer
+from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.storage import FilePlan, TestMetadata, create_test
 
 SAMPLES = 3600
@@ -42,19 +45,19 @@ KEEP = 10
 
 def calibration() -> Calibration:
     """Return a full calibration with a latency that is no whole number of samples."""
+    latency_s = 1.1e-3
+    table = ChannelTable(tuple(replace(one, latency_s=latency_s) for one in BASE.channels))
+    wires = tuple(Wire(one, row, one.signal_unit) for row, one in enumerate(table.sampled))
     return Calibration(
-        rows=(0, 1, 2, 3),
-        counter_row=4,
+        table=table,
+        wires=wires,
+        counter=Counter(len(wires)),
         encoder=EncoderSetup(3600),
         index_angle_rad=0.0,
         sample_rate_Hz=RATE,
-        scale=np.ones(4),
-        offset=np.zeros(4),
-        matrix=np.array([[200.0, 3.0], [-2.0, 195.0]]),
-        zero=np.array([0.01, 0.02]),
-        sensitivity=np.array([100.0, 100.0]),
-        probe_offset=np.zeros(2),
-        latency_s=np.full(4, 1.1e-3),
+        load_cell=LoadCell(np.array([[200.0, 3.0], [-2.0, 195.0]]), np.array([0.01, 0.02])),
+        probes=ProbePair(np.array([100.0, 100.0])),
+        scalars={},
     )
 
 
@@ -89,7 +92,7 @@ class Path5:
         """Number, reduce, judge and store."""
         row = self.run.take(revolution, True)
         if row is not None:
-            self.recorder.row(row.number, row.values, revolution)
+            self.recorder.row(row.number, row.values, row.measured)
 
     def overload(self, force_N: float) -> None:
         """No sample of the benchmark is above the limit."""
@@ -165,7 +168,7 @@ def parts() -> None:
     inside = np.ascontiguousarray(revolution.values)
     flat = inside.ravel()
     reading = micros(lambda: flat.max())
-    reduce = micros(lambda: reducer.reduce(revolution))
+    reduce = micros(lambda: reducer.reduce(Measured(revolution, kind)))
     print(f"one reading pass of the block (max of {flat.size} float32): {reading:6.1f} us")
     print(f"latency, calibration, statistics, speed:            {reduce:6.1f} us")
     print(f"ratio reduction / reading pass: {reduce / reading:.1f}")

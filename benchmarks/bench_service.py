@@ -33,7 +33,7 @@ from engine_doubles import MemoryRig, a_test, eventually  # noqa: E402
 from rigapp.config.loading import Document, parse_test, read_rig  # noqa: E402
 from rigapp.config.recipe import TestFile  # noqa: E402
 from rigapp.engine.engine import Engine  # noqa: E402
-from rigapp.engine.values.reduce import PLACE  # noqa: E402
+from rigapp.schema.channels import BASE  # noqa: E402
 from rigapp.schema.messages import RunState, as_array  # noqa: E402
 from rigapp.schema.states import ENDED, Refused  # noqa: E402
 from rigapp.service.client import Client  # noqa: E402
@@ -139,8 +139,8 @@ def snapshot_delays_ms() -> list[float]:
             snapshot = client.poll()
             now = time.time()
             if snapshot is not None and snapshot.rows:
-                rows = as_array(snapshot.rows, "<f8").reshape(-1, len(PLACE))
-                ages.extend(1000.0 * (now - rows[:, PLACE["host_time"]]))
+                rows = as_array(snapshot.rows, "<f8").reshape(-1, len(BASE.names))
+                ages.extend(1000.0 * (now - rows[:, BASE.place["host_time"]]))
             time.sleep(0.005)
     finally:
         client.close()

@@ -37,6 +37,7 @@ from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.calibration_settings import LoadCellFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.schema.channels import BASE, LOAD_CELL
 
 PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
 Array = NDArray[np.float64]
@@ -112,11 +113,11 @@ def heaviest_load(pieces: Sequence[float], settings: LoadCellSettings) -> float:
 
 def window_of(view: Mapping[str, Any]) -> Window:
     """Return the window that the engine's answer to ``signals`` tells; SI, angle in rad."""
-    signals = np.array(view["signals"], dtype=np.float64).reshape(4, -1)
+    signals = [view["signals"][name] for name in BASE.names_of(LOAD_CELL)]
     angle, quadratic = view["angle_deg"], view.get("quadratic")
     return Window(
         time=np.array(view["end"], dtype=np.float64) / view["sample_rate_Hz"],
-        signal=signals[:2].T,
+        signal=np.array(signals, dtype=np.float64).T,
         angle=None if angle is None else math.radians(angle),
         stands=bool(view["stands"]),
         noise_share=1.0 / math.sqrt(view["samples_per_mean"]),

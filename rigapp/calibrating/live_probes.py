@@ -38,6 +38,7 @@ from rigapp.calibrating.probe_results import pair_lines, pair_result, probe_line
 from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.config.calibration_settings import ProbeFile, probe_meaning
 from rigapp.config.errors import UnusableInput
+from rigapp.schema import channels
 
 Array = NDArray[np.float64]
 
@@ -62,10 +63,10 @@ class ProbeOutcome:
 
 def probe_window_of(view: Mapping[str, Any], range_volts: float) -> ProbeWindow:
     """Return the window that the engine's answer to ``signals`` tells; SI."""
-    signals = np.array(view["signals"], dtype=np.float64).reshape(4, -1)
+    signals = [view["signals"][name] for name in channels.BASE.names_of(channels.PROBES)]
     return ProbeWindow(
         time=np.array(view["end"], dtype=np.float64) / view["sample_rate_Hz"],
-        signal=signals[2:].T,
+        signal=np.array(signals, dtype=np.float64).T,
         stands=bool(view["stands"]),
         noise_share=1.0 / math.sqrt(view["samples_per_mean"]),
         sensitivity=1e-6 * np.array(view["sensitivity_um_per_V"], dtype=np.float64),

@@ -13,10 +13,12 @@ import msgspec
 from drivers.api import DeviceError
 from drivers.registry import load_driver
 from rigapp.calibrating.records_in_use import RigRecords, with_records
+from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.config.rules import check_rules
 from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
 from rigapp.schema.messages import Status
 from rigapp.service.preflight import Check, Verdict, blocked, disk_facts, preflight
@@ -35,6 +37,7 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
     records = with_records(read_rig(rig_path))
     plan_devices(records.rig.record, str(rig_path))
     test = read_test(test_path).record
+    check_rules(test.limits.rule, channel_table(records.rig.record), f"{test_path}: ")
     status, found = look(records, test)
     rate = _rate(status) or _configured_rate(records.rig.record)
     disk = disk_facts(test, rate, Path.cwd()) if rate else None

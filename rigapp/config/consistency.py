@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 import msgspec
 
+from rigapp.config.channels import channel_faults, input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import to_parameters
 from rigapp.config.parameters import ParameterFile
@@ -17,15 +18,6 @@ from rigapp.config.rules import check_rules
 from rigapp.schema.criteria import CRITERIA
 
 SECTIONS = ("spindle", "encoder", "load_cell", "probes")
-INPUTS = (
-    ("encoder", "input"),
-    ("load_cell", "input_1"),
-    ("load_cell", "input_2"),
-    ("probes", "input_1"),
-    ("probes", "input_2"),
-)
-"""Keys of a rig file that name an input of the data source."""
-
 SINGULAR = 1e-9
 """A matrix with a smaller determinant, against the product of its rows' lengths, has no inverse."""
 
@@ -74,12 +66,13 @@ def _of_rig(rig: RigFile) -> Iterator[str]:
                     f"devices.{name}.port is 'simulated' but there is no [simulation]; name the"
                     " port or add the section"
                 )
+    yield from channel_faults(rig)
     yield from _of_inputs(rig)
     yield from _of_numbers(rig)
 
 
 def _of_inputs(rig: RigFile) -> Iterator[str]:
-    named = {f"{section}.{key}": getattr(getattr(rig, section), key) for section, key in INPUTS}
+    named = input_keys(rig)
     for one, count in Counter(named.values()).items():
         if count > 1:
             keys = " and ".join(key for key, value in named.items() if value == one)

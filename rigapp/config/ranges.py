@@ -36,11 +36,14 @@ UNITS: Final = (
     ("_rpm", "rpm"),
     ("_deg", "deg"),
     ("_Nm", "N m"),
+    ("_Hz", "Hz"),
     ("_kg", "kg"),
     ("_mm", "mm"),
     ("_um", "um"),
     ("_ms", "ms"),
     ("_h", "h"),
+    ("_A", "A"),
+    ("_C", "degC"),
     ("_N", "N"),
     ("_V", "V"),
     ("_m", "m"),
@@ -216,8 +219,14 @@ RIG: Final = {
     "probes.alignment": Range(-100.0, 100.0),
     "probes.run_out_cos_um": Range(-1000.0, 1000.0),
     "probes.run_out_sin_um": Range(-1000.0, 1000.0),
+    "channels.*.scale": Range(1e-9, 1e9, size=True),
+    "channels.*.offset_V": Range(-1000.0, 1000.0),
+    "channels.*.table": Range(-1e9, 1e9),
+    "channels.*.range_V": Range(0.001, 1000.0),
+    "channels.*.latency_ms": LATENCY_MS,
 }
-"""A rig file; ``devices.NAME.settings`` are judged by the driver's own table."""
+"""A rig file, ``*`` for a name of its own; ``devices.NAME.settings`` are judged by the driver's own
+table."""
 
 CALIBRATION: Final = {
     "cell.full_scale_N": Range(1.0, 1e6),
@@ -311,6 +320,10 @@ def _of_value(key: str, shown: str, value: Any) -> Iterator[str]:
     if isinstance(value, msgspec.Struct):
         for name in value.__struct_fields__:
             yield from _of_value(f"{key}.{name}", f"{shown}.{name}", getattr(value, name))
+    elif isinstance(value, dict):
+        for name, one in value.items():
+            if isinstance(one, msgspec.Struct):
+                yield from _of_value(f"{key}.*", f"{shown}.{name}", one)
     elif isinstance(value, tuple):
         for place, one in enumerate(value, 1):
             yield from _of_value(key, f"{shown} {place}", one)

@@ -138,6 +138,31 @@ class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return names if isinstance(names, str) else " + ".join(names)
 
 
+class ChannelSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[channels.NAME]: a free scalar channel, from an input (V) or a source, not both.
+
+    An input is sampled with the encoder: value = scale (voltage - offset_V), scale in unit per V,
+    or by ``table`` of (voltage in V, value), linear between its points and beyond its ends.
+    source: "DEVICE.QUANTITY" of a device that tells it now and then, one value a revolution.
+    """
+
+    device: str = ""
+    input: str = ""
+    unit: str = ""
+    scale: float = 1.0
+    offset_V: float = 0.0
+    table: tuple[Pair, ...] = ()
+    range_V: float = 10.0
+    latency_ms: float = 0.0
+    source: str = ""
+
+    @property
+    def slow_source(self) -> tuple[str, str]:
+        """Return device and quantity of ``source``."""
+        device, _, quantity = self.source.partition(".")
+        return device, quantity
+
+
 class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A rig file."""
 
@@ -148,4 +173,5 @@ class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     encoder: EncoderSection
     load_cell: LoadCellSection
     probes: ProbesSection
+    channels: dict[str, ChannelSection] = {}
     simulation: SimulationSection | None = None

@@ -3,38 +3,53 @@
 from __future__ import annotations
 
 import difflib
+import functools
+import re
 from collections.abc import Iterable, Iterator
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.ranges import LEVELS, OTHER_LEVEL, RANGES, refusal
 from rigapp.config.recipe import LimitRule
-from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.channels import BASE, ChannelTable
+from rigapp.schema.columns import prediction_columns
+
+NAME = re.compile(r"[a-z][a-z0-9_]*")
+"""What a channel may be called, and so what its columns look like."""
 
 _NOT_LIMITED = {"revolution", "time", "host_time"}
 
-QUANTITIES = {
-    column.name: column.unit
-    for column in (*prediction_columns(), *revolution_columns())
-    if column.name not in _NOT_LIMITED
-}
-"""What a rule can be about, with its unit: statistics of a revolution, the twin's residuals, wear.
 
-A name that both have (``force_max``) means what was measured.
-"""
+@functools.cache
+def quantities(table: ChannelTable) -> dict[str, str]:
+    """Return what a rule can be about, with its unit: statistics of a revolution, the twin's wear.
+
+    A name that both have (``force_max``) means what was measured.
+    """
+    columns = (*prediction_columns(), *table.revolution_columns)
+    return {one.name: one.unit for one in columns if one.name not in _NOT_LIMITED}
+
 
 BOUNDS = ("critical_above", "critical_below", "warning_above", "warning_below")
 
 
-def check_rules(rules: Iterable[LimitRule]) -> None:
-    """Raise UnusableInput when a rule names no quantity, has no level, or contradicts itself."""
+def check_rules(
+    rules: Iterable[LimitRule], table: ChannelTable | None = None, where: str = ""
+) -> None:
+    """Raise UnusableInput when a rule names no quantity, has no level, or contradicts itself.
+
+    table: of the rig; without it a name may be that of a free channel, and is not judged. where:
+    begins the sentence.
+    """
     for number, rule in enumerate(rules, start=1):
-        for fault in _faults(rule):
-            raise UnusableInput(f"limits.rule {number} ({rule.quantity}): {fault}")
+        for fault in _faults(rule, table):
+            raise UnusableInput(f"{where}limits.rule {number} ({rule.quantity}): {fault}")
 
 
-def level_refusal(quantity: str, level: str, value: object) -> str:
+def level_refusal(
+    quantity: str, level: str, value: object, table: ChannelTable | None = None
+) -> str:
     """Return what is wrong with a level of a rule on a quantity; empty when it is right."""
-    unit = QUANTITIES.get(quantity, "")
+    unit = quantities(table or BASE).get(quantity, "")
     allowed = LEVELS.get(unit, OTHER_LEVEL)
     return refusal(level, value, allowed, "" if unit == "1" else unit)
 
@@ -43,24 +58,27 @@ ALWAYS = ("overload_N", "overspeed_rpm", "stale_data_s")
 """What is always watched, beside the rules."""
 
 
-def limit_refusal(name: str, value: object) -> str:
+def limit_refusal(name: str, value: object, table: ChannelTable | None = None) -> str:
     """Return what is wrong with the value of a limit or level of that name; empty when right."""
     if name in ALWAYS:
         return refusal(f"limits.{name}", value)
     quantity, _, level = name.partition(".")
-    wrong = level_refusal(quantity, level, value)
+    wrong = level_refusal(quantity, level, value, table)
     return f"{quantity}.{wrong}" if wrong else ""
 
 
-def _faults(rule: LimitRule) -> Iterator[str]:
-    if rule.quantity not in QUANTITIES:
-        near = difflib.get_close_matches(rule.quantity, QUANTITIES, n=1, cutoff=0.0)
+def _faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
+    known = quantities(table or BASE)
+    if rule.quantity not in known and (
+        table is not None or rule.quantity in BASE.names or not NAME.fullmatch(rule.quantity)
+    ):
+        near = difflib.get_close_matches(rule.quantity, known, n=1, cutoff=0.0)
         yield f"there is no such quantity; did you mean {near[0]}?"
     bounds = {name: value for name in BOUNDS if (value := getattr(rule, name)) is not None}
     if not bounds:
         yield f"no level is given; give one of {', '.join(BOUNDS)}"
     for name, value in bounds.items():
-        yield from filter(None, [level_refusal(rule.quantity, name, value)])
+        yield from filter(None, [level_refusal(rule.quantity, name, value, table)])
     for name in ("hysteresis", "delay_revolutions"):
         value, allowed = getattr(rule, name), RANGES[f"limits.rule.{name}"]
         yield from filter(None, [refusal(name, value, allowed)])

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import msgspec
 
+from rigapp.config.channels import channel_table
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection, TestFile
 from rigapp.config.rig import RigFile
@@ -31,7 +32,7 @@ from rigapp.engine.publish import (
     StateChanged,
 )
 from rigapp.engine.recording.recorder import Recorder
-from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.columns import prediction_columns
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import (
     Alarm,
@@ -102,7 +103,8 @@ class Core:
         self.rig = rig
         self.timing = timing
         self.alarms = AlarmBook(time.time, self._alarm_changed, time.monotonic)
-        self.publisher = Publisher(len(revolution_columns()), len(prediction_columns()))
+        self.table = channel_table(rig.record)
+        self.publisher = Publisher(len(self.table.names), len(prediction_columns()))
         self.session: Session | None = None
         self.control: SpindleControl | None = None
         self.anchor = (time.monotonic_ns(), time.time())

@@ -18,11 +18,14 @@ from drivers.api import (
     StreamSetup,
 )
 from drivers.registry import DriverNotFound, SettingsError, check_settings, load_driver
-from rigapp.config.consistency import INPUTS
+from rigapp.config.channels import channel_table, input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 
 LoadDriver = Callable[[str], DriverInfo]
+
+KINDS = {"mV/V": "bridge", "V": "voltage"}
+"""Unit of an input's signal -> what the data source is asked to measure there."""
 
 
 @dataclass(slots=True)
@@ -108,14 +111,11 @@ def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_
 
 def _inputs(rig: RigFile) -> dict[str, tuple[str, float]]:
     lines = 4 if rig.encoder.quadrature == "before" else 1
-    cell, probes = rig.load_cell, rig.probes
-    return {
-        cell.input_1: ("bridge", cell.range_mV_per_V),
-        cell.input_2: ("bridge", cell.range_mV_per_V),
-        probes.input_1: ("voltage", probes.range_V),
-        probes.input_2: ("voltage", probes.range_V),
-        rig.encoder.input: ("counter", float(rig.encoder.counts_per_revolution * lines)),
+    found = {
+        one.input: (KINDS[one.signal_unit], one.signal_range) for one in channel_table(rig).sampled
     }
+    found[rig.encoder.input] = ("counter", float(rig.encoder.counts_per_revolution * lines))
+    return found
 
 
 def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: str) -> None:
@@ -123,7 +123,7 @@ def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: s
     wrong = _objection(info, request)
     if not wrong:
         return
-    keys = {getattr(getattr(rig, one), key): f"{one}.{key}" for one, key in INPUTS}
+    keys = {name: key for key, name in input_keys(rig).items()}
     alone = {
         name: _objection(info, replace(request, inputs={name: kind}))
         for name, kind in request.inputs.items()

@@ -412,7 +412,7 @@ class Engine:
             session = self._core.session
             if session is None or self._core.state not in ACTIVE:
                 raise Refused("limits are changed in the test file while no test is under way")
-            before, limits = changed_limits(session.limits, name, value)
+            before, limits = changed_limits(session.limits, name, value, self._core.table)
             if limits.overspeed_rpm <= session.target_rpm:
                 raise UnusableInput(
                     f"overspeed_rpm = {limits.overspeed_rpm:g} must be above the set speed "
@@ -569,6 +569,7 @@ class Engine:
             cycle=update.cycle,
             prediction=update.prediction,
             profile=update.profile,
+            columns=self._core.table.units,
         )
 
     def submit_prediction(self, prediction: Prediction) -> None:

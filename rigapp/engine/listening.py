@@ -18,18 +18,18 @@ PERMITTED = (RunState.READY, RunState.STOPPED)
 class SignalView(msgspec.Struct, frozen=True):
     """Carry a window of signals to a calibration.
 
-    end: device sample at the end of each mean. signals: force_1, force_2, probe_1, probe_2, each a
-    list as long as ``end``. angle_deg: crank angle of the newest sample, None while the index has
+    end: device sample at the end of each mean. signals: of each sampled channel, a list as long as
+    ``end``; units: of these. angle_deg: crank angle of the newest sample, None while the index has
     not been passed. matrix, zero: the calibration in use, N per unit of the load cell and unit;
     quadratic: its quadratic terms (2 x 3), signal unit per N^2, None without.
     sensitivity_um_per_V, probe_offset_V: that of the probes.
     """
 
     end: list[int]
-    signals: list[list[float]]
+    signals: dict[str, list[float]]
     samples_per_mean: int
     sample_rate_Hz: float
-    units: tuple[str, str, str, str]
+    units: dict[str, str]
     angle_deg: float | None
     count_deg: float
     stands: bool
@@ -60,26 +60,27 @@ def hear(
     encoder = calibration.encoder
     return SignalView(
         end=means.end.tolist(),
-        signals=means.signals.T.tolist(),
+        signals=dict(zip(calibration.names, means.signals.T.tolist(), strict=True)),
         samples_per_mean=means.samples_per_mean,
         sample_rate_Hz=means.sample_rate_Hz,
-        units=calibration.units,
+        units={one.channel.name: one.unit for one in calibration.wires},
         angle_deg=_angle_deg(connection) if processor.index_seen else None,
         count_deg=360.0 / encoder.counts_per_revolution,
         stands=connection.stands(),
         simulated=simulated,
-        matrix=calibration.matrix.tolist(),
-        zero=calibration.zero.tolist(),
-        sensitivity_um_per_V=calibration.sensitivity.tolist(),
-        probe_offset_V=calibration.probe_offset.tolist(),
+        matrix=calibration.load_cell.matrix.tolist(),
+        zero=calibration.load_cell.zero.tolist(),
+        sensitivity_um_per_V=calibration.probes.sensitivity.tolist(),
+        probe_offset_V=calibration.probes.offset.tolist(),
         quadratic=_quadratic(calibration),
     )
 
 
 def _quadratic(calibration: Calibration) -> list[list[float]] | None:
-    if not calibration.bend.any():
+    cell = calibration.load_cell
+    if not cell.bend.any():
         return None
-    quadratic: list[list[float]] = np.linalg.solve(calibration.matrix, calibration.bend).tolist()
+    quadratic: list[list[float]] = np.linalg.solve(cell.matrix, cell.bend).tolist()
     return quadratic
 
 
@@ -98,7 +99,7 @@ def _angle_deg(connection: Connection) -> float | None:
         newest = processor.motion.newest()
         phase = None if newest is None else newest.phase
     else:
-        counts = calibration.counter_scale * live.count + calibration.counter_offset
+        counts = calibration.counter.scale * live.count + calibration.counter.offset
         phase = round(encoder.direction * counts)
     if phase is None:
         return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -19,7 +19,8 @@ from rigapp.engine.samples.motion import MotionWindow, Point
 from rigapp.engine.samples.sampleclock import TICKS_PER_S, EncoderClock
 from rigapp.engine.samples.signals import Means, RecentSignals
 from rigapp.engine.samples.timewatch import TimeWatch
-from rigapp.engine.values.calibrate import ANALOG, Calibration
+from rigapp.engine.values.calibrate import Calibration
+from rigapp.schema.channels import LOAD_CELL, PROBES
 
 
 class Judge(Protocol):
@@ -38,7 +39,7 @@ class Judge(Protocol):
         ...
 
     def saturated(self, inputs: frozenset[str]) -> None:
-        """Take note of the inputs that stay at the end of their range, names of ``ANALOG``."""
+        """Take note of the inputs that stay at the end of their range, channels."""
         ...
 
     def calm(self) -> None:
@@ -67,13 +68,13 @@ class Averaging:
     """Average the analog signals over some samples, for a zero."""
 
     wanted: int
-    total: NDArray[np.float64] = field(default_factory=lambda: np.zeros(4))
-    squares: NDArray[np.float64] = field(default_factory=lambda: np.zeros(4))
+    total: NDArray[np.float64]
+    squares: NDArray[np.float64]
     samples: int = 0
     done: threading.Event = field(default_factory=threading.Event)
 
     def add(self, signals: NDArray[np.float64]) -> None:
-        """Add signals (4, samples)."""
+        """Add signals (inputs, samples)."""
         self.total += signals.sum(axis=1)
         self.squares += (signals**2).sum(axis=1)
         self.samples += signals.shape[1]
@@ -82,22 +83,22 @@ class Averaging:
 
     @property
     def mean(self) -> NDArray[np.float64]:
-        """Return the mean signals (4,)."""
+        """Return the mean signals (inputs,)."""
         return np.asarray(self.total / max(self.samples, 1), np.float64)
 
     @property
     def noise(self) -> NDArray[np.float64]:
-        """Return the standard deviations of one sample (4,)."""
+        """Return the standard deviations of one sample (inputs,)."""
         spread = self.squares / max(self.samples, 1) - self.mean**2
         return np.sqrt(np.maximum(spread, 0.0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Live:
-    """The newest block's last sample: electrical signals (4,) and engineering values (4,)."""
+    """The newest block's last sample: electrical signals and engineering values, by channel."""
 
-    signals: NDArray[np.float64]
-    values: NDArray[np.float64]
+    signals: Mapping[str, float]
+    values: Mapping[str, float]
     count: float
     host_s: float
 
@@ -118,11 +119,11 @@ class Processor:
     ) -> None:
         self._judge = judge
         self._overload_N = overload_N
-        by_encoder = calibration.clock is SampleClock.ENCODER
+        by_encoder = calibration.counter.clock is SampleClock.ENCODER
         timed = real_time and not by_encoder
         self._watch = TimeWatch(calibration.sample_rate_Hz) if timed else None
         self._clock = (
-            EncoderClock(calibration.sample_rate_Hz, calibration.pulse_rate, real_time)
+            EncoderClock(calibration.sample_rate_Hz, calibration.counter.pulse_rate, real_time)
             if by_encoder
             else None
         )
@@ -132,15 +133,15 @@ class Processor:
         self._discard = threading.Event()
         self._lost = 0
         self._over = False
-        self._saturation = SaturationWatch(calibration.sample_rate_Hz)
+        self._saturation = SaturationWatch(calibration)
         self._set(calibration)
         self.assembler = Assembler(
             calibration.encoder,
-            calibration.counter_row,
+            calibration.counter.row,
             calibration.sample_rate_Hz,
             calibration.margins,
-            scale=calibration.counter_scale,
-            offset=calibration.counter_offset,
+            scale=calibration.counter.scale,
+            offset=calibration.counter.offset,
         )
         self.motion = MotionWindow(
             calibration.encoder.counts_per_revolution,
@@ -158,14 +159,14 @@ class Processor:
 
     @property
     def saturated(self) -> frozenset[str]:
-        """Return the inputs that stay at the end of their range, names of ``ANALOG``."""
+        """Return the inputs that stay at the end of their range, as channels."""
         return self._saturation.inputs
 
     @property
     def force_N(self) -> float:
         """Return |F| of the newest sample, NaN before the first."""
         live = self.live
-        return math.nan if live is None else math.hypot(*live.values[:2])
+        return math.nan if live is None else live.values["force"]
 
     @property
     def live(self) -> Live | None:
@@ -174,19 +175,23 @@ class Processor:
         if block is None:
             return None
         newest = block.values[:, -1:]
-        raw = newest[list(calibration.rows)].astype(np.float64)
+        raw = newest[calibration.rows].astype(np.float64)
         values, host_s = calibration.engineering(raw)[:, 0], block.host_time_ns * 1e-9
-        if calibration.correction is not None:
+        correction, pair = calibration.probes.correction, calibration.place(PROBES)
+        if correction is not None:
             angle = self.motion.angle_deg(host_s)
-            values[2:] = calibration.correction.at(
+            values[pair] = correction.at(
                 None if angle is None else math.radians(angle),
                 calibration.index_angle_rad,
-                values[2:],
+                values[pair],
             )
+        signals = calibration.signals(newest)[:, 0].tolist()
+        named = dict(zip(calibration.names, values.tolist(), strict=True))
+        named["force"] = math.hypot(*values[calibration.place(LOAD_CELL)])
         return Live(
-            signals=calibration.signals(newest)[:, 0],
-            values=values,
-            count=float(newest[calibration.counter_row, 0]),
+            signals=dict(zip(calibration.names, signals, strict=True)),
+            values=named,
+            count=float(newest[calibration.counter.row, 0]),
             host_s=host_s,
         )
 
@@ -200,7 +205,8 @@ class Processor:
 
     def average(self, samples: int) -> Averaging:
         """Begin to average the next samples."""
-        averaging = Averaging(samples)
+        inputs = len(self.calibration.wires)
+        averaging = Averaging(samples, np.zeros(inputs), np.zeros(inputs))
         self._averaging = averaging
         return averaging
 
@@ -208,7 +214,8 @@ class Processor:
         """Return the signals of the last window_s; they are kept from the first call on."""
         recent = self._recent
         if recent is None or recent.window_s < 0.95 * window_s:
-            recent = RecentSignals(self.calibration.sample_rate_Hz, window_s)
+            rate, inputs = self.calibration.sample_rate_Hz, len(self.calibration.wires)
+            recent = RecentSignals(rate, window_s, inputs)
             self._recent = recent
         return recent.read()
 
@@ -262,13 +269,15 @@ class Processor:
         full = full_samples(block, self.calibration)
         peak, limit_N = self._peak.of(block.values), self._overload_N()
         over = not peak <= limit_N
-        cut = full[:2] if full is not None else None
+        pair = self.calibration.place(LOAD_CELL)
+        cut = full[pair] if full is not None else None
         if over and cut is not None:
             peak = self._peak.of(block.values.compress(~cut.any(axis=0), axis=1))
         if not peak <= limit_N:
             self._judge.overload(peak)
         elif over and cut is not None:
-            inputs = frozenset(ANALOG[i] for i in np.flatnonzero(cut.any(axis=1)))
+            names = [self.calibration.names[i] for i in pair]
+            inputs = frozenset(names[i] for i in np.flatnonzero(cut.any(axis=1)))
             if self._judge.cut_off(inputs):
                 self._saturation.mark(inputs)
         elif self._over:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.processing import Averaging
+from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.loglines import REST, RestSignals
 from rigapp.schema.messages import RunState
 
@@ -31,8 +32,9 @@ def take_zero(core: Core, connection: Connection | None, operator: str, reason: 
     patience_s = core.timing.zero * 4 + core.timing.start_margin
     signals = averaged(connection, core.timing.zero, patience_s).mean
     calibration = connection.processor.calibration
-    tare = np.asarray(signals[:2] - calibration.zero, np.float64)
-    before = calibration.tare
+    cell = calibration.load_cell
+    tare = np.asarray(signals[calibration.place(LOAD_CELL)] - cell.zero, np.float64)
+    before = cell.tare
     connection.processor.set_tare(tare.tolist())
     why = f": {reason.strip()}" if reason.strip() else ""
     shown = [np.array2string(one, precision=6) for one in (before, tare)]
@@ -41,7 +43,7 @@ def take_zero(core: Core, connection: Connection | None, operator: str, reason: 
 
 
 def averaged(connection: Connection, seconds: float, patience_s: float) -> Averaging:
-    """Return the electrical signals (4,) averaged over some seconds; raise TimeoutError."""
+    """Return the electrical signals (inputs,) averaged over some seconds; raise TimeoutError."""
     rate = connection.setup.sample_rate_Hz
     averaging = connection.processor.average(max(8, round(seconds * rate)))
     if not averaging.done.wait(patience_s):
@@ -58,7 +60,8 @@ def signals_at_rest(core: Core, connection: Connection) -> RestSignals | None:
         seen = averaged(connection, seconds, 2.0 * seconds * connection.slow() + 1.0)
     except TimeoutError:
         return None
-    mean, noise = seen.mean[:2].tolist(), seen.noise[:2].tolist()
+    pair = connection.processor.calibration.place(LOAD_CELL)
+    mean, noise = seen.mean[pair].tolist(), seen.noise[pair].tolist()
     return RestSignals(*mean, *noise) if np.isfinite(mean).all() else None
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from drivers.api import SampleClock
+from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
@@ -43,7 +44,7 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
     )
     samples = connection.setup.sample_rate_Hz * 60.0 / run.speed_rpm
     calibration = connection.processor.calibration
-    if calibration.clock is SampleClock.ENCODER:
+    if calibration.counter.clock is SampleClock.ENCODER:
         samples = calibration.encoder.counts_per_revolution
     if samples < FEWEST_SAMPLES:
         raise UnusableInput(
@@ -51,7 +52,7 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
             f"give {samples:.0f} samples a revolution, {FEWEST_SAMPLES} are needed; "
             "raise the sample rate"
         )
-    return RuleMonitor(test.limits.rule)
+    return RuleMonitor(test.limits.rule, core.table)
 
 
 def check_fit(rig: RigFile, document: Document[TestFile]) -> None:
@@ -68,7 +69,7 @@ def check_fit(rig: RigFile, document: Document[TestFile]) -> None:
             f"{where}: limits.overspeed_rpm = {test.limits.overspeed_rpm:g} must be above "
             f"run.speed_rpm = {run.speed_rpm:g}"
         )
-    check_rules(test.limits.rule)
+    check_rules(test.limits.rule, channel_table(rig), f"{where}: ")
     check_overload(rig, test.limits.overload_N, f"{where}: ")
 
 

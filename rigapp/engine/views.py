@@ -6,15 +6,13 @@ import math
 import os
 import time
 
-import numpy as np
-
 from drivers.api import LineCounters
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
 from rigapp.engine.judging.limits import least_margin, margin_to
 from rigapp.engine.recovery import Situation, recovery
-from rigapp.engine.values.reduce import NAMES, PLACE
 from rigapp.engine.values.uncertainty import stated_uncertainty
+from rigapp.schema.channels import LOAD_CELL, PROBES, Channel
 from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import (
     ChannelView,
@@ -29,6 +27,9 @@ from rigapp.schema.states import ACTIVE
 
 NO_MARGIN = 1e9
 """Shown when nothing is limited."""
+
+RIG_FILE = "rig file"
+"""What is told in place of a calibration record where there is none."""
 
 
 def build_status(core: Core, connection: Connection | None, operator: str) -> Status:
@@ -109,7 +110,7 @@ def _margin(
     limits, judged = session.limits, session.run.judged
     margin = margin_to(limits.stale_data_s, connection.data_age_s(), "stale data")
     if core.state is RunState.RUNNING and judged is not None:
-        values = dict(zip(NAMES, judged.values.tolist(), strict=True))
+        values = judged.named
         margin = min(margin, least_margin(session.run.monitor, limits, values))
     return margin if math.isfinite(margin[0]) else (NO_MARGIN, "")
 
@@ -135,7 +136,7 @@ def _expected_end(core: Core, connection: Connection | None, session: Session | 
 def _seconds_left(session: Session) -> float:
     """Return the test's own time to its last revolution or to its planned hours."""
     run, stop = session.run, session.test.record.stop
-    now_s = run.newest.values[PLACE["time"]] if run.newest is not None else run.time_offset_s
+    now_s = run.newest.named["time"] if run.newest is not None else run.time_offset_s
     left = [(run.planned - run.number) * 60.0 / session.target_rpm]
     if stop.elapsed_time_h is not None:
         left.append(3600.0 * stop.elapsed_time_h - now_s)
@@ -199,45 +200,43 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     if connection is None or live is None:
         return ()
     calibration = connection.processor.calibration
-    names = ("force_1", "force_2", "probe_1", "probe_2")
-    records = (calibration.names[0],) * 2 + (calibration.names[1],) * 2
-    force = float(np.hypot(live.values[0], live.values[1]))
-    views = [
-        ChannelView(
-            name=name,
-            raw=float(live.signals[i]),
-            raw_unit=calibration.units[i],
-            value=float(live.values[i]),
-            unit="N" if i < 2 else "um",
-            calibration=records[i] or "rig file",
-            uncertainty=uncertainty_of_force(core, force)
-            if i < 2
-            else _position_uncertainty(core, i - 2),
+    records = {
+        LOAD_CELL: calibration.load_cell.record or RIG_FILE,
+        PROBES: calibration.probes.record or RIG_FILE,
+    }
+    wires = {one.channel.name: one for one in calibration.wires}
+    force = live.values["force"]
+    views = []
+    for channel in calibration.table.curves:
+        value, wire = live.values[channel.name], wires.get(channel.name)
+        derived = wire is None
+        views.append(
+            ChannelView(
+                name=channel.name,
+                raw=value if derived else live.signals[channel.name],
+                raw_unit=channel.unit if wire is None else wire.unit,
+                value=value,
+                unit=channel.unit,
+                calibration="from force_1 and force_2"
+                if derived
+                else records.get(channel.instrument, RIG_FILE),
+                uncertainty=_uncertainty(core, channel, force),
+            )
         )
-        for i, name in enumerate(names)
-    ]
-    views.insert(
-        2,
-        ChannelView(
-            "force",
-            force,
-            "N",
-            force,
-            "N",
-            "from force_1 and force_2",
-            uncertainty_of_force(core, force),
-        ),
-    )
     angle = connection.processor.motion.angle_deg(live.host_s)
     shown = angle if angle is not None else math.nan
     views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
     return tuple(views)
 
 
-def _position_uncertainty(core: Core, probe: int) -> float | None:
-    """Return the expanded uncertainty of a position, um, where the calibration states it."""
+def _uncertainty(core: Core, channel: Channel, force: float) -> float | None:
+    """Return the expanded uncertainty of a channel's value where the calibration states it."""
+    if channel.instrument == LOAD_CELL:
+        return uncertainty_of_force(core, force)
     stated = core.rig.record.probes.uncertainty_um
-    return None if stated is None else stated[probe]
+    if channel.instrument != PROBES or stated is None:
+        return None
+    return stated[core.table.names_of(PROBES).index(channel.name)]
 
 
 def uncertainty_of_force(core: Core, force: float) -> float | None:

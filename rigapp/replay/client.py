@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from rigapp.replay.alarms import RecordedAlarms
 from rigapp.replay.messages import newest_messages, profile_message, recipe_of
-from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.channels import BASE
+from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import (
     Cycle,
     Prediction,
@@ -36,8 +37,9 @@ MOST_ROWS = 20_000
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """Carry a whole recorded test in memory, except its cycles."""
+    """Carry a whole recorded test in memory, except its cycles; columns: name -> unit in a row."""
 
+    columns: dict[str, str]
     rows: Floats
     predictions: Floats
     cycle_revolutions: NDArray[np.int64]
@@ -176,6 +178,7 @@ class ReplayClient:
             cycle=cycle,
             prediction=prediction,
             profile=self._newest_profile(until),
+            columns=self._recording.columns,
         )
         self._sent, self._sent_predictions = done, stop
         with self._lock:
@@ -200,7 +203,9 @@ class ReplayClient:
         recording = self._recording
         row = recording.rows[done - 1] if done else None
         revolution = int(row[0]) if row is not None else 0
-        values = dict(zip(_ROW, row.tolist(), strict=True)) if row is not None else None
+        values = (
+            dict(zip(recording.columns, row.tolist(), strict=True)) if row is not None else None
+        )
         margin, limit = (
             recording.alarms.margin(revolution, values)
             if values is not None
@@ -222,7 +227,7 @@ class ReplayClient:
             worst_margin=limit,
             alarms=recording.alarms.alarms(revolution),
             committed=done,
-            speed_rpm=float(row[_ROW["speed"]]) if row is not None else 0.0,
+            speed_rpm=values["speed"] if values is not None else 0.0,
             started_at=float(self._takes),
             expected_end_at=now + left_s,
             host_time=now,
@@ -235,7 +240,6 @@ class ReplayClient:
         )
 
 
-_ROW = {column.name: index for index, column in enumerate(revolution_columns())}
 _PREDICTION = {column.name: index for index, column in enumerate(prediction_columns())}
 
 
@@ -243,7 +247,8 @@ def read_recording(test: TestReader) -> Recording:
     """Read what a replay needs of a recorded test."""
     metadata, summary = test.metadata(), test.summary()
     recipe = recipe_of(test)
-    rows = _matrix(test.rows(), tuple(_ROW))
+    columns = BASE.units | test.column_units()
+    rows = _matrix(test.rows(), tuple(columns))
     rpm = recipe.run.speed_rpm if recipe is not None else 60.0
     status = Status(
         state=RunState.RUNNING,
@@ -273,7 +278,7 @@ def read_recording(test: TestReader) -> Recording:
     predictions = _matrix(test.predictions(), tuple(_PREDICTION))
     alarms = RecordedAlarms(test.events(), recipe.limits if recipe is not None else None)
     cycles = test.cycle_revolutions()
-    return Recording(rows, predictions, cycles, rpm, status, test.profiles(), alarms)
+    return Recording(columns, rows, predictions, cycles, rpm, status, test.profiles(), alarms)
 
 
 def _matrix(columns: dict[str, NDArray[Any]], names: tuple[str, ...]) -> Floats:

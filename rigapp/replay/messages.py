@@ -12,7 +12,6 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.config.recipe import TestFile
 from rigapp.schema.columns import (
-    CHANNELS,
     PREDICTED_CURVES,
     PROFILE_CURVES,
     profile_columns,
@@ -27,12 +26,12 @@ PREDICTION_BACK = 5
 def cycle_messages(test: TestReader, index: int) -> tuple[Cycle, Prediction | None]:
     """Return saved cycle ``index`` and the predicted curves of the same revolution, if saved."""
     stored = test.cycle(index)
-    channels = {name: _bytes(stored.columns[name]) for name in CHANNELS}
-    cycle = Cycle(stored.revolution, _bytes(stored.columns["angle"]), **channels)
-    curves = test.predicted_curve(stored.revolution)
-    if curves is None:
+    curves = {one.name: _bytes(stored.columns[one.name]) for one in test.plan.table.curves}
+    cycle = Cycle(stored.revolution, _bytes(stored.columns["angle"]), curves)
+    predicted = test.predicted_curve(stored.revolution)
+    if predicted is None:
         return cycle, None
-    force_1, force_2, force = (_bytes(curves[name]) for name in PREDICTED_CURVES)
+    force_1, force_2, force = (_bytes(predicted[name]) for name in PREDICTED_CURVES)
     return cycle, Prediction(stored.revolution, b"", force_1, force_2, force)
 
 

@@ -1,31 +1,17 @@
-"""The channels and statistics of a test, in the one order that engine, file and screen share."""
+"""The columns of the twin's prediction and of worn profiles, and those of ``channels.BASE``."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-CHANNELS = ("force_1", "force_2", "force", "probe_1", "probe_2")
-"""force_1 and force_2: along the crank (e1) and across it (n1), of the force on the follower by the
-crank pin. probe_1 and probe_2: pin position in the follower frame, along e2 and across it (n2)."""
+from rigapp.schema.channels import BASE, Column
 
-CHANNEL_UNITS = {"force_1": "N", "force_2": "N", "force": "N", "probe_1": "um", "probe_2": "um"}
-
-STATISTICS = ("max", "min", "rms", "mean", "angle_of_max")
-
-
-@dataclass(frozen=True, slots=True)
-class Column:
-    """Describe one 1-D dataset: name, numpy dtype, unit, one sentence."""
-
-    name: str
-    dtype: str
-    unit: str
-    description: str
+CHANNELS = tuple(one.name for one in BASE.channels)
+"""The channels that every rig has."""
 
 
 def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[np.float64]:
@@ -44,61 +30,8 @@ def by_name(columns: Sequence[Column], row: NDArray[np.float64]) -> dict[str, fl
 
 
 def revolution_columns() -> tuple[Column, ...]:
-    """Return the columns of ``/entry/revolutions``, in storage order."""
-    head = (
-        Column("revolution", "<i8", "1", "number of the revolution since the start of the test"),
-        Column(
-            "time", "<f8", "s", "end of the revolution, device time since the start of the test"
-        ),
-        Column("host_time", "<f8", "s", "end of the revolution, UTC seconds since 1970-01-01"),
-        Column("speed", "<f8", "rpm", "mean speed of the crank"),
-        Column("speed_max", "<f8", "rpm", "maximum speed of the crank"),
-        Column("speed_min", "<f8", "rpm", "minimum speed of the crank"),
-        Column("speed_rms", "<f8", "rpm", "RMS speed of the crank"),
-        Column("samples", "<i4", "1", "samples in the revolution"),
-        Column("lost_samples", "<i4", "1", "samples lost in or just before the revolution"),
-        Column("quality", "<i4", "1", "0 good, else flags, see rigapp.schema.messages.Flag"),
-    )
-    sentences = {
-        "max": "maximum",
-        "min": "minimum",
-        "rms": "root mean square",
-        "mean": "mean",
-        "angle_of_max": "crank angle of the maximum of",
-    }
-    body = tuple(
-        Column(
-            f"{channel}_{statistic}",
-            "<f8",
-            "deg" if statistic == "angle_of_max" else CHANNEL_UNITS[channel],
-            f"{sentences[statistic]} {channel} over the revolution",
-        )
-        for channel in CHANNELS
-        for statistic in STATISTICS
-    )
-    return head + body
-
-
-def cycle_columns() -> tuple[Column, ...]:
-    """Return the per-sample columns of ``/entry/cycles``, in storage order."""
-    return (
-        Column("angle", "<f4", "deg", "crank angle of the sample, latency corrected"),
-        Column("time", "<f8", "s", "device time of the sample since the start of the test"),
-        *(
-            Column(channel, "<f4", CHANNEL_UNITS[channel], f"calibrated {channel}")
-            for channel in CHANNELS
-        ),
-        *(
-            Column(f"raw_{name}", "<f4", unit, f"signal of {name} as the device sent it")
-            for name, unit in (
-                ("force_1", "mV/V"),
-                ("force_2", "mV/V"),
-                ("probe_1", "V"),
-                ("probe_2", "V"),
-                ("count", "count"),
-            )
-        ),
-    )
+    """Return the columns of ``/entry/revolutions`` that every file has, in storage order."""
+    return BASE.revolution_columns
 
 
 @cache

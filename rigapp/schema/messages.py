@@ -12,6 +12,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.schema.channels import BASE
+
 PROTOCOL_VERSION = 1
 
 NOTE_CHARACTERS = 2000
@@ -232,15 +234,14 @@ class Status(msgspec.Struct, frozen=True):
 
 
 class Cycle(msgspec.Struct, frozen=True):
-    """Carry one whole revolution for drawing: float32 arrays as bytes, calibrated, crank frame."""
+    """Carry one whole revolution for drawing: float32 arrays as bytes, calibrated.
+
+    curves: by channel, in the order of ``ChannelTable.curves``, each in its own unit and frame.
+    """
 
     revolution: int
     angle_deg: bytes
-    force_1: bytes
-    force_2: bytes
-    force: bytes
-    probe_1: bytes
-    probe_2: bytes
+    curves: dict[str, bytes]
 
 
 class WornProfile(msgspec.Struct, frozen=True):
@@ -293,7 +294,8 @@ class RevolutionMeasured(msgspec.Struct, frozen=True):
 class Snapshot(msgspec.Struct, frozen=True):
     """Carry what is new since the last snapshot to a viewer, at most 30 times a second.
 
-    rows: float64 (n, columns) of ``revolution_columns`` as bytes; rows are dropped oldest first
+    columns: name -> unit of what a row holds, in its order. rows: float64 (n, columns) as bytes;
+    rows are dropped oldest first
     when a viewer lags, and ``first_row`` shows the gap.
     predictions: float64 (m, columns) of ``prediction_columns`` as bytes.
     profile: the newest worn profile, when there is one since the last snapshot.
@@ -306,6 +308,7 @@ class Snapshot(msgspec.Struct, frozen=True):
     cycle: Cycle | None = None
     prediction: Prediction | None = None
     profile: WornProfile | None = None
+    columns: dict[str, str] = msgspec.field(default_factory=lambda: BASE.units)
 
 
 class Event(msgspec.Struct, frozen=True):

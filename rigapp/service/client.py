@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 import zmq
 
-from rigapp.schema.columns import revolution_columns
 from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
 from rigapp.schema.verbs import verb_of
 from rigapp.service.registry import EngineEntry, other_version, runtime_folder
@@ -24,7 +23,6 @@ if TYPE_CHECKING:
     from rigapp.service.security import KeyPair
 
 SNAPSHOT_QUEUE = 64
-ROW_BYTES = 8 * len(revolution_columns())
 NEWEST = ("cycle", "prediction", "profile")
 """What only the newest snapshot that brings it is wanted of."""
 PRESENT_S = 2.0
@@ -206,7 +204,7 @@ def joins(parts: Sequence[Snapshot], following: Snapshot) -> bool:
         return False
     if last is None or not following.rows:
         return True
-    return following.first_row == last.first_row + len(last.rows) // ROW_BYTES
+    return following.first_row == last.first_row + len(last.rows) // (8 * len(last.columns))
 
 
 def merged(parts: Sequence[Snapshot]) -> Snapshot:

@@ -255,7 +255,7 @@ class EngineHost:
     def _compare(self, past: Past) -> Resumption:
         """Compare a file with the rig; its tare counts unless the cell was zeroed since."""
         rest, tare = self.engine.rest(), stored_tare(past)
-        if tare is not None and not rest.calibration.tare.any():
+        if tare is not None and not rest.calibration.load_cell.tare.any():
             rest = replace(rest, calibration=rest.calibration.with_tare(tare))
         return compare(
             past,
@@ -269,7 +269,7 @@ class EngineHost:
     def _take_up(self, past: Past) -> None:
         """Use the tare of the test again; let a simulated rig go on with its bushing."""
         tare = stored_tare(past)
-        if tare is not None and not self.engine.rest().calibration.tare.any():
+        if tare is not None and not self.engine.rest().calibration.load_cell.tare.any():
             self.engine.set_tare(tare)
         if self._simulated.needed:
             self._simulated.process.wear_to(max(0.0, past.wear_depth_um or 0.0))

@@ -314,7 +314,7 @@ def _of_zero(
     limit = ZERO_SHARE * rig.load_cell.full_scale_N
 
     def judged(what: str, before: Any, now: Any, words: str) -> Finding:
-        shift = calibration.matrix @ (np.asarray(now) - np.asarray(before))
+        shift = calibration.load_cell.matrix @ (np.asarray(now) - np.asarray(before))
         size = float(np.hypot(*shift))
         then, here = (", ".join(f"{value:.5f}" for value in one) + " mV/V" for one in (before, now))
         if size <= limit:
@@ -327,7 +327,7 @@ def _of_zero(
 
     if "zero_mV_per_V" in cell:
         before = np.add(cell["zero_mV_per_V"], cell.get("tare_mV_per_V", 0.0))
-        now = calibration.zero + calibration.tare
+        now = calibration.load_cell.zero + calibration.load_cell.tare
         yield judged("Zero of the load cell", before, now, "the zero of the load cell differs")
     if rest is None or past.rest is None:
         text = "the crank moves, or no samples come while it stands"

@@ -23,14 +23,16 @@ from rigapp.config.loading import Document, read_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.recording.store import calibration_record
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
-from rigapp.engine.values.calibrate import Calibration, calibrate
+from rigapp.engine.values.calibrate import Calibration, Measured, calibrate
 from rigapp.engine.values.probes import probe_correction
-from rigapp.engine.values.reduce import NAMES, PLACE, Reducer
+from rigapp.engine.values.reduce import Reducer
 from rigapp.report.uncertainty import position_uncertainty
+from rigapp.schema.channels import BASE
 from rigapp.simulation import kernels
 from rigapp.simulation.constants import packaged_parameters, plant_constants
 from rigapp.simulation.kernels import Drive
 from rigapp.simulation.plant import Plant
+from tests.engine.calibrations import calibration_by_hand
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 IN_TIME, TOO_LATE = 1780000000.0, 1800000000.0
@@ -112,22 +114,18 @@ def calibration(index_angle: float = 0.0, **changes: Any) -> Calibration:
         section, alignment=MATRIX, run_out_cos_um=COS, run_out_sin_um=SIN
     )
     values: dict[str, Any] = {
-        "rows": (0, 1, 2, 3),
-        "counter_row": 4,
         "encoder": EncoderSetup(3600),
         "index_angle_rad": index_angle,
         "sample_rate_Hz": 1000.0,
-        "scale": np.ones(4),
-        "offset": np.zeros(4),
         "matrix": np.diag([200.0, 190.0]),
         "zero": np.zeros(2),
         "sensitivity": np.array([100.0, 90.0]),
         "probe_offset": np.array([0.1, -0.1]),
         "latency_s": np.array([0.0, 0.0, 1.4e-3, 1.4e-3]),
         "correction": probe_correction(section, 3600, index_angle),
-        "probe_uncertainty_um": (1.3, 1.5),
+        "uncertainty_um": (1.3, 1.5),
     }
-    return Calibration(**{**values, **changes})
+    return calibration_by_hand(**{**values, **changes})
 
 
 def shown_by(kind: Calibration, position: np.ndarray) -> list[Revolution]:
@@ -139,7 +137,7 @@ def shown_by(kind: Calibration, position: np.ndarray) -> list[Revolution]:
     read = np.linalg.solve(np.array(MATRIX), np.repeat(position[:, None], 4000, axis=1))
     read = read + evaluate(interleaved, angle)
     values = np.zeros((5, 4000))
-    values[2:4] = read / kind.sensitivity[:, None] + kind.probe_offset[:, None]
+    values[2:4] = read / kind.probes.sensitivity[:, None] + kind.probes.offset[:, None]
     values[4] = np.floor(turns * 3600.0 + 1e-9) % 3600.0
     assembler = Assembler(kind.encoder, 4, kind.sample_rate_Hz, kind.margins)
     good = np.zeros(4000, np.uint8)
@@ -157,22 +155,24 @@ def test_map_and_alignment_leave_the_position_in_samples_and_statistics(index_an
     for revolution in revolutions[:2]:
         values = calibrate(revolution, kind)
         # One count of the encoder is 0.1 deg: 3 um of run-out change by 0.005 um.
-        assert values.probe_1 == pytest.approx(np.full(revolution.samples, -420.0), abs=0.05)
-        assert values.probe_2 == pytest.approx(np.full(revolution.samples, 25.0), abs=0.05)
-        row = dict(zip(NAMES, reducer.reduce(revolution).tolist(), strict=True))
-        assert row["probe_1_max"] == pytest.approx(values.probe_1.max(), abs=1e-9)
-        assert row["probe_2_min"] == pytest.approx(values.probe_2.min(), abs=1e-9)
+        assert values["probe_1"] == pytest.approx(np.full(revolution.samples, -420.0), abs=0.05)
+        assert values["probe_2"] == pytest.approx(np.full(revolution.samples, 25.0), abs=0.05)
+        row = dict(
+            zip(BASE.names, reducer.reduce(Measured(revolution, kind)).tolist(), strict=True)
+        )
+        assert row["probe_1_max"] == pytest.approx(values["probe_1"].max(), abs=1e-9)
+        assert row["probe_2_min"] == pytest.approx(values["probe_2"].min(), abs=1e-9)
         assert row["probe_2_rms"] == pytest.approx(25.0, abs=0.02)
         assert row["probe_1_mean"] == pytest.approx(-420.0, abs=0.02)
         assert row["probe_1_max"] - row["probe_1_min"] < 0.1
-        before = plain.reduce(revolution)
-        assert before[PLACE["probe_1_max"]] - before[PLACE["probe_1_min"]] > 5.5
+        before = plain.reduce(Measured(revolution, plain.calibration))
+        assert before[BASE.place["probe_1_max"]] - before[BASE.place["probe_1_min"]] > 5.5
         # Forces are what they were.
-        assert row["force_max"] == pytest.approx(before[PLACE["force_max"]])
+        assert row["force_max"] == pytest.approx(before[BASE.place["force_max"]])
 
 
 def test_live_value_is_corrected_where_the_angle_is_known() -> None:
-    correction = calibration(0.4).correction
+    correction = calibration(0.4).probes.correction
     assert correction is not None
     read = np.array([10.0, 20.0])
     angle = 0.4 + 2.0 * math.pi * 900 / 3600
@@ -194,7 +194,7 @@ def test_file_tells_what_was_applied_and_a_roll_takes_it_back() -> None:
     shown = np.array(MATRIX) @ (read - evaluate(interleaved, angle))
     assert _as_read(shown, angle, kept) == pytest.approx(read)
     assert _as_read(read, angle, {}) == pytest.approx(read)
-    plain = calibration_record(calibration(correction=None, probe_uncertainty_um=None))["probes"]
+    plain = calibration_record(calibration(correction=None, uncertainty_um=None))["probes"]
     assert not {"alignment", "run_out_cos_um", "uncertainty_um"} & set(plain)
 
 

@@ -55,6 +55,7 @@ from rigapp.config.rig import (
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.engine import Engine
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
+from rigapp.schema.channels import BASE
 from rigapp.schema.messages import Event, LookedAfter
 
 COUNTS = 360
@@ -399,9 +400,7 @@ class FakeStore:
         self.closed = True
 
     def column(self, name: str) -> NDArray[np.float64]:
-        from rigapp.engine.values.reduce import PLACE
-
-        return np.array([row[PLACE[name]] for row in self.rows])
+        return np.array([row[BASE.place[name]] for row in self.rows])
 
 
 @dataclass

@@ -17,30 +17,26 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.judging.checks import PeakForce
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
-from rigapp.engine.values.calibrate import Calibration, calibrate, calibration_of
-from rigapp.engine.values.reduce import PLACE, Reducer
-from rigapp.schema.columns import CHANNELS, STATISTICS
+from rigapp.engine.values.calibrate import Calibration, Measured, calibrate, calibration_of
+from rigapp.engine.values.reduce import Reducer
+from rigapp.schema.channels import BASE, STATISTICS
+from rigapp.schema.columns import CHANNELS
 from rigapp.schema.messages import Flag
+from tests.engine.calibrations import calibration_by_hand
 
 RATE = 960.0
 
 
 def calibration(**changes: Any) -> Calibration:
     values: dict[str, Any] = {
-        "rows": (0, 1, 2, 3),
-        "counter_row": 4,
         "encoder": EncoderSetup(3600),
-        "index_angle_rad": 0.0,
         "sample_rate_Hz": RATE,
-        "scale": np.ones(4),
-        "offset": np.zeros(4),
         "matrix": np.array([[200.0, 3.0], [-4.0, 190.0]]),
         "zero": np.array([0.01, -0.02]),
         "sensitivity": np.array([100.0, 90.0]),
         "probe_offset": np.array([0.1, -0.1]),
-        "latency_s": np.zeros(4),
     }
-    return Calibration(**{**values, **changes})
+    return calibration_by_hand(**{**values, **changes})
 
 
 def revolutions(
@@ -71,9 +67,9 @@ def test_the_joint_force_is_minus_the_force_on_the_pin() -> None:
     analog = np.zeros((4, turns.size))
     analog[0] = 0.5
     one = calibrate(revolutions(kind, turns, analog)[0], kind)
-    np.testing.assert_allclose(one.force_1, -100.0)
-    np.testing.assert_allclose(one.force_2, 0.0)
-    np.testing.assert_allclose(one.force, 100.0)
+    np.testing.assert_allclose(one["force_1"], -100.0)
+    np.testing.assert_allclose(one["force_2"], 0.0)
+    np.testing.assert_allclose(one["force"], 100.0)
 
 
 def test_calibration_is_the_formula_of_the_file() -> None:
@@ -88,12 +84,15 @@ def test_calibration_is_the_formula_of_the_file() -> None:
     revolution = revolutions(kind, turns, analog)[2]
     one = calibrate(revolution, kind)
     index = revolution.sample_indices()
-    signal = analog[:, index].astype(float) * kind.scale[:, None] + kind.offset[:, None]
-    on_pin = kind.matrix @ (signal[:2] - kind.zero[:, None] - kind.tare[:, None])
-    np.testing.assert_allclose(one.force_1, -on_pin[0])
-    np.testing.assert_allclose(one.force_2, -on_pin[1])
-    np.testing.assert_allclose(one.probe_1, 100.0 * (signal[2] - 0.1))
-    np.testing.assert_allclose(one.probe_2, 90.0 * (signal[3] + 0.1))
+    scale, offset = (
+        np.array([[getattr(w, key)] for w in kind.wires]) for key in ("scale", "offset")
+    )
+    signal, cell = analog[:, index].astype(float) * scale + offset, kind.load_cell
+    on_pin = cell.matrix @ (signal[:2] - cell.zero[:, None] - cell.tare[:, None])
+    np.testing.assert_allclose(one["force_1"], -on_pin[0])
+    np.testing.assert_allclose(one["force_2"], -on_pin[1])
+    np.testing.assert_allclose(one["probe_1"], 100.0 * (signal[2] - 0.1))
+    np.testing.assert_allclose(one["probe_2"], 90.0 * (signal[3] + 0.1))
     np.testing.assert_allclose(one.time_s, index / RATE)
 
 
@@ -120,7 +119,7 @@ def test_latency_is_taken_out(latency_ms: float, rpm: float) -> None:
         one = calibrate(revolution, kind)
         true = np.cos(2 * np.pi * turns[revolution.sample_indices()])
         tolerance = 0.02 * (rpm / 300.0) ** 2 + 1e-4
-        np.testing.assert_allclose(one.probe_1, 100.0 * (true - 0.1), atol=100 * tolerance)
+        np.testing.assert_allclose(one["probe_1"], 100.0 * (true - 0.1), atol=100 * tolerance)
 
 
 def test_channels_have_latencies_of_their_own() -> None:
@@ -132,10 +131,10 @@ def test_channels_have_latencies_of_their_own() -> None:
     one = calibrate(revolution, kind)
     true = np.sin(2 * np.pi * time[revolution.sample_indices()])
     for got, factor, zero in (
-        (one.force_1, -200.0, 0.0),
-        (one.force_2, -200.0, 0.0),
-        (one.probe_1, 100.0, 0.1),
-        (one.probe_2, 90.0, -0.1),
+        (one["force_1"], -200.0, 0.0),
+        (one["force_2"], -200.0, 0.0),
+        (one["probe_1"], 100.0, 0.1),
+        (one["probe_2"], 90.0, -0.1),
     ):
         np.testing.assert_allclose(got, factor * (true - zero), atol=abs(factor) * 2e-3)
 
@@ -196,7 +195,7 @@ def expected_row(revolution: Revolution, kind: Calibration) -> dict[str, float]:
     angle = np.degrees(one.angle_rad) % 360.0
     found: dict[str, float] = {}
     for name in CHANNELS:
-        values = getattr(one, name)
+        values = one[name]
         found[f"{name}_max"] = values.max()
         found[f"{name}_min"] = values.min()
         found[f"{name}_rms"] = math.sqrt(np.mean(values**2))
@@ -224,10 +223,10 @@ def test_statistics_agree_with_numpy(seed: int, rpm: float, latency_s: float, dt
     analog = rng.normal(scale=100, size=(4, turns.size))
     reducer = Reducer(kind)
     for revolution in revolutions(kind, turns, analog, dtype):
-        row = reducer.reduce(revolution)
-        assert row[PLACE["samples"]] == revolution.samples
+        row = reducer.reduce(Measured(revolution, kind))
+        assert row[BASE.place["samples"]] == revolution.samples
         for name, value in expected_row(revolution, kind).items():
-            assert row[PLACE[name]] == pytest.approx(value, rel=1e-12, abs=1e-9), name
+            assert row[BASE.place[name]] == pytest.approx(value, rel=1e-12, abs=1e-9), name
 
 
 @pytest.mark.parametrize("rpm", [3.0, 30.0, 300.0, 2000.0])
@@ -238,12 +237,13 @@ def test_speed_is_not_a_difference_of_quantised_counts(rpm: float) -> None:
     rev_per_s = rpm / 60.0
     turns = 0.3 + rev_per_s * time
     turns = turns + ripple / (2 * np.pi) * np.sin(2 * np.pi * turns)
-    row = Reducer(kind).reduce(revolutions(kind, turns, np.zeros((4, turns.size)))[1])
-    assert row[PLACE["speed"]] == pytest.approx(rpm, rel=6e-4)
+    second = revolutions(kind, turns, np.zeros((4, turns.size)))[1]
+    row = Reducer(kind).reduce(Measured(second, kind))
+    assert row[BASE.place["speed"]] == pytest.approx(rpm, rel=6e-4)
     if rpm <= 300.0:
-        assert row[PLACE["speed_max"]] == pytest.approx(rpm * (1 + ripple), rel=4e-3)
-        assert row[PLACE["speed_min"]] == pytest.approx(rpm * (1 - ripple), rel=4e-3)
-        assert row[PLACE["speed_rms"]] == pytest.approx(rpm, rel=1e-3)
+        assert row[BASE.place["speed_max"]] == pytest.approx(rpm * (1 + ripple), rel=4e-3)
+        assert row[BASE.place["speed_min"]] == pytest.approx(rpm * (1 - ripple), rel=4e-3)
+        assert row[BASE.place["speed_rms"]] == pytest.approx(rpm, rel=1e-3)
 
 
 def test_a_stand_counts_in_the_lowest_speed_and_not_in_the_mean() -> None:
@@ -252,10 +252,10 @@ def test_a_stand_counts_in_the_lowest_speed_and_not_in_the_mean() -> None:
     walk = np.arange(int(RATE * 1.2)) / RATE * rev_per_s
     turns = 0.3 + np.concatenate([walk, np.full(int(RATE * 30), walk[-1]), walk[-1] + walk])
     found = revolutions(kind, turns, np.zeros((4, turns.size)))
-    row = Reducer(kind).reduce(next(r for r in found if r.flags & Flag.PAUSED))
-    assert row[PLACE["speed_min"]] == 0.0
-    assert row[PLACE["speed_max"]] == pytest.approx(120.0, rel=5e-3)
-    assert 20.0 < row[PLACE["speed"]] < 40.0  # two seconds of the stand are kept
+    row = Reducer(kind).reduce(Measured(next(r for r in found if r.flags & Flag.PAUSED), kind))
+    assert row[BASE.place["speed_min"]] == 0.0
+    assert row[BASE.place["speed_max"]] == pytest.approx(120.0, rel=5e-3)
+    assert 20.0 < row[BASE.place["speed"]] < 40.0  # two seconds of the stand are kept
 
 
 def test_a_missing_margin_holds_the_nearest_sample() -> None:
@@ -274,10 +274,12 @@ def test_a_missing_margin_holds_the_nearest_sample() -> None:
     found = assembler.push(head) + assembler.push(tail)
     last = next(r for r in found if r.end_sample == edge)
     assert last.values.shape[1] - last.before - last.samples == 2
-    row = Reducer(kind).reduce(last)
+    row = Reducer(kind).reduce(Measured(last, kind))
     expected = expected_row(last, kind)
-    assert row[PLACE["force_1_max"]] == pytest.approx(expected["force_1_max"])
-    assert row[PLACE["force_1_angle_of_max"]] == pytest.approx(expected["force_1_angle_of_max"])
+    assert row[BASE.place["force_1_max"]] == pytest.approx(expected["force_1_max"])
+    assert row[BASE.place["force_1_angle_of_max"]] == pytest.approx(
+        expected["force_1_angle_of_max"]
+    )
 
 
 def test_the_peak_of_a_block_is_found_in_any_sample() -> None:
@@ -293,6 +295,6 @@ def test_the_peak_of_a_block_is_found_in_any_sample() -> None:
 
 
 def test_statistics_are_where_the_columns_say() -> None:
-    assert len(PLACE) == 10 + len(CHANNELS) * len(STATISTICS)
-    assert PLACE["force_1_max"] == 10
-    assert PLACE["probe_2_angle_of_max"] == len(PLACE) - 1
+    assert len(BASE.names) == 10 + len(CHANNELS) * len(STATISTICS)
+    assert BASE.place["force_1_max"] == 10
+    assert BASE.place["probe_2_angle_of_max"] == len(BASE.names) - 1

@@ -12,7 +12,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
 from rigapp.engine.recording.store import open_file
-from rigapp.engine.values.reduce import NAMES
+from rigapp.schema.channels import BASE
 from rigapp.schema.messages import Flag, RunState
 from rigapp.schema.states import ENDED
 from rigapp.storage import open_test
@@ -49,7 +49,7 @@ def test_a_test_is_in_its_file(rig: MemoryRig, tmp_path: Path) -> None:
         summary = reader.summary()
         assert (summary["status"], summary["revolutions"]) == ("complete", 25)
         assert summary["cycles_saved"] == 3
-        for place, name in enumerate(NAMES):
+        for place, name in enumerate(BASE.names):
             np.testing.assert_array_equal(
                 reader.column(name), shown[:, place].astype(reader.column(name).dtype)
             )

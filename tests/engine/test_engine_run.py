@@ -16,8 +16,8 @@ from rigapp.config.recipe import LimitRule
 from rigapp.engine.judging.testrun import NOT_STEADY
 from rigapp.engine.publish import AlarmChanged, Committed, Finished, Notice, StateChanged
 from rigapp.engine.recording.store import Opened
-from rigapp.engine.values.reduce import PLACE
-from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
+from rigapp.schema.channels import BASE
+from rigapp.schema.columns import prediction_columns, revolution_columns
 from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState, as_array
 from rigapp.schema.states import ENDED, Refused
 
@@ -86,11 +86,11 @@ def test_whole_cycles_are_kept_by_the_schedule_and_at_the_end(rig: MemoryRig) ->
     run(rig, 12, every=5)
     assert [number for number, _ in rig.store.cycles] == [5, 10, 12]
     number, columns = rig.store.cycles[0]
-    assert set(columns) == {column.name for column in cycle_columns()}
+    assert set(columns) == {column.name for column in BASE.cycle_columns}
     row = rig.store.rows[number - 1]
-    assert len(columns["angle"]) == row[PLACE["samples"]]
-    np.testing.assert_allclose(columns["force_1"].max(), row[PLACE["force_1_max"]])
-    assert columns["time"][-1] <= row[PLACE["time"]]
+    assert len(columns["angle"]) == row[BASE.place["samples"]]
+    np.testing.assert_allclose(columns["force_1"].max(), row[BASE.place["force_1_max"]])
+    assert columns["time"][-1] <= row[BASE.place["time"]]
 
 
 def test_the_last_cycle_of_a_stopped_test_is_kept_too(rig: MemoryRig) -> None:
@@ -256,8 +256,8 @@ def test_the_zero_is_an_event_with_before_and_after(rig: MemoryRig) -> None:
     assert views["force_1"].raw_unit == "mV/V"
     run(rig, 3)
     calibration = rig.requests[0].calibration
-    np.testing.assert_allclose(calibration.tare, tare)
-    np.testing.assert_allclose(calibration.zero, 0.0)
+    np.testing.assert_allclose(calibration.load_cell.tare, tare)
+    np.testing.assert_allclose(calibration.load_cell.zero, 0.0)
     with pytest.raises(Refused, match="only"):
         rig.engine.zero(("probes",))
 
@@ -354,7 +354,7 @@ def test_a_viewer_gets_rows_the_newest_cycle_and_the_gap_when_it_lags(rig: Memor
     assert snapshot.first_row == 0
     assert snapshot.cycle is not None
     assert snapshot.cycle.revolution == 20
-    assert as_array(snapshot.cycle.force).max() == pytest.approx(50.0, rel=1e-4)
+    assert as_array(snapshot.cycle.curves["force"]).max() == pytest.approx(50.0, rel=1e-4)
     late = lagging.take()
     np.testing.assert_array_equal(late.rows[:, 0], np.arange(17, 21))
     assert (late.first_row, lagging.rows_dropped) == (16, 16)
@@ -439,7 +439,7 @@ def test_a_ramp_is_no_judged_revolution(rig: MemoryRig) -> None:
     assert int(rig.store.column("quality")[0]) & Flag.RAMP
     eventually(lambda: session.run.judged is not None)
     assert session.run.judged is not None
-    assert not int(session.run.judged.values[PLACE["quality"]]) & NOT_STEADY
+    assert not int(session.run.judged.values[BASE.place["quality"]]) & NOT_STEADY
 
 
 def test_what_a_driver_warns_of_is_in_the_log(rig: MemoryRig) -> None:

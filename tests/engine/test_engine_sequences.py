@@ -19,7 +19,7 @@ from drivers.api import DeviceError
 from rigapp.config.errors import UnusableInput
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.recording.store import Opened
-from rigapp.engine.values.reduce import PLACE
+from rigapp.schema.channels import BASE
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE, ENDED, TURNING, Refused
 
@@ -132,7 +132,9 @@ class Operating(RuleBasedStateMachine):
             return
         if self.rig.engine.state in ACTIVE:
             return
-        last = [float(left.rows[-1][PLACE[name]]) for name in LAST] if left.rows else [0.0, 0.0]
+        last = (
+            [float(left.rows[-1][BASE.place[name]]) for name in LAST] if left.rows else [0.0, 0.0]
+        )
         left.ending = None
         self.rig.opened = Opened(left, len(left.rows), int(last[0]), last[1], time.time())
         before = len(left.rows)

@@ -10,14 +10,20 @@ from hypothesis import strategies as st
 from rigapp.config.recipe import CyclesSection
 from rigapp.engine.recording.history import TRIGGERED, History, Kept, Why, triggered_cycles
 from rigapp.engine.recording.schedule import Schedule
-from rigapp.engine.samples.assembler import Revolution
+from rigapp.engine.samples.assembler import EncoderSetup, Revolution
+from rigapp.engine.values.calibrate import Measured
 from rigapp.schema.messages import Flag
+from tests.engine.calibrations import calibration_by_hand
+
+KIND = calibration_by_hand(
+    encoder=EncoderSetup(8), sample_rate_Hz=960.0, matrix=np.eye(2), sensitivity=np.ones(2)
+)
 
 
-def revolution(number: int, samples: int = 8) -> Revolution:
+def revolution(number: int, samples: int = 8) -> Measured:
     """Return a revolution whose samples carry its number."""
     buffer = np.full((5, 4 * samples), number, np.float32)
-    return Revolution(
+    cut = Revolution(
         ordinal=number,
         values=buffer[:, :samples],
         before=0,
@@ -33,6 +39,7 @@ def revolution(number: int, samples: int = 8) -> Revolution:
         idle_samples=0,
         flags=Flag.GOOD,
     )
+    return Measured(cut, KIND)
 
 
 def run(
@@ -71,7 +78,7 @@ def test_a_trigger_keeps_what_was_before_and_comes_after() -> None:
         40: Why.SCHEDULED,
     }
     for one in kept:
-        assert np.all(one.revolution.values == one.number)
+        assert np.all(one.measured.revolution.values == one.number)
 
 
 def test_triggers_close_together_make_one_burst() -> None:
@@ -125,7 +132,7 @@ def test_the_last_room_is_for_critical_alarms() -> None:
 
 
 def test_memory_is_bounded() -> None:
-    one = revolution(1, 1000)
+    one = revolution(1, 1000).revolution
     size = one.values.nbytes + one.counts.nbytes + one.segments.nbytes
     section = CyclesSection("none", before_alarm=100, after_alarm=0)
     history = History(section, 10_000, limit_bytes=5 * size)
@@ -138,7 +145,7 @@ def test_memory_is_bounded() -> None:
     history.trigger()
     kept = history.add(300, revolution(300, 1000))
     assert [one.number for one in kept] == list(range(295, 301))
-    assert all(one.revolution.values.base is None for one in kept[:-1])
+    assert all(one.measured.revolution.values.base is None for one in kept[:-1])
 
 
 def test_an_early_end_keeps_the_last_cycle() -> None:

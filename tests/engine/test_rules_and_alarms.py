@@ -17,6 +17,7 @@ from rigapp.engine.judging import causes
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.limits import RuleMonitor, changed_limits, check_rules
 from rigapp.engine.recording.schedule import Schedule, logarithmic
+from rigapp.schema.channels import BASE
 from rigapp.schema.loglines import AlarmChange
 from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity
 from rigapp.schema.states import ACTIVE, ENDED, TABLE, Ending, Refused, Trigger, allowed, transition
@@ -81,7 +82,7 @@ def test_verdicts_alternate(values: list[float], delay: int, hysteresis: float) 
 )
 def test_a_rule_that_makes_no_sense_is_refused(rule: LimitRule, words: str) -> None:
     with pytest.raises(UnusableInput, match=words):
-        check_rules((rule,))
+        check_rules((rule,), BASE)
 
 
 def test_the_worst_margin_names_its_level() -> None:

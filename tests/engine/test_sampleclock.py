@@ -15,9 +15,11 @@ from drivers.api import Block, SampleClock
 from rigapp.engine.processing import Processor
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.samples.sampleclock import TICKS_PER_S, EncoderClock, PulseRate
-from rigapp.engine.values.calibrate import Calibration, calibrate
-from rigapp.engine.values.reduce import PLACE, Reducer
+from rigapp.engine.values.calibrate import Calibration, Measured, calibrate
+from rigapp.engine.values.reduce import Reducer
+from rigapp.schema.channels import BASE
 from rigapp.schema.messages import Flag
+from tests.engine.calibrations import calibration_by_hand
 
 LINES = 360
 RATE_ROW = 5
@@ -27,23 +29,17 @@ Array = NDArray[np.float64]
 
 def calibration(**changes: Any) -> Calibration:
     values: dict[str, Any] = {
-        "rows": (0, 1, 2, 3),
-        "counter_row": 4,
         "encoder": EncoderSetup(LINES, restarts_at_index=False),
-        "index_angle_rad": 0.0,
         "sample_rate_Hz": float(LINES),
-        "scale": np.ones(4),
-        "offset": np.zeros(4),
         "matrix": np.array([[200.0, 3.0], [-4.0, 190.0]]),
-        "zero": np.zeros(2),
         "sensitivity": np.array([100.0, 90.0]),
-        "probe_offset": np.zeros(2),
-        "latency_s": np.zeros(4),
-        "clock": SampleClock.ENCODER,
-        "pulse_rate": PulseRate(RATE_ROW, 1.0, 0.0),
-        "fastest_Hz": 10.0 * LINES,
+        "counter": {
+            "clock": SampleClock.ENCODER,
+            "pulse_rate": PulseRate(RATE_ROW, 1.0, 0.0),
+            "fastest_Hz": 10.0 * LINES,
+        },
     }
-    return Calibration(**{**values, **changes})
+    return calibration_by_hand(**{**values, **changes})
 
 
 def pulse_times(speed_of: Any, pulses: int, step_s: float = 1e-5) -> Array:
@@ -93,7 +89,7 @@ def stream(
 
 
 def cut(blocks: list[Block], clock: EncoderClock, kind: Calibration) -> list[Revolution]:
-    assembler = Assembler(kind.encoder, kind.counter_row, kind.sample_rate_Hz, kind.margins)
+    assembler = Assembler(kind.encoder, kind.counter.row, kind.sample_rate_Hz, kind.margins)
     return [one for block in blocks for one in assembler.push(block, clock.times(block))]
 
 
@@ -106,7 +102,7 @@ def ramp(time: Array) -> Array:
 def test_times_by_the_pulse_rate_are_true(real_time: bool, size: int) -> None:
     kind = calibration()
     times = pulse_times(ramp, 12 * LINES)
-    found = cut(stream(times, size), EncoderClock(LINES, kind.pulse_rate, real_time), kind)
+    found = cut(stream(times, size), EncoderClock(LINES, kind.counter.pulse_rate, real_time), kind)
     assert [one.ordinal for one in found] == list(range(1, 12))
     reducer = Reducer(kind)
     for one in found:
@@ -114,19 +110,20 @@ def test_times_by_the_pulse_rate_are_true(real_time: bool, size: int) -> None:
         assert (one.end_sample - one.first_sample) / TICKS_PER_S == pytest.approx(
             end - begin, rel=2e-3
         )
-        row = reducer.reduce(one)
+        row = reducer.reduce(Measured(one, kind))
         assert one.samples == LINES
-        assert row[PLACE["speed"]] == pytest.approx(60.0 / (end - begin), rel=2e-3)
+        assert row[BASE.place["speed"]] == pytest.approx(60.0 / (end - begin), rel=2e-3)
         inside = (times > begin) & (times < end)
         local = 60.0 * ramp(times[inside])
-        assert row[PLACE["speed_max"]] == pytest.approx(local.max(), rel=2e-2)
-        assert row[PLACE["speed_min"]] == pytest.approx(local.min(), rel=2e-2)
+        assert row[BASE.place["speed_max"]] == pytest.approx(local.max(), rel=2e-2)
+        assert row[BASE.place["speed_min"]] == pytest.approx(local.min(), rel=2e-2)
         assert one.flags == Flag.GOOD
 
 
 def test_times_by_the_host_follow_the_motion() -> None:
     """Without a pulse rate, and with blocks that come up to 8 ms late."""
-    kind = calibration(pulse_rate=None)
+    counter = {"clock": SampleClock.ENCODER, "fastest_Hz": 10.0 * LINES}
+    kind = calibration(counter=counter)
     times = pulse_times(lambda t: 1.0 + 0.02 * np.sin(t), 40 * LINES)
     late = np.array([0.0, 0.003, 0.008, 0.001, 0.005])
     found = cut(stream(times, 18, late_s=late), EncoderClock(LINES, None, True), kind)
@@ -149,23 +146,25 @@ def test_a_stand_is_time_but_not_speed() -> None:
     blocks = stream(times, 18)
     for block in blocks:
         block.values[RATE_ROW] = LINES
-    found = cut(blocks, EncoderClock(LINES, kind.pulse_rate, True), kind)
+    found = cut(blocks, EncoderClock(LINES, kind.counter.pulse_rate, True), kind)
     held = found[2]
     assert held.flags & Flag.PAUSED
     assert (held.end_sample - held.first_sample) / TICKS_PER_S == pytest.approx(31.0, abs=0.05)
-    row = Reducer(kind).reduce(held)
-    assert row[PLACE["speed"]] == pytest.approx(60.0 / 3.0, rel=0.02)
+    row = Reducer(kind).reduce(Measured(held, kind))
+    assert row[BASE.place["speed"]] == pytest.approx(60.0 / 3.0, rel=0.02)
     assert not found[1].flags & Flag.PAUSED
-    assert Reducer(kind).reduce(found[1])[PLACE["speed"]] == pytest.approx(60.0, rel=5e-3)
+    assert Reducer(kind).reduce(Measured(found[1], kind))[BASE.place["speed"]] == pytest.approx(
+        60.0, rel=5e-3
+    )
 
 
 def test_lost_pulses_take_their_time() -> None:
     kind = calibration()
     times = pulse_times(lambda t: np.full_like(t, 2.0), 8 * LINES)
-    whole = cut(stream(times, 20), EncoderClock(LINES, kind.pulse_rate, False), kind)
+    whole = cut(stream(times, 20), EncoderClock(LINES, kind.counter.pulse_rate, False), kind)
     torn = cut(
         stream(times, 20, lost=(4 * LINES + 50, 30)),
-        EncoderClock(LINES, kind.pulse_rate, False),
+        EncoderClock(LINES, kind.counter.pulse_rate, False),
         kind,
     )
     assert [one.ordinal for one in torn] == [one.ordinal for one in whole]
@@ -187,16 +186,16 @@ def test_latency_is_a_time_also_between_pulses(delay_s: float) -> None:
     angle = np.arange(1, times.size + 1) / LINES
     delayed = np.interp(times - delay_s, times, angle)
     signal = np.sin(2 * np.pi * delayed)
-    for one in cut(stream(times, 11, signal), EncoderClock(LINES, kind.pulse_rate, False), kind)[
-        1:-1
-    ]:
+    for one in cut(
+        stream(times, 11, signal), EncoderClock(LINES, kind.counter.pulse_rate, False), kind
+    )[1:-1]:
         values = calibrate(one, kind)
         wanted = -200.0 * np.sin(values.angle_rad)
-        np.testing.assert_allclose(values.force_1, wanted, atol=0.5)
-        row = Reducer(kind).reduce(one)
-        assert row[PLACE["force_1_max"]] == pytest.approx(values.force_1.max(), rel=1e-5)
-        assert row[PLACE["force_1_rms"]] == pytest.approx(
-            np.sqrt(np.mean(values.force_1**2)), rel=1e-5
+        np.testing.assert_allclose(values["force_1"], wanted, atol=0.5)
+        row = Reducer(kind).reduce(Measured(one, kind))
+        assert row[BASE.place["force_1_max"]] == pytest.approx(values["force_1"].max(), rel=1e-5)
+        assert row[BASE.place["force_1_rms"]] == pytest.approx(
+            np.sqrt(np.mean(values["force_1"] ** 2)), rel=1e-5
         )
 
 

@@ -6,12 +6,14 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from engine_doubles import RATE, MemoryRig, a_test, eventually
+from engine_doubles import COUNTS, RATE, MemoryRig, a_test, eventually
 
 from drivers.api import InputFault, InputFaultKind
 from rigapp.engine.judging.saturation import BACK_S, STAYS_S, SaturationWatch
+from rigapp.engine.samples.assembler import EncoderSetup
 from rigapp.schema.messages import Alarm, FinishReason, Flag, RunState, Severity
 from rigapp.schema.states import ENDED, Refused
+from tests.engine.calibrations import calibration_by_hand
 
 LONG = 1_000_000
 
@@ -142,7 +144,10 @@ def test_what_the_device_says_of_the_same_input_is_no_second_alarm(rig: MemoryRi
 
 
 def test_a_spike_is_no_saturated_input() -> None:
-    watch = SaturationWatch(RATE)
+    kind = calibration_by_hand(
+        encoder=EncoderSetup(COUNTS), sample_rate_Hz=RATE, matrix=np.eye(2), sensitivity=np.ones(2)
+    )
+    watch = SaturationWatch(kind)
     stays, back = round(STAYS_S * RATE), round(BACK_S * RATE)
     full = np.zeros((4, stays - 1), np.bool_)
     full[1] = True

@@ -26,7 +26,7 @@ from rigapp.engine.judging.criteria import (
     described,
 )
 from rigapp.engine.recording.store import Opened
-from rigapp.engine.values.reduce import NAMES, PLACE
+from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState
 from rigapp.schema.states import ENDED
@@ -37,7 +37,7 @@ QUICK = Path(__file__).parents[2] / "examples" / "quick.toml"
 
 def a_row(number: int, quality: int = 0, **values: float) -> NDArray[np.float64]:
     """Return a row one second after the one before; the pin lies 500 um from the middle."""
-    row = np.zeros(len(NAMES))
+    row = np.zeros(len(BASE.names))
     given_values = {
         "revolution": number,
         "time": float(number),
@@ -47,7 +47,7 @@ def a_row(number: int, quality: int = 0, **values: float) -> NDArray[np.float64]
         **values,
     }
     for name, value in given_values.items():
-        row[PLACE[name]] = value
+        row[BASE.place[name]] = value
     return row
 
 
@@ -56,7 +56,7 @@ def feed(monitor: StopMonitor, rows: Any) -> tuple[int, Any]:
     for row in rows:
         met = monitor.row(row)
         if met is not None:
-            return int(row[PLACE["revolution"]]), met
+            return int(row[BASE.place["revolution"]]), met
     return 0, None
 
 
@@ -127,7 +127,7 @@ def worn(depth_um: Callable[[int], float], numbers: range) -> Iterator[Step]:
 def answered(monitor: StopMonitor, steps: Iterable[Step]) -> tuple[int, Any]:
     """Return the number of the first revolution whose row or answer met a criterion, and which."""
     for row, answer in steps:
-        number = int(row[PLACE["revolution"]])
+        number = int(row[BASE.place["revolution"]])
         met = monitor.row(row) or monitor.prediction(number, answer)
         if met is not None:
             return number, met
@@ -177,7 +177,7 @@ def test_a_resumed_test_knows_its_past(cut: int, chunk: int) -> None:
     )
     steps = list(worn(lambda n: 0.02 * n, range(1, 3002)))
     past, rest = steps[:cut], steps[cut:]
-    places = [PLACE[name] for name in HISTORY_COLUMNS]
+    places = [BASE.place[name] for name in HISTORY_COLUMNS]
     columns = np.array([row for row, _ in past]).T[places]
     depths = np.array([(n, answer[DEPTH_COLUMNS[1]]) for n, (_, answer) in enumerate(past, 1)]).T
     resumed = StopMonitor(stop)

@@ -25,7 +25,8 @@ from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import LIGHT, apply_theme
 from rigapp.gui.window.window import MainWindow
-from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
+from rigapp.schema.channels import BASE
+from rigapp.schema.columns import CHANNELS, prediction_columns, revolution_columns
 from rigapp.schema.messages import (
     Alarm,
     ChannelView,
@@ -181,8 +182,9 @@ def make_cycle(revolution: int, points: int = 1920) -> Cycle:
     one, two, _ = crank_forces(angle, 36.0)
     one, two = one + noise[0], two + noise[1]
     probes = 100.0 + 12.0 * np.cos(np.radians(angle)), 8.0 * np.sin(np.radians(angle))
-    arrays = (angle, one, two, np.hypot(one, two), *probes)
-    return Cycle(revolution, *(array.astype("<f4").tobytes() for array in arrays))
+    named = zip(CHANNELS, (one, two, np.hypot(one, two), *probes), strict=True)
+    curves = {name: array.astype("<f4").tobytes() for name, array in named}
+    return Cycle(revolution, angle.astype("<f4").tobytes(), curves)
 
 
 def make_prediction(revolution: int) -> Prediction:
@@ -381,9 +383,7 @@ def recorded(tmp_path: Path) -> Path:
 
 def cycle_columns_of(cycle: Cycle) -> dict[str, np.ndarray]:
     """Return a cycle message as the columns of a file; what it does not carry is zero."""
-    names = [column.name for column in cycle_columns()]
+    names = [column.name for column in BASE.cycle_columns]
     found = {name: np.zeros(len(as_array(cycle.angle_deg))) for name in names}
     found["angle"] = as_array(cycle.angle_deg)
-    for name in ("force_1", "force_2", "force", "probe_1", "probe_2"):
-        found[name] = as_array(getattr(cycle, name))
-    return found
+    return found | {name: as_array(curve) for name, curve in cycle.curves.items()}

@@ -97,7 +97,7 @@ class ScriptedRig:
             signal = signal[:, ::-1]
         return {
             "end": np.round(end * RATE).astype(int).tolist(),
-            "signals": [*signal.T.tolist(), [0.0] * len(end), [0.0] * len(end)],
+            "signals": dict(zip(("force_1", "force_2"), signal.T.tolist(), strict=True)),
             "samples_per_mean": 50,
             "sample_rate_Hz": RATE,
             "units": ["mV/V", "mV/V", "V", "V"],

@@ -69,12 +69,11 @@ class ScriptedProbes:
         two = -math.sin(ANGLE[1]) * x + math.cos(ANGLE[1]) * y
         volts = np.array([one, two]) / SENSITIVITY + OFFSET
         signal = volts[:, None] + self.rng.normal(0.0, 3e-4 + self.shakes, (2, len(end)))
-        zero = [0.0] * len(end)
         return Reply(
             ok=True,
             result={
                 "end": np.round(end * RATE).astype(int).tolist(),
-                "signals": [zero, zero, *signal.tolist()],
+                "signals": dict(zip(("probe_1", "probe_2"), signal.tolist(), strict=True)),
                 "samples_per_mean": 50,
                 "sample_rate_Hz": RATE,
                 "stands": self.stands,

@@ -23,8 +23,9 @@ from rigapp.engine.judging.checks import PeakForce
 from rigapp.engine.listening import _quadratic
 from rigapp.engine.processing import Processor
 from rigapp.engine.samples.assembler import Assembler
-from rigapp.engine.values.calibrate import Calibration, calibrate, calibration_of
-from rigapp.engine.values.reduce import PLACE, Reducer
+from rigapp.engine.values.calibrate import Calibration, Measured, calibrate, calibration_of
+from rigapp.engine.values.reduce import Reducer
+from rigapp.schema.channels import BASE
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -67,8 +68,11 @@ def frozen(rig: RigFile, latency: bool = False) -> Calibration:
     names = (cell.input_1, cell.input_2, probes.input_1, probes.input_2, rig.encoder.input)
     units = ("mV/V", "mV/V", "V", "V", "count")
     channels = tuple(ChannelSpec(n, u) for n, u in zip(names, units, strict=True))
-    kind = calibration_of(rig, StreamSetup(channels, RATE, {}))
-    return kind if latency else replace(kind, latency_s=np.zeros(4))
+    if not latency:
+        cell = msgspec.structs.replace(cell, latency_ms=(0.0, 0.0))
+        probes = msgspec.structs.replace(probes, latency_ms=(0.0, 0.0))
+        rig = msgspec.structs.replace(rig, load_cell=cell, probes=probes)
+    return calibration_of(rig, StreamSetup(channels, RATE, {}))
 
 
 def block(kind: Calibration, turns: float = 3.0) -> Block:
@@ -77,7 +81,7 @@ def block(kind: Calibration, turns: float = 3.0) -> Block:
     values = np.zeros((5, n), np.float32)
     values[:4] = np.random.default_rng(8).uniform(-1.9, 1.9, (4, n))
     turn = kind.encoder.counts_per_revolution
-    values[kind.counter_row] = np.floor(np.arange(n) / RATE * turn) % turn
+    values[kind.counter.row] = np.floor(np.arange(n) / RATE * turn) % turn
     return Block("daq", 0, 0, RATE, 0, values, np.zeros(n, np.uint8))
 
 
@@ -89,21 +93,22 @@ def test_every_force_of_the_engine_is_the_calibrations_own(
     assert found.fit is not None
     truth = -found.fit.force(data.values[list(kind.rows[:2])].T.astype(np.float64)).T
     size = np.hypot(*truth)
-    linear = -kind.matrix @ (data.values[list(kind.rows[:2])] - kind.zero[:, None])
+    cell = kind.load_cell
+    linear = -cell.matrix @ (data.values[list(kind.rows[:2])] - cell.zero[:, None])
     assert np.abs(linear - truth).max() > 3.0, "the terms matter"
 
-    assembler = Assembler(kind.encoder, kind.counter_row, RATE, kind.margins)
+    assembler = Assembler(kind.encoder, kind.counter.row, RATE, kind.margins)
     revolution = assembler.push(data)[-1]
     span = slice(revolution.first_sample, revolution.first_sample + revolution.samples)
     told = calibrate(revolution, kind)
     near = pytest.approx
-    assert np.stack((told.force_1, told.force_2)) == near(truth[:, span], rel=1e-9, abs=1e-9)
-    assert told.force == near(size[span], rel=1e-9)
-    row = Reducer(kind).reduce(revolution)
+    assert np.stack((told["force_1"], told["force_2"])) == near(truth[:, span], rel=1e-9, abs=1e-9)
+    assert told["force"] == near(size[span], rel=1e-9)
+    row = Reducer(kind).reduce(Measured(revolution, kind))
     for name, values in (("force_1", truth[0, span]), ("force", size[span])):
-        assert row[PLACE[f"{name}_max"]] == near(values.max(), rel=1e-9)
-        assert row[PLACE[f"{name}_min"]] == near(values.min(), rel=1e-9)
-        assert row[PLACE[f"{name}_rms"]] == near(math.sqrt(np.mean(values**2)), rel=1e-9)
+        assert row[BASE.place[f"{name}_max"]] == near(values.max(), rel=1e-9)
+        assert row[BASE.place[f"{name}_min"]] == near(values.min(), rel=1e-9)
+        assert row[BASE.place[f"{name}_rms"]] == near(math.sqrt(np.mean(values**2)), rel=1e-9)
     assert PeakForce(kind).of(data.values) == near(size.max(), rel=1e-9)
 
 
@@ -128,7 +133,8 @@ def test_live_values_tare_and_overload_use_the_terms(
     signals = data.values[list(kind.rows[:2])].T.astype(np.float64)
     truth = -found.fit.force(signals - tare)
     assert processor.live is not None
-    assert processor.live.values[:2] == pytest.approx(truth[-1], rel=1e-9)
+    live = processor.live.values
+    assert [live["force_1"], live["force_2"]] == pytest.approx(truth[-1], rel=1e-9)
     assert seen == [pytest.approx(np.hypot(*truth.T).max(), rel=1e-9)]
     assert np.array(_quadratic(kind)) == pytest.approx(found.fit.quadratic, rel=1e-9)
     spoilt = data.values.copy()

@@ -230,7 +230,7 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     done = ask(host, "resume_file", file=str(out), reason="new certificate")
     assert done.ok, done.sentence
     assert host.engine._connection is not None
-    assert host.engine._connection.processor.calibration.tare == pytest.approx(zeroed)
+    assert host.engine._connection.processor.calibration.load_cell.tare == pytest.approx(zeroed)
     planned = end_soon(RIG)
     host.engine.wait(ENDED, 90.0)
 

@@ -28,7 +28,7 @@ from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.recording.store import open_file
-from rigapp.engine.values.reduce import NAMES
+from rigapp.schema.channels import BASE
 from rigapp.schema.messages import FinishReason, as_array
 from rigapp.schema.states import ACTIVE
 from rigapp.service.client import Client
@@ -183,7 +183,7 @@ def watched(test: Running, client: Client, batch_s: float) -> tuple[int, list[Fo
         assert time.monotonic() < deadline, f"{test.committed} of {revolutions} revolutions"
         snapshot = client.poll()
         if snapshot is not None and snapshot.rows:
-            rows = as_array(snapshot.rows, "<f8").reshape(-1, len(NAMES))
+            rows = as_array(snapshot.rows, "<f8").reshape(-1, len(BASE.names))
             assert snapshot.first_row >= next_row
             next_row = snapshot.first_row + len(rows)
             shown = int(rows[-1, 0])

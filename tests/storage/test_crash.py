@@ -17,7 +17,8 @@ import h5py
 import pytest
 from storage_samples import PLAN, check, new_test, write
 
-from rigapp.schema.columns import cycle_columns, prediction_columns, revolution_columns
+from rigapp.schema.channels import BASE
+from rigapp.schema.columns import prediction_columns, revolution_columns
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, StorageFailed, open_test, reopen_test
 from rigapp.storage.locks import writer_is_alive
@@ -30,7 +31,7 @@ SMALL = FilePlan(
     samples_per_cycle=40,
     events=80,
     revolution_columns=revolution_columns()[:12],
-    cycle_columns=cycle_columns()[:4],
+    cycle_columns=BASE.cycle_columns[:4],
     prediction_columns=prediction_columns()[:5],
     prediction_points=30,
 )

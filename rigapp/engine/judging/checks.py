@@ -11,6 +11,7 @@ from model.compiled import njit
 from rigapp.engine.samples.assembler import Values
 from rigapp.engine.values.bend import straightened
 from rigapp.engine.values.calibrate import Calibration
+from rigapp.schema.channels import LOAD_CELL
 
 Array = NDArray[np.float64]
 
@@ -44,12 +45,12 @@ class PeakForce:
     """Find the largest joint force of a block, from the samples as they came."""
 
     def __init__(self, calibration: Calibration) -> None:
-        self._rows = calibration.rows
-        self._gain, self._bias = calibration.gains()
-        self._bend = calibration.bend
+        self._rows = [calibration.rows[i] for i in calibration.place(LOAD_CELL)]
+        self._gain, self._bias = calibration.force_gain()
+        self._bend = calibration.load_cell.bend
 
     def of(self, values: Values) -> float:
         """Return the largest |F| of a block in N; NaN when a sample is not a number."""
-        first, second = self._rows[:2]
+        first, second = self._rows
         square = _peak_kernel(values[first], values[second], self._gain, self._bias, self._bend)
         return math.sqrt(square) if not math.isnan(square) else math.nan

@@ -18,8 +18,7 @@ from rigapp.engine.judging.speeds import SpeedComparison
 from rigapp.engine.judging.testrun import Row
 from rigapp.engine.recording.recorder import cycle_message, measured_history
 from rigapp.engine.samples.assembler import Revolution
-from rigapp.engine.values.calibrate import ANALOG, analog_inputs
-from rigapp.engine.values.reduce import PLACE
+from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import FinishReason, Flag, RevolutionMeasured, RunState
 from rigapp.schema.states import ACTIVE, TURNING, Ending, Trigger
@@ -47,9 +46,6 @@ only while the drive has not answered since."""
 
 BACKWARDS_RPM = -1.0
 """A drive that reports less than this turns backwards."""
-
-FORCES = (0, 1)
-"""Places of the load cell's inputs in ``ANALOG``."""
 
 CALM_REVOLUTIONS = 20
 
@@ -123,7 +119,7 @@ class Guard:
 
     def saturated(self, inputs: frozenset[str]) -> None:
         """Raise the alarms of these inputs, and let those of all others return."""
-        for name in ANALOG:
+        for name in self._connection.processor.calibration.names:
             if name not in inputs:
                 for critical in (True, False):
                     self._core.alarms.clear(causes.saturated_key(name, critical=critical))
@@ -132,16 +128,15 @@ class Guard:
     def _saturated(self, inputs: frozenset[str]) -> None:
         core = self._core
         device = self._connection.devices.source.name
-        calibration = self._connection.processor.calibration
-        wired = dict(zip(ANALOG, analog_inputs(core.rig.record), strict=True))
-        for i, name in enumerate(ANALOG):
+        for wire in self._connection.processor.calibration.wires:
+            name = wire.channel.name
             if name not in inputs or core.alarms.is_active(
                 causes.saturated_key(name, critical=True)
             ):
                 continue
-            span = f"{calibration.ranges[i]:g} {calibration.units[i]}"
-            critical = i in FORCES and core.state in ACTIVE
-            cause = causes.saturated(name, wired[name], device, span, critical=critical)
+            span = f"{wire.channel.signal_range:g} {wire.unit}"
+            critical = wire.channel.instrument == LOAD_CELL and core.state in ACTIVE
+            cause = causes.saturated(name, wire.channel.input, device, span, critical=critical)
             if critical:
                 core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
             else:
@@ -255,8 +250,7 @@ class Guard:
         except Exception as error:
             core.storage_failed(error)
             return
-        number, calibration = row.number, session.run.calibration
-        core.publisher.row(row.values, lambda: cycle_message(number, revolution, calibration))
+        core.publisher.row(row.values, lambda: cycle_message(row.number, row.measured))
         self._tell_twin(row, session)
         if row.last:
             self._complete(session)
@@ -269,7 +263,7 @@ class Guard:
         self._core.trip(Ending(FinishReason.COMPLETE, sentence))
 
     def _act(self, session: Session, row: Row) -> None:
-        flags = row.revolution.flags
+        flags = row.measured.revolution.flags
         if flags & Flag.MISSED_INDEX:
             self._missed += 1
             if self._missed >= MISSED_INDEX_LIMIT:
@@ -310,7 +304,8 @@ class Guard:
     def predicted(self, session: Session, values: Array) -> None:
         """Judge what the twin predicts by the rules of the test."""
         named = by_name(prediction_columns(), values)
-        alone = {name: value for name, value in named.items() if name not in PLACE}
+        measured = self._core.table.place
+        alone = {name: value for name, value in named.items() if name not in measured}
         for verdict in session.run.monitor.judge(alone):
             self.verdict(session, verdict)
         met = session.run.stops.prediction(int(named["revolution"]), named)
@@ -350,17 +345,17 @@ class Guard:
             self._core.alarms.clear(key)
 
     def _store(self, session: Session, row: Row) -> None:
-        revolution = row.revolution
-        session.recorder.row(row.number, row.values, revolution)
+        revolution = row.measured.revolution
+        session.recorder.row(row.number, row.values, row.measured)
         if revolution.flags & Flag.GAP_BEFORE:
             lost = revolution.lost_samples
             self._core.gap(f"samples are missing before revolution {row.number}: {lost} lost")
 
     def _tell_twin(self, row: Row, session: Session) -> None:
-        if self._on_measured is None or row.revolution.flags & UNTRUE:
+        if self._on_measured is None or row.measured.revolution.flags & UNTRUE:
             return
         try:
-            self._on_measured(measured_history(row.number, row.revolution, session.run.calibration))
+            self._on_measured(measured_history(row.number, row.measured))
         except Exception as error:
             self._core.event("twin", "engine", f"the prediction was not asked: {error}")
             self._on_measured = None

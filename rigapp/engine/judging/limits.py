@@ -11,6 +11,7 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import Action, LimitRule, LimitsSection
 from rigapp.config.rules import ALWAYS, BOUNDS, check_rules, limit_refusal
+from rigapp.schema.channels import ChannelTable
 from rigapp.schema.messages import Severity
 
 
@@ -86,9 +87,10 @@ def _watches(rules: Iterable[LimitRule]) -> list[_Watch]:
 class RuleMonitor:
     """Judge every revolution by the rules; one thread calls it."""
 
-    def __init__(self, rules: Iterable[LimitRule]) -> None:
+    def __init__(self, rules: Iterable[LimitRule], table: ChannelTable | None = None) -> None:
         rules = tuple(rules)
-        check_rules(rules)
+        check_rules(rules, table)
+        self._table = table
         self.rules = rules
         self._watches = _watches(rules)
 
@@ -98,7 +100,7 @@ class RuleMonitor:
         What a level has seen so far stays with it.
         """
         rules = tuple(rules)
-        check_rules(rules)
+        check_rules(rules, self._table)
         former = {(w.quantity, w.severity, w.above): w for w in self._watches}
         watches = _watches(rules)
         for watch in watches:
@@ -169,7 +171,7 @@ def margin_to(limit: float, value: float, name: str) -> tuple[float, str]:
 
 
 def changed_limits(
-    limits: LimitsSection, name: str, value: float
+    limits: LimitsSection, name: str, value: float, table: ChannelTable | None = None
 ) -> tuple[float | None, LimitsSection]:
     """Return the former value and the limits with one changed; raise UnusableInput."""
     quantity, _, level = name.partition(".")
@@ -188,7 +190,7 @@ def changed_limits(
         raise UnusableInput(
             f"there is no limit {name!r}; there are: {', '.join((*ALWAYS, *known))}"
         )
-    wrong = limit_refusal(name, value)
+    wrong = limit_refusal(name, value, table)
     if wrong:
         raise UnusableInput(wrong)
     if name in ALWAYS:

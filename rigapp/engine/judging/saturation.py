@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.api import Block, Quality
-from rigapp.engine.values.calibrate import ANALOG, Calibration
+from rigapp.engine.values.calibrate import Calibration
 
 AT_THE_END: Final = 0.98
 """A flagged sample belongs to every input whose signal is beyond this share of its range."""
@@ -25,13 +25,14 @@ BACK_S: Final = 0.5
 
 
 class SaturationWatch:
-    """Follow the four analog inputs of one connection, block by block."""
+    """Follow the inputs of one connection, block by block."""
 
-    def __init__(self, sample_rate_Hz: float) -> None:
-        self._stays = max(1, round(STAYS_S * sample_rate_Hz))
-        self._back = max(1, round(BACK_S * sample_rate_Hz))
-        self._full = [0] * len(ANALOG)
-        self._sound = [0] * len(ANALOG)
+    def __init__(self, calibration: Calibration) -> None:
+        self._names = calibration.names
+        self._stays = max(1, round(STAYS_S * calibration.sample_rate_Hz))
+        self._back = max(1, round(BACK_S * calibration.sample_rate_Hz))
+        self._full = [0] * len(self._names)
+        self._sound = [0] * len(self._names)
         self._calm = True
         self.inputs: frozenset[str] = frozenset()
 
@@ -45,12 +46,12 @@ class SaturationWatch:
         if full is None:
             if self._calm:
                 return False
-            full = np.zeros((len(ANALOG), samples), np.bool_)
+            full = np.zeros((len(self._names), samples), np.bool_)
         for i, row in enumerate(full):
             self._full[i] = _trailing(row, self._full[i])
             self._sound[i] = _trailing(~row, self._sound[i])
         before = self.inputs
-        for i, name in enumerate(ANALOG):
+        for i, name in enumerate(self._names):
             if self._full[i] >= self._stays:
                 self.inputs |= {name}
             elif self._sound[i] >= self._back:
@@ -60,7 +61,7 @@ class SaturationWatch:
 
 
 def full_samples(block: Block, calibration: Calibration) -> NDArray[np.bool_] | None:
-    """Return where each analog input is saturated, (4, samples); None where none is flagged."""
+    """Return where each input is saturated, (inputs, samples); None where none is flagged."""
     if not np.bitwise_or.reduce(block.quality) & FLAG:
         return None
     share = np.abs(calibration.signals(block.values)) / calibration.ranges[:, None]

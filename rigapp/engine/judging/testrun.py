@@ -9,7 +9,7 @@ revolution: its row carries the flag PAUSED, and the samples of the stand are le
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,8 +19,8 @@ from rigapp.config.recipe import StopSection
 from rigapp.engine.judging.criteria import Met, StopMonitor
 from rigapp.engine.judging.limits import RuleMonitor, Verdict
 from rigapp.engine.samples.assembler import Revolution
-from rigapp.engine.values.calibrate import Calibration
-from rigapp.engine.values.reduce import NAMES, PLACE, Reducer
+from rigapp.engine.values.calibrate import Calibration, Measured
+from rigapp.engine.values.reduce import Reducer
 from rigapp.schema.messages import Flag
 
 Array = NDArray[np.float64]
@@ -31,11 +31,12 @@ NOT_STEADY = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Row:
-    """A finished row with the revolution behind it."""
+    """A finished row with the revolution behind it; named: its values by column."""
 
     number: int
     values: Array
-    revolution: Revolution
+    named: Mapping[str, float]
+    measured: Measured
     verdicts: tuple[Verdict, ...]
     last: bool
     met: Met | None = None
@@ -46,7 +47,8 @@ class TestRun:
 
     first: number of the first revolution to record. planned: number of the last. time_offset_s:
     the test's time at its start (not 0 when it was resumed). utc: UTC seconds of a host time.
-    stops: the criteria that end the test before.
+    stops: the criteria that end the test before. slow: the columns of the slow channels at a host
+    time.
     """
 
     __test__ = False
@@ -61,6 +63,7 @@ class TestRun:
         utc: Callable[[int, float], float],
         resumed: bool,
         stops: StopMonitor | None = None,
+        slow: Callable[[int], Mapping[str, float]] = lambda host_time_ns: {},
     ) -> None:
         self.calibration = calibration
         self.monitor = monitor
@@ -75,6 +78,7 @@ class TestRun:
         self.judged: Row | None = None
         self._reducer = Reducer(calibration)
         self._utc = utc
+        self._slow = slow
         self._resumed = resumed
         self._first_ordinal: int | None = None
 
@@ -95,7 +99,8 @@ class TestRun:
         if number > self.planned:
             self.complete = True
             return None
-        row = self._reducer.reduce(revolution)
+        measured = Measured(revolution, self.calibration)
+        row = self._reducer.reduce(measured)
         flags = revolution.flags
         if not steady:
             flags |= Flag.RAMP
@@ -103,19 +108,21 @@ class TestRun:
             flags |= Flag.GAP_BEFORE
             self._resumed = False
         elapsed = (revolution.end_sample - self.start_sample) / revolution.sample_rate_Hz
-        row[PLACE["revolution"]] = number
-        row[PLACE["time"]] = elapsed + self.time_offset_s
-        row[PLACE["host_time"]] = self._utc(
+        place = self.calibration.table.place
+        row[place["revolution"]] = number
+        row[place["time"]] = elapsed + self.time_offset_s
+        row[place["host_time"]] = self._utc(
             revolution.host_time_ns, revolution.later_samples / revolution.sample_rate_Hz
         )
-        row[PLACE["quality"]] = int(flags)
-        verdicts: tuple[Verdict, ...] = ()
+        row[place["quality"]] = int(flags)
+        for name, value in self._slow(revolution.host_time_ns).items():
+            row[place[name]] = value
+        named = dict(zip(place, row.tolist(), strict=True))
         steady = not flags & NOT_STEADY
-        if steady:
-            verdicts = tuple(self.monitor.judge(dict(zip(NAMES, row.tolist(), strict=True))))
+        verdicts = tuple(self.monitor.judge(named)) if steady else ()
         self.number = number
         self.complete = number >= self.planned
         met = self.stops.row(row)
-        self.newest = Row(number, row, revolution, verdicts, self.complete, met)
+        self.newest = Row(number, row, named, measured, verdicts, self.complete, met)
         self.judged = self.newest if steady else self.judged
         return self.newest

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from drivers.api import InputFault, InputFaultKind, InputSupervision
 from rigapp.engine.core import Core
 from rigapp.engine.judging import causes
-from rigapp.engine.values.calibrate import ANALOG, analog_inputs
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.states import ACTIVE, Ending
 
@@ -27,6 +26,7 @@ class Watches:
         self._connection = connection
         self._told: tuple[InputFault, ...] = ()
         self._saturated: dict[str, int] = {}
+        self._carried = {one.input: one.name for one in core.table.sampled}
         self._real_time = core.rig.record.simulation is None
 
     def look(self) -> None:
@@ -92,12 +92,12 @@ class Watches:
 
     def _name(self, wanted: str) -> str:
         """Return what an input carries, beside its name."""
-        carries = dict(zip(analog_inputs(self._core.rig.record), ANALOG, strict=True))
-        return f"{wanted} ({carries[wanted]})" if wanted in carries else wanted
+        carried = self._carried.get(wanted)
+        return f"{wanted} ({carried})" if carried else wanted
 
     def _followed(self, fault: InputFault) -> bool:
         """Tell whether the samples themselves show it, and when it ends (``saturation``)."""
-        return bool(fault.inputs) and set(fault.inputs) <= set(analog_inputs(self._core.rig.record))
+        return bool(fault.inputs) and set(fault.inputs) <= self._carried.keys()
 
     def _concerns_force(self, fault: InputFault) -> bool:
         cell = self._core.rig.record.load_cell

@@ -7,6 +7,7 @@ import math
 from rigapp.config.recipe import TestFile
 from rigapp.engine.recording.history import triggered_cycles
 from rigapp.engine.recording.schedule import Schedule
+from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.storage import FilePlan, profile_rows
 
 SLOWER = 1.05
@@ -20,9 +21,12 @@ UNFINISHED = 2
 
 
 def file_plan(
-    test: TestFile, sample_rate_Hz: float, samples_per_revolution: float | None = None
+    test: TestFile,
+    sample_rate_Hz: float,
+    samples_per_revolution: float | None = None,
+    table: ChannelTable = BASE,
 ) -> FilePlan:
-    """Return the plan of a test's file.
+    """Return the plan of a test's file. table: the channels of the rig.
 
     samples_per_revolution: of a device that the encoder clocks; None: the rate and the set speed
     tell.
@@ -38,6 +42,9 @@ def file_plan(
         revolutions=revolutions,
         cycles=scheduled + min(triggered_cycles(test.cycles, revolutions), revolutions - scheduled),
         samples_per_cycle=samples,
+        channels=table.channels,
+        revolution_columns=table.revolution_columns,
+        cycle_columns=table.cycle_columns,
         prediction=test.prediction.enabled,
         cycle_reason=True,
         event_details=True,

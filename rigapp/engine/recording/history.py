@@ -15,14 +15,11 @@ from __future__ import annotations
 import enum
 from collections import deque
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
 
 from rigapp.config.recipe import CyclesSection
 from rigapp.engine.recording.schedule import Schedule
-
-if TYPE_CHECKING:
-    from rigapp.engine.samples.assembler import Revolution
+from rigapp.engine.values.calibrate import Measured
 
 RING_BYTES = 64 << 20
 """Memory for revolutions that may still be wanted."""
@@ -67,14 +64,14 @@ class Kept:
     """A revolution in memory; why it is kept, None while nothing wants it."""
 
     number: int
-    revolution: Revolution
+    measured: Measured
     quality: int
     why: Why | None
 
     @property
     def size(self) -> int:
         """Return the bytes that it takes."""
-        one = self.revolution
+        one = self.measured.revolution
         return one.values.nbytes + one.counts.nbytes + one.segments.nbytes
 
 
@@ -127,7 +124,7 @@ class History:
         self._due = True
         return True
 
-    def add(self, number: int, revolution: Revolution, quality: int = 0) -> list[Kept]:
+    def add(self, number: int, measured: Measured, quality: int = 0) -> list[Kept]:
         """Take the newest revolution; return those that are to be written now, in order."""
         why = Why.SCHEDULED if self._schedule.keeps(number) else None
         if self._due:
@@ -139,14 +136,13 @@ class History:
             if why is None:
                 why = Why.AFTER
                 self._used += 1
-        entry = Kept(number, revolution, quality, why)
+        entry = Kept(number, measured, quality, why)
         self._newest, self._newest_left = entry, False
         self._ring.append(entry)
         self._bytes += entry.size
         leaving = list(self._leave())
-        if not self._newest_left and revolution.values.base is not None:
-            # A view would hold the assembler's whole buffer.
-            entry.revolution = replace(revolution, values=revolution.values.copy())
+        if not self._newest_left:
+            entry.measured = measured.kept()
         return leaving
 
     def close(self) -> list[Kept]:

@@ -14,9 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from rigapp.engine.recording.history import History, Kept
 from rigapp.engine.recording.store import Store
 from rigapp.engine.samples.assembler import Revolution
-from rigapp.engine.values.calibrate import Calibrated, Calibration, calibrate
-from rigapp.engine.values.reduce import PLACE
-from rigapp.schema.columns import PREDICTED_CURVES, PROFILE_CURVES, cycle_columns
+from rigapp.engine.values.calibrate import Calibration, Measured
+from rigapp.schema.columns import PREDICTED_CURVES, PROFILE_CURVES
 from rigapp.schema.messages import (
     Cycle,
     Event,
@@ -29,58 +28,34 @@ from rigapp.schema.messages import (
 
 Array = NDArray[np.float64]
 
-_SAMPLE_TYPES = {one.name: one.dtype for one in cycle_columns()}
-
 
 def cycle_samples(
-    revolution: Revolution, calibration: Calibration, start_sample: int, time_offset_s: float
+    measured: Measured, start_sample: int, time_offset_s: float
 ) -> dict[str, ArrayLike]:
-    """Return the columns of ``cycle_columns`` for one revolution, (samples,) each.
+    """Return the columns of a whole cycle for one revolution, (samples,) each.
 
     start_sample: device sample at which the test's time was time_offset_s.
     """
-    values = calibrate(revolution, calibration)
-    inside = slice(revolution.before, revolution.before + revolution.samples)
-    raw = revolution.values[:, inside]
-    rows = calibration.rows
-    signals = (
-        raw[list(rows)].astype(np.float64) * calibration.scale[:, None]
-        + calibration.offset[:, None]
-    )
+    revolution, values = measured.revolution, measured.calibrated
     time = (revolution.sample_indices() - start_sample) / revolution.sample_rate_Hz
-    columns = {
+    columns: dict[str, Array] = {
         "angle": np.degrees(values.angle_rad),
         "time": time + time_offset_s,
-        "force_1": values.force_1,
-        "force_2": values.force_2,
-        "force": values.force,
-        "probe_1": values.probe_1,
-        "probe_2": values.probe_2,
-        "raw_force_1": signals[0],
-        "raw_force_2": signals[1],
-        "raw_probe_1": signals[2],
-        "raw_probe_2": signals[3],
-        "raw_count": raw[calibration.counter_row],
+        **values.curves,
+        **{f"raw_{name}": signal for name, signal in measured.signals().items()},
     }
     # Copies of the file's own types: the file then need not copy them again.
-    return {name: columns[name].astype(dtype) for name, dtype in _SAMPLE_TYPES.items()}
+    described = measured.calibration.table.cycle_columns
+    return {one.name: columns[one.name].astype(one.dtype) for one in described}
 
 
-def cycle_message(number: int, revolution: Revolution, calibration: Calibration) -> Cycle:
+def cycle_message(number: int, measured: Measured) -> Cycle:
     """Return one revolution for drawing."""
-    values: Calibrated = calibrate(revolution, calibration)
-
-    def packed(array: Array) -> bytes:
-        return array.astype("<f4").tobytes()
-
+    values = measured.calibrated
     return Cycle(
         revolution=number,
-        angle_deg=packed(np.degrees(values.angle_rad)),
-        force_1=packed(values.force_1),
-        force_2=packed(values.force_2),
-        force=packed(values.force),
-        probe_1=packed(values.probe_1),
-        probe_2=packed(values.probe_2),
+        angle_deg=np.degrees(values.angle_rad).astype("<f4").tobytes(),
+        curves={name: curve.astype("<f4").tobytes() for name, curve in values.curves.items()},
     )
 
 
@@ -170,16 +145,16 @@ class Recorder:
         """Return the alarms, limits and notes whose whole cycles had no room."""
         return self._history.refused
 
-    def row(self, number: int, row: Array, revolution: Revolution) -> None:
+    def row(self, number: int, row: Array, measured: Measured) -> None:
         """Write a row, and the whole cycles that are kept."""
         with self._lock:
             if self._closed:
                 return
             self._store.append_row(row)
-            self._last = (number, revolution.ordinal)
+            self._last = (number, measured.revolution.ordinal)
             self._whole = number >= self._history.planned
-            quality = int(row[PLACE["quality"]])
-            self._keep(self._history.add(number, revolution, quality))
+            quality = int(row[measured.calibration.table.place["quality"]])
+            self._keep(self._history.add(number, measured, quality))
 
     def trigger(self, critical: bool) -> None:
         """Keep the next whole cycle and those around it: something has happened."""
@@ -276,15 +251,14 @@ class Recorder:
         except Exception:
             return
 
-    def _samples(self, revolution: Revolution) -> dict[str, ArrayLike]:
-        start = self._start_sample or 0
-        return cycle_samples(revolution, self._calibration, start, self._time_offset_s)
+    def _samples(self, measured: Measured) -> dict[str, ArrayLike]:
+        return cycle_samples(measured, self._start_sample or 0, self._time_offset_s)
 
     def _keep(self, leaving: Iterable[Kept]) -> None:
         numbers: list[int] = []
         for one in leaving:
             assert one.why is not None
-            columns = self._samples(one.revolution)
+            columns = self._samples(one.measured)
             if self._store.append_cycle(one.number, columns, one.why.value, one.quality):
                 numbers.append(one.number)
         self._write_curves(self._curves.kept(numbers, self._history.decided))
@@ -301,26 +275,16 @@ class Recorder:
         number, ordinal = self._last or (self._first - 1, revolution.ordinal - 1)
         if revolution.ordinal <= ordinal or revolution.samples == 0:
             return
+        samples = self._samples(Measured(revolution, self._calibration))
         self._store.append_unfinished(
-            number + revolution.ordinal - ordinal, self._samples(revolution), int(revolution.flags)
+            number + revolution.ordinal - ordinal, samples, int(revolution.flags)
         )
 
 
-def measured_history(
-    number: int, revolution: Revolution, calibration: Calibration
-) -> RevolutionMeasured:
+def measured_history(number: int, measured: Measured) -> RevolutionMeasured:
     """Return what the twin needs of one revolution."""
-    values = calibrate(revolution, calibration)
-
-    def packed(array: Array) -> bytes:
-        return array.astype("<f8").tobytes()
-
-    return RevolutionMeasured(
-        revolution=number,
-        time_s=packed(values.time_s),
-        angle_rad=packed(values.angle_rad),
-        force_1=packed(values.force_1),
-        force_2=packed(values.force_2),
-        probe_1=packed(values.probe_1),
-        probe_2=packed(values.probe_2),
-    )
+    values = measured.calibrated
+    wanted = {"time_s": values.time_s, "angle_rad": values.angle_rad}
+    wanted |= {name: values[name] for name in ("force_1", "force_2", "probe_1", "probe_2")}
+    packed = {name: array.astype("<f8").tobytes() for name, array in wanted.items()}
+    return RevolutionMeasured(revolution=number, **packed)

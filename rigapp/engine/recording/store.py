@@ -13,13 +13,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from drivers.api import SampleClock
+from rigapp.config.channels import channel_table
 from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.judging.criteria import DEPTH_COLUMNS, HISTORY_COLUMNS, NOTHING
 from rigapp.engine.recording.history import TRIGGERED
 from rigapp.engine.values.calibrate import Calibration
+from rigapp.engine.values.instruments import Line, ProbePair
 from rigapp.engine.values.uncertainty import noise_of_sample, stated_uncertainty, uncertainty_record
+from rigapp.schema.channels import LOAD_CELL, PROBES, Kind
 from rigapp.schema.loglines import RestSignals
 from rigapp.schema.messages import Event, LookedAfter
 from rigapp.storage import (
@@ -57,7 +60,7 @@ class Store(Protocol):
         ...
 
     def append_row(self, values: NDArray[np.float64]) -> None:
-        """Append a row in the order of ``revolution_columns``."""
+        """Append a row, in the order of the plan's columns."""
         ...
 
     def append_cycle(
@@ -173,11 +176,12 @@ def _create(request: OpenRequest) -> Opened:
 
     test, rig = request.test.record, request.rig.record
     calibration = request.calibration
-    by_encoder = calibration.clock is SampleClock.ENCODER
+    by_encoder = calibration.counter.clock is SampleClock.ENCODER
     plan = file_plan(
         test,
         calibration.sample_rate_Hz,
         calibration.encoder.counts_per_revolution if by_encoder else None,
+        calibration.table,
     )
     metadata = TestMetadata(
         title=test.title,
@@ -239,26 +243,26 @@ def _depths(path: Path) -> NDArray[np.float64]:
 
 def calibration_record(calibration: Calibration) -> dict[str, Any]:
     """Return a calibration as nested plain values, units in the keys."""
-    encoder = calibration.encoder
-    return {
-        "load_cell": {
-            "record": calibration.names[0],
-            "matrix_N_per_mV_per_V": calibration.matrix.tolist(),
-            "bend_per_N": calibration.bend.tolist(),
-            "zero_mV_per_V": calibration.zero.tolist(),
-            "tare_mV_per_V": calibration.tare.tolist(),
-            "latency_ms": (calibration.latency_s[:2] * 1e3).tolist(),
+    encoder, cell, probes = calibration.encoder, calibration.load_cell, calibration.probes
+    found = {
+        LOAD_CELL: {
+            "record": cell.record,
+            "matrix_N_per_mV_per_V": cell.matrix.tolist(),
+            "bend_per_N": cell.bend.tolist(),
+            "zero_mV_per_V": cell.zero.tolist(),
+            "tare_mV_per_V": cell.tare.tolist(),
+            "latency_ms": _latency_ms(calibration, LOAD_CELL),
             "frame": "crank",
             "sign": "F on the follower by the pin = G + bend (F1^2, F1 F2, F2^2),"
             " G = - matrix (signal - zero - tare)",
         },
-        "probes": {
-            "record": calibration.names[1],
-            "sensitivity_um_per_V": calibration.sensitivity.tolist(),
-            "offset_V": calibration.probe_offset.tolist(),
-            "latency_ms": (calibration.latency_s[2:] * 1e3).tolist(),
+        PROBES: {
+            "record": probes.record,
+            "sensitivity_um_per_V": probes.sensitivity.tolist(),
+            "offset_V": probes.offset.tolist(),
+            "latency_ms": _latency_ms(calibration, PROBES),
             "frame": "follower",
-            **_probe_extras(calibration),
+            **_probe_extras(probes),
         },
         "encoder": {
             "counts_per_revolution": encoder.counts_per_revolution,
@@ -267,12 +271,31 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
             "index_angle_deg": math.degrees(calibration.index_angle_rad),
         },
         "acquisition": {
-            "clock": calibration.clock.value,
+            "clock": calibration.counter.clock.value,
             "sample_rate_Hz": calibration.sample_rate_Hz,
-            "scale": calibration.scale.tolist(),
-            "offset": calibration.offset.tolist(),
+            "scale": [one.scale for one in calibration.wires],
+            "offset": [one.offset for one in calibration.wires],
         },
     }
+    for wire in calibration.wires:
+        line = calibration.scalars.get(wire.channel.name)
+        if line is not None:
+            found[f"channel_{wire.channel.name}"] = {
+                "unit": wire.channel.unit,
+                "latency_ms": 1e3 * wire.channel.latency_s,
+                **_line_record(line),
+            }
+    return found
+
+
+def _latency_ms(calibration: Calibration, instrument: str) -> list[float]:
+    return (calibration.latency_s[calibration.place(instrument)] * 1e3).tolist()
+
+
+def _line_record(line: Line) -> dict[str, Any]:
+    if line.table.size:
+        return {"table_V": line.table[0].tolist(), "table_value": line.table[1].tolist()}
+    return {"scale_per_V": line.slope, "offset_V": line.zero}
 
 
 def _uncertainty(request: OpenRequest) -> dict[str, Any]:
@@ -280,47 +303,65 @@ def _uncertainty(request: OpenRequest) -> dict[str, Any]:
     cell = request.rig.record.load_cell
     stated = stated_uncertainty(request.records.get("load_cell", ""), cell.uncertainty_N)
     noise = request.rest.noise if request.rest is not None else None
-    seen = noise_of_sample(request.calibration.matrix, noise, cell.resolution_N)
+    seen = noise_of_sample(request.calibration.load_cell.matrix, noise, cell.resolution_N)
     return uncertainty_record(stated, *seen, cell.full_scale_N)
+
+
+INSTRUMENTS = {
+    LOAD_CELL: (
+        "strain gauge load cell",
+        "two bridges in the crank pin: the force on the follower by the pin, along the crank and"
+        " across it",
+    ),
+    PROBES: (
+        "capacitance probe",
+        "two probes on the follower: position of the pin, along the follower and across it",
+    ),
+}
+"""Instrument -> what kind it is and what it measures, as a file describes it."""
 
 
 def detector_record(rig: RigFile, sample_rate_Hz: float) -> dict[str, Mapping[str, Any]]:
     """Return what measures, as nested plain values, units in the keys; rate: of the device."""
-    cell, probes, encoder = rig.load_cell, rig.probes, rig.encoder
-    return {
-        "load_cell": {
-            "description": "two bridges in the crank pin: the force on the follower by the pin, "
-            "along the crank and across it",
-            "type": "strain gauge load cell",
-            "channels": ["force_1", "force_2", "force"],
-            "local_name": [cell.input_1, cell.input_2],
-            **_device(rig, cell.device, sample_rate_Hz),
-            "full_scale_N": cell.full_scale_N,
-            "resolution_N": cell.resolution_N,
-            "latency_ms": list(cell.latency_ms),
-            "calibration": f"{CALIBRATION}/load_cell",
-        },
-        "probes": {
-            "description": "two probes on the follower: position of the pin, along the follower "
-            "and across it",
-            "type": "capacitance probe",
-            "channels": ["probe_1", "probe_2"],
-            "local_name": [probes.input_1, probes.input_2],
-            **_device(rig, probes.device, sample_rate_Hz),
-            "range_V": probes.range_V,
-            "latency_ms": list(probes.latency_ms),
-            "calibration": f"{CALIBRATION}/probes",
-        },
-        "encoder": {
-            "description": "angle of the crank",
-            "type": "incremental encoder with index",
-            "channels": ["angle"],
-            "local_name": [encoder.input],
-            **_device(rig, encoder.device, sample_rate_Hz),
-            "counts_per_revolution": encoder.counts_per_revolution,
-            "calibration": f"{CALIBRATION}/encoder",
-        },
+    table, cell, encoder = channel_table(rig), rig.load_cell, rig.encoder
+    own = {
+        LOAD_CELL: {"full_scale_N": cell.full_scale_N, "resolution_N": cell.resolution_N},
+        PROBES: {"range_V": rig.probes.range_V},
     }
+    found: dict[str, Mapping[str, Any]] = {}
+    for name, (kind, sentence) in INSTRUMENTS.items():
+        wired = [table[one] for one in table.names_of(name)]
+        found[name] = {
+            "description": sentence,
+            "type": kind,
+            "channels": [one.name for one in table.curves if one.instrument == name],
+            "local_name": [one.input for one in wired],
+            **_device(rig, wired[0].device, sample_rate_Hz),
+            **own[name],
+            "latency_ms": [1e3 * one.latency_s for one in wired],
+            "calibration": f"{CALIBRATION}/{name}",
+        }
+    found["encoder"] = {
+        "description": "angle of the crank",
+        "type": "incremental encoder with index",
+        "channels": ["angle"],
+        "local_name": [encoder.input],
+        **_device(rig, encoder.device, sample_rate_Hz),
+        "counts_per_revolution": encoder.counts_per_revolution,
+        "calibration": f"{CALIBRATION}/encoder",
+    }
+    for one in table.free:
+        slow = one.kind is Kind.SLOW
+        found[one.name] = {
+            "description": one.description,
+            "type": "one value a revolution" if slow else "scalar input",
+            "channels": [one.name],
+            "local_name": [one.input],
+            **_device(rig, one.device, math.nan if slow else sample_rate_Hz),
+            "unit": one.unit,
+            **({} if slow else {"range_V": one.signal_range, "latency_ms": 1e3 * one.latency_s}),
+        }
+    return found
 
 
 def _device(rig: RigFile, name: str, sample_rate_Hz: float) -> dict[str, Any]:
@@ -331,12 +372,12 @@ def _device(rig: RigFile, name: str, sample_rate_Hz: float) -> dict[str, Any]:
     }
 
 
-def _probe_extras(calibration: Calibration) -> dict[str, Any]:
+def _probe_extras(probes: ProbePair) -> dict[str, Any]:
     """Return uncertainty, alignment and run-out map of the probes, those that are in use."""
     extras: dict[str, Any] = {}
-    if calibration.probe_uncertainty_um is not None:
-        extras["uncertainty_um"] = list(calibration.probe_uncertainty_um)
-    correction = calibration.correction
+    if probes.uncertainty_um is not None:
+        extras["uncertainty_um"] = list(probes.uncertainty_um)
+    correction = probes.correction
     if correction is not None:
         extras["alignment"] = correction.matrix.tolist()
         if correction.cosines.size:

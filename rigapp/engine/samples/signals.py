@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Means:
-    """Means of consecutive samples: signals (n, 4), device sample (n,) at the end of each mean."""
+    """Means of consecutive samples: signals (n, inputs), device sample (n,) at the end of each."""
 
     end: NDArray[np.int64]
     signals: Array
@@ -34,12 +34,13 @@ class RecentSignals:
     A gap in the sample numbers clears it, so that what is read is always consecutive.
     """
 
-    def __init__(self, sample_rate_Hz: float, window_s: float) -> None:
+    def __init__(self, sample_rate_Hz: float, window_s: float, inputs: int) -> None:
+        self._inputs = inputs
         self._rate = sample_rate_Hz
         self._each = max(1, round(sample_rate_Hz / MEANS_PER_SECOND))
         kept = max(1, round(min(window_s, LONGEST_WINDOW_S) * sample_rate_Hz / self._each))
         self._means: deque[tuple[int, Array]] = deque(maxlen=kept)
-        self._rest: Array = np.empty((4, 0))
+        self._rest: Array = np.empty((inputs, 0))
         self._next = -1
         self._asked = time.monotonic()
         self._lock = threading.Lock()
@@ -55,16 +56,17 @@ class RecentSignals:
         return time.monotonic() - self._asked > FORGOTTEN_AFTER_S
 
     def add(self, first_sample: int, signals: Array) -> None:
-        """Add signals (4, n) that begin with a device sample."""
+        """Add signals (inputs, n) that begin with a device sample."""
         with self._lock:
             if first_sample != self._next:
                 self._means.clear()
-                self._rest = np.empty((4, 0))
+                self._rest = np.empty((self._inputs, 0))
             self._next = first_sample + signals.shape[1]
             together = np.concatenate((self._rest, signals), axis=1)
             whole = together.shape[1] // self._each
             start = self._next - together.shape[1]
-            cut = together[:, : whole * self._each].reshape(4, whole, self._each).mean(axis=2)
+            parts = together[:, : whole * self._each].reshape(self._inputs, whole, self._each)
+            cut = parts.mean(axis=2)
             for index in range(whole):
                 self._means.append((start + (index + 1) * self._each, cut[:, index]))
             self._rest = together[:, whole * self._each :]
@@ -76,7 +78,7 @@ class RecentSignals:
             kept = list(self._means)
         return Means(
             end=np.array([end for end, _ in kept], dtype=np.int64),
-            signals=np.array([mean for _, mean in kept]).reshape(-1, 4),
+            signals=np.array([mean for _, mean in kept]).reshape(-1, self._inputs),
             samples_per_mean=self._each,
             sample_rate_Hz=self._rate,
         )

@@ -1,9 +1,9 @@
-"""Turn raw samples into forces and pin positions with the calibration frozen at the start.
+"""Turn raw samples into forces, pin positions and free channels with the calibration of a test.
 
 The load cell gives force on the pin = matrix (signal - zero) in the crank frame. The joint force F
 is the one on the follower by the pin: F = -(force on the pin). force_1 is its component along the
 crank (e1), force_2 the one across it (n1). Probes: position = sensitivity (voltage - offset), in
-the follower frame.
+the follower frame. A free channel: scale (voltage - offset), or the value in its table.
 
 Latency. The analog filter delays a channel by ``latency``, the counter has no delay: the value that
 belongs to the count of sample i is the signal at i + latency * rate. It is interpolated linearly
@@ -15,113 +15,127 @@ have arrived; across a break in time the nearest sample is held, and the revolut
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from drivers.api import ChannelSpec, SampleClock, StreamSetup
+from rigapp.config.channels import channel_table, input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.samples.assembler import EncoderSetup, Margins, Revolution, Values
 from rigapp.engine.samples.sampleclock import PulseRate
 from rigapp.engine.values.bend import invertible, straight
-from rigapp.engine.values.probes import ProbeCorrection, probe_correction
+from rigapp.engine.values.instruments import Counter, Line, LoadCell, ProbePair, Wire
+from rigapp.engine.values.probes import probe_correction
+from rigapp.engine.values.table import follow
+from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 
-ANALOG = ("force_1", "force_2", "probe_1", "probe_2")
-"""What the four analog inputs carry, in the order of every four-row array here."""
+Array = NDArray[np.float64]
 
 LARGEST_CONDITION = 1e6
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Calibration:
-    """Hold what turns the raw samples of one test into N and um.
+    """Hold what turns the raw samples of one test into values, frozen at its start.
 
-    rows: row in the Block of the four analog inputs (``ANALOG``) and of the counter. scale,
-    offset: (4,) electrical signal = scale raw + offset. matrix: (2, 2) N per signal unit. bend:
-    (2, 3) 1/N, the quadratic terms of the cell (``bend``). zero: (2,) signal units; tare: (2,)
-    further zero found with the pin unloaded. sensitivity: (2,) um/V. probe_offset: (2,) V.
-    latency_s: (4,). index_angle_rad: crank angle at the index.
-    clock: what makes the device sample; with the encoder's, sample_rate_Hz is nominal, fastest_Hz
-    the most pulses a second, and pulse_rate tells where their rate is recorded. correction: run-out
-    map and alignment of the probes, None without. probe_uncertainty_um: expanded, of one position.
-    ranges: (4,) signal units, the measuring range that was asked for.
+    wires: the inputs, in the order of ``table.sampled``; arrays (inputs, samples) here have that
+    order, and are asked for by name (``place``). scalars: what the free ones among them mean, by
+    name. index_angle_rad: crank angle at the index. sample_rate_Hz: nominal where the encoder is
+    the clock.
     """
 
-    rows: tuple[int, int, int, int]
-    counter_row: int
+    table: ChannelTable
+    wires: tuple[Wire, ...]
+    counter: Counter
     encoder: EncoderSetup
     index_angle_rad: float
     sample_rate_Hz: float
-    scale: NDArray[np.float64]
-    offset: NDArray[np.float64]
-    matrix: NDArray[np.float64]
-    zero: NDArray[np.float64]
-    sensitivity: NDArray[np.float64]
-    probe_offset: NDArray[np.float64]
-    latency_s: NDArray[np.float64]
-    units: tuple[str, str, str, str] = ("mV/V", "mV/V", "V", "V")
-    tare: NDArray[np.float64] = field(default_factory=lambda: np.zeros(2))
-    bend: NDArray[np.float64] = field(default_factory=lambda: np.zeros((2, 3)))
-    counter_scale: float = 1.0
-    counter_offset: float = 0.0
-    names: tuple[str, str] = ("", "")
-    clock: SampleClock = SampleClock.TIME
-    pulse_rate: PulseRate | None = None
-    fastest_Hz: float = 0.0
-    correction: ProbeCorrection | None = None
-    probe_uncertainty_um: tuple[float, float] | None = None
-    ranges: NDArray[np.float64] = field(default_factory=lambda: np.full(4, np.inf))
+    load_cell: LoadCell
+    probes: ProbePair
+    scalars: Mapping[str, Line]
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Return the channels of the inputs, in the order of every array here."""
+        return tuple(one.channel.name for one in self.wires)
+
+    def place(self, instrument: str) -> list[int]:
+        """Return the places of an instrument's inputs in an array."""
+        return [i for i, one in enumerate(self.wires) if one.channel.instrument == instrument]
+
+    @cached_property
+    def rows(self) -> list[int]:
+        """Return the rows of the inputs in a Block."""
+        return [one.row for one in self.wires]
+
+    @cached_property
+    def latency_s(self) -> Array:
+        """Return the inputs' delays against the encoder."""
+        return np.array([one.channel.latency_s for one in self.wires])
+
+    @cached_property
+    def ranges(self) -> Array:
+        """Return the inputs' measuring ranges that were asked for, in signal units."""
+        return np.array([one.channel.signal_range or math.inf for one in self.wires])
+
+    @cached_property
+    def lines(self) -> dict[str, Line]:
+        """Return what each single input means, by channel: probes, uncorrected, and free ones."""
+        probes = zip(self.table.names_of(PROBES), self.probes.lines(), strict=True)
+        return {**dict(probes), **self.scalars}
 
     @property
     def margins(self) -> Margins:
         """Return the neighbouring samples that the latency correction needs."""
-        if self.clock is SampleClock.ENCODER:
-            most = math.ceil(float(np.abs(self.latency_s).max()) * self.fastest_Hz)
+        if self.counter.clock is SampleClock.ENCODER:
+            most = math.ceil(float(np.abs(self.latency_s).max()) * self.counter.fastest_Hz)
             return Margins(before=most, after=most)
         whole, part = self.shift
         after = np.where(part > 0, whole + 1, whole)
         return Margins(before=max(0, int(-whole.min())), after=max(0, int(after.max())))
 
-    @property
-    def shift(self) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-        """Return latency * rate as whole samples (4,) and the fraction 0 .. 1 (4,)."""
+    @cached_property
+    def shift(self) -> tuple[NDArray[np.int64], Array]:
+        """Return latency * rate of the inputs as whole samples and the fraction 0 .. 1."""
         samples = np.round(self.latency_s * self.sample_rate_Hz, 9)
         whole = np.floor(samples)
         return whole.astype(np.int64), samples - whole
 
-    def gains(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return gain (4, 4) and bias (4,): ``ANALOG`` in N and um = gain raw + bias.
+    def force_gain(self) -> tuple[Array, Array]:
+        """Return gain (2, 2) and bias (2,) of the linear joint force, N = gain raw + bias."""
+        first, second = self.place(LOAD_CELL)
+        return self.load_cell.linear(self.wires[first], self.wires[second])
 
-        The forces are the linear ones where the cell has quadratic terms (``bend``).
-        """
-        gain, bias = np.zeros((4, 4)), np.zeros(4)
-        force = -self.matrix
-        gain[:2, :2] = force * self.scale[:2]
-        bias[:2] = force @ (self.offset[:2] - self.zero - self.tare)
-        gain[2, 2], gain[3, 3] = self.sensitivity * self.scale[2:]
-        bias[2:] = self.sensitivity * (self.offset[2:] - self.probe_offset)
-        return gain, bias
-
-    def engineering(self, raw: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return ``ANALOG`` (4, samples) in N and um of raw samples (4, samples)."""
-        gain, bias = self.gains()
-        values = np.asarray(gain @ raw + bias[:, None], np.float64)
-        if self.bend.any():
-            values[:2] = straight(values[:2], self.bend)
+    def engineering(self, raw: Array) -> Array:
+        """Return the values (inputs, samples), of raw samples likewise; probes uncorrected."""
+        values = np.empty_like(raw)
+        pair = self.place(LOAD_CELL)
+        gain, bias = self.force_gain()
+        values[pair] = straight(gain @ raw[pair] + bias[:, None], self.load_cell.bend)
+        for i, wire in enumerate(self.wires):
+            line = self.lines.get(wire.channel.name)
+            if line is not None:
+                slope, zero = line.linear(wire)
+                values[i] = slope * raw[i] + zero
+                follow(values[i], values.shape[1], line.table)
         return values
 
-    def signals(self, values: Values) -> NDArray[np.float64]:
-        """Return the electrical signals (4, samples) of a Block's values."""
-        raw = values[list(self.rows)].astype(np.float64)
-        return np.asarray(raw * self.scale[:, None] + self.offset[:, None], np.float64)
+    def signals(self, values: Values) -> Array:
+        """Return the electrical signals (inputs, samples) of a Block's values."""
+        scale, offset = (
+            np.array([[getattr(one, name)] for one in self.wires]) for name in ("scale", "offset")
+        )
+        return np.asarray(values[self.rows].astype(np.float64) * scale + offset, np.float64)
 
     def with_tare(self, tare: Sequence[float]) -> Calibration:
-        """Return this calibration with another tare, in signal units."""
-        return replace(self, tare=np.asarray(tare, np.float64))
+        """Return this calibration with another tare of the load cell, in signal units."""
+        return replace(self, load_cell=replace(self.load_cell, tare=np.asarray(tare, np.float64)))
 
 
 def with_margins(revolution: Revolution, margins: Margins) -> tuple[NDArray[Any], int]:
@@ -137,14 +151,14 @@ def with_margins(revolution: Revolution, margins: Margins) -> tuple[NDArray[Any]
     return np.pad(values, ((0, 0), missing), mode="edge"), before + missing[0]
 
 
-def shifted(revolution: Revolution, calibration: Calibration) -> NDArray[np.float64]:
-    """Return the four raw analog channels (4, samples), latency corrected."""
+def shifted(revolution: Revolution, calibration: Calibration) -> Array:
+    """Return the raw inputs (inputs, samples), latency corrected."""
     if revolution.ticks is not None:
         return _shifted_by_time(revolution, revolution.ticks, calibration)
     whole, part = calibration.shift
     values, before = with_margins(revolution, calibration.margins)
     n = revolution.samples
-    out = np.empty((4, n))
+    out = np.empty((len(calibration.wires), n))
     for i, row in enumerate(calibration.rows):
         start = before + int(whole[i])
         raw = values[row]
@@ -156,12 +170,12 @@ def shifted(revolution: Revolution, calibration: Calibration) -> NDArray[np.floa
 
 def _shifted_by_time(
     revolution: Revolution, ticks: NDArray[np.int64], calibration: Calibration
-) -> NDArray[np.float64]:
+) -> Array:
     """Return the same for samples that come at no fixed times; at the ends the last is held."""
     inside = slice(revolution.before, revolution.before + revolution.samples)
     # Differences of whole ticks are exact; the ticks themselves are too large for a float64.
     time = (ticks - ticks[0]).astype(np.float64)
-    out = np.empty((4, revolution.samples))
+    out = np.empty((len(calibration.wires), revolution.samples))
     for i, row in enumerate(calibration.rows):
         raw, delay = revolution.values[row], calibration.latency_s[i] * revolution.sample_rate_Hz
         out[i] = raw[inside] if delay == 0 else np.interp(time[inside] + delay, time, raw)
@@ -173,68 +187,113 @@ class Calibrated:
     """Carry a calibrated revolution, arrays of (samples,).
 
     angle_rad: crank angle of each sample, from the whole counts. time_s: device time since the
-    sample with index 0. Forces in N in the crank frame, probes in um in the follower frame.
+    sample with index 0. curves: the channels with a value at each sample, by name and in the order
+    of ``ChannelTable.curves``, in their own units and frames.
     """
 
-    angle_rad: NDArray[np.float64]
-    time_s: NDArray[np.float64]
-    force_1: NDArray[np.float64]
-    force_2: NDArray[np.float64]
-    force: NDArray[np.float64]
-    probe_1: NDArray[np.float64]
-    probe_2: NDArray[np.float64]
+    angle_rad: Array
+    time_s: Array
+    curves: Mapping[str, Array]
+
+    def __getitem__(self, channel: str) -> Array:
+        """Return the values of a channel."""
+        return self.curves[channel]
 
 
 def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
     """Return the revolution in engineering units."""
     values = calibration.engineering(shifted(revolution, calibration))
-    if calibration.correction is not None:
-        values[2:] = calibration.correction.apply(revolution.counts, values[2:])
+    if calibration.probes.correction is not None:
+        pair = calibration.place(PROBES)
+        values[pair] = calibration.probes.correction.apply(revolution.counts, values[pair])
+    found = dict(zip(calibration.names, values, strict=True))
+    found["force"] = np.hypot(*(found[name] for name in calibration.table.names_of(LOAD_CELL)))
     turn = calibration.encoder.counts_per_revolution
     return Calibrated(
         angle_rad=np.asarray(
             calibration.index_angle_rad + revolution.counts * (2 * math.pi / turn), np.float64
         ),
         time_s=revolution.sample_indices() / revolution.sample_rate_Hz,
-        force_1=values[0],
-        force_2=values[1],
-        force=np.hypot(values[0], values[1]),
-        probe_1=values[2],
-        probe_2=values[3],
+        curves={one.name: found[one.name] for one in calibration.table.curves},
     )
 
 
-def analog_inputs(rig: RigFile) -> tuple[str, str, str, str]:
-    """Return the device's names of the inputs that carry ``ANALOG``."""
-    cell, probes = rig.load_cell, rig.probes
-    return cell.input_1, cell.input_2, probes.input_1, probes.input_2
+class Measured:
+    """Carry one revolution of a test and its calibration: raw, and calibrated once when asked."""
+
+    __slots__ = ("_calibrated", "calibration", "revolution")
+
+    def __init__(self, revolution: Revolution, calibration: Calibration) -> None:
+        self.revolution = revolution
+        self.calibration = calibration
+        self._calibrated: Calibrated | None = None
+
+    @property
+    def calibrated(self) -> Calibrated:
+        """Return it in engineering units; whoever asks first has it calculated."""
+        found = self._calibrated
+        if found is None:
+            found = self._calibrated = calibrate(self.revolution, self.calibration)
+        return found
+
+    def signals(self) -> dict[str, Array]:
+        """Return the signals (samples,) as the device sent them, by channel, and ``count``."""
+        revolution, kind = self.revolution, self.calibration
+        inside = slice(revolution.before, revolution.before + revolution.samples)
+        raw = revolution.values[:, inside]
+        found = dict(zip(kind.names, kind.signals(raw), strict=True))
+        return {**found, "count": raw[kind.counter.row]}
+
+    def kept(self) -> Measured:
+        """Return it for a while in memory: a copy of the raw samples alone.
+
+        A view would hold the assembler's whole buffer, calibrated values several times the bytes.
+        """
+        revolution = self.revolution
+        if revolution.values.base is not None:
+            revolution = replace(revolution, values=revolution.values.copy())
+        return Measured(revolution, self.calibration)
 
 
 def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
     """Freeze the calibration of a rig file for a device set up so; raise UnusableInput."""
-    names = analog_inputs(rig)
-    keys = ("load_cell.input_1", "load_cell.input_2", "probes.input_1", "probes.input_2")
-    specs = [_spec(setup, name, key) for name, key in zip(names, keys, strict=True)]
+    table = channel_table(rig)
+    keys = {name: key for key, name in input_keys(rig).items()}
+    wires = []
+    for channel in table.sampled:
+        row, spec = _spec(setup, channel.input, keys[channel.input])
+        if not abs(channel.latency_s) <= 0.1:
+            raise UnusableInput(
+                f"rig file: latency_ms of {channel.name} must lie between -100 and 100 ms; correct"
+                " it"
+            )
+        wires.append(Wire(channel, row, spec.unit, spec.scale, spec.offset))
     counter_row, counter = _spec(setup, rig.encoder.input, "encoder.input")
-    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
-    _check_matrix(matrix)
-    bend = _bend(rig, matrix)
-    sensitivity = np.array(rig.probes.sensitivity_um_per_V, np.float64)
-    latency = np.array((*rig.load_cell.latency_ms, *rig.probes.latency_ms), np.float64) / 1e3
-    zero = np.array(rig.load_cell.zero_mV_per_V, np.float64)
-    probe_offset = np.array(rig.probes.offset_V, np.float64)
-    for key, array in (
-        ("load_cell.zero_mV_per_V", zero),
-        ("probes.sensitivity_um_per_V", sensitivity),
-        ("probes.offset_V", probe_offset),
-        ("latency_ms", latency),
-    ):
-        if not np.isfinite(array).all():
-            raise UnusableInput(f"rig file: {key} holds a value that is not a number; correct it")
-    if (sensitivity == 0).any():
-        raise UnusableInput("rig file: probes.sensitivity_um_per_V holds 0; calibrate the probes")
-    if (abs(latency) > 0.1).any():
-        raise UnusableInput("rig file: latency_ms must lie between -100 and 100 ms; correct it")
+    encoder = _encoder(rig, counter)
+    index_angle_rad = math.radians(rig.encoder.index_angle_deg)
+    return Calibration(
+        table=table,
+        wires=tuple(wires),
+        counter=Counter(
+            row=counter_row,
+            scale=counter.scale,
+            offset=counter.offset,
+            clock=setup.clock,
+            pulse_rate=_pulse_rate(rig, setup),
+            fastest_Hz=rig.spindle.maximum_speed_rpm / 60.0 * encoder.counts_per_revolution,
+        ),
+        encoder=encoder,
+        index_angle_rad=index_angle_rad,
+        sample_rate_Hz=setup.sample_rate_Hz,
+        load_cell=_load_cell(rig),
+        probes=_probes(rig, encoder.counts_per_revolution, index_angle_rad),
+        scalars={
+            one.name: _scalar(rig, one.name) for one in table.free if one.kind is Kind.SAMPLED
+        },
+    )
+
+
+def _encoder(rig: RigFile, counter: ChannelSpec) -> EncoderSetup:
     lines = 4 if rig.encoder.quadrature == "before" else 1
     modulus = 0
     if counter.minimum is not None and counter.maximum is not None:
@@ -242,36 +301,50 @@ def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
     turn = rig.encoder.counts_per_revolution * lines
     if rig.encoder.restarts_at_index and modulus <= 2 * turn:
         modulus = 0
-    return Calibration(
-        rows=(specs[0][0], specs[1][0], specs[2][0], specs[3][0]),
-        counter_row=counter_row,
-        encoder=EncoderSetup(
-            counts_per_revolution=turn,
-            direction=rig.encoder.direction,
-            restarts_at_index=rig.encoder.restarts_at_index,
-            modulus=modulus,
-        ),
-        index_angle_rad=math.radians(rig.encoder.index_angle_deg),
-        sample_rate_Hz=setup.sample_rate_Hz,
-        scale=np.array([spec.scale for _, spec in specs]),
-        offset=np.array([spec.offset for _, spec in specs]),
-        matrix=matrix,
-        bend=bend,
-        zero=zero,
-        sensitivity=sensitivity,
-        probe_offset=probe_offset,
-        latency_s=latency,
-        units=(specs[0][1].unit, specs[1][1].unit, specs[2][1].unit, specs[3][1].unit),
-        counter_scale=counter.scale,
-        counter_offset=counter.offset,
-        names=(rig.load_cell.calibration, rig.probes.calibration_name),
-        clock=setup.clock,
-        pulse_rate=_pulse_rate(rig, setup),
-        fastest_Hz=rig.spindle.maximum_speed_rpm / 60.0 * turn,
-        correction=probe_correction(rig.probes, turn, math.radians(rig.encoder.index_angle_deg)),
-        probe_uncertainty_um=rig.probes.uncertainty_um,
-        ranges=np.repeat((rig.load_cell.range_mV_per_V, rig.probes.range_V), 2),
+    return EncoderSetup(
+        counts_per_revolution=turn,
+        direction=rig.encoder.direction,
+        restarts_at_index=rig.encoder.restarts_at_index,
+        modulus=modulus,
     )
+
+
+def _load_cell(rig: RigFile) -> LoadCell:
+    matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
+    _check_matrix(matrix)
+    return LoadCell(
+        matrix=matrix,
+        zero=_numbers("load_cell.zero_mV_per_V", rig.load_cell.zero_mV_per_V),
+        bend=_bend(rig, matrix),
+        record=rig.load_cell.calibration,
+    )
+
+
+def _probes(rig: RigFile, turn: int, index_angle_rad: float) -> ProbePair:
+    sensitivity = _numbers("probes.sensitivity_um_per_V", rig.probes.sensitivity_um_per_V)
+    if (sensitivity == 0).any():
+        raise UnusableInput("rig file: probes.sensitivity_um_per_V holds 0; calibrate the probes")
+    return ProbePair(
+        sensitivity=sensitivity,
+        offset=_numbers("probes.offset_V", rig.probes.offset_V),
+        correction=probe_correction(rig.probes, turn, index_angle_rad),
+        uncertainty_um=rig.probes.uncertainty_um,
+        record=rig.probes.calibration_name,
+    )
+
+
+def _scalar(rig: RigFile, name: str) -> Line:
+    section = rig.channels[name]
+    if not section.table:
+        return Line(section.scale, section.offset_V)
+    return Line(table=np.ascontiguousarray(np.array(section.table, np.float64).T))
+
+
+def _numbers(key: str, values: Sequence[float]) -> Array:
+    found = np.array(values, np.float64)
+    if not np.isfinite(found).all():
+        raise UnusableInput(f"rig file: {key} holds a value that is not a number; correct it")
+    return found
 
 
 def _pulse_rate(rig: RigFile, setup: StreamSetup) -> PulseRate | None:

@@ -1,13 +1,16 @@
 """Reduce a revolution to its statistics: one compiled pass from raw samples to the stored row.
 
-Latency shift, calibration, |F|, extremes, moments and speed are fused, so that the samples are read
-from memory once. Sums run in ``LANES`` independent lanes, which lets the compiler use vector
-instructions without being allowed to reorder floating-point arithmetic (fastmath stays off).
+One kernel for the load cell, whose forces follow from two inputs, one for every other input:
+latency shift, calibration, |F|, extremes and moments are fused, so that the samples are read from
+memory once. Sums run in independent lanes, which lets the compiler use vector instructions without
+being allowed to reorder floating-point arithmetic (fastmath stays off).
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,29 +18,23 @@ from numpy.typing import NDArray
 from model.compiled import njit
 from rigapp.engine.samples.assembler import STANDSTILL_S, Revolution
 from rigapp.engine.values.bend import straighten
-from rigapp.engine.values.calibrate import Calibration, shifted, with_margins
-from rigapp.engine.values.probes import ProbeCorrection
-from rigapp.schema.columns import CHANNELS, STATISTICS, revolution_columns
+from rigapp.engine.values.calibrate import Calibration, Measured, with_margins
+from rigapp.engine.values.table import follow
+from rigapp.schema.channels import LOAD_CELL, STATISTICS
 
 Array = NDArray[np.float64]
-
-HEAD = len(revolution_columns()) - len(CHANNELS) * len(STATISTICS)
-"""Columns of a row before the first statistic of a channel."""
-
-NAMES = tuple(column.name for column in revolution_columns())
-PLACE = {name: place for place, name in enumerate(NAMES)}
-"""Column name -> place in a row."""
-
-PROBE_STATISTICS = CHANNELS.index("probe_1") * len(STATISTICS)
-"""Place of the first probe's statistics among all."""
 
 SPEED_WINDOWS = 36
 """Local speed is the slope of a straight line fitted to this part of a revolution."""
 
-_SIGNATURE = (
-    "void({0}[::1], {0}[::1], {0}[::1], {0}[::1], int64[::1], float64[::1], float64[:, ::1],"
-    " float64[::1], float64[:, ::1], int64[::1], int64[:, ::1], float64[:, ::1], float64[::1],"
+_FORCES = (
+    "void({0}[::1], {0}[::1], int64[::1], float64[::1], float64[:, ::1], float64[::1],"
+    " float64[:, ::1], int64[::1], int64[:, ::1], float64[:, ::1], int64, float64[::1],"
     " float64[::1])"
+)
+_SINGLE = (
+    "void({0}[::1], int64, float64, float64, float64, float64[:, ::1], int64[::1], float64[::1],"
+    " int64, float64[::1])"
 )
 
 
@@ -86,72 +83,6 @@ def _extremes_and_moments(x: Array, n: int, counts: NDArray[np.int64], out: Arra
     out[4] = counts[place]
 
 
-def _reduce(
-    raw_1: Array,
-    raw_2: Array,
-    raw_3: Array,
-    raw_4: Array,
-    start: NDArray[np.int64],
-    part: Array,
-    gain: Array,
-    bias: Array,
-    bend: Array,
-    counts: NDArray[np.int64],
-    segments: NDArray[np.int64],
-    scratch: Array,
-    speed: Array,
-    out: Array,
-) -> None:
-    n = counts.shape[0]
-    g11, g12, g21, g22 = gain[0, 0], gain[0, 1], gain[1, 0], gain[1, 1]
-    c1, c2 = bias[0], bias[1]
-    first, second, total = scratch[0], scratch[1], scratch[2]
-    p1, p2 = part[0], part[1]
-    a, b = raw_1[start[0] :], raw_2[start[1] :]
-    if p1 == 0.0 and p2 == 0.0:
-        for i in range(n):
-            u, v = float(a[i]), float(b[i])
-            x = g11 * u + g12 * v + c1
-            y = g21 * u + g22 * v + c2
-            first[i] = x
-            second[i] = y
-            total[i] = math.sqrt(x * x + y * y)
-    else:
-        w1, w2 = 1.0 - p1, 1.0 - p2
-        e1, e2 = 1 if p1 > 0 else 0, 1 if p2 > 0 else 0
-        a_next, b_next = raw_1[start[0] + e1 :], raw_2[start[1] + e2 :]
-        for i in range(n):
-            u = w1 * a[i] + p1 * a_next[i]
-            v = w2 * b[i] + p2 * b_next[i]
-            x = g11 * u + g12 * v + c1
-            y = g21 * u + g22 * v + c2
-            first[i] = x
-            second[i] = y
-            total[i] = math.sqrt(x * x + y * y)
-    curved = False
-    for j in range(3):
-        curved = curved or bend[0, j] != 0.0 or bend[1, j] != 0.0
-    if curved:
-        straighten(first, second, total, n, bend)
-    _extremes_and_moments(first, n, counts, out[0:5])
-    _extremes_and_moments(second, n, counts, out[5:10])
-    _extremes_and_moments(total, n, counts, out[10:15])
-    for k in range(2):
-        raw = raw_3 if k == 0 else raw_4
-        g, c, p = gain[2 + k, 2 + k], bias[2 + k], part[2 + k]
-        a = raw[start[2 + k] :]
-        if p == 0.0:
-            for i in range(n):
-                first[i] = g * a[i] + c
-        else:
-            w = 1.0 - p
-            a_next = raw[start[2 + k] + 1 :]
-            for i in range(n):
-                first[i] = g * (w * a[i] + p * a_next[i]) + c
-        _extremes_and_moments(first, n, counts, out[15 + 5 * k : 20 + 5 * k])
-    _local_speed(counts, segments, speed)
-
-
 @njit("void(int64[::1], int64[:, ::1], float64[::1])", cache=True, nogil=True)
 def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Array) -> None:
     """Write max, min and RMS of the local slope in counts per sample to out[:3].
@@ -188,94 +119,226 @@ def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Ar
     out[2] = math.sqrt(squares / weight)
 
 
-_reduce_kernel = njit(
-    [_SIGNATURE.format("float32"), _SIGNATURE.format("int32")], cache=True, nogil=True
-)(_reduce)
+def _forces(
+    raw_1: Array,
+    raw_2: Array,
+    start: NDArray[np.int64],
+    part: Array,
+    gain: Array,
+    bias: Array,
+    bend: Array,
+    counts: NDArray[np.int64],
+    segments: NDArray[np.int64],
+    scratch: Array,
+    place: int,
+    row: Array,
+    speed: Array,
+) -> None:
+    """Write the statistics of both forces and of their size from row[place] on, and the speed."""
+    n = counts.shape[0]
+    g11, g12, g21, g22 = gain[0, 0], gain[0, 1], gain[1, 0], gain[1, 1]
+    c1, c2 = bias[0], bias[1]
+    first, second, total = scratch[0], scratch[1], scratch[2]
+    p1, p2 = part[0], part[1]
+    a, b = raw_1[start[0] :], raw_2[start[1] :]
+    if p1 == 0.0 and p2 == 0.0:
+        for i in range(n):
+            u, v = float(a[i]), float(b[i])
+            x = g11 * u + g12 * v + c1
+            y = g21 * u + g22 * v + c2
+            first[i] = x
+            second[i] = y
+            total[i] = math.sqrt(x * x + y * y)
+    else:
+        w1, w2 = 1.0 - p1, 1.0 - p2
+        e1, e2 = 1 if p1 > 0 else 0, 1 if p2 > 0 else 0
+        a_next, b_next = raw_1[start[0] + e1 :], raw_2[start[1] + e2 :]
+        for i in range(n):
+            u = w1 * a[i] + p1 * a_next[i]
+            v = w2 * b[i] + p2 * b_next[i]
+            x = g11 * u + g12 * v + c1
+            y = g21 * u + g22 * v + c2
+            first[i] = x
+            second[i] = y
+            total[i] = math.sqrt(x * x + y * y)
+    curved = False
+    for j in range(3):
+        curved = curved or bend[0, j] != 0.0 or bend[1, j] != 0.0
+    if curved:
+        straighten(first, second, total, n, bend)
+    _extremes_and_moments(first, n, counts, row[place : place + 5])
+    _extremes_and_moments(second, n, counts, row[place + 5 : place + 10])
+    _extremes_and_moments(total, n, counts, row[place + 10 : place + 15])
+    _local_speed(counts, segments, speed)
+
+
+def _single(
+    raw: Array,
+    start: int,
+    part: float,
+    gain: float,
+    bias: float,
+    table: Array,
+    counts: NDArray[np.int64],
+    scratch: Array,
+    place: int,
+    row: Array,
+) -> None:
+    """Write the statistics of a channel that follows from one input from row[place] on."""
+    n = counts.shape[0]
+    a = raw[start:]
+    if part == 0.0:
+        for i in range(n):
+            scratch[i] = gain * a[i] + bias
+    else:
+        rest = 1.0 - part
+        following = raw[start + 1 :]
+        for i in range(n):
+            scratch[i] = gain * (rest * a[i] + part * following[i]) + bias
+    follow(scratch, n, table)
+    _extremes_and_moments(scratch, n, counts, row[place : place + 5])
+
+
+def _compiled(kernel: Callable[..., None], signature: str) -> Callable[..., None]:
+    kinds = [signature.format(kind) for kind in ("float32", "int32")]
+    compiled: Callable[..., None] = njit(kinds, cache=True, nogil=True)(kernel)
+    return compiled
+
+
+_forces_kernel = _compiled(_forces, _FORCES)
+_single_kernel = _compiled(_single, _SINGLE)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Single:
+    """How one input becomes the statistics of its channel; place: of the first in a row."""
+
+    row: int
+    whole: int
+    part: float
+    gain: float
+    bias: float
+    table: Array
+    place: int
 
 
 class Reducer:
-    """Turn revolutions into rows in the order of ``revolution_columns()``; one thread calls it."""
+    """Turn revolutions into rows in the order of the calibration's table; one thread calls it."""
 
     def __init__(self, calibration: Calibration) -> None:
+        table = calibration.table
         self.calibration = calibration
-        self._gain, self._bias = calibration.gains()
+        self.table = table
         self._whole, self._part = calibration.shift
         self._margins = calibration.margins
         self._scratch = np.empty((3, 8192))
-        self._statistics = np.empty(len(CHANNELS) * len(STATISTICS))
         self._speed = np.empty(3)
         self._turn = calibration.encoder.counts_per_revolution
-        self._deg_per_count = 360.0 / calibration.encoder.counts_per_revolution
-        self._rpm_per_slope = (
-            60.0 * calibration.sample_rate_Hz / calibration.encoder.counts_per_revolution
+        self._deg_per_count = 360.0 / self._turn
+        self._index_deg = math.degrees(calibration.index_angle_rad)
+        self._rpm_per_slope = 60.0 * calibration.sample_rate_Hz / self._turn
+        pair = calibration.place(LOAD_CELL)
+        self._pair = [calibration.rows[i] for i in pair]
+        self._pair_whole, self._pair_part = self._whole[pair], self._part[pair]
+        self._gain, self._bias = calibration.force_gain()
+        self._first = table.place[f"{table.curves[0].name}_max"]
+        self._after = self._first + len(STATISTICS) * len(table.curves)
+        self._singles = [
+            _Single(
+                wire.row,
+                int(self._whole[i]),
+                float(self._part[i]),
+                *line.linear(wire),
+                line.table,
+                table.place[f"{wire.channel.name}_max"],
+            )
+            for i, wire in enumerate(calibration.wires)
+            if (line := calibration.lines.get(wire.channel.name)) is not None
+        ]
+        place = table.place
+        self._samples, self._lost, self._quality = (
+            place[name] for name in ("samples", "lost_samples", "quality")
         )
+        self._mean_speed = place["speed"]
+        self._speeds = slice(place["speed_max"], place["speed_rms"] + 1)
+        self._angles = slice(
+            self._first + STATISTICS.index("angle_of_max"), self._after, len(STATISTICS)
+        )
+        self._unknown = np.full(len(table.names), np.nan)
 
-    def reduce(self, revolution: Revolution) -> Array:
+    def reduce(self, measured: Measured) -> Array:
         """Return the row of a revolution: statistics filled in, the head but for the speed not.
 
-        The caller writes revolution, time and host_time.
+        The caller writes revolution, time, host_time and what is slow.
         """
+        revolution = measured.revolution
         n = revolution.samples
-        row = np.full(len(NAMES), np.nan)
-        row[PLACE["samples"]] = n
-        row[PLACE["lost_samples"]] = revolution.lost_samples
-        row[PLACE["quality"]] = int(revolution.flags)
+        row = self._unknown.copy()
+        row[self._samples] = n
+        row[self._lost] = revolution.lost_samples
+        row[self._quality] = int(revolution.flags)
         if n == 0:
             return row
-        if n > self._scratch.shape[1]:
-            self._scratch = np.empty((3, 2 * n))
-        rows, part = self.calibration.rows, self._part
-        if revolution.ticks is None:
-            values, before = with_margins(revolution, self._margins)
-            start = self._whole + before
+        if revolution.ticks is None and self.calibration.probes.correction is None:
+            self._from_raw(revolution, row)
         else:
-            # Shifted by time already; 16 bits and 24 bits are exact in a float32.
-            values = shifted(revolution, self.calibration).astype(np.float32)
-            rows, start, part = (0, 1, 2, 3), np.zeros(4, np.int64), np.zeros(4)
-        _reduce_kernel(
-            values[rows[0]],
-            values[rows[1]],
-            values[rows[2]],
-            values[rows[3]],
-            start,
-            part,
-            self._gain,
-            self._bias,
-            self.calibration.bend,
-            revolution.counts,
-            revolution.segments,
-            self._scratch,
-            self._speed,
-            self._statistics,
-        )
-        if self.calibration.correction is not None:
-            self._correct_probes(revolution, self.calibration.correction)
-        statistics = self._statistics
-        index_deg = math.degrees(self.calibration.index_angle_rad)
-        statistics[4::5] = (statistics[4::5] * self._deg_per_count + index_deg) % 360.0
-        row[HEAD:] = statistics
+            self._from_calibrated(measured, row)
+        row[self._angles] = (row[self._angles] * self._deg_per_count + self._index_deg) % 360.0
         turned = revolution.end_count - int(revolution.counts[0])
         elapsed = revolution.end_sample - revolution.first_sample - revolution.idle_samples
         rpm_per_slope = self._rpm_per_slope
         if revolution.ticks is not None:
             self._speed[:] = _speed_by_time(revolution)
             rpm_per_slope = 60.0 * revolution.sample_rate_Hz / self._turn
-        row[PLACE["speed"]] = turned / max(elapsed, 1) * rpm_per_slope
-        row[PLACE["speed_max"]] = self._speed[0] * rpm_per_slope
-        row[PLACE["speed_min"]] = self._speed[1] * rpm_per_slope
-        row[PLACE["speed_rms"]] = self._speed[2] * rpm_per_slope
+        row[self._mean_speed] = turned / max(elapsed, 1) * rpm_per_slope
+        row[self._speeds] = self._speed * rpm_per_slope
         return row
 
-    def _correct_probes(self, revolution: Revolution, correction: ProbeCorrection) -> None:
-        """Replace the probes' statistics by those of the corrected pair."""
-        raw = shifted(revolution, self.calibration)[2:]
-        gain = np.diag(self._gain)[2:, None]
-        pair = correction.apply(revolution.counts, gain * raw + self._bias[2:, None])
-        first = PROBE_STATISTICS
-        for place, values in zip((first, first + len(STATISTICS)), pair, strict=True):
-            out = self._statistics[place : place + len(STATISTICS)]
-            row = np.ascontiguousarray(values)
-            _extremes_and_moments(row, revolution.samples, revolution.counts, out)
+    def _from_raw(self, revolution: Revolution, row: Array) -> None:
+        """Fill in the statistics in one pass from the raw samples, latency and all."""
+        n = revolution.samples
+        if n > self._scratch.shape[1]:
+            self._scratch = np.empty((3, 2 * n))
+        values, before = with_margins(revolution, self._margins)
+        counts, scratch, first = revolution.counts, self._scratch, self._scratch[0]
+        _forces_kernel(
+            values[self._pair[0]],
+            values[self._pair[1]],
+            self._pair_whole + before,
+            self._pair_part,
+            self._gain,
+            self._bias,
+            self.calibration.load_cell.bend,
+            counts,
+            revolution.segments,
+            scratch,
+            self._first,
+            row,
+            self._speed,
+        )
+        for one in self._singles:
+            _single_kernel(
+                values[one.row],
+                before + one.whole,
+                one.part,
+                one.gain,
+                one.bias,
+                one.table,
+                counts,
+                first,
+                one.place,
+                row,
+            )
+
+    def _from_calibrated(self, measured: Measured, row: Array) -> None:
+        """Fill in the statistics of samples at no fixed times, or of corrected probes."""
+        revolution, values = measured.revolution, measured.calibrated
+        _local_speed(revolution.counts, revolution.segments, self._speed)
+        for one in self.table.curves:
+            place = self.table.place[f"{one.name}_max"]
+            curve = np.ascontiguousarray(values[one.name])
+            out = row[place : place + len(STATISTICS)]
+            _extremes_and_moments(curve, revolution.samples, revolution.counts, out)
 
 
 def _speed_by_time(revolution: Revolution) -> tuple[float, float, float]:

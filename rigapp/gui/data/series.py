@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import OrderedDict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from rigapp.gui.data.profiles import ShownProfile, shown_profile
 from rigapp.gui.data.pyramid import GrowingArray, Pyramid
-from rigapp.schema.columns import PREDICTED_CURVES, prediction_columns, revolution_columns
+from rigapp.schema.channels import BASE
+from rigapp.schema.columns import PREDICTED_CURVES, prediction_columns
 from rigapp.schema.messages import Cycle, Prediction, Snapshot, as_array
 
 Floats = NDArray[np.float64]
@@ -51,6 +52,16 @@ class SeriesTable:
         """Return one series; raise KeyError for an unknown name."""
         return self._series[name]
 
+    def know(self, columns: Sequence[str]) -> None:
+        """Take note of what a row holds from now on; a column that is new was not known before."""
+        if tuple(columns) == self._columns:
+            return
+        self._columns = tuple(columns)
+        for name in self._columns:
+            if name not in self._series and name not in NOT_DRAWN:
+                self._series[name] = Pyramid(len(self._x) + 1)
+                self._series[name].extend(np.full(len(self._x), np.nan, dtype=np.float32))
+
     def extend(self, rows: Floats) -> None:
         """Append rows (n, columns) in column order; rows not newer than the last are left out."""
         if len(rows) == 0:
@@ -67,6 +78,7 @@ class SeriesTable:
 
     def load(self, columns: Mapping[str, NDArray[np.generic]]) -> None:
         """Append whole columns, as a file holds them; a missing column stays unknown (NaN)."""
+        self.know((*self._columns, *(name for name in columns if name not in self._columns)))
         revolutions = np.asarray(columns["revolution"], dtype=np.float64)
         self._x.write(len(self._x), revolutions)
         for name, series in self._series.items():
@@ -120,12 +132,8 @@ class PredictedCycle:
 
 def measured_cycle(message: Cycle) -> MeasuredCycle:
     """Unpack a cycle message (views, no copy)."""
-    names = ("force_1", "force_2", "force", "probe_1", "probe_2")
-    return MeasuredCycle(
-        message.revolution,
-        as_array(message.angle_deg),
-        {name: as_array(getattr(message, name)) for name in names},
-    )
+    curves = {name: as_array(curve) for name, curve in message.curves.items()}
+    return MeasuredCycle(message.revolution, as_array(message.angle_deg), curves)
 
 
 def predicted_cycle(message: Prediction) -> PredictedCycle:
@@ -142,7 +150,7 @@ class LiveData:
 
     def __init__(self, planned: int = 0) -> None:
         capacity = max(1 << 16, planned + 1024)
-        self.rows = SeriesTable(tuple(column.name for column in revolution_columns()), capacity)
+        self.rows = SeriesTable(BASE.names, capacity)
         self.predictions = SeriesTable(
             tuple(column.name for column in prediction_columns()), capacity
         )
@@ -159,8 +167,9 @@ class LiveData:
         ``missing_from`` becomes the number of the first row that was never seen when rows are
         missing between the last snapshot and this one; the file has them.
         """
-        rows = _matrix(snapshot.rows, len(revolution_columns()))
+        rows = _matrix(snapshot.rows, len(snapshot.columns))
         if len(rows):
+            self.rows.know(tuple(snapshot.columns))
             expected = self._next_row if self._next_row is not None else 0
             if snapshot.first_row > expected and self.missing_from is None:
                 self.missing_from = expected

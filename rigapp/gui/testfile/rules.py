@@ -20,8 +20,9 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.config.recipe import Action
-from rigapp.config.rules import BOUNDS, QUANTITIES
+from rigapp.config.rules import BOUNDS, quantities
 from rigapp.gui.testfile.fields import show_value
+from rigapp.schema.channels import BASE
 
 LEVELS = tuple(reversed(BOUNDS))
 COLUMNS = ("quantity", *LEVELS, "hysteresis", "delay_revolutions", "action_critical")
@@ -116,7 +117,7 @@ class RuleTable(QGroupBox):
         row = self.table.rowCount()
         self.table.insertRow(row)
         quantity = self._choice(
-            tuple(QUANTITIES), rule.pop("quantity", "force_max"), row, "Quantity"
+            tuple(quantities(BASE)), rule.pop("quantity", "force_max"), row, "Quantity"
         )
         actions = typing.get_args(Action)
         action = self._choice(actions, rule.pop("action_critical", "stop"), row, "Action")

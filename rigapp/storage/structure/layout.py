@@ -13,17 +13,15 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from rigapp.schema.channels import BASE, Channel, ChannelTable, Column
 from rigapp.schema.columns import (
     PREDICTED_CURVES,
     PREDICTION_POINTS,
     PROFILE_ANGLES_DEG,
     PROFILE_CURVES,
     PROFILES_PER_DECADE,
-    Column,
-    cycle_columns,
     prediction_columns,
     profile_columns,
-    revolution_columns,
 )
 
 SCHEMA = 1
@@ -108,6 +106,7 @@ class FilePlan:
 
     revolutions: rows of statistics. cycles: whole cycles kept. samples_per_cycle: samples expected
     in one of them at the test's speed. events: rows of the log. prediction: whether a twin runs.
+    channels: what is measured; files of before have those of every rig.
     cycle_reason: whether each cycle says why it is kept, and its quality. event_details: whether
     events carry key, level and data. unfinished_samples:
     samples reserved for revolutions cut off by the end of a test; 0 keeps none. profiles: worn
@@ -120,8 +119,9 @@ class FilePlan:
     events: int = 8192
     prediction: bool = True
     first_revolution: int = 1
-    revolution_columns: tuple[Column, ...] = field(default_factory=revolution_columns)
-    cycle_columns: tuple[Column, ...] = field(default_factory=cycle_columns)
+    channels: tuple[Channel, ...] = BASE.channels
+    revolution_columns: tuple[Column, ...] = BASE.revolution_columns
+    cycle_columns: tuple[Column, ...] = BASE.cycle_columns
     prediction_columns: tuple[Column, ...] = field(default_factory=prediction_columns)
     prediction_points: int = PREDICTION_POINTS
     predicted_curves: tuple[str, ...] = PREDICTED_CURVES
@@ -129,6 +129,11 @@ class FilePlan:
     event_details: bool = False
     unfinished_samples: int = 0
     profiles: int = 0
+
+    @property
+    def table(self) -> ChannelTable:
+        """Return the channels of the file."""
+        return ChannelTable(self.channels)
 
 
 _EVENT_FIELDS = (

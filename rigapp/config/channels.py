@@ -1,0 +1,159 @@
+"""The channel table of a rig file, and what is wrong with its ``[channels.NAME]``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import pairwise
+
+from rigapp.config.ranges import unit_of
+from rigapp.config.rig import ChannelSection, RigFile
+from rigapp.config.rules import NAME
+from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind, taken_names
+from rigapp.schema.columns import prediction_columns
+
+LONGEST_NAME = 40
+"""Characters of a channel's name: its columns stay readable as headings."""
+
+RESERVED = frozenset(
+    {"revolution", "first", "count", "quality", "why", "committed", "deviation", "crank_angle"}
+)
+"""Names beside the columns that files and screens use for themselves."""
+
+_OF_INPUT = ("device", "input", "scale", "offset_V", "table", "range_V", "latency_ms")
+"""Keys that mean nothing for a channel with a ``source``."""
+
+
+def channel_table(rig: RigFile) -> ChannelTable:
+    """Return the channels of a rig in their order: ``BASE``, free sampled ones, slow ones."""
+    cell, probes = rig.load_cell, rig.probes
+    wired: dict[str, Channel] = {"force": BASE["force"]}
+    for axis in (1, 2):
+        wired[f"force_{axis}"] = replace(
+            BASE[f"force_{axis}"],
+            device=cell.device,
+            input=getattr(cell, f"input_{axis}"),
+            signal_range=cell.range_mV_per_V,
+            latency_s=1e-3 * cell.latency_ms[axis - 1],
+        )
+        wired[f"probe_{axis}"] = replace(
+            BASE[f"probe_{axis}"],
+            device=probes.device,
+            input=getattr(probes, f"input_{axis}"),
+            signal_range=probes.range_V,
+            latency_s=1e-3 * probes.latency_ms[axis - 1],
+        )
+    base = tuple(wired[one.name] for one in BASE.channels)
+    free = [_channel(name, section) for name, section in rig.channels.items()]
+    return ChannelTable((*base, *sorted(free, key=lambda one: one.kind is Kind.SLOW)))
+
+
+def _channel(name: str, section: ChannelSection) -> Channel:
+    words = name.replace("_", " ")
+    if not section.source:
+        return Channel(
+            name,
+            section.unit,
+            words,
+            device=section.device,
+            input=section.input,
+            signal_range=section.range_V,
+            latency_s=1e-3 * section.latency_ms,
+        )
+    device, quantity = section.slow_source
+    unit = unit_of(f"_{quantity}")
+    sentence = f"{words}, {quantity} of {device}"
+    return Channel(name, section.unit or unit, sentence, Kind.SLOW, "", "", device, quantity, unit)
+
+
+def input_keys(rig: RigFile) -> dict[str, str]:
+    """Return key -> name of every input of the data source that a rig file names."""
+    found = {
+        "encoder.input": rig.encoder.input,
+        "load_cell.input_1": rig.load_cell.input_1,
+        "load_cell.input_2": rig.load_cell.input_2,
+        "probes.input_1": rig.probes.input_1,
+        "probes.input_2": rig.probes.input_2,
+    }
+    for name, section in rig.channels.items():
+        if not section.source:
+            found[f"channels.{name}.input"] = section.input
+    return found
+
+
+def channel_faults(rig: RigFile) -> Iterator[str]:
+    """Yield what is wrong with the free channels, each with its key."""
+    known = {one.name for one in prediction_columns()} | RESERVED
+    taken = dict.fromkeys(known | taken_names(BASE.channels), "has it already")
+    taken |= dict.fromkeys((one.name for one in BASE.channels), "is a channel of every rig")
+    for name, section in rig.channels.items():
+        key = f"channels.{name}"
+        wrong = _of_name(name, key, section, taken)
+        yield from [wrong] if wrong else _of_section(rig, key, section)
+        taken |= dict.fromkeys((name, *taken_names([_channel(name, section)])), f"is of {key}")
+
+
+def _of_name(name: str, key: str, section: ChannelSection, taken: Mapping[str, str]) -> str:
+    if not NAME.fullmatch(name) or len(name) > LONGEST_NAME:
+        return (
+            f"{key} is no name for a channel; write at most {LONGEST_NAME} lower-case letters,"
+            " digits and _, a letter first, for example bushing_temperature"
+        )
+    own = {one.name for one in _channel(name, section).columns} | {name, f"raw_{name}"}
+    clash = sorted(own & taken.keys(), key=lambda one: (one != name, one))
+    if not clash:
+        return ""
+    return f"{key} cannot be called so: its column {clash[0]!r} exists; choose another name"
+
+
+def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str]:
+    if section.source:
+        given = [one for one in _OF_INPUT if getattr(section, one) != getattr(_PLAIN, one)]
+        if given:
+            yield (
+                f"{key}.{given[0]} means nothing beside {key}.source; take one of them out, a"
+                " channel is either an input or a source"
+            )
+        yield from _of_source(rig, key, section)
+        return
+    source = rig.encoder.device
+    for name, example in (("device", source), ("input", "analog_5"), ("unit", "degC")):
+        if not getattr(section, name).strip():
+            yield f'{key}.{name} is missing; write {name} = "{example}" or the like'
+    if section.device != source:
+        yield (
+            f"{key}.device = {section.device!r} must be {source!r}, the device of the encoder:"
+            " inputs are sampled together with the crank angle; what another device tells comes"
+            f' with {key}.source = "DEVICE.QUANTITY"'
+        )
+    if section.table and (section.scale, section.offset_V) != (_PLAIN.scale, _PLAIN.offset_V):
+        yield f"{key}.table stands beside scale or offset_V; keep either the table or these"
+    elif not section.table and section.scale == 0.0:
+        yield f"{key}.scale = 0 makes the same value of every voltage; write the unit per V"
+    if len(section.table) == 1:
+        yield f"{key}.table has one point; give two or more as [[voltage in V, value], ...]"
+    for place, ((low, one), (high, other)) in enumerate(pairwise(section.table), 2):
+        if high <= low:
+            yield f"{key}.table {place}: voltage {high:g} V is not above {low:g} V before; sort it"
+        elif one == other:
+            yield f"{key}.table {place}: value {other:g} is that of the row before; take one out"
+    rising = [two[1] > one[1] for one, two in pairwise(section.table)]
+    if any(rising) and not all(rising):
+        yield f"{key}.table rises and falls; a voltage must mean one value and a value one voltage"
+
+
+def _of_source(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str]:
+    device, quantity = section.slow_source
+    if not (device and quantity):
+        yield f'{key}.source = {section.source!r} is not readable; write "DEVICE.QUANTITY"'
+    elif device not in rig.devices:
+        known = ", ".join(rig.devices) or "none"
+        yield f"{key}.source = {section.source!r}: {device} is not among the devices ({known})"
+    elif device == rig.encoder.device:
+        yield (
+            f"{key}.source = {section.source!r}: {device} is the data source; give {key}.device"
+            f" and {key}.input for one of its inputs"
+        )
+
+
+_PLAIN = ChannelSection()

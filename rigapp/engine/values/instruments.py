@@ -1,0 +1,109 @@
+"""The instruments of a rig, each with the numbers that make N, um ... of its own signals.
+
+A signal is what the data source says of one input: signal = scale raw + offset, in mV/V or V.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from drivers.api import SampleClock
+from rigapp.engine.samples.sampleclock import PulseRate
+from rigapp.engine.values.probes import ProbeCorrection
+from rigapp.schema.channels import Channel
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Wire:
+    """One input as the Blocks carry it: the channel, its row, and signal = scale raw + offset.
+
+    unit: of the signal, as the device tells it.
+    """
+
+    channel: Channel
+    row: int
+    unit: str
+    scale: float = 1.0
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Counter:
+    """The row of the crank encoder's count, and what makes the device sample.
+
+    clock: with the encoder's, pulse_rate tells where the rate of its pulses is recorded, fastest_Hz
+    how many there can be a second.
+    """
+
+    row: int
+    scale: float = 1.0
+    offset: float = 0.0
+    clock: SampleClock = SampleClock.TIME
+    pulse_rate: PulseRate | None = None
+    fastest_Hz: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoadCell:
+    """Two bridges in the pin: the joint force F follows from both signals at once.
+
+    With the linear force G = - matrix (signal - zero - tare) it is G + bend (F1^2, F1 F2, F2^2).
+    matrix: (2, 2) N per signal unit. zero: (2,) signal units; tare: (2,) found with the pin
+    unloaded. bend: (2, 3) 1/N, see ``bend``. record: name of the calibration record, empty without.
+    """
+
+    matrix: Array
+    zero: Array = field(default_factory=lambda: np.zeros(2))
+    tare: Array = field(default_factory=lambda: np.zeros(2))
+    bend: Array = field(default_factory=lambda: np.zeros((2, 3)))
+    record: str = ""
+
+    def linear(self, first: Wire, second: Wire) -> tuple[Array, Array]:
+        """Return gain (2, 2) and bias (2,) of the linear joint force, N = gain raw + bias."""
+        scale, offset = (
+            np.array([getattr(one, name) for one in (first, second)])
+            for name in ("scale", "offset")
+        )
+        return -self.matrix * scale, -self.matrix @ (offset - self.zero - self.tare)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Line:
+    """What one input means: value = slope (signal - zero), or a table's value at the signal.
+
+    table: (2, points), rising signals (V) and their values, linear between them and beyond both
+    ends; empty without one.
+    """
+
+    slope: float = 1.0
+    zero: float = 0.0
+    table: Array = field(default_factory=lambda: np.empty((2, 0)))
+
+    def linear(self, wire: Wire) -> tuple[float, float]:
+        """Return gain and bias of what the table is applied to, = gain raw + bias."""
+        return self.slope * wire.scale, self.slope * (wire.offset - self.zero)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ProbePair:
+    """Two probes: each has its line, together they have run-out map and alignment.
+
+    sensitivity: (2,) um/V. offset: (2,) V. uncertainty_um: expanded, of one position. record: name
+    of the calibration record, empty without.
+    """
+
+    sensitivity: Array
+    offset: Array = field(default_factory=lambda: np.zeros(2))
+    correction: ProbeCorrection | None = None
+    uncertainty_um: tuple[float, float] | None = None
+    record: str = ""
+
+    def lines(self) -> tuple[Line, ...]:
+        """Return what each of the two inputs means, um."""
+        pairs = zip(self.sensitivity.tolist(), self.offset.tolist(), strict=True)
+        return tuple(Line(slope, zero) for slope, zero in pairs)
