@@ -19,8 +19,10 @@ Result = TypeVar("Result")
 def asked_to_end() -> Iterator[list[str]]:
     """Collect the names of the signals that ask for an end: Ctrl-C, kill, a closed terminal.
 
-    Must be entered in the main thread. A hang-up that is ignored (nohup) stays so.
+    Must be entered in the main thread. A hang-up that is ignored (nohup) stays so. Raises
+    KeyboardInterrupt when one came before (``ending_as_interrupt``) and got lost on its way.
     """
+    _end_if_heard(signal.getsignal(signal.SIGINT))
     names: list[str] = []
 
     def note(number: int, frame: FrameType | None) -> None:
@@ -34,22 +36,44 @@ def asked_to_end() -> Iterator[list[str]]:
             signal.signal(number, handler)
 
 
+class Interrupting:
+    """Raise KeyboardInterrupt at a signal, and remember it: what is being loaded may swallow it.
+
+    An extension module that looks for an optional part clears whatever came up meanwhile.
+    """
+
+    def __init__(self) -> None:
+        self.heard = False
+
+    def __call__(self, number: int, frame: FrameType | None) -> NoReturn:
+        """Handle a signal."""
+        self.heard = True
+        raise KeyboardInterrupt
+
+
 @contextmanager
 def ending_as_interrupt() -> Iterator[None]:
-    """Let kill and a closed terminal raise KeyboardInterrupt as Ctrl-C does, so that all is closed.
+    """Let Ctrl-C, kill and a closed terminal raise KeyboardInterrupt, so that all is closed.
 
-    Elsewhere than in the main thread it does nothing.
+    Where it is lost on its way it is raised at the end. Elsewhere than in the main thread it does
+    nothing.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    numbers = [number for number in _signals() if number != signal.SIGINT]
-    before = {number: signal.signal(number, signal.default_int_handler) for number in numbers}
+    interrupting = Interrupting()
+    before = {number: signal.signal(number, interrupting) for number in _signals()}
     try:
         yield
+        _end_if_heard(interrupting)
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+def _end_if_heard(handler: object) -> None:
+    if isinstance(handler, Interrupting) and handler.heard:
+        raise KeyboardInterrupt
 
 
 class Background(Generic[Result]):

@@ -11,12 +11,13 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 from stories import RIG, Running, recipe, summary, until
 
-from rigapp.process.ending import Background, asked_to_end, finish_in_time
+from rigapp.process.ending import Background, asked_to_end, ending_as_interrupt, finish_in_time
 from rigapp.process.leftovers import process_alive
 from rigapp.schema.messages import RunState
 from rigapp.service import launch
@@ -98,6 +99,29 @@ main()
     assert ended.returncode == 1
     assert ended.stderr == "rigapp: interrupted.\n"
     assert list(runtime_folder().iterdir()) == []
+
+
+@pytest.mark.parametrize("number", [signal.SIGHUP, signal.SIGTERM, signal.SIGINT])
+def test_an_interrupt_that_is_swallowed_while_something_is_loaded_is_not_forgotten(
+    number: signal.Signals,
+) -> None:
+    reached = []
+
+    def load_and_begin() -> None:
+        with suppress(KeyboardInterrupt):
+            signal.raise_signal(number)
+        reached.append("loaded")
+        with asked_to_end():
+            reached.append("begun")
+
+    with pytest.raises(KeyboardInterrupt), ending_as_interrupt():
+        load_and_begin()
+    assert reached == ["loaded"]
+
+
+def test_a_swallowed_interrupt_ends_what_does_not_listen_for_signals() -> None:
+    with pytest.raises(KeyboardInterrupt), ending_as_interrupt(), suppress(KeyboardInterrupt):
+        signal.raise_signal(signal.SIGTERM)
 
 
 def test_a_hang_up_that_is_ignored_stays_so() -> None:
