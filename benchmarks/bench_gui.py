@@ -22,6 +22,7 @@ from PySide6.QtWidgets import QApplication, QGridLayout, QWidget
 
 from rigapp.gui.data.comparison import CURVES, compose
 from rigapp.gui.data.frames import ForceFrame
+from rigapp.gui.data.news import News
 from rigapp.gui.data.series import LiveData, MeasuredCycle, PredictedCycle
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import LIGHT, apply_theme
@@ -156,7 +157,7 @@ def own_trend(application: QApplication, rows: int) -> float:
         row[0, 0] = prediction[0, 0] = rows + frame + 1
         data.rows.extend(row)
         data.predictions.extend(prediction)
-        panel.refresh(data)
+        panel.show_news(News(data=data))
 
     return median_ms(application, panel, update)
 

@@ -172,7 +172,7 @@ def painted(application: Any, window: Any) -> list[float]:
     """Return how old each revolution was when it had been painted first, ms."""
     from PySide6.QtCore import QEvent, QObject
 
-    overlay = window.tabs.overview
+    overlay = window.tabs.panels["overview"]
     seen: dict[int, float] = {}
 
     class Painted(QObject):

@@ -35,18 +35,6 @@ class RunState(enum.StrEnum):
     FAULT = "fault"
 
 
-ACTIVE_STATES = frozenset(
-    {
-        RunState.STARTING,
-        RunState.RUNNING,
-        RunState.PAUSING,
-        RunState.PAUSED,
-        RunState.STOPPING,
-    }
-)
-"""States in which a test is under way."""
-
-
 class FinishReason(enum.StrEnum):
     """Why a run ended, as a code; a sentence goes with it."""
 

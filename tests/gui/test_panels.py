@@ -15,7 +15,9 @@ from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 
 from rigapp.config.loading import parse_test
+from rigapp.gui.data.news import News
 from rigapp.gui.data.recording import load_history
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.panels.browser import BrowserPanel, list_tests
@@ -67,7 +69,7 @@ def test_devices_and_channels_show_raw_and_scaled_values(
     lost = DeviceView("daq", "gsv8", "COM3", False, "", 960.0, 12, 3, error, counters)
     status = make_status()
     status = msgspec.structs.replace(status, devices=(lost, *status.devices[1:]))
-    panel.show_status(status, 0.2)
+    panel.show_news(News(status, silence_s=0.2))
     devices = panel.devices.texts()
     assert devices[0][1] == "▲ not connected"
     assert devices[0][5:8] == ["12", "3", error]
@@ -78,9 +80,9 @@ def test_devices_and_channels_show_raw_and_scaled_values(
     assert channels["probe_1"][1:3] == ["121.00 µm", "not known"]
     assert ["Emergency stop", "not pressed"] in panel.drive.texts()
     stopped = DriveView(0, 0, 0, 48, 30, False, True, ("S3",), ())
-    panel.show_status(msgspec.structs.replace(status, drive=stopped), 0.2)
+    panel.show_news(News(msgspec.structs.replace(status, drive=stopped)))
     assert ["Emergency stop", "▲ pressed"] in panel.drive.texts()
-    panel.show_status(msgspec.structs.replace(status, drive=None), 0.2)
+    panel.show_news(News(msgspec.structs.replace(status, drive=None)))
     assert panel.drive.texts() == [["State", "not connected"]]
 
 
@@ -90,10 +92,10 @@ def test_zero_needs_a_standing_crank_and_a_reason(
     panel = DevicePanel(LIGHT, Watchdog())
     qtbot.addWidget(panel)
     collect(panel, asked)
-    panel.show_status(make_status(), 0.0)
+    panel.show_news(News(make_status()))
     panel.reason.setText("new specimen")
     assert not panel.zero.isEnabled()
-    panel.show_status(make_status(state=RunState.READY), 0.0)
+    panel.show_news(News(make_status(state=RunState.READY)))
     panel.zero.click()
     panel.devices.selectRow(1)
     panel.reconnect.click()
@@ -166,39 +168,49 @@ def test_changed_limits_are_read_from_the_log() -> None:
     assert newest_limits(translated(events)) == {"overload_N": 340.0}
 
 
+FollowLog = Callable[[LogPanel, Path], News]
+
+
+@pytest.fixture
+def follow_log(no_history: Any, make_snapshot: Any) -> Iterator[FollowLog]:
+    """Return a function that shows a panel what is read of a file's log by now."""
+    shown = ShownTest(no_history)
+
+    def follow(panel: LogPanel, path: Path) -> News:
+        shown.take(make_snapshot(file=str(path)))
+        shown.follow_log()
+        shown.deliver()
+        news = News(events=shown.events, log_problem=shown.log_problem)
+        panel.show_news(news)
+        return news
+
+    yield follow
+    shown.close()
+
+
 def test_the_log_is_read_from_the_file_and_searched(
-    qtbot: Any, qapp: Any, recorded: Path, worker: TaskWorker
+    qtbot: Any, qapp: Any, recorded: Path, follow_log: FollowLog
 ) -> None:
-    panel = LogPanel(worker)
+    panel = LogPanel()
     qtbot.addWidget(panel)
-
-    def read() -> bool:
-        panel.follow(recorded)
-        worker.deliver()
-        return bool(panel.events)
-
-    qtbot.waitUntil(read, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: bool(follow_log(panel, recorded).events), timeout=PATIENCE_MS)
     assert panel.table.texts()[0][1:4] == ["120", "note", "Ann"]
     panel.filter.setText("water")
     assert panel.table.texts() == []
     panel.filter.setText("OIL")
     assert panel.table.texts()[0][-1] == "oil added"
-    panel.follow(None)
+    panel.show_news(News())
     assert panel.table.texts() == []
 
 
 def test_a_log_that_cannot_be_read_is_said(
-    qtbot: Any, qapp: Any, tmp_path: Path, worker: TaskWorker
+    qtbot: Any, qapp: Any, tmp_path: Path, follow_log: FollowLog
 ) -> None:
-    panel = LogPanel(worker)
+    panel = LogPanel()
     qtbot.addWidget(panel)
-
-    def said() -> bool:
-        panel.follow(tmp_path / "gone.h5")
-        worker.deliver()
-        return "cannot be read" in panel.count.text()
-
-    qtbot.waitUntil(said, timeout=PATIENCE_MS)
+    gone = tmp_path / "gone.h5"
+    qtbot.waitUntil(lambda: bool(follow_log(panel, gone).log_problem), timeout=PATIENCE_MS)
+    assert "cannot be read" in panel.count.text()
 
 
 @pytest.fixture
@@ -312,7 +324,7 @@ def test_faults_of_the_simulated_rig_are_caused_and_ended(
     assert asked == []
 
     def offered() -> bool:
-        panel.show_status(make_status())
+        panel.show_news(News(make_status()))
         worker.deliver()
         return panel.kind.count() > 10
 
@@ -373,7 +385,7 @@ def test_the_profile_panel_shows_both_depths(qtbot: Any, qapp: Any, recorded: Pa
     assert history.recipe is not None
     panel = WearProfilePanel("test", LIGHT)
     qtbot.addWidget(panel)
-    panel.refresh(history.data, history.recipe.model.joint)
+    panel.show_news(News(data=history.data, recipe=history.recipe))
     predicted = history.data.predictions.last("wear_depth")
     assert panel._model.getData()[1].max() == pytest.approx(predicted)
     assert f"model {predicted:.4f} mm" in panel.legend.accessibleName()
@@ -464,7 +476,7 @@ def test_the_cursor_reads_values_with_units(
 ) -> None:
     engine.say(count=5)
     attach()
-    overlay = window.tabs.overview
+    overlay = window.tabs.panels["overview"]
     overlay.set_cursor(180.0)
     text = overlay.readout.whole
     assert text.startswith("At 180.0 deg:")
@@ -485,7 +497,7 @@ def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
     window.tabs.setCurrentIndex(1)
     engine.say(count=5)
     attach()
-    cycle = window.tabs.cycle
+    cycle = window.tabs.panels["cycle"]
     cycle.hold.setChecked(True)
     engine.say(first=6, count=1)
     attach()
@@ -522,7 +534,7 @@ def test_every_trend_draws_what_it_names(
     window.tabs.setCurrentIndex(2)
     engine.say(count=1500)
     attach()
-    trend = window.tabs.upper_trend
+    trend = window.tabs.panels["upper_trend"]
     for index in range(trend.choice.count()):
         trend.choice.setCurrentIndex(index)
         window.draw_now()
@@ -531,12 +543,12 @@ def test_every_trend_draws_what_it_names(
         if trend.choice.currentData() == "wear":
             assert "± 0.0011 (k = 2)" in trend.values.whole
     trend.choice.setCurrentIndex(0)
-    trend.last.click()
+    trend.modes["last"].click()
     window.draw_now()
     low, high = trend.plot.viewRange()[0]
     assert high - low == pytest.approx(1000.0)
     assert low <= 1500 <= high
-    trend.whole.click()
+    trend.modes["whole"].click()
     window.draw_now()
     assert trend.plot.viewRange()[0][0] == 1.0
     assert "maximum" in trend.values.whole
@@ -548,7 +560,7 @@ def test_a_trend_is_zoomed_by_keys(
     window.tabs.setCurrentIndex(2)
     engine.say(count=1500)
     attach()
-    trend = window.tabs.upper_trend
+    trend = window.tabs.panels["upper_trend"]
     before = trend.plot.viewRange()[0]
     qtbot.keyClick(trend.plot, Qt.Key.Key_Plus)
     window.draw_now()
@@ -567,7 +579,7 @@ def test_a_trend_is_read_at_a_cycle(
     window.tabs.setCurrentIndex(2)
     engine.say(count=1500)
     attach()
-    trend = window.tabs.upper_trend
+    trend = window.tabs.panels["upper_trend"]
     trend.point_at(700.3)
     window.draw_now()
     expected = window._test.data.rows.series("force_max").values[699]
@@ -612,7 +624,7 @@ def test_a_minimised_window_draws_nothing(
     window.showMinimized()
     engine.say(first=6, count=1)
     window.tick()
-    assert window.tabs.overview.shown.measured_revolution == 5
+    assert window.tabs.panels["overview"].shown.measured_revolution == 5
     assert len(window._test.data.rows) == 6
 
 

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QComboBox, QLineEdit
 
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.loading import parse_test, read_rig, read_test
+from rigapp.gui.data.news import News
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.testfile.fields import (
@@ -248,7 +249,7 @@ def test_the_list_follows_form_and_engine(
 
     def shown() -> dict[str, str]:
         worker.deliver()
-        panel.show_status(ready(make_status))
+        panel.show_news(News(ready(make_status)))
         return {
             table.item(row, 1).text(): table.item(row, 0).text()  # type: ignore[union-attr]
             for row in range(table.rowCount())
@@ -285,7 +286,7 @@ def test_window_and_command_line_show_one_list(
 
     def rows() -> list[list[str]]:
         worker.deliver()
-        panel.show_status(status)
+        panel.show_news(News(status))
         table = panel.checks.table
         return [
             [table.item(row, column).text() for column in range(4)]  # type: ignore[union-attr]
@@ -319,7 +320,7 @@ def test_a_rig_file_that_became_unusable_blocks(
 
     def what() -> set[str]:
         worker.deliver()
-        panel.show_status(ready(make_status))
+        panel.show_news(News(ready(make_status)))
         return {check.what for check in panel.checks.shown}
 
     qtbot.waitUntil(lambda: "Speed" in what(), timeout=90_000)

@@ -18,7 +18,7 @@ from rigapp.gui.plots.palette import LIGHT
 from rigapp.gui.testfile.fields import form_fields
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.testfile.tomltext import edited
-from rigapp.gui.testfile.unsaved import named
+from rigapp.gui.testfile.unsaved import listed
 from rigapp.schema.messages import RunState
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -176,8 +176,8 @@ def test_closing_the_window_asks_for_unsaved_changes(
 
 
 def test_many_changes_are_counted() -> None:
-    assert named(["a"]) == "a."
-    assert named(list("abcdef")) == "a; b; c; d; and 2 more."
+    assert listed(["a"]) == "a."
+    assert listed(list("abcdef")) == "a; b; c; d; and 2 more."
 
 
 KEYS = st.sampled_from(["a", "b", "c"])

@@ -91,7 +91,9 @@ def test_start_is_closed_with_the_next_step_as_its_reason(
     start = window.controls.buttons["start"]
     assert not start.isEnabled()
     assert "Reset: nothing moves." in start.toolTip()
-    assert window.tabs.overview_alarms.reset.isEnabled()  # in every state, while an alarm waits
+    assert window.tabs.panels[
+        "overview_alarms"
+    ].reset.isEnabled()  # in every state, while an alarm waits
     engine.reply = Reply(ok=True)
     window.recover.button.click()
     engine.say(state=RunState.READY, recovery=GO_ON)
@@ -168,7 +170,7 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
         hands.press(Qt.Key.Key_F10)  # the cable is still out
         hands.see(lambda: "refused" in window.controls.answer.text())
         hands.sees_step(Step.CONNECT)
-        hands.click(window.tabs.faults.end)
+        hands.click(window.tabs.panels["faults"].end)
         hands.see(lambda: "clear fault: done" in window.controls.answer.text())
         hands.click(window.recover.button)
         hands.sees_step(Step.ACKNOWLEDGE)
@@ -202,7 +204,7 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
 
 def pull_cable(hands: Operator) -> None:
     """Choose the fault in its tab and cause it."""
-    faults, tabs = hands.window.tabs.faults, hands.window.tabs
+    faults, tabs = hands.window.tabs.panels["faults"], hands.window.tabs
     tabs.setCurrentIndex(tabs.count() - 1)
     hands.see(lambda: faults.kind.findText("daq: cable pull") >= 0)
     faults.kind.setCurrentIndex(faults.kind.findText("daq: cable pull"))
@@ -212,6 +214,6 @@ def pull_cable(hands: Operator) -> None:
 
 def test_the_panels_key_is_no_other_one() -> None:
     from rigapp.gui.window.command import KEY as COMMAND_KEY
-    from rigapp.gui.window.controls import COMMANDS
+    from rigapp.gui.window.controls import BUTTONS
 
-    assert KEY not in {COMMAND_KEY, *(one.key for one in COMMANDS), "F1", "F3", "F8", "F9"}
+    assert KEY not in {COMMAND_KEY, *(one.key for one in BUTTONS), "F1", "F3", "F8", "F9"}

@@ -52,13 +52,13 @@ def test_a_recorded_test_plays_from_its_first_to_its_last_row(
     assert data.cycle is not None
     assert data.cycle.revolution == 300
     assert "All revolutions are done" in window.header.state.detail.whole
-    assert window._test.crank_over_follower == pytest.approx(0.375)
-    box = window.tabs.overview.frame_box
+    assert window.news.crank_over_follower == pytest.approx(0.375)
+    box = window.tabs.panels["overview"].frame_box
     window.draw_now()
     box.setCurrentIndex(box.findData(ForceFrame.FOLLOWER))
     window.draw_now()
-    assert window.tabs.overview.shown is not None
-    assert abs(window.tabs.overview.shown.model["force_2"]).max() < 5e-3  # type: ignore[index]
+    assert window.tabs.panels["overview"].shown is not None
+    assert abs(window.tabs.panels["overview"].shown.model["force_2"]).max() < 5e-3  # type: ignore[index]
     window.close()
 
 
@@ -139,7 +139,7 @@ def test_a_window_opened_after_the_end_shows_the_whole_test(
 
     qtbot.waitUntil(complete, timeout=PATIENCE_MS)
     window.draw_now()
-    shown = window.tabs.overview.shown
+    shown = window.tabs.panels["overview"].shown
     assert shown is not None
     assert shown.measured_revolution == shown.model_revolution == 300
     window.close()

@@ -202,8 +202,8 @@ def test_the_window_shows_margin_of_a_recorded_test(
     player: tuple[MainWindow, ReplayClient],
 ) -> None:
     window, _ = player
-    assert window.header.margin.value.whole == "66 %"
-    assert window.header.margin.detail.whole == "overspeed"
+    assert window.header.tiles["margin"].value.whole == "66 %"
+    assert window.header.tiles["margin"].detail.whole == "overspeed"
     assert window._connection.status is not None
     assert window._connection.status.state is RunState.STOPPED
 

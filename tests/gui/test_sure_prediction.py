@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 import pytest
 
+from rigapp.gui.data.news import News
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import LIGHT
@@ -20,7 +21,7 @@ def seen(overlay: OverlayPanel, **columns: float) -> str:
         rows[:, PREDICTION_NAMES.index(name)] = value
     data = LiveData()
     data.take(msgspec.structs.replace(make_snapshot(1, 9), predictions=rows.tobytes()))
-    overlay.refresh(data, stale=False)
+    overlay.show_news(News(data=data))
     return overlay.title.whole
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rigapp.gui.data.news import News
 from rigapp.gui.data.profiles import shown_profile
 from rigapp.gui.data.recording import load_history
 from rigapp.gui.data.series import LiveData
@@ -44,7 +45,7 @@ def test_the_panel_draws_only_what_the_pin_reached(qtbot: Any) -> None:
     qtbot.addWidget(panel)
     data = LiveData()
     data.profile = shown_profile(profile_message(columns(20), 0))
-    panel.refresh(data, None)
+    panel.show_news(News(data=data))
     angle, depth = panel._measured.getData()
     assert np.isnan(depth[np.abs(angle) > 20.0]).all()
     assert depth[np.abs(angle) <= 20.0] == pytest.approx(0.02)
@@ -65,7 +66,7 @@ def test_unknown_profiles_say_so(qtbot: Any) -> None:
     for name in PROFILE_CURVES:
         nothing[name][:] = np.nan
     data.profile = shown_profile(profile_message(nothing, 0))
-    panel.refresh(data, None)
+    panel.show_news(News(data=data))
     words = panel.legend.accessibleName()
     assert "measured: not known yet, revolution 3" in words
     assert "model: not known" in words

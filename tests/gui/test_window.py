@@ -45,12 +45,12 @@ def test_the_header_tells_state_cycle_end_age_margin_agreement(
     attach()
     header = window.header
     assert header.state.value.whole == "Running"
-    assert header.cycle.value.whole.replace("\u2009", "") == "1234 of 21377"
-    assert "in 11 h" in header.end.detail.whole
-    assert header.age.value.whole.endswith(" s")
-    assert header.margin.value.whole == "43 %"
-    assert header.agreement.value.whole == "±1.7 N"
-    assert header.alarms.value.whole == "1, 1 new"
+    assert header.tiles["cycle"].value.whole.replace("\u2009", "") == "1234 of 21377"
+    assert "in 11 h" in header.tiles["end"].detail.whole
+    assert header.tiles["age"].value.whole.endswith(" s")
+    assert header.tiles["margin"].value.whole == "43 %"
+    assert header.tiles["agreement"].value.whole == "±1.7 N"
+    assert header.tiles["alarms"].value.whole == "1, 1 new"
     assert "SIMULATED" in header.line.whole
 
 
@@ -104,7 +104,7 @@ def test_the_reason_for_going_on_with_a_file_goes_along(
     engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="")
     attach()
     window.controls.text.setText("cell was calibrated again")
-    window.tabs.browser.wanted.emit("resume_file", {"file": "x.h5"})
+    window.tabs.panels["browser"].wanted.emit("resume_file", {"file": "x.h5"})
     arguments = wait_for_verb(window, engine, qtbot, "resume_file")
     assert arguments == {"file": "x.h5", "reason": "cell was calibrated again"}
     assert window.controls.text.text() == ""
@@ -190,11 +190,11 @@ def test_alarms_show_cause_consequence_action_and_are_acknowledged(
 ) -> None:
     engine.say(count=5, alarms=(alarm,))
     attach()
-    table = window.tabs.overview_alarms.table
+    table = window.tabs.panels["overview_alarms"].table
     texts = [table.item(0, column).text() for column in range(table.columnCount())]
     for text in (alarm.title, alarm.cause, alarm.consequence, alarm.action):
         assert text in texts
-    window.tabs.overview_alarms.acknowledge.click()
+    window.tabs.panels["overview_alarms"].acknowledge.click()
     assert wait_for_verb(window, engine, qtbot, "acknowledge") == {"key": alarm.key}
 
 
@@ -203,7 +203,7 @@ def test_shelving_needs_a_reason(
 ) -> None:
     engine.say(count=5, alarms=(alarm,))
     attach()
-    panel = window.tabs.overview_alarms
+    panel = window.tabs.panels["overview_alarms"]
     assert not panel.shelve.isEnabled()
     qtbot.keyClicks(panel.reason, "sensor is being changed")
     panel.shelve.click()
@@ -217,16 +217,16 @@ def test_an_acknowledged_alarm_stays_listed_after_a_critical_one(
     done = msgspec.structs.replace(alarm, key="old", acknowledged=True, state="acknowledged")
     engine.say(count=5, alarms=(done, alarm))
     attach()
-    assert [alarm.key for alarm in window.tabs.alarms._alarms] == [alarm.key, "old"]
+    assert [alarm.key for alarm in window.tabs.panels["alarms"]._alarms] == [alarm.key, "old"]
 
 
 def test_only_what_can_be_seen_is_drawn(window: MainWindow, engine: Any, attach: Attach) -> None:
     engine.say(count=5)
     attach()
-    assert window.tabs.overview.shown is not None
-    assert window.tabs.cycle.overlay.shown is None
+    assert window.tabs.panels["overview"].shown is not None
+    assert window.tabs.panels["cycle"].overlay.shown is None
     window.tabs.setCurrentIndex(1)
-    assert window.tabs.cycle.overlay.shown is not None
+    assert window.tabs.panels["cycle"].overlay.shown is not None
 
 
 def test_the_residual_is_measured_minus_model(
@@ -234,17 +234,17 @@ def test_the_residual_is_measured_minus_model(
 ) -> None:
     engine.say(count=5)
     attach()
-    shown = window.tabs.overview.shown
+    shown = window.tabs.panels["overview"].shown
     assert shown is not None
     assert shown.residual is not None
     residual = shown.residual["force"]
     middle = slice(len(residual) // 2 - 50, len(residual) // 2 + 50)
     assert residual[middle].mean() == pytest.approx(1.0, abs=0.4)
     assert shown.measured["force"][middle].mean() == pytest.approx(97.0, abs=0.4)
-    drawn = window.tabs.overview._raw_residual.getData()[1]
+    drawn = window.tabs.panels["overview"]._raw_residual.getData()[1]
     assert drawn.max() == residual.max()
     assert drawn.min() == residual.min()
-    angle, means = window.tabs.overview._residual["force"].getData()
+    angle, means = window.tabs.panels["overview"]._residual["force"].getData()
     assert means[abs(angle - 180.0) < 20.0].mean() == pytest.approx(1.0, abs=0.3)
 
 
@@ -393,7 +393,13 @@ def test_values_that_are_not_known_yet_are_dashes(
     )
     attach()
     header = window.header
-    for tile in (header.cycle, header.end, header.age, header.margin, header.agreement):
+    for tile in (
+        header.tiles["cycle"],
+        header.tiles["end"],
+        header.tiles["age"],
+        header.tiles["margin"],
+        header.tiles["agreement"],
+    ):
         assert tile.value.whole == "–"
 
 
@@ -407,7 +413,7 @@ def test_light_and_dark_are_both_complete(
     for theme, background in (("dark", "#1c1c1c"), ("light", "#ffffff")):
         qtbot.keyClick(window, Qt.Key.Key_F9)
         assert window.theme.name == theme
-        picture = window.tabs.overview.plot.grab().toImage()
+        picture = window.tabs.panels["overview"].plot.grab().toImage()
         corner = picture.pixelColor(picture.width() - 3, 3).name()
         assert corner == background
 
@@ -421,11 +427,11 @@ def test_another_test_begins_with_empty_plots(
     attach()
     engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="", test="")
     attach()
-    overlay = window.tabs.overview if tab == 0 else window.tabs.cycle.overlay
+    overlay = window.tabs.panels["overview"] if tab == 0 else window.tabs.panels["cycle"].overlay
     assert overlay.shown is None
     assert len(overlay._measured["force"].getData()[0]) == 0
     assert overlay.title.whole == "No revolution measured yet"
     if tab == 1:
-        item = window.tabs.cycle.values.item(0, 0)
+        item = window.tabs.panels["cycle"].values.item(0, 0)
         assert item is not None
         assert item.text() == "–"

@@ -12,10 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.recipe import TestFile
-from rigapp.gui.data.recording import StoredRevolution, StoredTest, load_history, load_revolution
+from rigapp.gui.data.recording import (
+    StoredRevolution,
+    StoredTest,
+    load_events,
+    load_history,
+    load_revolution,
+)
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.schema.messages import Snapshot, Status
+from rigapp.schema.messages import Event, Snapshot, Status
 
 log = logging.getLogger(__name__)
 
@@ -24,6 +30,8 @@ HELD_SNAPSHOTS = 600
 
 ATTEMPTS = 3
 RETRY_S = 2.0
+LOG_EVERY_S = 2.0
+"""The log is read from the file so often while somebody looks at it."""
 
 HistoryLoader = Callable[[Path, int], StoredTest]
 RevolutionLoader = Callable[[Path, int], StoredRevolution]
@@ -52,6 +60,9 @@ class ShownTest:
         self.recipe: TestFile | None = None
         self.cycle_revolutions: NDArray[np.int64] = np.empty(0, dtype=np.int64)
         self.problem = ""
+        self.events: list[Event] = []
+        self.log_problem = ""
+        self._log_at: float | None = 0.0
 
     @property
     def settled(self) -> bool:
@@ -62,14 +73,6 @@ class ShownTest:
     def path(self) -> Path | None:
         """Return the file of the present test."""
         return Path(self._file) if self._file else None
-
-    @property
-    def crank_over_follower(self) -> float | None:
-        """Return crank radius / follower length of the present test, None when not known."""
-        if self.recipe is None:
-            return None
-        mechanism = self.recipe.model.mechanism
-        return mechanism.crank_radius_mm / mechanism.follower_length_mm
 
     def take(self, snapshot: Snapshot) -> bool:
         """Take a snapshot; return whether it belongs to another test than the last one."""
@@ -102,6 +105,24 @@ class ShownTest:
         elif not self._worker.submit(lambda: self._revolution(path, revolution), done, failed):
             failed(RuntimeError("The file is still being read; try again."))
 
+    def follow_log(self) -> None:
+        """Read the log again when it is time; called while somebody looks at it."""
+        path = self.path
+        if path is None or self._log_at is None or self._clock() < self._log_at:
+            return
+        accepted = self._worker.submit(
+            lambda: load_events(path),
+            lambda events: self._got_log(path, events),
+            lambda error: self._got_log(path, None, f"The log cannot be read: {error}"),
+        )
+        self._log_at = None if accepted else self._clock() + LOG_EVERY_S
+
+    def _got_log(self, path: Path, events: list[Event] | None, problem: str = "") -> None:
+        self._log_at = self._clock() + LOG_EVERY_S
+        if path == self.path:
+            self.events = events if events and len(events) != len(self.events) else self.events
+            self.log_problem = problem
+
     def close(self) -> None:
         """End the reading thread."""
         self._worker.close()
@@ -122,6 +143,7 @@ class ShownTest:
         self._again_at = self._clock() if status.file else None
         self.data = LiveData(status.planned)
         self.recipe = None
+        self.events, self.log_problem = [], ""
         self.cycle_revolutions = np.empty(0, dtype=np.int64)
         self.problem = ""
 

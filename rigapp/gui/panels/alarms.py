@@ -3,36 +3,23 @@
 from __future__ import annotations
 
 import time
-from typing import Any
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, Signal
-from PySide6.QtGui import QBrush, QColor
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHBoxLayout,
-    QHeaderView,
-    QLabel,
-    QLineEdit,
-    QPushButton,
-    QSpinBox,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTableWidget,
-    QTableWidgetItem,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLabel, QWidget
 
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.panel import Host
+from rigapp.gui.panels.limits import LimitPanel
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.build import button, column, edit, named, row, split, whole_number
+from rigapp.gui.widgets.tables import Mark, PlainTable
 from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, RunState, Severity
 from rigapp.schema.words import explained
 
-Index = QModelIndex | QPersistentModelIndex
-
 COLUMNS = ("", "State", "Alarm", "Cause", "Consequence", "What to do", "Since", "Cycle")
 MARKS = {Severity.WARNING: "▲ warning", Severity.CRITICAL: "◆ critical"}
+COMPACT_LINES = 7
+"""Height of the list on the overview, in lines of text: two alarms with their sentences."""
 
 
 def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
@@ -48,20 +35,11 @@ def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
     )
 
 
-class SignalDelegate(QStyledItemDelegate):
-    """Paint the mark of an alarm in its own colour, chosen or not."""
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
-        """Leave the selection out of the mark's own colours."""
-        super().initStyleOption(option, index)
-        if index.data(Qt.ItemDataRole.BackgroundRole) is not None:
-            option.state &= ~QStyle.StateFlag.State_Selected
-
-
 class AlarmPanel(QWidget):
     """List the alarms; emits requests as (verb, arguments)."""
 
     wanted = Signal(str, dict)
+    takes = Takes.STATUS
 
     def __init__(self, prefix: str, theme: Theme, *, compact: bool = False) -> None:
         """Make the panel; compact: it takes one line while there is no alarm."""
@@ -69,70 +47,51 @@ class AlarmPanel(QWidget):
         self._theme = theme
         self._compact = compact
         self._alarms: list[Alarm] = []
-        self.setObjectName(f"{prefix}_alarm_panel")
-        self.setAccessibleName("Alarms")
-        self.table = QTableWidget(0, len(COLUMNS))
-        self.table.setObjectName(f"{prefix}_alarm_table")
-        self.table.setAccessibleName("List of alarms")
-        self.table.setHorizontalHeaderLabels(list(COLUMNS))
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setWordWrap(True)
-        self.table.setTabKeyNavigation(False)
-        self.table.verticalHeader().hide()
-        self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        for column in (2, 3, 4, 5):
-            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Stretch)
-        self._marks = SignalDelegate(self.table)
-        self.table.setItemDelegateForColumn(0, self._marks)
+        named(self, f"{prefix}_alarm_panel", "Alarms")
+        self.table = PlainTable(
+            f"{prefix}_alarm_table", "List of alarms", COLUMNS, marked=0, stretch=(2, 3, 4, 5)
+        )
         self.table.itemSelectionChanged.connect(self._enable)
-        self._build(prefix)
-        self.dress(theme)
-        self._enable()
-
-    def _build(self, prefix: str) -> None:
-        self.empty = QLabel("No alarms.")
-        self.empty.setObjectName(f"{prefix}_no_alarms")
-        self.acknowledge = QPushButton("Ac&knowledge")
-        self.acknowledge.setObjectName(f"{prefix}_acknowledge")
-        self.acknowledge.setAccessibleName("Acknowledge the chosen alarm")
-        self.acknowledge.clicked.connect(self._acknowledge)
-        self.reason = QLineEdit()
-        self.reason.setMaxLength(NOTE_CHARACTERS)
-        self.reason.setObjectName(f"{prefix}_shelve_reason")
-        self.reason.setAccessibleName("Reason for shelving")
-        self.reason.setPlaceholderText("reason for shelving")
-        self.reason.textChanged.connect(self._enable)
-        self.minutes = QSpinBox()
-        self.minutes.setObjectName(f"{prefix}_shelve_minutes")
-        self.minutes.setAccessibleName("Minutes of shelving")
-        self.minutes.setRange(1, 480)
+        self.empty = named(QLabel("No alarms."), f"{prefix}_no_alarms", "No alarms")
+        self.acknowledge = button(
+            f"{prefix}_acknowledge",
+            "Ac&knowledge",
+            self._acknowledge,
+            "Acknowledge the chosen alarm",
+        )
+        self.reason = edit(
+            f"{prefix}_shelve_reason",
+            "Reason for shelving",
+            self._enable,
+            hint="reason for shelving",
+            most=NOTE_CHARACTERS,
+        )
+        self.minutes = whole_number(f"{prefix}_shelve_minutes", "Minutes of shelving", 1, 480)
         self.minutes.setValue(15)
         self.minutes.setSuffix(" min")
-        self.shelve = GuardedButton("S&helve")
-        self.shelve.setObjectName(f"{prefix}_shelve")
-        self.shelve.setAccessibleName("Shelve the chosen alarm")
-        self.shelve.clicked.connect(self._shelve)
-        self.reset = GuardedButton("Reset after trip")
-        self.reset.setObjectName(f"{prefix}_reset")
-        self.reset.setAccessibleName("Reset after a trip")
-        self.reset.setToolTip(
-            "The deliberate action before another start: every critical alarm must be acknowledged"
-            " and its cause gone. Nothing moves."
+        self.shelve = button(
+            f"{prefix}_shelve", "S&helve", self._shelve, "Shelve the chosen alarm", guarded=True
         )
-        self.reset.clicked.connect(lambda: self.wanted.emit("reset", {}))
-        row = QHBoxLayout()
-        row.addWidget(self.empty, 1)
-        for widget in (self.reset, self.acknowledge, self.reason, self.minutes, self.shelve):
-            row.addWidget(widget, 1 if widget is self.reason else 0)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addWidget(self.table, 1)
-        column.addLayout(row)
+        self.reset = button(
+            f"{prefix}_reset",
+            "Reset after trip",
+            lambda: self.wanted.emit("reset", {}),
+            "Reset after a trip",
+            guarded=True,
+            tip="The deliberate action before another start: every critical alarm must be"
+            " acknowledged and its cause gone. Nothing moves.",
+        )
+        tools = row(
+            (self.empty, 1),
+            self.reset,
+            self.acknowledge,
+            (self.reason, 1),
+            self.minutes,
+            self.shelve,
+        )
+        column((self.table, 1), tools, on=self)
+        self.dress(theme)
+        self._enable()
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -140,9 +99,14 @@ class AlarmPanel(QWidget):
         self.table.setStyleSheet(
             f"QTableWidget::item:selected {{ background: {theme.band}; color: {theme.text}; }}"
         )
-        alarms, self._alarms = self._alarms, []
-        self.show_alarms(tuple(alarms))
+        self._fill()
         self._fold()
+
+    def show_news(self, news: News) -> None:
+        """Show the alarms of a status."""
+        if news.status is not None:
+            self.show_alarms(news.status.alarms)
+            self.show_state(news.status.state)
 
     def show_state(self, state: RunState | None) -> None:
         """Offer the reset after a trip, and whenever an alarm waits for it."""
@@ -156,57 +120,55 @@ class AlarmPanel(QWidget):
             return
         chosen = self.chosen()
         self._alarms = ordered
-        self.table.setRowCount(len(ordered))
-        for row, alarm in enumerate(ordered):
-            self._fill(row, alarm)
+        self._fill()
         keys = [alarm.key for alarm in ordered]
-        if chosen is not None and chosen.key in keys:
-            self.table.selectRow(keys.index(chosen.key))
-        elif ordered:
-            self.table.selectRow(0)
+        if ordered:
+            known = chosen is not None and chosen.key in keys
+            self.table.selectRow(keys.index(chosen.key) if known and chosen is not None else 0)
         self.empty.setText("" if ordered else "No alarms.")
         self._fold()
         self._enable()
+
+    def chosen(self) -> Alarm | None:
+        """Return the chosen alarm."""
+        at = self.table.chosen()
+        return self._alarms[at] if at is not None and at < len(self._alarms) else None
+
+    def _fill(self) -> None:
+        rows = [
+            (
+                MARKS[alarm.severity] + (", first" if alarm.first_out else ""),
+                alarm.state,
+                alarm.title,
+                alarm.cause,
+                alarm.consequence,
+                alarm.action,
+                time.strftime("%H:%M:%S", time.localtime(alarm.raised_at)),
+                str(alarm.revolution),
+            )
+            for alarm in self._alarms
+        ]
+        self.table.show_rows(rows, [self._mark(alarm) for alarm in self._alarms], _tip)
+
+    def _mark(self, alarm: Alarm) -> Mark:
+        if alarm.acknowledged:
+            return None
+        return self._theme.mark(critical=alarm.severity is Severity.CRITICAL)
 
     def _fold(self) -> None:
         if not self._compact:
             return
         used = bool(self._alarms)
-        for widget in (self.table, self.acknowledge, self.reason, self.minutes, self.shelve):
+        for widget in (
+            self.table,
+            self.acknowledge,
+            self.reason,
+            self.minutes,
+            self.shelve,
+            self.reset,
+        ):
             widget.setVisible(used)
-        self.reset.setVisible(used)
-        self.table.setFixedHeight(int(7 * self.fontMetrics().height()))
-
-    def chosen(self) -> Alarm | None:
-        """Return the chosen alarm."""
-        rows = {index.row() for index in self.table.selectedIndexes()}
-        row = min(rows, default=-1)
-        return self._alarms[row] if 0 <= row < len(self._alarms) else None
-
-    def _fill(self, row: int, alarm: Alarm) -> None:
-        mark = MARKS[alarm.severity] + (", first" if alarm.first_out else "")
-        since = time.strftime("%H:%M:%S", time.localtime(alarm.raised_at))
-        texts = (
-            mark,
-            alarm.state,
-            alarm.title,
-            alarm.cause,
-            alarm.consequence,
-            alarm.action,
-            since,
-            str(alarm.revolution),
-        )
-        theme = self._theme
-        back = theme.critical if alarm.severity is Severity.CRITICAL else theme.warning
-        ink = "#ffffff" if back == theme.critical and theme.name == "light" else theme.on_signal
-        for column, text in enumerate(texts):
-            item = QTableWidgetItem(text)
-            item.setToolTip(explained("first") if text.endswith(", first") else explained(text))
-            item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
-            if column == 0 and not alarm.acknowledged:
-                item.setBackground(QBrush(QColor(back)))
-                item.setForeground(QBrush(QColor(ink)))
-            self.table.setItem(row, column, item)
+        self.table.setFixedHeight(COMPACT_LINES * self.fontMetrics().height())
 
     def _enable(self) -> None:
         alarm = self.chosen()
@@ -223,10 +185,19 @@ class AlarmPanel(QWidget):
         if alarm is None:
             return
         self.minutes.interpretText()
-        arguments: dict[str, Any] = {
-            "key": alarm.key,
-            "reason": self.reason.text().strip(),
-            "minutes": self.minutes.value(),
-        }
+        reason, minutes = self.reason.text().strip(), self.minutes.value()
         self.reason.clear()
-        self.wanted.emit("shelve", arguments)
+        self.wanted.emit("shelve", {"key": alarm.key, "reason": reason, "minutes": minutes})
+
+
+def _tip(text: str) -> str:
+    return explained("first" if text.endswith(", first") else text)
+
+
+def alarm_page(host: Host) -> QWidget:
+    """Make the page of alarms and limits."""
+    alarms = host.add("alarms", AlarmPanel("all", host.theme))
+    limits = host.add("limits", LimitPanel())
+    for panel in (alarms, limits):
+        panel.wanted.connect(host.ask)
+    return split("alarm_split", Qt.Orientation.Vertical, [400, 300], alarms, limits)

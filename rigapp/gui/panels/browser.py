@@ -9,14 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QSplitter, QWidget
 
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.panel import Host
 from rigapp.gui.panels.compare import ComparePanel
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.build import button, named, page, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.tables import PlainTable
 
@@ -97,6 +100,7 @@ class BrowserPanel(QSplitter):
     """List the files above, compare the chosen ones below."""
 
     wanted = Signal(str, dict)
+    takes = Takes(0)
     said = Signal(str, bool)
 
     def __init__(
@@ -108,44 +112,46 @@ class BrowserPanel(QSplitter):
         self._worker = worker
         self._launch = launch
         self._found: list[Recorded] = []
-        self.setObjectName("browser_split")
-        self.setAccessibleName("Recorded tests")
+        named(self, "browser_split", "Recorded tests")
         self.setChildrenCollapsible(False)
         self.table = PlainTable("file_table", "Recorded tests", HEADINGS)
         self.table.setSelectionMode(PlainTable.SelectionMode.ExtendedSelection)
         self.table.itemSelectionChanged.connect(self._enable)
         self.where = ElidedLabel("results_folder", "Folder of the recorded tests")
         self.where.show_text(str(folder))
-        self.buttons: dict[str, QPushButton] = {}
+        self.buttons = {
+            name: button(f"browser_{name}", text, call, tip, tip=tip, guarded=name == "resume")
+            for name, text, tip, call in (
+                ("refresh", "&Look again", "Read the folder again", self.look),
+                ("compare", "Co&mpare", "Compare the chosen tests", self._compare),
+                (
+                    "replay",
+                    "Repla&y",
+                    "Replay the chosen test in a window of its own",
+                    self._replay,
+                ),
+                ("report", "Report", "Write the report of the chosen test", self._report),
+                (
+                    "resume",
+                    "&Go on with it",
+                    "Go on with an interrupted or stopped test",
+                    self._resume,
+                ),
+            )
+        }
         self.compare = ComparePanel(theme, worker)
-        self.addWidget(self._upper())
+        self.addWidget(page(row((self.where, 1), *self.buttons.values()), (self.table, 1)))
         self.addWidget(self.compare)
         self.setSizes([260, 340])
         self._enable()
 
-    def _upper(self) -> QWidget:
-        row = QHBoxLayout()
-        row.addWidget(self.where, 1)
-        for name, text, spoken, call in (
-            ("refresh", "&Look again", "Read the folder again", self.look),
-            ("compare", "Co&mpare", "Compare the chosen tests", self._compare),
-            ("replay", "Repla&y", "Replay the chosen test in a window of its own", self._replay),
-            ("report", "Report", "Write the report of the chosen test", self._report),
-            ("resume", "&Go on with it", "Go on with an interrupted or stopped test", self._resume),
-        ):
-            button = GuardedButton(text) if name == "resume" else QPushButton(text)
-            button.setObjectName(f"browser_{name}")
-            button.setAccessibleName(spoken)
-            button.setToolTip(spoken)
-            button.clicked.connect(call)
-            self.buttons[name] = button
-            row.addWidget(button)
-        upper = QWidget()
-        column = QVBoxLayout(upper)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addLayout(row)
-        column.addWidget(self.table, 1)
-        return upper
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look what is there."""
+        super().showEvent(event)
+        self.look()
+
+    def show_news(self, news: News) -> None:
+        """Take nothing: a folder changes when somebody looks at it."""
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -160,8 +166,7 @@ class BrowserPanel(QSplitter):
 
     def chosen(self) -> list[Recorded]:
         """Return the chosen files."""
-        rows = sorted({index.row() for index in self.table.selectedIndexes()})
-        return [self._found[row] for row in rows if row < len(self._found)]
+        return [self._found[at] for at in self.table.all_chosen() if at < len(self._found)]
 
     def _found_tests(self, found: list[Recorded]) -> None:
         if found != self._found:
@@ -184,8 +189,8 @@ class BrowserPanel(QSplitter):
             for one in self._found
         ]
         odd = {"interrupted", "not readable"}
-        colours = [self._theme.warning if one.status in odd else "" for one in self._found]
-        self.table.show_rows(rows, colours)
+        warning = self._theme.mark(critical=False)
+        self.table.show_rows(rows, [warning if one.status in odd else None for one in self._found])
 
     def _cannot(self, error: Exception) -> None:
         self.said.emit(f"{self._folder} cannot be read: {error}", False)
@@ -216,3 +221,11 @@ class BrowserPanel(QSplitter):
             lambda target: self.said.emit(f"The report is in {target}", True),
             lambda error: self.said.emit(f"No report of {path.name}: {error}", False),
         )
+
+
+def browser_page(host: Host) -> QWidget:
+    """Make the page of the recorded tests."""
+    panel = host.add("browser", BrowserPanel(host.theme, host.results_folder, host.worker))
+    panel.wanted.connect(host.ask)
+    panel.said.connect(host.say)
+    return panel

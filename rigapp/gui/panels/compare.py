@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.ranges import SteadyRange
@@ -18,6 +18,7 @@ from rigapp.gui.data.series import LiveData, SeriesTable
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import Theme, line_pen
 from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.widgets.build import choice, column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel
 
 Floats = NDArray[np.float64]
@@ -72,6 +73,10 @@ def _table(data: LiveData, quantity: str) -> SeriesTable:
     return data.rows if quantity in data.rows.names else data.predictions
 
 
+def _items(texts: dict[str, str]) -> list[tuple[str, str]]:
+    return [(text, key) for key, text in texts.items()]
+
+
 class ComparePanel(QWidget):
     """Draw one quantity of each chosen test."""
 
@@ -81,37 +86,19 @@ class ComparePanel(QWidget):
         self._worker = worker
         self._runs: list[ComparedTest] = []
         self._wanted: list[Path] = []
-        self.setObjectName("compare_panel")
-        self.setAccessibleName("Comparison of tests")
+        named(self, "compare_panel", "Comparison of tests")
         self.plot = QuietPlot("compare_plot", "Comparison of tests", theme)
         self.plot.setMouseEnabled(x=True, y=False)
         self._curves: list[Any] = [self.plot.curve(line_pen(theme.text)) for _ in range(MOST)]
-        self.quantity = self._choice("compare_quantity", "Quantity to compare", QUANTITIES)
-        self.axis = self._choice("compare_axis", "Axis to compare on", AXES)
+        self.quantity = choice(
+            "compare_quantity", "Quantity to compare", _items(QUANTITIES), self._draw
+        )
+        self.axis = choice("compare_axis", "Axis to compare on", _items(AXES), self._draw)
         self.message = ElidedLabel("compare_message", "State of the comparison")
         self.message.show_text("Choose one or more tests above and press Compare.")
         self.legend = LegendRow("compare_legend")
-        row = QHBoxLayout()
-        for text, box in (("&Quantity", self.quantity), ("Against", self.axis)):
-            label = QLabel(text)
-            label.setBuddy(box)
-            row.addWidget(label)
-            row.addWidget(box)
-        row.addWidget(self.message, 1)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addLayout(row)
-        column.addWidget(self.legend)
-        column.addWidget(self.plot, 1)
-
-    def _choice(self, name: str, spoken: str, texts: dict[str, str]) -> QComboBox:
-        box = QComboBox()
-        box.setObjectName(name)
-        box.setAccessibleName(spoken)
-        for key, text in texts.items():
-            box.addItem(text, key)
-        box.currentIndexChanged.connect(self._draw)
-        return box
+        top = row("&Quantity", self.quantity, "Against", self.axis, (self.message, 1))
+        column(top, self.legend, (self.plot, 1), on=self)
 
     @property
     def runs(self) -> list[ComparedTest]:

@@ -6,24 +6,22 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QLabel,
-    QPushButton,
-    QSpinBox,
     QSplitter,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
 from rigapp.gui.data.comparison import RevolutionCurves, statistics
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
+from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
-from rigapp.gui.data.series import LiveData
+from rigapp.gui.panel import Host
 from rigapp.gui.plots.overlay import OverlayPanel
-from rigapp.gui.plots.palette import CHECKED, Theme
+from rigapp.gui.plots.palette import Theme
 from rigapp.gui.plots.polar import PolarPanel
 from rigapp.gui.plots.probes import ProbePanel
+from rigapp.gui.widgets.build import button, filled, named, page, split, whole_number
 
 HEADINGS = tuple(
     f"{statistic}\n{kind}"
@@ -37,8 +35,7 @@ class ValueTable(QTableWidget):
 
     def __init__(self, prefix: str) -> None:
         super().__init__(3, len(HEADINGS))
-        self.setObjectName(f"{prefix}_values")
-        self.setAccessibleName("Statistics of the revolution shown, in N")
+        named(self, f"{prefix}_values", "Statistics of the revolution shown, in N")
         self.setHorizontalHeaderLabels(list(HEADINGS))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setTabKeyNavigation(False)
@@ -76,11 +73,11 @@ class CyclePanel(QSplitter):
     """Hold the overlay with its tools on the left, vector and probes on the right."""
 
     revolution_wanted = Signal(int)
+    takes = Takes.REVOLUTION
 
     def __init__(self, theme: Theme) -> None:
         super().__init__(Qt.Orientation.Horizontal)
-        self.setObjectName("cycle_split")
-        self.setAccessibleName("One revolution")
+        named(self, "cycle_split", "One revolution")
         self.setChildrenCollapsible(False)
         self.overlay = OverlayPanel("cycle", theme)
         self.values = ValueTable("cycle")
@@ -88,58 +85,47 @@ class CyclePanel(QSplitter):
         self.probes = ProbePanel("cycle", theme)
         self._valued: RevolutionCurves | None = None
         self._add_tools()
-        left = QWidget()
-        column = QVBoxLayout(left)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.overlay, 1)
-        column.addWidget(self.values)
-        self.right = QSplitter(Qt.Orientation.Vertical)
-        self.right.setObjectName("cycle_right")
-        self.right.setAccessibleName("Vector and probes")
-        self.right.setChildrenCollapsible(False)
-        self.right.addWidget(self.polar)
-        self.right.addWidget(self.probes)
-        self.addWidget(left)
+        self.right = split(
+            "cycle_right",
+            Qt.Orientation.Vertical,
+            [300, 300],
+            self.polar,
+            self.probes,
+            spoken="Vector and probes",
+        )
+        self.addWidget(page((self.overlay, 1), self.values))
         self.addWidget(self.right)
         self.setSizes([860, 500])
 
     def _add_tools(self) -> None:
-        self.hold = QPushButton("&Hold")
-        self.hold.setObjectName("cycle_hold")
-        self.hold.setAccessibleName("Hold the picture")
-        self.hold.setCheckable(True)
-        self.hold.setStyleSheet(CHECKED)
-        self.hold.toggled.connect(self._held)
-        self.stored = QSpinBox()
-        self.stored.setObjectName("cycle_stored")
-        self.stored.setAccessibleName("Stored revolution to compare with")
-        self.stored.setRange(1, 1_000_000_000)
-        caption = QLabel("Stored revol&ution")
-        caption.setBuddy(self.stored)
-        self.show_stored = QPushButton("Compare")
-        self.show_stored.setObjectName("cycle_compare")
-        self.show_stored.setAccessibleName("Compare with the stored revolution")
-        self.show_stored.setCheckable(True)
-        self.show_stored.setStyleSheet(CHECKED)
-        self.show_stored.toggled.connect(self._compare)
-        for widget in (self.hold, caption, self.stored, self.show_stored):
-            self.overlay.tools.addWidget(widget)
+        self.hold = button("cycle_hold", "&Hold", self._held, "Hold the picture", checkable=True)
+        self.stored = whole_number(
+            "cycle_stored", "Stored revolution to compare with", 1, 1_000_000_000
+        )
+        self.show_stored = button(
+            "cycle_compare",
+            "Compare",
+            self._compare,
+            "Compare with the stored revolution",
+            checkable=True,
+        )
+        filled(self.overlay.tools, (self.hold, "Stored revol&ution", self.stored, self.show_stored))
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         for panel in (self.overlay, self.polar, self.probes):
             panel.dress(theme)
 
-    def show_newest(self, data: LiveData, *, stale: bool) -> None:
+    def show_news(self, news: News) -> None:
         """Draw the newest revolution."""
-        self.overlay.refresh(data, stale=stale)
+        self.overlay.show_news(news)
         shown = self.overlay.shown
         if shown is not self._valued:
             self._valued = shown
             self.values.show_values(shown, self.overlay.frame)
             self.polar.refresh(shown, self.overlay.frame)
         if not self.overlay.held:
-            self.probes.refresh(data)
+            self.probes.show_news(news)
 
     def show_revolution(self, stored: StoredRevolution) -> None:
         """Compare with a stored revolution that has been read."""
@@ -159,3 +145,17 @@ class CyclePanel(QSplitter):
             self.revolution_wanted.emit(self.stored.value())
         else:
             self.overlay.compare_with(None)
+
+
+def cycle_page(host: Host) -> QWidget:
+    """Make the page of one revolution."""
+    panel = host.add("cycle", CyclePanel(host.theme))
+
+    def failed(error: Exception) -> None:
+        host.say(f"No stored revolution: {error}", False)
+        panel.no_revolution()
+
+    panel.revolution_wanted.connect(
+        lambda revolution: host.read_revolution(revolution, panel.show_revolution, failed)
+    )
+    return panel

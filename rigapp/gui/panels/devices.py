@@ -4,20 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Protocol
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QGroupBox,
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
 
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.panel import Host, StallCounter
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.build import button, edit, filled, named, row
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.messages import RunState, Status
 
@@ -35,24 +29,18 @@ DEVICE_HEADINGS = (
 CHANNEL_HEADINGS = ("Channel", "Raw signal", "Value", "Uncertainty", "Calibration")
 
 
-class StallCounter(Protocol):
-    """Tell how often and how long the window stood still."""
-
-    stalls: int
-    worst_s: float
-
-
 class DevicePanel(QWidget):
     """Show devices, channels, drive and this window's own health."""
 
     wanted = Signal(str, dict)
 
+    takes = Takes.HISTORY
+
     def __init__(self, theme: Theme, watchdog: StallCounter) -> None:
         super().__init__()
         self._theme = theme
         self._watchdog = watchdog
-        self.setObjectName("device_panel")
-        self.setAccessibleName("Devices and channels")
+        named(self, "device_panel", "Devices and channels")
         self.devices = PlainTable("device_table", "Devices", DEVICE_HEADINGS)
         self.channels = PlainTable("channel_table", "Channels, live", CHANNEL_HEADINGS)
         self.drive = PlainTable("drive_table", "Drive", ("Drive", "Now"))
@@ -63,50 +51,39 @@ class DevicePanel(QWidget):
         self._enable()
 
     def _build(self) -> None:
-        self.reconnect = GuardedButton("Reconnect")
-        self.reconnect.setObjectName("reconnect")
-        self.reconnect.setAccessibleName("Reconnect the devices")
-        self.reconnect.clicked.connect(self._reconnect)
-        self.reason = QLineEdit()
-        self.reason.setObjectName("zero_reason")
-        self.reason.setAccessibleName("Reason for zeroing")
-        self.reason.setPlaceholderText("reason, e.g. pin unloaded, new specimen")
-        self.reason.textChanged.connect(self._enable)
-        self.zero = GuardedButton("&Zero load cell")
-        self.zero.setObjectName("zero")
-        self.zero.setAccessibleName("Zero the load cell")
-        self.zero.setToolTip(
-            "Take the present signals as zero force: the crank stands, the pin carries nothing."
-            " Old and new zero are logged; the calibration is not touched."
+        self.reconnect = button(
+            "reconnect", "Reconnect", self._reconnect, "Reconnect the devices", guarded=True
         )
-        self.zero.clicked.connect(self._zero)
-        row = QHBoxLayout()
-        label = QLabel("Zero, with its reason")
-        label.setBuddy(self.reason)
-        for widget in (self.reconnect, label, self.reason, self.zero):
-            row.addWidget(widget, 1 if widget is self.reason else 0)
-        lower = QHBoxLayout()
-        for title, table, stretch in (
-            ("Channels", self.channels, 3),
-            ("Drive", self.drive, 2),
-            ("Engine and window", self.health, 2),
-        ):
-            box = QGroupBox(title)
-            box.setAccessibleName(title)
-            column = QVBoxLayout(box)
-            column.addWidget(table)
-            lower.addWidget(box, stretch)
-        column = QVBoxLayout(self)
-        column.addWidget(self.devices, 2)
-        column.addLayout(row)
-        column.addLayout(lower, 4)
+        self.reason = edit(
+            "zero_reason",
+            "Reason for zeroing",
+            self._enable,
+            hint="reason, e.g. pin unloaded, new specimen",
+        )
+        self.zero = button(
+            "zero",
+            "&Zero load cell",
+            self._zero,
+            "Zero the load cell",
+            guarded=True,
+            tip="Take the present signals as zero force: the crank stands, the pin carries nothing."
+            " Old and new zero are logged; the calibration is not touched.",
+        )
+        tools = row(self.reconnect, "Zero, with its reason", (self.reason, 1), self.zero)
+        boxes = (
+            (_boxed("Channels", self.channels), 3),
+            (_boxed("Drive", self.drive), 2),
+            (_boxed("Engine and window", self.health), 2),
+        )
+        filled(QVBoxLayout(self), ((self.devices, 2), tools, (row(*boxes), 4)))
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
 
-    def show_status(self, status: Status | None, silence_s: float) -> None:
+    def show_news(self, news: News) -> None:
         """Show the newest values."""
+        status, silence_s = news.status, news.silence_s
         self._state = status.state if status is not None else None
         if status is not None:
             self._show_devices(status)
@@ -130,8 +107,9 @@ class DevicePanel(QWidget):
             )
             for device in status.devices
         ]
-        colours = ["" if device.connected else self._theme.warning for device in status.devices]
-        self.devices.show_rows(rows, colours)
+        warning = self._theme.mark(critical=False)
+        marks = [None if device.connected else warning for device in status.devices]
+        self.devices.show_rows(rows, marks)
 
     def _show_channels(self, status: Status) -> None:
         rows = [
@@ -149,32 +127,26 @@ class DevicePanel(QWidget):
         self.channels.show_rows(rows)
 
     def _show_drive(self, status: Status) -> None:
-        drive = status.drive
+        drive, warning = status.drive, self._theme.mark(critical=False)
         if drive is None:
-            self.drive.show_rows([("State", "not connected")], [self._theme.warning])
+            self.drive.show_rows([("State", "not connected")], [warning])
             return
-        warning = self._theme.warning
-        rows = [
-            ("Speed", f"{drive.speed_rpm:.2f} of {drive.setpoint_rpm:.2f} rpm"),
-            ("Power", "on" if drive.enabled else "off"),
-            ("Emergency stop", "▲ pressed" if drive.emergency_stop else "not pressed"),
-            ("Current", f"{drive.current_A:.2f} A"),
-            ("Supply", f"{drive.supply_V:.1f} V"),
-            ("Temperature", f"{drive.temperature_C:.1f} °C"),
-            ("Faults", ", ".join(drive.faults) or "none"),
-            ("Warnings", ", ".join(drive.warnings) or "none"),
+        rows: list[tuple[str, str, object]] = [
+            ("Speed", f"{drive.speed_rpm:.2f} of {drive.setpoint_rpm:.2f} rpm", False),
+            ("Power", "on" if drive.enabled else "off", False),
+            (
+                "Emergency stop",
+                "▲ pressed" if drive.emergency_stop else "not pressed",
+                drive.emergency_stop,
+            ),
+            ("Current", f"{drive.current_A:.2f} A", False),
+            ("Supply", f"{drive.supply_V:.1f} V", False),
+            ("Temperature", f"{drive.temperature_C:.1f} °C", False),
+            ("Faults", ", ".join(drive.faults) or "none", drive.faults),
+            ("Warnings", ", ".join(drive.warnings) or "none", drive.warnings),
         ]
-        bad = (
-            False,
-            False,
-            drive.emergency_stop,
-            False,
-            False,
-            False,
-            drive.faults,
-            drive.warnings,
-        )
-        self.drive.show_rows(rows, [warning if one else "" for one in bad])
+        marks = [warning if bad else None for _, _, bad in rows]
+        self.drive.show_rows([(name, now) for name, now, _ in rows], marks)
 
     def _show_health(self, status: Status | None, silence_s: float) -> None:
         rows = [
@@ -207,6 +179,12 @@ class DevicePanel(QWidget):
         self.wanted.emit("zero", {"what": ["load_cell"], "reason": reason})
 
 
+def _boxed(title: str, table: PlainTable) -> QGroupBox:
+    box = named(QGroupBox(title), f"box_{table.objectName()}", title)
+    QVBoxLayout(box).addWidget(table)
+    return box
+
+
 def _counted(counters: Mapping[str, int]) -> str:
     """Return a driver's counters in words; a dash where it counts nothing."""
     words = [f"{name.replace('_', ' ')} {count}" for name, count in counters.items()]
@@ -216,3 +194,10 @@ def _counted(counters: Mapping[str, int]) -> str:
 def _number(value: float, unit: str) -> str:
     unit = unit.replace("um", "µm")
     return f"{value:.2f} {unit}" if math.isfinite(value) else "–"
+
+
+def device_page(host: Host) -> QWidget:
+    """Make the page of devices and channels."""
+    panel = host.add("devices", DevicePanel(host.theme, host.stalls))
+    panel.wanted.connect(host.ask)
+    return panel

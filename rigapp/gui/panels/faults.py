@@ -6,19 +6,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QComboBox,
-    QFormLayout,
-    QLabel,
-    QLineEdit,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFormLayout, QLabel, QVBoxLayout, QWidget
 
 from drivers.registry import DriverNotFound, load_driver, load_simulator
+from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.widgets.guarded import GuardedButton
-from rigapp.schema.messages import Status
+from rigapp.gui.panel import Host
+from rigapp.gui.widgets.build import button, choice, edit, filled, named, prose
 
 CHANNELS = ("force_1", "force_2", "probe_1", "probe_2")
 
@@ -56,65 +50,50 @@ class FaultPanel(QWidget):
     """Choose a fault, cause it, end it."""
 
     wanted = Signal(str, dict)
+    takes = Takes.HISTORY
 
     def __init__(self, worker: TaskWorker) -> None:
         super().__init__()
         self._worker = worker
         self._devices: tuple[tuple[str, str], ...] | None = None
         self._choices: list[FaultChoice] = []
-        self.setObjectName("fault_panel")
-        self.setAccessibleName("Faults of the simulated rig")
-        self.kind = QComboBox()
-        self.kind.setObjectName("fault_kind")
-        self.kind.setAccessibleName("Fault")
+        named(self, "fault_panel", "Faults of the simulated rig")
+        self.kind = choice("fault_kind", "Fault", (), self._chosen)
         self.kind.setMaxVisibleItems(30)
         self.kind.setPlaceholderText("Looking for the faults of the devices …")
-        self.kind.currentIndexChanged.connect(self._chosen)
-        self.channel = QComboBox()
-        self.channel.setObjectName("fault_channel")
-        self.channel.setAccessibleName("Channel of a signal fault")
+        self.channel = choice("fault_channel", "Channel of a signal fault", ())
         self.channel.addItems(CHANNELS)
-        self.duration = QLineEdit("2")
-        self.duration.setObjectName("fault_duration")
-        self.duration.setAccessibleName("Duration in seconds, empty: until ended")
-        self.value = QLineEdit()
-        self.value.setObjectName("fault_value")
-        self.value.setAccessibleName("Value of the fault, empty: its default")
-        self.value.setPlaceholderText("default")
-        self.cause = GuardedButton("Cause fa&ult")
-        self.cause.setObjectName("fault_cause")
-        self.cause.setAccessibleName("Cause the fault")
-        self.cause.clicked.connect(self._cause)
-        self.end = GuardedButton("&End fault")
-        self.end.setObjectName("fault_end")
-        self.end.setAccessibleName("End the fault")
-        self.end.clicked.connect(self._end)
-        self.problem = QLabel()
-        self.problem.setObjectName("fault_problem")
-        self.problem.setAccessibleName("Why the fault cannot be caused")
-        form = QFormLayout()
-        form.addRow("Fault", self.kind)
-        form.addRow("Channel (signal faults)", self.channel)
-        form.addRow("Duration (s), empty: until ended", self.duration)
-        form.addRow("Value, empty: default", self.value)
-        form.addRow(self.cause)
-        form.addRow(self.end)
-        form.addRow(self.problem)
-        note = QLabel(
-            "These faults happen in the simulated devices, on the wire or on the signals, not in"
-            " the program: what you see is what a real fault would show."
+        self.duration = edit("fault_duration", "Duration in seconds, empty: until ended")
+        self.duration.setText("2")
+        self.value = edit("fault_value", "Value of the fault, empty: its default", hint="default")
+        self.cause = button(
+            "fault_cause", "Cause fa&ult", self._cause, "Cause the fault", guarded=True
         )
-        note.setWordWrap(True)
+        self.end = button("fault_end", "&End fault", self._end, "End the fault", guarded=True)
+        self.problem = named(QLabel(), "fault_problem", "Why the fault cannot be caused")
         inside = QWidget()
-        inside.setLayout(form)
+        form = QFormLayout(inside)
+        for caption, field in (
+            ("Fault", self.kind),
+            ("Channel (signal faults)", self.channel),
+            ("Duration (s), empty: until ended", self.duration),
+            ("Value, empty: default", self.value),
+        ):
+            form.addRow(caption, field)
+        for widget in (self.cause, self.end, self.problem):
+            form.addRow(widget)
         inside.setMaximumWidth(self.fontMetrics().horizontalAdvance("M") * 50)
-        column = QVBoxLayout(self)
-        column.addWidget(note)
-        column.addWidget(inside)
-        column.addStretch(1)
+        note = prose(
+            "fault_note",
+            "What these faults are",
+            "These faults happen in the simulated devices, on the wire or on the signals, not in"
+            " the program: what you see is what a real fault would show.",
+        )
+        filled(QVBoxLayout(self), (note, inside, None))
 
-    def show_status(self, status: Status | None) -> None:
+    def show_news(self, news: News) -> None:
         """Offer the faults of the devices that are there."""
+        status = news.status
         if status is None:
             return
         devices = tuple((device.name, device.driver) for device in status.devices)
@@ -131,8 +110,8 @@ class FaultPanel(QWidget):
         self.cause.setEnabled(bool(choices))
         self.end.setEnabled(bool(choices))
         self.kind.clear()
-        for choice in self._choices:
-            self.kind.addItem(f"{choice.where}: {choice.kind.replace('_', ' ')}")
+        for one in self._choices:
+            self.kind.addItem(f"{one.where}: {one.kind.replace('_', ' ')}")
         self.kind.setCurrentIndex(0 if choices else -1)
 
     def _choice(self) -> FaultChoice | None:
@@ -153,8 +132,8 @@ class FaultPanel(QWidget):
             arguments["channel"] = self.channel.currentText()
         else:
             arguments["device"] = choice.where
-        for name, edit in (("duration_s", self.duration), ("value", self.value)):
-            text = edit.text().strip()
+        for name, field in (("duration_s", self.duration), ("value", self.value)):
+            text = field.text().strip()
             if not text:
                 continue
             try:
@@ -169,3 +148,10 @@ class FaultPanel(QWidget):
         choice = self._choice()
         if choice is not None:
             self.wanted.emit("clear_fault", {"kind": choice.kind})
+
+
+def fault_page(host: Host) -> QWidget:
+    """Make the page of the simulated rig's faults."""
+    panel = host.add("faults", FaultPanel(host.worker))
+    panel.wanted.connect(host.ask)
+    return panel

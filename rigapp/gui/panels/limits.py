@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QLabel, QLineEdit, QVBoxLayout
+from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout
 
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rules import ALWAYS, BOUNDS, limit_refusal
-from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.widgets.build import button, edit, filled, named, row
 from rigapp.gui.widgets.tables import PlainTable
-from rigapp.schema.messages import ACTIVE_STATES, NOTE_CHARACTERS, RunState
+from rigapp.schema.loglines import newest_limits
+from rigapp.schema.messages import NOTE_CHARACTERS, RunState
+from rigapp.schema.states import ACTIVE
 
 REVOLUTIONS = "revolutions"
 WORDS = {
@@ -46,48 +49,36 @@ class LimitPanel(QGroupBox):
     """Show the limits and the length of the test, and change one; asks "set_limit" or "extend"."""
 
     wanted = Signal(str, dict)
+    takes = Takes.HISTORY | Takes.LOG
 
     def __init__(self) -> None:
         super().__init__("Limits of the running test")
-        self._names: list[str] = []
         self._shown: dict[str, tuple[float, str]] = {}
         self._active = False
-        self.setObjectName("limit_panel")
-        self.setAccessibleName("Limits of the running test")
+        named(self, "limit_panel", "Limits of the running test")
         self.table = PlainTable("limit_table", "Limits", ("Limit", "Now", "Action", "Meaning"))
         self.table.itemSelectionChanged.connect(self._chosen)
-        self.value = QLineEdit()
-        self.value.setObjectName("limit_value")
-        self.value.setAccessibleName("New value of the chosen limit")
-        self.reason = QLineEdit()
-        self.reason.setMaxLength(NOTE_CHARACTERS)
-        self.reason.setObjectName("limit_reason")
-        self.reason.setAccessibleName("Reason for the new limit")
-        self.reason.setPlaceholderText("reason, goes into the log")
-        self.change = GuardedButton("Chan&ge limit")
-        self.change.setObjectName("limit_change")
-        self.change.setAccessibleName("Change the chosen limit")
-        self.change.clicked.connect(self._change)
-        self.problem = QLabel()
-        self.problem.setObjectName("limit_problem")
-        self.problem.setAccessibleName("Why the limit cannot be changed")
-        for edit in (self.value, self.reason):
-            edit.textChanged.connect(self._enable)
-        row = QHBoxLayout()
-        label = QLabel("New value")
-        label.setBuddy(self.value)
-        for widget, stretch in (
-            (label, 0),
-            (self.value, 1),
-            (self.reason, 3),
-            (self.change, 0),
-            (self.problem, 2),
-        ):
-            row.addWidget(widget, stretch)
-        column = QVBoxLayout(self)
-        column.addWidget(self.table, 1)
-        column.addLayout(row)
+        self.value = edit("limit_value", "New value of the chosen limit", self._enable)
+        self.reason = edit(
+            "limit_reason",
+            "Reason for the new limit",
+            self._enable,
+            hint="reason, goes into the log",
+            most=NOTE_CHARACTERS,
+        )
+        self.change = button(
+            "limit_change", "Chan&ge limit", self._change, "Change the chosen limit", guarded=True
+        )
+        self.problem = named(QLabel(), "limit_problem", "Why the limit cannot be changed")
+        tools = row("New value", (self.value, 1), (self.reason, 3), self.change, (self.problem, 2))
+        filled(QVBoxLayout(self), ((self.table, 1), tools))
         self._enable()
+
+    def show_news(self, news: News) -> None:
+        """Show the limits of the test, with the changes that its log tells of."""
+        status = news.status
+        state, planned = (status.state, status.planned) if status is not None else (None, 0)
+        self.show_limits(state, news.recipe, newest_limits(news.events), planned)
 
     def show_limits(
         self,
@@ -97,13 +88,12 @@ class LimitPanel(QGroupBox):
         planned: int = 0,
     ) -> None:
         """Show the limits as they are now; planned: revolutions of the complete test."""
-        self._active = state in ACTIVE_STATES
+        self._active = state in ACTIVE
         limits = limits_of(test, changed)
         if planned > 0:
             limits[REVOLUTIONS] = (float(planned), "test complete")
         if limits != self._shown:
             self._shown = limits
-            self._names = list(limits)
             self.table.show_rows(
                 [
                     (name, _number(value), action, WORDS.get(name, name.replace("_", " ")))
@@ -113,9 +103,8 @@ class LimitPanel(QGroupBox):
         self._enable()
 
     def _name(self) -> str | None:
-        rows = {index.row() for index in self.table.selectedIndexes()}
-        row = min(rows, default=-1)
-        return self._names[row] if 0 <= row < len(self._names) else None
+        at = self.table.chosen()
+        return list(self._shown)[at] if at is not None and at < len(self._shown) else None
 
     def _chosen(self) -> None:
         name = self._name()

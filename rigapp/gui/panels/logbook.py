@@ -3,79 +3,44 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
+from collections.abc import Sequence
 
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from rigapp.gui.data.recording import load_events
-from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.panel import Host
+from rigapp.gui.widgets.build import edit, filled, named, row
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.messages import Event
 
 HEADINGS = ("Time", "Cycle", "What", "Who", "Before", "After", "Text")
-READ_EVERY_S = 2.0
 SHOWN = 2000
 """Newest lines shown; all of them are in the file."""
 
 
 class LogPanel(QWidget):
-    """Show the log; read from the file on a worker while the panel can be seen."""
+    """Show the log, and find lines in it."""
 
-    def __init__(self, worker: TaskWorker) -> None:
+    takes = Takes.HISTORY | Takes.LOG
+
+    def __init__(self) -> None:
         super().__init__()
-        self._worker = worker
-        self._path: Path | None = None
-        self._events: list[Event] = []
-        self._reading = False
-        self._next_at = 0.0
-        self.setObjectName("log_panel")
-        self.setAccessibleName("Log of the test")
-        self.filter = QLineEdit()
-        self.filter.setObjectName("log_filter")
-        self.filter.setAccessibleName("Show only lines with this text")
+        self._events: Sequence[Event] = ()
+        named(self, "log_panel", "Log of the test")
+        self.filter = edit("log_filter", "Show only lines with this text", self._show)
         self.filter.setClearButtonEnabled(True)
-        self.filter.textChanged.connect(self._show)
-        label = QLabel("F&ind")
-        label.setBuddy(self.filter)
-        self.count = QLabel("The log is empty.")
-        self.count.setObjectName("log_count")
-        self.count.setAccessibleName("Lines of the log")
+        self.count = named(QLabel("The log is empty."), "log_count", "Lines of the log")
         self.table = PlainTable("log_table", "Log of the test, newest first", HEADINGS)
-        row = QHBoxLayout()
-        row.addWidget(label)
-        row.addWidget(self.filter, 1)
-        row.addWidget(self.count, 1)
-        column = QVBoxLayout(self)
-        column.addLayout(row)
-        column.addWidget(self.table, 1)
+        top = row("F&ind", (self.filter, 1), (self.count, 1))
+        filled(QVBoxLayout(self), (top, (self.table, 1)))
 
-    @property
-    def events(self) -> list[Event]:
-        """Return what was read last."""
-        return self._events
-
-    def follow(self, path: Path | None) -> None:
-        """Read the log of a file, again every two seconds."""
-        if path != self._path:
-            self._path, self._events, self._next_at = path, [], 0.0
+    def show_news(self, news: News) -> None:
+        """Show the log as it was read last."""
+        if news.log_problem:
+            self.count.setText(news.log_problem)
+        elif news.events is not self._events:
+            self._events = news.events
             self._show()
-        now = time.monotonic()
-        if path is None or self._reading or now < self._next_at:
-            return
-        self._reading = self._worker.submit(
-            lambda: load_events(path), lambda events: self._got(path, events), self._failed
-        )
-        self._next_at = now + READ_EVERY_S
-
-    def _got(self, path: Path, events: list[Event]) -> None:
-        self._reading = False
-        if path == self._path and len(events) != len(self._events):
-            self._events = events
-            self._show()
-
-    def _failed(self, error: Exception) -> None:
-        self._reading = False
-        self.count.setText(f"The log cannot be read: {error}")
 
     def _show(self) -> None:
         wanted = self.filter.text().strip().lower()
@@ -94,3 +59,8 @@ class LogPanel(QWidget):
                 rows.append(texts)
         self.table.show_rows(rows[:SHOWN])
         self.count.setText(f"{len(rows)} of {len(self._events)} lines")
+
+
+def log_page(host: Host) -> QWidget:
+    """Make the page of the log."""
+    return host.add("log", LogPanel())

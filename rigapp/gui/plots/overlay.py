@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.comparison import (
     CURVES,
@@ -19,59 +16,37 @@ from rigapp.gui.data.comparison import (
     values_at,
 )
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
+from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
-from rigapp.gui.data.series import LiveData
 from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
-from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.plots.plotting import CursorPlot, LegendEntry, LegendRow
+from rigapp.gui.widgets.build import choice, column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.messages import ChannelView
-
-CursorMoved = Callable[[float | None], None]
 
 RESIDUAL_BIN_DEG = 2.0
 
 
-class AnglePlot(QuietPlot):
-    """A plot over the crank angle with a cursor that the arrows and the mouse move."""
-
-    def __init__(self, name: str, spoken: str, theme: Theme, moved: CursorMoved) -> None:
-        super().__init__(name, spoken, theme)
-        self._moved = moved
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.cursor_line = self.guide(0.0, horizontal=False, theme=theme)
-        self.cursor_line.hide()
-        self.scene().sigMouseClicked.connect(self._clicked)
+class AnglePlot(CursorPlot):
+    """A plot over the crank angle whose cursor the arrows move."""
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move the cursor by 1 deg, with Shift by 10 deg; Esc takes it away."""
         step = 10.0 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
         at = self.cursor_line.value() if self.cursor_line.isVisible() else 180.0
-        if event.key() == Qt.Key.Key_Left:
-            self._moved((at - step) % 360.0)
-        elif event.key() == Qt.Key.Key_Right:
-            self._moved((at + step) % 360.0)
-        elif event.key() == Qt.Key.Key_Escape:
-            self._moved(None)
-        else:
+        sign = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}.get(Qt.Key(event.key()))
+        if sign is None:
             super().keyPressEvent(event)
-
-    def show_cursor(self, angle_deg: float | None, theme: Theme) -> None:
-        """Put the cursor at an angle, or take it away."""
-        self.cursor_line.setVisible(angle_deg is not None)
-        if angle_deg is not None:
-            self.cursor_line.setPen(line_pen(theme.text))
-            self.cursor_line.setValue(angle_deg)
-
-    def _clicked(self, event: Any) -> None:
-        view = self.getViewBox()
-        if view.sceneBoundingRect().contains(event.scenePos()):
-            self._moved(float(view.mapSceneToView(event.scenePos()).x()) % 360.0)
+        else:
+            self._pointed((at + sign * step) % 360.0)
 
 
 class OverlayPanel(QWidget):
     """Draw the newest revolution and the model's, with a strip for their difference."""
+
+    takes = Takes.REVOLUTION
 
     def __init__(self, prefix: str, theme: Theme) -> None:
         super().__init__()
@@ -87,8 +62,7 @@ class OverlayPanel(QWidget):
         self.frame = ForceFrame.CRANK
         self.held = False
         self.shown: RevolutionCurves | None = None
-        self.setObjectName(f"{prefix}_overlay_panel")
-        self.setAccessibleName("Joint force over one revolution")
+        named(self, f"{prefix}_overlay_panel", "Joint force over one revolution")
         self._make_plots()
         self._range = SteadyRange(10.0)
         self._residual_range = SteadyRange(4.0, symmetric=True)
@@ -123,32 +97,25 @@ class OverlayPanel(QWidget):
     def _build(self) -> None:
         prefix = self._prefix
         self.title = ElidedLabel(f"{prefix}_overlay_title", "Revolutions shown")
-        self.frame_box = QComboBox()
-        self.frame_box.setObjectName(f"{prefix}_frame")
-        self.frame_box.setAccessibleName("Frame of the force components")
-        for frame in ForceFrame:
-            self.frame_box.addItem(f"{frame.value} frame", frame)
-        self.frame_box.currentIndexChanged.connect(self._frame_chosen)
-        caption = QLabel("Fra&me")
-        caption.setBuddy(self.frame_box)
-        self.tools = QHBoxLayout()
-        self.tools.addWidget(self.title, 1)
-        self.tools.addWidget(caption)
-        self.tools.addWidget(self.frame_box)
+        frames = [(f"{frame.value} frame", frame) for frame in ForceFrame]
+        self.frame_box = choice(
+            f"{prefix}_frame", "Frame of the force components", frames, self._frame_chosen
+        )
+        self.tools = row((self.title, 1), "Fra&me", self.frame_box)
         self.legend = LegendRow(f"{prefix}_overlay_legend")
         self.readout = ElidedLabel(f"{prefix}_cursor", "Values at the cursor")
         self.readout.show_text(
             "Lower strip: measured − model, grey every sample.  Click a plot, or Tab to it and use"
             " ← →, to read values."
         )
-        self.column = QVBoxLayout(self)
-        self.column.setContentsMargins(0, 0, 0, 0)
-        self.column.setSpacing(2)
-        self.column.addLayout(self.tools)
-        self.column.addWidget(self.legend)
-        self.column.addWidget(self.plot, 5)
-        self.column.addWidget(self.residual_plot, 2)
-        self.column.addWidget(self.readout)
+        column(
+            self.tools,
+            self.legend,
+            (self.plot, 5),
+            (self.residual_plot, 2),
+            self.readout,
+            on=self,
+        )
         self._offer_follower_frame()
         self._show_legend()
 
@@ -189,8 +156,12 @@ class OverlayPanel(QWidget):
         self._drawn = ()
         self._show_legend()
 
-    def refresh(self, data: LiveData, *, stale: bool) -> None:
+    def show_news(self, news: News) -> None:
         """Draw the newest revolution if it is not drawn yet and the picture is not held."""
+        self.set_mechanism(news.crank_over_follower)
+        if news.status is not None:
+            self.set_channels(news.status.channels)
+        data, stale = news.data, news.stale
         if stale != self._stale:
             self._stale = stale
             self._apply_model_pen()
@@ -235,9 +206,9 @@ class OverlayPanel(QWidget):
 
     def set_cursor(self, angle_deg: float | None) -> None:
         """Put the cursor at a crank angle and read the values there; None takes it away."""
-        self._cursor = angle_deg
+        self._cursor = None if angle_deg is None else angle_deg % 360.0
         for plot in (self.plot, self.residual_plot):
-            plot.show_cursor(angle_deg, self._theme)
+            plot.show_cursor(self._cursor, self._theme)
         self._read_out()
 
     def _draw_model(self, shown: RevolutionCurves, buckets: int) -> None:

@@ -34,7 +34,12 @@ class Theme:
     warning: str
     critical: str
     on_signal: str
+    on_critical: str
     curves: Mapping[str, str]
+
+    def mark(self, *, critical: bool) -> tuple[str, str]:
+        """Return background and ink of what is not normal."""
+        return (self.critical, self.on_critical) if critical else (self.warning, self.on_signal)
 
 
 LIGHT = Theme(
@@ -53,6 +58,7 @@ LIGHT = Theme(
     warning="#e69f00",
     critical="#a84300",
     on_signal="#000000",
+    on_critical="#ffffff",
     curves=MappingProxyType(
         {
             "force": "#000000",
@@ -86,6 +92,7 @@ DARK = Theme(
     warning="#e69f00",
     critical="#ff6b4a",
     on_signal="#000000",
+    on_critical="#000000",
     curves=MappingProxyType(
         {
             "force": "#ffffff",
@@ -133,10 +140,6 @@ def _pen(colour: str, style: Qt.PenStyle) -> QPen:
     pen.setCosmetic(True)
     pen.setStyle(style)
     return pen
-
-
-CHECKED = "QPushButton:checked { font-weight: bold; }"
-"""Style sheet of a button that stays pressed, so that its state does not rest on its shade."""
 
 
 def qt_palette(theme: Theme) -> QPalette:

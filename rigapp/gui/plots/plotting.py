@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from rigapp.gui.plots.palette import Theme, line_pen
+from rigapp.gui.widgets.build import named
 
 Floats = NDArray[np.float64]
 
@@ -22,8 +24,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
 
     def __init__(self, name: str, spoken: str, theme: Theme) -> None:
         super().__init__(background=theme.base)
-        self.setObjectName(name)
-        self.setAccessibleName(spoken)
+        named(self, name, spoken)
         self.setMenuEnabled(False)
         self.hideButtons()
         self.setMouseEnabled(x=False, y=False)
@@ -95,6 +96,41 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             axis.setHeight(6)
         for at in (90.0, 180.0, 270.0):
             self.guide(at, horizontal=False, theme=theme)
+
+
+Pointed = Callable[[float | None], None]
+"""Called with the place of the cursor on the x axis; None takes the cursor away."""
+
+
+class CursorPlot(QuietPlot):
+    """A plot with a cursor that a click puts somewhere and Esc takes away."""
+
+    def __init__(self, name: str, spoken: str, theme: Theme, pointed: Pointed) -> None:
+        super().__init__(name, spoken, theme)
+        self._pointed = pointed
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.cursor_line = self.guide(0.0, horizontal=False, theme=theme)
+        self.cursor_line.hide()
+        self.scene().sigMouseClicked.connect(self._clicked)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Take the cursor away by Esc."""
+        if event.key() == Qt.Key.Key_Escape:
+            self._pointed(None)
+        else:
+            super().keyPressEvent(event)
+
+    def show_cursor(self, at: float | None, theme: Theme) -> None:
+        """Put the cursor somewhere, or take it away."""
+        self.cursor_line.setVisible(at is not None)
+        if at is not None:
+            self.cursor_line.setPen(line_pen(theme.text))
+            self.cursor_line.setValue(at)
+
+    def _clicked(self, event: Any) -> None:
+        view = self.getViewBox()
+        if view.sceneBoundingRect().contains(event.scenePos()):
+            self._pointed(float(view.mapSceneToView(event.scenePos()).x()))
 
 
 @dataclass(frozen=True, slots=True)

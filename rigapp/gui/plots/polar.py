@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.comparison import RevolutionCurves
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.ranges import nice_step
 from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
 from rigapp.gui.plots.plotting import QuietPlot
+from rigapp.gui.widgets.build import column, named
 
 CIRCLE = np.linspace(0.0, 2.0 * np.pi, 91)
 POINTS = 720
@@ -22,8 +23,7 @@ class PolarPanel(QWidget):
         super().__init__()
         self._drawn: RevolutionCurves | None = None
         self._radius = 0.0
-        self.setObjectName(f"{prefix}_polar_panel")
-        self.setAccessibleName("Force vector over one revolution")
+        named(self, f"{prefix}_polar_panel", "Force vector over one revolution")
         self.plot = QuietPlot(f"{prefix}_polar_plot", "Force vector, polar", theme)
         self.plot.setAspectLocked(True)
         self._circles = [self.plot.curve(line_pen(theme.grid)) for _ in range(2)]
@@ -31,9 +31,7 @@ class PolarPanel(QWidget):
         self.plot.guide(0.0, horizontal=False, theme=theme)
         self._measured = self.plot.curve(measured_pen(theme, "force"))
         self._model = self.plot.curve(model_pen(theme, width=2.0))
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.plot)
+        column(self.plot, on=self)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

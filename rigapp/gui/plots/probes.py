@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
+from rigapp.gui.data.news import News
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.series import LiveData
 from rigapp.gui.plots.palette import Theme, measured_pen
 from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.widgets.build import column, named
 
 PROBES = {"probe_1": "probe 1, along follower", "probe_2": "probe 2, across follower"}
 
@@ -22,8 +23,7 @@ class ProbePanel(QWidget):
         self._theme = theme
         self._means: dict[str, float] = {}
         self._drawn = -1
-        self.setObjectName(f"{prefix}_probe_panel")
-        self.setAccessibleName("Pin position over one revolution")
+        named(self, f"{prefix}_probe_panel", "Pin position over one revolution")
         self.plot = QuietPlot(f"{prefix}_probe_plot", "Pin position against crank angle", theme)
         self.plot.label("left", "Position − mean (µm)")
         self.plot.guide(0.0, horizontal=True, theme=theme)
@@ -31,11 +31,7 @@ class ProbePanel(QWidget):
         self._curves = {name: self.plot.curve(measured_pen(theme, name)) for name in PROBES}
         self._range = SteadyRange(5.0, symmetric=True)
         self.legend = LegendRow(f"{prefix}_probe_legend")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addWidget(self.legend)
-        column.addWidget(self.plot, 1)
+        column(self.legend, (self.plot, 1), on=self)
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -54,9 +50,9 @@ class ProbePanel(QWidget):
             entries.append(LegendEntry(shown, measured_pen(self._theme, name)))
         self.legend.show_entries(entries)
 
-    def refresh(self, data: LiveData) -> None:
+    def show_news(self, news: News) -> None:
         """Draw the newest revolution if it is not drawn yet."""
-        cycle = data.cycle
+        cycle = news.data.cycle
         if cycle is None and self._drawn >= 0:
             self._drawn = -1
             for curve in self._curves.values():

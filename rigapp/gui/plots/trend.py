@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent, QPen
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
+from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.ranges import SteadyRange, nice_step
 from rigapp.gui.data.series import LiveData, SeriesTable
-from rigapp.gui.plots.palette import CHECKED, Theme, line_pen, measured_pen, model_pen
-from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.plots.palette import Theme, measured_pen, model_pen
+from rigapp.gui.plots.plotting import CursorPlot, LegendEntry, LegendRow, Pointed
+from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
 
 Floats = NDArray[np.float64]
@@ -106,36 +106,16 @@ QUANTITIES = {
 }
 
 
-class TrendPlot(QuietPlot):
+class TrendPlot(CursorPlot):
     """A plot whose x axis can be moved and zoomed by mouse and by keys."""
 
-    def __init__(self, name: str, theme: Theme, pointed: Callable[[float | None], None]) -> None:
-        super().__init__(name, "Statistics against cycle", theme)
-        self._pointed = pointed
+    def __init__(self, name: str, theme: Theme, pointed: Pointed) -> None:
+        super().__init__(name, "Statistics against cycle", theme, pointed)
         self.setMouseEnabled(x=True, y=False)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.label("bottom", "Cycle")
-        self.cursor_line = self.guide(0.0, horizontal=False, theme=theme)
-        self.cursor_line.hide()
-        self.scene().sigMouseClicked.connect(self._clicked)
-
-    def show_cursor(self, cycle: float | None, theme: Theme) -> None:
-        """Put the cursor at a cycle, or take it away."""
-        self.cursor_line.setVisible(cycle is not None)
-        if cycle is not None:
-            self.cursor_line.setPen(line_pen(theme.text))
-            self.cursor_line.setValue(cycle)
-
-    def _clicked(self, event: Any) -> None:
-        view = self.getViewBox()
-        if view.sceneBoundingRect().contains(event.scenePos()):
-            self._pointed(float(view.mapSceneToView(event.scenePos()).x()))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move by the arrows, zoom by plus and minus; Esc takes the cursor away."""
-        if event.key() == Qt.Key.Key_Escape:
-            self._pointed(None)
-            return
         low, high = self.viewRange()[0]
         span = high - low
         moves = {
@@ -154,6 +134,8 @@ class TrendPlot(QuietPlot):
 
 class TrendPanel(QWidget):
     """Draw one quantity over the whole test, the last cycles, or any range chosen by hand."""
+
+    takes = Takes.HISTORY
 
     def __init__(
         self, prefix: str, theme: Theme, quantity: str = "force", *, access_keys: bool = True
@@ -176,41 +158,34 @@ class TrendPanel(QWidget):
         self._make_curves()
 
     def _build(self, prefix: str) -> None:
-        self.choice = QComboBox()
-        self.choice.setObjectName(f"{prefix}_trend_quantity")
-        self.choice.setAccessibleName("Quantity of the trend")
-        for name, quantity in QUANTITIES.items():
-            self.choice.addItem(quantity.title, name)
+        self.choice = choice(
+            f"{prefix}_trend_quantity",
+            "Quantity of the trend",
+            [(quantity.title, name) for name, quantity in QUANTITIES.items()],
+        )
         self.choice.setCurrentIndex(self.choice.findData(self._name))
         self.choice.currentIndexChanged.connect(self._quantity_chosen)
-        caption = QLabel("Tr&end of" if self._access_keys else "Trend of")
-        caption.setBuddy(self.choice)
-        self.whole = self._button(prefix, "whole", "Who&le test", "Show the whole test")
-        self.last = self._button(
-            prefix, "last", f"Last &{FOLLOWED}", f"Follow the last {FOLLOWED} cycles"
-        )
+        self.modes = {
+            mode: self._mode_button(prefix, mode, text, spoken)
+            for mode, text, spoken in (
+                ("whole", "Who&le test", "Show the whole test"),
+                ("last", f"Last &{FOLLOWED}", f"Follow the last {FOLLOWED} cycles"),
+            )
+        }
         self.values = ElidedLabel(f"{prefix}_trend_values", "Newest values of the trend")
-        top = QHBoxLayout()
-        for widget in (caption, self.choice, self.whole, self.last):
-            top.addWidget(widget)
-        top.addWidget(self.values, 1)
+        caption = self._keyed("Tr&end of")
+        top = row(caption, self.choice, *self.modes.values(), (self.values, 1))
         self.legend = LegendRow(f"{prefix}_trend_legend")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addLayout(top)
-        column.addWidget(self.legend)
-        column.addWidget(self.plot, 1)
+        column(top, self.legend, (self.plot, 1), on=self)
 
-    def _button(self, prefix: str, mode: str, text: str, spoken: str) -> QPushButton:
-        button = QPushButton(text if self._access_keys else text.replace("&", ""))
-        button.setObjectName(f"{prefix}_trend_{mode}")
-        button.setAccessibleName(spoken)
-        button.setCheckable(True)
-        button.setStyleSheet(CHECKED)
-        button.setChecked(mode == self._mode)
-        button.clicked.connect(lambda: self._set_mode(mode))
-        return button
+    def _mode_button(self, prefix: str, mode: str, text: str, spoken: str) -> QPushButton:
+        made = button(f"{prefix}_trend_{mode}", self._keyed(text), None, spoken, checkable=True)
+        made.setChecked(mode == self._mode)
+        made.clicked.connect(lambda: self._set_mode(mode))
+        return made
+
+    def _keyed(self, text: str) -> str:
+        return text if self._access_keys else text.replace("&", "")
 
     @property
     def quantity(self) -> TrendQuantity:
@@ -226,8 +201,9 @@ class TrendPanel(QWidget):
         self.plot.show_cursor(self._cursor, theme)
         self._show_legend()
 
-    def refresh(self, data: LiveData) -> None:
+    def show_news(self, news: News) -> None:
         """Draw if rows, quantity or view have changed since the last time."""
+        data = news.data
         if data is not self._data:
             self._data = data
             self._drawn = ()
@@ -304,8 +280,8 @@ class TrendPanel(QWidget):
 
     def _set_mode(self, mode: str) -> None:
         self._mode = mode
-        self.whole.setChecked(mode == "whole")
-        self.last.setChecked(mode == "last")
+        for name, one in self.modes.items():
+            one.setChecked(name == mode)
         self._ranges.pop(self._name, None)
         self._drawn = ()
 

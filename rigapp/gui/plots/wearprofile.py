@@ -12,15 +12,15 @@ import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
-from rigapp.config.parameters import JointSection
+from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.profiles import ANGLES_DEG as RECORDED_DEG
 from rigapp.gui.data.profiles import ShownProfile
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.data.series import LiveData
 from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
 from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.widgets.build import column, named
 
 Floats = NDArray[np.float64]
 
@@ -44,12 +44,13 @@ def worn_profile(depth_mm: float, pin_radius_mm: float, bushing_radius_mm: float
 class WearProfilePanel(QWidget):
     """Draw the worn profile in the follower frame."""
 
+    takes = Takes.HISTORY
+
     def __init__(self, prefix: str, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
         self._drawn: tuple[object, ...] | None = None
-        self.setObjectName(f"{prefix}_profile_panel")
-        self.setAccessibleName("Worn profile of the bushing")
+        named(self, f"{prefix}_profile_panel", "Worn profile of the bushing")
         self.plot = QuietPlot(f"{prefix}_profile_plot", "Worn profile of the bushing", theme)
         self.plot.label("left", "Depth (mm)")
         self.plot.label("bottom", "Angle from the contact point (deg), follower frame")
@@ -67,11 +68,7 @@ class WearProfilePanel(QWidget):
         self._model = self.plot.curve(model_pen(theme, width=2.0))
         self._range = SteadyRange(0.002)
         self.legend = LegendRow(f"{prefix}_profile_legend")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addWidget(self.legend)
-        column.addWidget(self.plot, 1)
+        column(self.legend, (self.plot, 1), on=self)
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -84,8 +81,10 @@ class WearProfilePanel(QWidget):
         self._show_entries("measured: not known", "model: not known", "")
         self._drawn = None
 
-    def refresh(self, data: LiveData, joint: JointSection | None) -> None:
+    def show_news(self, news: News) -> None:
         """Draw the newest recorded profile, or what follows from the newest depths."""
+        data = news.data
+        joint = news.recipe.model.joint if news.recipe is not None else None
         if data.profile is not None:
             self._refresh_recorded(data.profile)
             return

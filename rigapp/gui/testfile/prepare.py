@@ -7,16 +7,18 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QSplitter
+from PySide6.QtWidgets import QSplitter, QWidget
 
 from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.panel import Host
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
-from rigapp.schema.messages import Status
+from rigapp.gui.widgets.build import named, split
 from rigapp.service.preflight import Check, DiskFacts, Verdict, disk_facts, preflight
 
 DEFAULT_RATE_HZ = 1000.0
@@ -26,6 +28,8 @@ LOOK_AGAIN_S = 20.0
 
 class PreparePanel(QSplitter):
     """Hold form and checks; disk and records are looked at on a worker, again and again."""
+
+    takes = Takes.HISTORY
 
     def __init__(
         self,
@@ -45,18 +49,18 @@ class PreparePanel(QSplitter):
         self._asked: object = None
         self._asked_at = 0.0
         self._looked_at: float | None = None
-        self.setObjectName("prepare_split")
-        self.setAccessibleName("Prepare a test")
+        named(self, "prepare_split", "Prepare a test")
         self.setChildrenCollapsible(False)
         self.recipe = RecipePanel(theme)
         self.checks = PreflightPanel(theme)
-        right = QSplitter(Qt.Orientation.Vertical)
-        right.setObjectName("prepare_right")
-        right.setAccessibleName("Checks and limits")
-        right.setChildrenCollapsible(False)
-        right.addWidget(self.checks)
-        right.addWidget(self.recipe.rules)
-        right.setSizes([420, 220])
+        right = split(
+            "prepare_right",
+            Qt.Orientation.Vertical,
+            [420, 220],
+            self.checks,
+            self.recipe.rules,
+            spoken="Checks and limits",
+        )
         self.addWidget(self.recipe)
         self.addWidget(right)
         self.setSizes([800, 600])
@@ -71,8 +75,9 @@ class PreparePanel(QSplitter):
         self.recipe.dress(theme)
         self.checks.dress(theme)
 
-    def show_status(self, status: Status | None) -> None:
+    def show_news(self, news: News) -> None:
         """Check again."""
+        status = news.status
         rate = max((d.sample_rate_Hz for d in status.devices), default=0.0) if status else 0.0
         self._ask_disk(rate or DEFAULT_RATE_HZ)
         self._ask_records()
@@ -113,3 +118,10 @@ class PreparePanel(QSplitter):
 
     def _no_disk(self, error: Exception) -> None:
         self._disk = DiskFacts(self._folder, 0, 0, f"cannot be judged: {error}")
+
+
+def prepare_page(host: Host) -> QWidget:
+    """Make the page that prepares a test."""
+    panel = host.add("prepare", PreparePanel(host.theme, host.results_folder, host.worker))
+    panel.recipe.start_wanted.connect(host.offer_start)
+    return panel

@@ -16,10 +16,8 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QGridLayout,
     QGroupBox,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
-    QPushButton,
     QScrollArea,
     QVBoxLayout,
     QWidget,
@@ -43,6 +41,7 @@ from rigapp.gui.testfile.fields import (
 from rigapp.gui.testfile.rules import RuleTable
 from rigapp.gui.testfile.tomltext import edited
 from rigapp.gui.testfile.unsaved import UnsavedBar
+from rigapp.gui.widgets.build import button, filled, named, prose, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.criteria import CRITERIA
 
@@ -90,11 +89,9 @@ class RecipePanel(QWidget):
         self._path: Path | None = None
         self.test: TestFile | None = None
         self.fields = form_fields()
-        self.buttons: dict[str, QPushButton] = {}
         self.editors: dict[str, Editor] = {}
         self.sections: dict[str, QGroupBox] = {}
-        self.setObjectName("recipe_panel")
-        self.setAccessibleName("Prepare a test")
+        named(self, "recipe_panel", "Prepare a test")
         self._build()
         self._judge()
 
@@ -205,47 +202,32 @@ class RecipePanel(QWidget):
     def _build(self) -> None:
         self.unsaved_bar = UnsavedBar(self._save)
         self.name = ElidedLabel("recipe_file", "Test file that is edited")
-        self.verdict = QLabel()
-        self.verdict.setObjectName("recipe_verdict")
-        self.verdict.setAccessibleName("Is the test usable?")
-        self.verdict.setWordWrap(True)
+        self.verdict = prose("recipe_verdict", "Is the test usable?")
         self.rules = RuleTable()
         self.rules.changed.connect(self._judge)
-        top = QHBoxLayout()
-        top.addWidget(self.name, 1)
-        for name, text, spoken, call in (
-            ("open", "Op&en…", "Open a test file", self._ask_open),
-            ("save", "Save  Ctrl+S", "Save the test file", self._save),
-            ("save_as", "Save as…", "Save as another test file", self._ask_save),
-            ("start", "Start t&his test…", "Start this test", self._start),
-        ):
-            button = QPushButton(text)
-            button.setObjectName(f"recipe_{name}")
-            button.setAccessibleName(spoken)
-            button.clicked.connect(call)
-            top.addWidget(button)
-            self.buttons[name] = button
+        self.buttons = {
+            name: button(f"recipe_{name}", text, call, spoken)
+            for name, text, spoken, call in (
+                ("open", "Op&en…", "Open a test file", self._ask_open),
+                ("save", "Save  Ctrl+S", "Save the test file", self._save),
+                ("save_as", "Save as…", "Save as another test file", self._ask_save),
+                ("start", "Start t&his test…", "Start this test", self._start),
+            )
+        }
+        top = row((self.name, 1), *self.buttons.values())
         shortcut = QShortcut(QKeySequence.StandardKey.Save, self)
         shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         shortcut.activated.connect(self.buttons["save"].click)
         inside = QWidget()
-        row = QHBoxLayout(inside)
-        for names in self._columns():
-            column = QVBoxLayout()
-            for name in names:
-                column.addWidget(self._section(name))
-            column.addStretch(1)
-            row.addLayout(column, 1)
-        area = QScrollArea()
-        area.setObjectName("recipe_area")
-        area.setAccessibleName("Settings of the test")
+        columns = [
+            (filled(QVBoxLayout(), (*map(self._section, names), None)), 1)
+            for names in self._columns()
+        ]
+        row(*columns, on=inside)
+        area = named(QScrollArea(), "recipe_area", "Settings of the test")
         area.setWidgetResizable(True)
         area.setWidget(inside)
-        layout = QVBoxLayout(self)
-        layout.addLayout(top)
-        layout.addWidget(self.unsaved_bar)
-        layout.addWidget(self.verdict)
-        layout.addWidget(area, 1)
+        filled(QVBoxLayout(self), (top, self.unsaved_bar, self.verdict, (area, 1)))
 
     def _columns(self) -> list[list[str]]:
         """Return the sections of every column; those that nobody placed come last."""
@@ -256,9 +238,7 @@ class RecipePanel(QWidget):
 
     def _section(self, name: str) -> QGroupBox:
         title = title_of(name)
-        box = QGroupBox(title)
-        box.setObjectName(f"section_{name or 'test'}")
-        box.setAccessibleName(title)
+        box = named(QGroupBox(title), f"section_{name or 'test'}", title)
         self.sections[name] = box
         grid = QGridLayout(box)
         rows: dict[str, int] = {}
@@ -295,11 +275,9 @@ class RecipePanel(QWidget):
             if field.default is not msgspec.NODEFAULT and field.kind != "str":
                 editor.setPlaceholderText(show_value(field.default) or "off")
             editor.textEdited.connect(self._judge)
-        editor.setObjectName(f"field_{field.path}")
-        editor.setAccessibleName(f"{field.label} {field.unit}".strip())
-        editor.setToolTip(field.hint)
         self.editors[field.path] = editor
-        return editor
+        spoken = f"{field.label} {field.unit}".strip()
+        return named(editor, f"field_{field.path}", spoken, field.hint)
 
     def _fill(self, field: FieldSpec, value: Any) -> None:
         editor = self.editors[field.path]
@@ -349,9 +327,9 @@ class RecipePanel(QWidget):
             self._say(text, good=True)
         start = "Save and start t&his test…" if differences else "Start t&his test…"
         self.buttons["start"].setText(start)
-        for name, button in self.buttons.items():
+        for name, one in self.buttons.items():
             usable = self.test is not None and (name == "save_as" or self._path is not None)
-            button.setEnabled(name == "open" or usable)
+            one.setEnabled(name == "open" or usable)
 
     def _say(self, sentence: str, *, good: bool) -> None:
         self._good = good

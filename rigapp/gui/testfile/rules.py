@@ -11,9 +11,7 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
     QGroupBox,
-    QHBoxLayout,
     QHeaderView,
-    QPushButton,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -22,6 +20,7 @@ from PySide6.QtWidgets import (
 from rigapp.config.recipe import Action
 from rigapp.config.rules import BOUNDS, quantities
 from rigapp.gui.testfile.fields import show_value
+from rigapp.gui.widgets.build import button, choice, filled, named, row
 from rigapp.schema.channels import BASE
 
 LEVELS = tuple(reversed(BOUNDS))
@@ -46,13 +45,10 @@ class RuleTable(QGroupBox):
 
     def __init__(self) -> None:
         super().__init__("Limits of this test")
-        self.setObjectName("section_rules")
-        self.setAccessibleName("Limits of this test")
+        named(self, "section_rules", "Limits of this test")
         self._others: list[dict[str, Any]] = []
         self._filling = False
-        self.table = QTableWidget(0, len(COLUMNS))
-        self.table.setObjectName("rule_table")
-        self.table.setAccessibleName("Limit rules")
+        self.table = named(QTableWidget(0, len(COLUMNS)), "rule_table", "Limit rules")
         self.table.setHorizontalHeaderLabels(list(HEADINGS))
         self.table.verticalHeader().hide()
         self.table.setTabKeyNavigation(False)
@@ -63,21 +59,9 @@ class RuleTable(QGroupBox):
         header.setSectionResizeMode(len(COLUMNS) - 1, QHeaderView.ResizeMode.ResizeToContents)
         self.table.setMinimumHeight(7 * self.fontMetrics().height())
         self.table.itemChanged.connect(self._edited)
-        self.add = QPushButton("Add a limit")
-        self.add.setObjectName("rule_add")
-        self.add.setAccessibleName("Add a limit")
-        self.add.clicked.connect(self._add)
-        self.remove = QPushButton("Remove")
-        self.remove.setObjectName("rule_remove")
-        self.remove.setAccessibleName("Remove the chosen limit")
-        self.remove.clicked.connect(self._remove)
-        row = QHBoxLayout()
-        row.addWidget(self.add)
-        row.addWidget(self.remove)
-        row.addStretch(1)
-        column = QVBoxLayout(self)
-        column.addWidget(self.table, 1)
-        column.addLayout(row)
+        self.add = button("rule_add", "Add a limit", self._add)
+        self.remove = button("rule_remove", "Remove", self._remove, "Remove the chosen limit")
+        filled(QVBoxLayout(self), ((self.table, 1), row(self.add, self.remove, None)))
 
     def fill(self, rules: Sequence[dict[str, Any]]) -> None:
         """Show rules as a test file holds them."""
@@ -131,10 +115,11 @@ class RuleTable(QGroupBox):
         self._others.append(rule)
 
     def _choice(self, texts: Sequence[str], chosen: str, row: int, spoken: str) -> QComboBox:
-        box = QComboBox()
-        box.setObjectName(f"rule_{row}_{spoken.lower()}")
-        box.setAccessibleName(f"{spoken} of limit {row + 1}")
-        box.addItems(list(texts))
+        box = choice(
+            f"rule_{row}_{spoken.lower()}",
+            f"{spoken} of limit {row + 1}",
+            zip(texts, texts, strict=True),
+        )
         if chosen not in texts:
             box.addItem(chosen)
         box.setCurrentText(chosen)

@@ -5,48 +5,31 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy
+
+from rigapp.gui.widgets.bars import Bar
+from rigapp.gui.widgets.build import button
 
 NAMED = 4
 """Changes named one by one; of more, the number is told."""
 
 
-class UnsavedBar(QFrame):
+class UnsavedBar(Bar):
     """Name the changes; save them, discard them, or go on editing, which is the default."""
 
     def __init__(self, save: Callable[[], bool]) -> None:
-        super().__init__()
+        super().__init__("unsaved", "Changes that are not saved", "Changes that would be lost")
         self._save = save
         self._then: Callable[[], None] | None = None
-        self.setObjectName("unsaved_bar")
-        self.setAccessibleName("Changes that are not saved")
-        self.setFrameShape(QFrame.Shape.StyledPanel)
-        self.text = QLabel()
-        self.text.setObjectName("unsaved_text")
-        self.text.setAccessibleName("Changes that would be lost")
-        self.text.setWordWrap(True)
-        self.text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
-        self.save = self._button("unsaved_save", "Save", self._save_first)
-        self.discard = self._button("unsaved_discard", "Discard", self._go_on)
-        self.stay = self._button("unsaved_stay", "Go on editing", self.put_away)
-        row = QHBoxLayout(self)
-        row.addWidget(self.text, 1)
-        for button in (self.save, self.discard, self.stay):
-            row.addWidget(button)
-        self.hide()
-
-    def _button(self, name: str, text: str, call: Callable[[], None]) -> QPushButton:
-        button = QPushButton(text)
-        button.setObjectName(name)
-        button.setAccessibleName(text)
-        button.clicked.connect(call)
-        return button
+        self.escape = self.put_away
+        self.save = button("unsaved_save", "Save", self._save_first)
+        self.discard = button("unsaved_discard", "Discard", self._go_on)
+        self.stay = button("unsaved_stay", "Go on editing", self.put_away)
+        self.lay_out((self.save, self.discard, self.stay))
 
     def ask(self, changes: Sequence[str], what: str, then: Callable[[], None]) -> None:
         """Ask before ``what`` is done; ``then`` does it, after saving or discarding."""
         self._then = then
-        self.text.setText(f"Not saved before {what}: {named(changes)}")
+        self.say(f"Not saved before {what}: {listed(changes)}")
         count = f"{len(changes)} change" + ("s" if len(changes) > 1 else "")
         self.discard.setText(f"Discard {count}")
         self.discard.setAccessibleName(f"Discard {count}")
@@ -57,13 +40,6 @@ class UnsavedBar(QFrame):
         """Go on editing."""
         self._then = None
         self.hide()
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc goes on editing."""
-        if event.key() == Qt.Key.Key_Escape:
-            self.put_away()
-        else:
-            super().keyPressEvent(event)
 
     def _save_first(self) -> None:
         if self._save():
@@ -76,7 +52,7 @@ class UnsavedBar(QFrame):
             then()
 
 
-def named(changes: Sequence[str]) -> str:
+def listed(changes: Sequence[str]) -> str:
     """Return changes in one sentence."""
     text = "; ".join(changes[:NAMED])
     more = len(changes) - NAMED

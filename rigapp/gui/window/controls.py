@@ -10,27 +10,21 @@ from typing import Any
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.widgets.build import button, column, edit, filled, named, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.command import CommandLine
-from rigapp.schema.messages import ACTIVE_STATES, NOTE_CHARACTERS, Reply, RunState, Status, Step
+from rigapp.schema.messages import NOTE_CHARACTERS, Reply, RunState, Status, Step
+from rigapp.schema.states import ACTIVE
 
 Send = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
 
 
 @dataclass(frozen=True, slots=True)
-class Command:
+class ButtonSpec:
     """One button: its verb, text with access key, key, and the states in which it applies."""
 
     verb: str
@@ -39,40 +33,45 @@ class Command:
     states: frozenset[RunState]
     tip: str
 
+    @property
+    def spoken(self) -> str:
+        """Return the text as it is read aloud."""
+        return self.text.replace("&", "")
+
 
 STARTABLE = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
 START_AFTER_CONNECT_S = 60.0
 IDLE_BEFORE_START_S = 2.0
 """An idle engine is about to connect by itself; when it does not, the start makes it."""
 
-COMMANDS = (
-    Command(
+BUTTONS = (
+    ButtonSpec(
         "connect",
         "&Connect",
         "F4",
         frozenset({RunState.IDLE, RunState.FAULT}),
         "Connect the devices of the rig",
     ),
-    Command("start", "&Start test…", "F5", STARTABLE, "Choose test and file, then start"),
-    Command(
+    ButtonSpec("start", "&Start test…", "F5", STARTABLE, "Choose test and file, then start"),
+    ButtonSpec(
         "pause",
         "&Pause",
         "F6",
         frozenset({RunState.STARTING, RunState.RUNNING}),
         "Stop at the safe angle; the test can be resumed",
     ),
-    Command(
+    ButtonSpec(
         "resume",
         "&Resume",
         "F7",
         frozenset({RunState.PAUSED}),
         "Go on with the paused test",
     ),
-    Command(
+    ButtonSpec(
         "stop",
         "S&top test",
         "F12",
-        ACTIVE_STATES | {RunState.CONNECTING, RunState.FAULT},
+        ACTIVE | {RunState.CONNECTING, RunState.FAULT},
         "End the test: controlled stop of the spindle, file closed. This is not the emergency stop",
     ),
 )
@@ -92,40 +91,26 @@ class ControlRow(QWidget):
         self._good = True
         self._state: RunState | None = None
         self._waiting_start: tuple[dict[str, Any], float] | None = None
-        self.setObjectName("controls")
-        self.setAccessibleName("Control of the test")
-        self.buttons: dict[str, QPushButton] = {}
-        row = QHBoxLayout()
-        row.setSpacing(6)
-        for command in COMMANDS:
-            row.addWidget(self._button(command))
-        row.addSpacing(12)
-        self.text = QLineEdit()
-        self.text.setObjectName("reason_or_note")
-        self.text.setAccessibleName("Reason or note")
+        named(self, "controls", "Control of the test")
+        self.buttons = {spec.verb: self._button(spec) for spec in BUTTONS}
+        self.text = edit("reason_or_note", "Reason or note", most=NOTE_CHARACTERS)
         self.text.setClearButtonEnabled(True)
-        self.text.setMaxLength(NOTE_CHARACTERS)
         self.text.returnPressed.connect(self.add_note)
-        caption = QLabel("&Note (F8)")
-        caption.setBuddy(self.text)
-        self.note = GuardedButton("&Add note")
-        self.note.setObjectName("add_note")
-        self.note.setAccessibleName("Add note")
-        self.note.setToolTip("Write the text into the log of the test (Enter)")
-        self.note.clicked.connect(self.add_note)
+        self.note = button(
+            "add_note",
+            "&Add note",
+            self.add_note,
+            guarded=True,
+            tip="Write the text into the log of the test (Enter)",
+        )
         QShortcut(QKeySequence("F8"), self, self._to_text)
-        for widget in (caption, self.text, self.note):
-            row.addWidget(widget, 1 if widget is self.text else 0)
         self.answer = ElidedLabel("answer", "Answer to the last command")
         self.command_line = CommandLine()
-        below = QHBoxLayout()
-        below.addWidget(self.answer, 1)
-        below.addWidget(self.command_line)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addLayout(row)
-        column.addLayout(below)
+        above = row(*self.buttons.values())
+        above.setSpacing(6)
+        above.addSpacing(12)
+        filled(above, ("&Note (F8)", (self.text, 1), self.note))
+        column(above, row((self.answer, 1), self.command_line), on=self)
         self._ask_nothing()
 
     def dress(self, theme: Theme) -> None:
@@ -139,7 +124,7 @@ class ControlRow(QWidget):
         """Enable what applies now; Stop stays enabled when the state is not known."""
         self._state = status.state if status is not None else None
         self._start_when_ready()
-        for command in COMMANDS:
+        for command in BUTTONS:
             applies = status is not None and self._applies(command, status)
             if command.verb == "stop":
                 applies = applies or connection is not ConnectionState.ATTACHED
@@ -147,11 +132,10 @@ class ControlRow(QWidget):
                 replay and command.verb in ("connect", "start")
             ):
                 applies = False
-            button = self.buttons[command.verb]
-            button.setEnabled(applies)
-            button.setToolTip(self._tip(command, applies, status))
+            self.buttons[command.verb].setEnabled(applies)
+            self.buttons[command.verb].setToolTip(self._tip(command, applies, status))
 
-    def _applies(self, command: Command, status: Status) -> bool:
+    def _applies(self, command: ButtonSpec, status: Status) -> bool:
         """Tell whether a command means something now; what the engine names as next always does."""
         if status.recovery.verb == command.verb:
             return True
@@ -233,7 +217,7 @@ class ControlRow(QWidget):
         else:
             self.show_answer(f"{stamp}  {label} refused: {reply.sentence}", good=False)
 
-    def _tip(self, command: Command, applies: bool, status: Status | None) -> str:
+    def _tip(self, command: ButtonSpec, applies: bool, status: Status | None) -> str:
         if applies:
             return f"{command.tip} ({command.key})"
         if status is not None and status.state in command.states:
@@ -242,19 +226,19 @@ class ControlRow(QWidget):
         states = sorted(state.value for state in command.states)
         return f"{command.tip}. Not now: the state is {now}; it must be {' or '.join(states)}"
 
-    def _button(self, command: Command) -> QPushButton:
-        # Stopping is for everybody, whoever is in command.
-        kind = QPushButton if command.verb == "stop" else GuardedButton
-        button = kind(f"{command.text}  {command.key}")
-        button.setObjectName(command.verb)
-        button.setAccessibleName(command.text.replace("&", ""))
-        button.setToolTip(f"{command.tip} ({command.key})")
-        button.setMinimumHeight(int(button.sizeHint().height() * 1.3))
-        button.clicked.connect(partial(self.act, command.verb))
-        shortcut = QShortcut(QKeySequence(command.key), self)
-        shortcut.activated.connect(button.click)
-        self.buttons[command.verb] = button
-        return button
+    def _button(self, spec: ButtonSpec) -> QPushButton:
+        made = button(
+            spec.verb,
+            f"{spec.text}  {spec.key}",
+            partial(self.act, spec.verb),
+            spec.spoken,
+            tip=f"{spec.tip} ({spec.key})",
+            # Stopping is for everybody, whoever is in command.
+            guarded=spec.verb != "stop",
+        )
+        made.setMinimumHeight(int(made.sizeHint().height() * 1.3))
+        QShortcut(QKeySequence(spec.key), self).activated.connect(made.click)
+        return made
 
     def _to_text(self) -> None:
         self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)

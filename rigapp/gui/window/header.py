@@ -13,15 +13,14 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
     QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
 from rigapp.gui.plots.palette import Theme
+from rigapp.gui.widgets.build import column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel, scaled_font
 from rigapp.gui.window.headline import Headline, Level, StateShape, TileText
 
@@ -36,8 +35,7 @@ class ShapeMark(QWidget):
         self._shape = StateShape.ARROWS
         self._colour = QColor("black")
         self.setFixedSize(QSize(size, size))
-        self.setObjectName("state_shape")
-        self.setAccessibleName("Shape of the state")
+        named(self, "state_shape", "Shape of the state")
 
     def show_shape(self, shape: StateShape, colour: str) -> None:
         """Show a shape in a colour."""
@@ -54,58 +52,45 @@ class ShapeMark(QWidget):
         painter.setBrush(self._colour)
         side = min(self.width(), self.height())
         painter.scale(side, side)
-        _SHAPES[self._shape](painter)
+        paint_shape(painter, self._shape)
         painter.end()
 
 
-def _circle(painter: QPainter) -> None:
-    painter.drawEllipse(QRectF(0.15, 0.15, 0.7, 0.7))
+Points = tuple[tuple[float, float], ...]
 
 
-def _triangle(painter: QPainter) -> None:
-    _polygon(painter, (0.18, 0.08), (0.92, 0.5), (0.18, 0.92))
+def _rectangle(left: float, top: float, width: float, height: float) -> Points:
+    right, bottom = left + width, top + height
+    return (left, top), (right, top), (right, bottom), (left, bottom)
 
 
-def _bars(painter: QPainter) -> None:
-    painter.drawRect(QRectF(0.18, 0.1, 0.24, 0.8))
-    painter.drawRect(QRectF(0.58, 0.1, 0.24, 0.8))
-
-
-def _square(painter: QPainter) -> None:
-    painter.drawRect(QRectF(0.14, 0.14, 0.72, 0.72))
-
-
-def _arrows(painter: QPainter) -> None:
-    for left in (0.04, 0.36, 0.68):
-        _polygon(painter, (left, 0.22), (left + 0.28, 0.5), (left, 0.78))
-
-
-def _diamond(painter: QPainter) -> None:
-    _polygon(painter, (0.5, 0.0), (1.0, 0.5), (0.5, 1.0), (0.0, 0.5))
-    painter.setBrush(QColor("white"))
-    painter.drawRect(QRectF(0.44, 0.2, 0.12, 0.36))
-    painter.drawEllipse(QRectF(0.43, 0.64, 0.14, 0.14))
-
-
-def _broken(painter: QPainter) -> None:
-    _polygon(painter, (0.0, 0.4), (0.34, 0.4), (0.26, 0.6), (0.0, 0.6))
-    _polygon(painter, (1.0, 0.4), (0.72, 0.4), (0.64, 0.6), (1.0, 0.6))
-    _polygon(painter, (0.56, 0.1), (0.66, 0.1), (0.44, 0.9), (0.34, 0.9))
-
-
-def _polygon(painter: QPainter, *corners: tuple[float, float]) -> None:
-    painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in corners]))
-
-
-_SHAPES = {
-    StateShape.CIRCLE: _circle,
-    StateShape.TRIANGLE: _triangle,
-    StateShape.BARS: _bars,
-    StateShape.SQUARE: _square,
-    StateShape.ARROWS: _arrows,
-    StateShape.DIAMOND: _diamond,
-    StateShape.BROKEN: _broken,
+POLYGONS: dict[StateShape, tuple[Points, ...]] = {
+    StateShape.TRIANGLE: (((0.18, 0.08), (0.92, 0.5), (0.18, 0.92)),),
+    StateShape.BARS: (_rectangle(0.18, 0.1, 0.24, 0.8), _rectangle(0.58, 0.1, 0.24, 0.8)),
+    StateShape.SQUARE: (_rectangle(0.14, 0.14, 0.72, 0.72),),
+    StateShape.ARROWS: tuple(
+        ((left, 0.22), (left + 0.28, 0.5), (left, 0.78)) for left in (0.04, 0.36, 0.68)
+    ),
+    StateShape.DIAMOND: (((0.5, 0.0), (1.0, 0.5), (0.5, 1.0), (0.0, 0.5)),),
+    StateShape.BROKEN: (
+        ((0.0, 0.4), (0.34, 0.4), (0.26, 0.6), (0.0, 0.6)),
+        ((1.0, 0.4), (0.72, 0.4), (0.64, 0.6), (1.0, 0.6)),
+        ((0.56, 0.1), (0.66, 0.1), (0.44, 0.9), (0.34, 0.9)),
+    ),
 }
+"""The shapes within the unit square; the circle is none of them."""
+
+
+def paint_shape(painter: QPainter, shape: StateShape) -> None:
+    """Paint a shape with the painter's brush within the unit square."""
+    if shape is StateShape.CIRCLE:
+        painter.drawEllipse(QRectF(0.15, 0.15, 0.7, 0.7))
+    for corners in POLYGONS.get(shape, ()):
+        painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in corners]))
+    if shape is StateShape.DIAMOND:
+        painter.setBrush(QColor("white"))
+        painter.drawRect(QRectF(0.44, 0.2, 0.12, 0.36))
+        painter.drawEllipse(QRectF(0.43, 0.64, 0.14, 0.14))
 
 
 class Tile(QFrame):
@@ -116,19 +101,14 @@ class Tile(QFrame):
         self._theme = theme
         self._level: Level | None = None
         self._caption_text = caption
-        self.setObjectName(f"tile_{name}")
-        self.setAccessibleName(caption)
-        self.caption = QLabel(caption)
-        self.caption.setObjectName(f"{name}_caption")
+        named(self, f"tile_{name}", caption)
+        self.caption = named(QLabel(caption), f"{name}_caption", caption)
         self.caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.value = FittedLabel(f"{name}_value", caption, scaled_font(self, factor, bold=True))
         self.detail = ElidedLabel(f"{name}_detail", f"{caption}, detail")
-        self.column = QVBoxLayout(self)
+        self.column = column(self.caption, self.value, self.detail, None, on=self)
         self.column.setContentsMargins(8, 2, 8, 2)
         self.column.setSpacing(0)
-        for widget in (self.caption, self.value, self.detail):
-            self.column.addWidget(widget)
-        self.column.addStretch(1)
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -152,7 +132,7 @@ class Tile(QFrame):
         colours = {
             Level.NORMAL: (theme.window, theme.text, theme.muted),
             Level.WARNING: (theme.warning, theme.on_signal, theme.on_signal),
-            Level.CRITICAL: (theme.critical, *_on_critical(theme)),
+            Level.CRITICAL: (theme.critical, theme.on_critical, theme.on_critical),
         }
         back, text, small = colours[level]
         self.caption.setText(MARKS[level] + self._caption_text)
@@ -166,13 +146,20 @@ class Tile(QFrame):
     def foreground(self) -> str:
         """Return the colour of the text on the tile's present background."""
         if self._level is Level.CRITICAL:
-            return _on_critical(self._theme)[0]
+            return self._theme.on_critical
         return self._theme.on_signal if self._level is Level.WARNING else self._theme.text
 
 
-def _on_critical(theme: Theme) -> tuple[str, str]:
-    ink = "#ffffff" if theme.name == "light" else "#000000"
-    return ink, ink
+TILES = (
+    ("state", "State", 2.6, 30),
+    ("cycle", "Cycle", 2.2, 32),
+    ("end", "Ends", 1.9, 16),
+    ("age", "Data age", 1.9, 13),
+    ("margin", "Least margin to a limit", 1.9, 20),
+    ("agreement", "Measured − model", 1.9, 19),
+    ("alarms", "Alarms", 1.9, 20),
+)
+"""The tiles in order: name in the headline, caption, size of the value, share of the width."""
 
 
 class Header(QWidget):
@@ -180,72 +167,39 @@ class Header(QWidget):
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
-        self.setObjectName("header")
-        self.setAccessibleName("State of the test")
-        self.state = Tile("state", "State", theme, 2.6)
-        self.cycle = Tile("cycle", "Cycle", theme, 2.2)
-        self.end = Tile("end", "Ends", theme, 1.9)
-        self.age = Tile("age", "Data age", theme, 1.9)
-        self.margin = Tile("margin", "Least margin to a limit", theme, 1.9)
-        self.agreement = Tile("agreement", "Measured − model", theme, 1.9)
-        self.alarms = Tile("alarms", "Alarms", theme, 1.9)
+        named(self, "header", "State of the test")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(4)
+        self.tiles: dict[str, Tile] = {}
+        for place, (name, caption, factor, share) in enumerate(TILES):
+            self.tiles[name] = Tile(name, caption, theme, factor)
+            grid.addWidget(self.tiles[name], 0, place)
+            grid.setColumnStretch(place, share)
+        self.state = self.tiles["state"]
         height = QFontMetrics(self.state.value.font()).height()
         self.shape = ShapeMark(int(height * 0.95))
-        self._put_shape_beside_state()
-        self.progress = QProgressBar()
-        self.progress.setObjectName("progress")
-        self.progress.setAccessibleName("Progress of the test")
+        self.state.column.removeWidget(self.state.value)
+        beside = row(self.shape, (self.state.value, 1))
+        beside.setSpacing(8)
+        self.state.column.insertLayout(1, beside)
+        self.progress = named(QProgressBar(), "progress", "Progress of the test")
         self.progress.setTextVisible(False)
         self.progress.setMaximum(1000)
         self.progress.setFixedHeight(max(6, height // 7))
-        self.cycle.column.addWidget(self.progress)
+        self.tiles["cycle"].column.addWidget(self.progress)
         self.line = ElidedLabel("identity", "Test, rig and file")
-        self._lay_out()
+        grid.addWidget(self.line, 1, 0, 1, len(TILES))
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        for tile in self._tiles():
+        for tile in self.tiles.values():
             tile.dress(theme)
 
     def show_headline(self, shown: Headline) -> None:
         """Show a headline; what has not changed is not repainted."""
-        self.state.show_field(shown.state)
+        for name, tile in self.tiles.items():
+            tile.show_field(getattr(shown, name))
         self.shape.show_shape(shown.shape, self.state.foreground)
-        self.cycle.show_field(shown.cycle)
         self.progress.setValue(min(1000, int(1000 * shown.progress)))
-        self.end.show_field(shown.end)
-        self.age.show_field(shown.age)
-        self.margin.show_field(shown.margin)
-        self.agreement.show_field(shown.agreement)
-        self.alarms.show_field(shown.alarms)
         self.line.show_text(shown.line)
-
-    def _tiles(self) -> tuple[Tile, ...]:
-        return (
-            self.state,
-            self.cycle,
-            self.end,
-            self.age,
-            self.margin,
-            self.agreement,
-            self.alarms,
-        )
-
-    def _put_shape_beside_state(self) -> None:
-        self.state.column.removeWidget(self.state.value)
-        row = QHBoxLayout()
-        row.setSpacing(8)
-        row.addWidget(self.shape)
-        row.addWidget(self.state.value, 1)
-        self.state.column.insertLayout(1, row)
-
-    def _lay_out(self) -> None:
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(4)
-        for column, (tile, stretch) in enumerate(
-            zip(self._tiles(), (30, 32, 16, 13, 20, 19, 20), strict=True)
-        ):
-            grid.addWidget(tile, 0, column)
-            grid.setColumnStretch(column, stretch)
-        grid.addWidget(self.line, 1, 0, 1, len(self._tiles()))

@@ -10,10 +10,11 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from rigapp.gui.data.connection import ConnectionState
+from rigapp.gui.data.news import is_stale
 from rigapp.gui.data.texts import duration, grouped
-from rigapp.schema.messages import ACTIVE_STATES, RunState, Severity, Status
+from rigapp.schema.messages import RunState, Severity, Status
+from rigapp.schema.states import ACTIVE
 
-STALE_TWIN_S = 5.0
 LOW_MARGIN_PERCENT = 10.0
 
 
@@ -129,8 +130,8 @@ def _cycle(status: Status) -> TileText:
 
 
 def _end(status: Status, now: float) -> TileText:
-    if status.state not in ACTIVE_STATES or status.expected_end_at <= 0.0:
-        return TileText("–", "no test running" if status.state not in ACTIVE_STATES else "")
+    if status.state not in ACTIVE or status.expected_end_at <= 0.0:
+        return TileText("–", "no test running" if status.state not in ACTIVE else "")
     left = max(0.0, status.expected_end_at - now)
     moment = time.localtime(status.expected_end_at)
     today = time.localtime(now)
@@ -143,7 +144,7 @@ def _age(status: Status, data_age_s: float | None) -> TileText:
     if data_age_s is None or not math.isfinite(data_age_s):
         return TileText("–", "no data yet")
     level = Level.NORMAL
-    if status.state in ACTIVE_STATES and data_age_s > 2.0:
+    if status.state in ACTIVE and data_age_s > 2.0:
         level = Level.CRITICAL if data_age_s > 10.0 else Level.WARNING
     return TileText(
         f"{data_age_s:.1f} s" if data_age_s < 100.0 else duration(data_age_s), "", level
@@ -152,7 +153,7 @@ def _age(status: Status, data_age_s: float | None) -> TileText:
 
 def _margin(status: Status) -> TileText:
     if not status.worst_margin or not math.isfinite(status.worst_margin_percent):
-        running = status.state in ACTIVE_STATES
+        running = status.state in ACTIVE
         return TileText("–", "nothing judged yet" if running else "no test running")
     percent = status.worst_margin_percent
     level = Level.NORMAL
@@ -173,11 +174,6 @@ def _agreement(status: Status) -> TileText:
     return TileText(
         value, "RMS, this cycle" if behind <= 1 else f"RMS, {grouped(behind)} cycles ago"
     )
-
-
-def is_stale(status: Status) -> bool:
-    """Tell whether the prediction has fallen behind a running test."""
-    return status.state is RunState.RUNNING and STALE_TWIN_S < status.twin_age_s < math.inf
 
 
 def _alarms(status: Status) -> TileText:
@@ -201,7 +197,7 @@ def _line(status: Status) -> str:
         parts.append(
             f"SIMULATED × {speed:.3g}" if math.isfinite(speed) and speed > 0 else "SIMULATED"
         )
-    if status.state in ACTIVE_STATES:
+    if status.state in ACTIVE:
         parts.append(f"{status.speed_rpm:.1f} of {status.target_rpm:.1f} rpm")
     if status.operator:
         parts.append(f"Operator: {status.operator}")

@@ -9,7 +9,7 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QTextBrowser, QVBoxLayout, QWidget
 
 import rigapp
-from rigapp.gui.window.controls import COMMANDS
+from rigapp.gui.window.controls import BUTTONS
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 
 KEYS = """
@@ -36,7 +36,7 @@ def manual() -> str:
     """Return the operator's manual as Markdown; only the keys where no manual is installed."""
     commands = "\n".join(
         f"| {command.key} | {command.text.replace('&', '').rstrip('…')}: {command.tip} |"
-        for command in COMMANDS
+        for command in BUTTONS
     )
     keys = "# Keys\n" + KEYS.format(commands=commands, recover=RECOVER_KEY)
     path = Path(rigapp.__file__).parents[1] / "docs" / "operator.md"

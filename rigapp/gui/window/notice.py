@@ -2,41 +2,28 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy
-
 from rigapp.gui.data.texts import grouped
 from rigapp.gui.plots.palette import Theme
-from rigapp.schema.messages import ACTIVE_STATES, RunState, Status
+from rigapp.gui.widgets.bars import Bar
+from rigapp.gui.widgets.build import button
+from rigapp.schema.messages import RunState, Status
+from rigapp.schema.states import ACTIVE
 
 WORTH_SAYING = frozenset({RunState.FAULT, RunState.STOPPED, RunState.PAUSED, RunState.PAUSING})
 
 
-class NoticeBar(QFrame):
+class NoticeBar(Bar):
     """Show the reason of a state in full; a restart of the engine stays until it is put away."""
 
     def __init__(self, theme: Theme) -> None:
-        super().__init__()
+        super().__init__("notice", "What happened")
         self._theme = theme
         self._last: Status | None = None
         self._restart = ""
         self._bad = False
         self._told = False
-        self.setObjectName("notice_bar")
-        self.setAccessibleName("What happened")
-        self.text = QLabel()
-        self.text.setObjectName("notice_text")
-        self.text.setAccessibleName("What happened")
-        self.text.setWordWrap(True)
-        self.text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
-        self.away = QPushButton("Understood")
-        self.away.setObjectName("notice_away")
-        self.away.setAccessibleName("Put the notice away")
-        self.away.clicked.connect(self._put_away)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(8, 2, 8, 2)
-        row.addWidget(self.text, 1)
-        row.addWidget(self.away)
-        self.hide()
+        self.away = button("notice_away", "Understood", self._put_away, "Put the notice away")
+        self.lay_out((self.away,))
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -60,21 +47,13 @@ class NoticeBar(QFrame):
             text = f"{status.state.value.capitalize()}: {status.reason}"
             self._bad = status.state is RunState.FAULT
         self.away.setVisible(bool(self._restart))
-        if text != self.text.text():
-            self.text.setText(text)
-        if self.isHidden() == bool(text):
-            self.setVisible(bool(text))
+        self.say(text)
+        self.show_when(bool(text))
         self._paint()
 
     def _paint(self) -> None:
-        theme = self._theme
-        edge = theme.critical if self._bad else theme.border
-        sheet = (
-            f"#notice_bar {{ background: {theme.base}; border: 2px solid {edge};"
-            " border-radius: 4px; }"
-        )
-        if sheet != self.styleSheet():
-            self.setStyleSheet(sheet)
+        edge = self._theme.critical if self._bad else self._theme.border
+        self.frame_in(self._theme.base, f"2px solid {edge}")
 
     def _put_away(self) -> None:
         self._restart = ""
@@ -83,7 +62,7 @@ class NoticeBar(QFrame):
 
 def restart_sentence(last: Status) -> str:
     """Return what to say when another engine process answers than the one before."""
-    if last.state not in ACTIVE_STATES:
+    if last.state not in ACTIVE:
         return ""
     return (
         f"The engine ended while {last.test or 'a test'} was {last.state.value}, and a new one was"

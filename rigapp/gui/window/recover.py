@@ -9,11 +9,12 @@ from typing import Final
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel
 
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.widgets.guarded import GuardedButton
-from rigapp.schema.messages import ACTIVE_STATES, Alarm, RunState, Severity, Status, Step
+from rigapp.gui.widgets.build import button, named, prose, row
+from rigapp.schema.messages import Alarm, RunState, Severity, Status, Step
+from rigapp.schema.states import ACTIVE
 
 KEY: Final = "F10"
 
@@ -36,13 +37,13 @@ BUTTONS: Final = {
 }
 """What the button says for the request that does the step."""
 
-UNDER_WAY: Final = ACTIVE_STATES - {RunState.STOPPING}
+UNDER_WAY: Final = ACTIVE - {RunState.STOPPING}
 """States in which nothing has to be recovered."""
 
 
 def needs_recovery(status: Status) -> bool:
     """Tell whether something is in the way of the next start."""
-    if status.state in ACTIVE_STATES or status.state is RunState.CONNECTING:
+    if status.state in ACTIVE or status.state is RunState.CONNECTING:
         return False
     return status.state is RunState.FAULT or _worst(status) is not None
 
@@ -70,28 +71,20 @@ class RecoverPanel(QFrame):
         self._status: Status | None = None
         self._asked = False
         self._why = ""
-        self.setObjectName("recover_panel")
-        self.setAccessibleName("Recover")
-        self.title = _label("recover_title", "Recover")
-        self.cause = _label("recover_cause", "What happened", wrap=True)
-        self.next = _label("recover_next", "Next step", wrap=True)
+        named(self, "recover_panel", "Recover")
+        self.title = named(QLabel("Recover"), "recover_title", "Recover")
+        self.cause = prose("recover_cause", "What happened")
+        self.next = prose("recover_next", "Next step")
         self.steps = {
-            step: _label(f"recover_step_{step.name.lower()}", f"Step: {text}")
+            step: named(QLabel(), f"recover_step_{step.name.lower()}", f"Step: {text}")
             for step, text in STEPS.items()
         }
-        self.button = GuardedButton()
-        self.button.setObjectName("recover_do")
-        self.button.setAccessibleName("Do the next step")
+        self.button = button("recover_do", "", self.act, "Do the next step", guarded=True)
         self.button.setMinimumHeight(int(self.button.sizeHint().height() * 1.5))
-        self.button.clicked.connect(self.act)
-        self.other = GuardedButton("Start another test…")
-        self.other.setObjectName("recover_other")
-        self.other.setAccessibleName("Start another test")
-        self.other.clicked.connect(self.start_wanted)
-        self.away = QPushButton("Close")
-        self.away.setObjectName("recover_away")
-        self.away.setAccessibleName("Close the panel")
-        self.away.clicked.connect(self.hide)
+        self.other = button(
+            "recover_other", "Start another test…", self.start_wanted.emit, guarded=True
+        )
+        self.away = button("recover_away", "Close", self.hide, "Close the panel")
         QShortcut(QKeySequence(KEY), self, self.button.click)
         self._lay_out()
         self.dress(theme)
@@ -181,15 +174,9 @@ class RecoverPanel(QFrame):
         return f"color: {theme.text if left else theme.muted}; padding: 2px 8px;"
 
     def _lay_out(self) -> None:
-        steps = QHBoxLayout()
-        steps.addWidget(self.title)
-        for label in self.steps.values():
-            steps.addWidget(label)
-        steps.addStretch(1)
-        buttons = QHBoxLayout()
+        steps = row(self.title, *self.steps.values(), None)
+        buttons = row(self.button, self.other, self.away)
         buttons.setSpacing(6)
-        for button in (self.button, self.other, self.away):
-            buttons.addWidget(button)
         grid = QGridLayout(self)
         grid.setContentsMargins(8, 4, 8, 4)
         grid.setVerticalSpacing(2)
@@ -204,13 +191,3 @@ class RecoverPanel(QFrame):
 def _situation(status: Status) -> tuple[object, ...]:
     worst = _worst(status)
     return status.state, status.reason, status.recovery, worst.cause if worst is not None else ""
-
-
-def _label(name: str, spoken: str, *, wrap: bool = False) -> QLabel:
-    label = QLabel(spoken)
-    label.setObjectName(name)
-    label.setAccessibleName(spoken)
-    label.setWordWrap(wrap)
-    if wrap:
-        label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
-    return label

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QPushButton, QSlider, QSpinBox
+from PySide6.QtWidgets import QFrame, QLabel, QSlider, QSpinBox
 
+from rigapp.gui.widgets.build import button, choice, named, row, whole_number
 from rigapp.schema.messages import Status
 
 SPEEDS = (0.1, 1.0, 10.0, 100.0, 1000.0, 10_000.0)
@@ -20,48 +21,37 @@ class ReplayBar(QFrame):
     def __init__(self) -> None:
         super().__init__()
         self._first, self._last = 1, 1
-        self.setObjectName("replay_bar")
-        self.setAccessibleName("Replay")
+        named(self, "replay_bar", "Replay")
         self.setFrameShape(QFrame.Shape.StyledPanel)
-        self.place = QSlider(Qt.Orientation.Horizontal)
-        self.place.setObjectName("replay_place")
-        self.place.setAccessibleName("Place in the recorded test")
+        self.place = named(
+            QSlider(Qt.Orientation.Horizontal), "replay_place", "Place in the recorded test"
+        )
         self.place.setRange(0, STEPS)
         self.place.setPageStep(STEPS // 10)
         self.place.setTracking(False)
         self.place.valueChanged.connect(self._moved)
-        self.revolution = QSpinBox()
-        self.revolution.setObjectName("replay_revolution")
-        self.revolution.setAccessibleName("Go to a revolution")
-        self.revolution.setGroupSeparatorShown(True)
-        self.revolution.setKeyboardTracking(False)
-        self.revolution.setRange(0, 1)
+        self.revolution = whole_number("replay_revolution", "Go to a revolution", 0, 1)
         self.revolution.valueChanged.connect(self._typed)
-        self.speed = QComboBox()
-        self.speed.setObjectName("replay_speed")
-        self.speed.setAccessibleName("Speed of the replay")
-        for speed in SPEEDS:
-            self.speed.addItem(f"{speed:g} times", speed)
+        speeds = [(f"{speed:g} times", speed) for speed in SPEEDS]
+        self.speed = choice("replay_speed", "Speed of the replay", speeds)
         self.speed.setCurrentIndex(self.speed.findData(10.0))
         self.speed.currentIndexChanged.connect(self._changed)
-        self.again = QPushButton("From the start")
-        self.again.setObjectName("replay_again")
-        self.again.setAccessibleName("Replay from the start")
-        self.again.clicked.connect(lambda: self.wanted.emit("rewind", {}))
-        row = QHBoxLayout(self)
+        self.again = button(
+            "replay_again",
+            "From the start",
+            lambda: self.wanted.emit("rewind", {}),
+            "Replay from the start",
+        )
         note = QLabel("Replay of a recorded test: no rig is moved.")
         note.setToolTip("F6 pauses the replay, F7 goes on")
-        row.addWidget(note)
-        for text, widget, stretch in (
-            ("Pl&ace", self.place, 1),
-            ("Re&volution", self.revolution, 0),
-            ("Spee&d", self.speed, 0),
-        ):
-            label = QLabel(text)
-            label.setBuddy(widget)
-            row.addWidget(label)
-            row.addWidget(widget, stretch)
-        row.addWidget(self.again)
+        row(
+            note,
+            "Pl&ace", (self.place, 1),
+            "Re&volution", self.revolution,
+            "Spee&d", self.speed,
+            self.again,
+            on=self,
+        )  # fmt: skip
 
     def show_status(self, status: Status, last_recorded: int) -> None:
         """Follow the replay, unless somebody is just moving the slider or typing."""

@@ -9,18 +9,12 @@ from typing import Any
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import (
-    QComboBox,
-    QFileDialog,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
-    QPushButton,
-    QSpinBox,
-)
+from PySide6.QtWidgets import QFileDialog, QFrame
 
-from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.config.ranges import RANGES
+from rigapp.gui.widgets.build import button, choice, edit, named, row, whole_number
+
+MOST_REVOLUTIONS = int(RANGES["run.revolutions"].high)
 
 
 class StartBar(QFrame):
@@ -31,53 +25,26 @@ class StartBar(QFrame):
     def __init__(self, tests: Sequence[Path], results_folder: Path) -> None:
         super().__init__()
         self._results = results_folder
-        self.setObjectName("start_bar")
-        self.setAccessibleName("Start a test")
+        named(self, "start_bar", "Start a test")
         self.setFrameShape(QFrame.Shape.StyledPanel)
-        self.test = QComboBox()
-        self.test.setObjectName("start_test")
-        self.test.setAccessibleName("Test to start")
-        self.out = QLineEdit()
-        self.out.setObjectName("start_file")
-        self.out.setAccessibleName("File that the test is written to")
-        self.revolutions = QSpinBox()
-        self.revolutions.setObjectName("start_revolutions")
-        self.revolutions.setAccessibleName("Revolutions, 0: as in the test")
-        self.revolutions.setRange(0, 100_000_000)
+        self.test = choice("start_test", "Test to start", (), self._name_file)
+        self.out = edit("start_file", "File that the test is written to")
+        self.revolutions = whole_number(
+            "start_revolutions", "Revolutions, 0: as in the test", 0, MOST_REVOLUTIONS
+        )
         self.revolutions.setSpecialValueText("as in the test")
-        self.revolutions.setGroupSeparatorShown(True)
-        self._build()
+        browse = button("start_browse", "&Browse…", self._browse, "Choose another test file")
+        self.go = button("start_now", "Start no&w", self._go, guarded=True)
+        cancel = button("start_cancel", "Cancel", self.hide, "Do not start")
+        row(
+            "Test &file", (self.test, 2), browse,
+            "Re&volutions", (self.revolutions, 1),
+            "Write t&o", (self.out, 3),
+            self.go, cancel,
+            on=self,
+        )  # fmt: skip
         self.offer(tests)
         self.hide()
-
-    def _build(self) -> None:
-        browse = QPushButton("&Browse…")
-        browse.setObjectName("start_browse")
-        browse.setAccessibleName("Choose another test file")
-        browse.clicked.connect(self._browse)
-        self.go = GuardedButton("Start no&w")
-        self.go.setObjectName("start_now")
-        self.go.setAccessibleName("Start now")
-        self.go.clicked.connect(self._go)
-        cancel = QPushButton("Cancel")
-        cancel.setObjectName("start_cancel")
-        cancel.setAccessibleName("Do not start")
-        cancel.clicked.connect(self.hide)
-        row = QHBoxLayout(self)
-        for text, widget, stretch in (
-            ("Test &file", self.test, 2),
-            ("Re&volutions", self.revolutions, 1),
-            ("Write t&o", self.out, 3),
-        ):
-            label = QLabel(text)
-            label.setBuddy(widget)
-            row.addWidget(label)
-            row.addWidget(widget, stretch)
-            if widget is self.test:
-                row.addWidget(browse)
-        row.addWidget(self.go)
-        row.addWidget(cancel)
-        self.test.currentIndexChanged.connect(self._name_file)
 
     def offer(self, tests: Sequence[Path]) -> None:
         """Offer test files, the first one chosen."""

@@ -1,59 +1,80 @@
-"""The tabs of the window; each panel draws only while it can be seen."""
+"""The tabs of the window, as one table; each panel draws only while it can be seen."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Protocol
+from typing import Any
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
-from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.panels.alarms import AlarmPanel
-from rigapp.gui.panels.browser import BrowserPanel
-from rigapp.gui.panels.cycle import CyclePanel
-from rigapp.gui.panels.devices import DevicePanel
-from rigapp.gui.panels.faults import FaultPanel
-from rigapp.gui.panels.limits import LimitPanel
-from rigapp.gui.panels.logbook import LogPanel
-from rigapp.gui.plots.overlay import OverlayPanel
+from rigapp.gui.panel import Added, Dressed, Host, Panel, StallCounter
+from rigapp.gui.panels.alarms import alarm_page
+from rigapp.gui.panels.browser import browser_page
+from rigapp.gui.panels.cycle import cycle_page
+from rigapp.gui.panels.devices import device_page
+from rigapp.gui.panels.faults import fault_page
+from rigapp.gui.panels.logbook import log_page
+from rigapp.gui.panels.overview import overview_page
+from rigapp.gui.panels.trends import trend_page
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.plots.trend import TrendPanel
-from rigapp.gui.plots.wearprofile import WearProfilePanel
-from rigapp.gui.testfile.prepare import PreparePanel
-from rigapp.gui.window.headline import is_stale
-from rigapp.gui.window.watchdog import Watchdog
-from rigapp.schema.loglines import newest_limits
-from rigapp.schema.messages import Status
+from rigapp.gui.plots.plotting import QuietPlot
+from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
+from rigapp.gui.widgets.build import named
 
-Drawing = Callable[[Status | None], None]
-
-PREPARE_INDEX = 4
 TURN_MS = 10
 """Between two parts of a long drawing, so that keys and the state bar come in between."""
 
-HORIZONTAL, VERTICAL = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+
+def _always(news: News) -> bool:
+    return True
 
 
-class Dressed(Protocol):
-    """A panel that takes a theme."""
+def _simulated(news: News) -> bool:
+    return news.status is not None and news.status.simulated and not news.is_replay
 
-    def isVisible(self) -> bool:
-        """Tell whether it is on the screen, as Qt has it."""
-        ...
 
-    def dress(self, theme: Theme) -> None:
-        """Take the colours of a theme."""
-        ...
+@dataclass(frozen=True, slots=True)
+class Tab:
+    """One tab: its name, title and key, who makes its page, and when it is shown.
+
+    What a page takes of the news is said by its panels (``Panel.takes``).
+    """
+
+    name: str
+    title: str
+    key: str
+    make: Callable[[Host], QWidget]
+    shown: Callable[[News], bool] = _always
+
+
+TABS = (
+    Tab("overview", "Overview", "Ctrl+1", overview_page),
+    Tab("cycle", "Cycle", "Ctrl+2", cycle_page),
+    Tab("trends", "Trends", "Ctrl+3", trend_page),
+    Tab("limits", "Alarms and limits", "Ctrl+4", alarm_page),
+    Tab("prepare", "Prepare", "Ctrl+5", prepare_page),
+    Tab("devices", "Devices", "Ctrl+6", device_page),
+    Tab("log", "Log", "Ctrl+7", log_page),
+    Tab("results", "Results", "Ctrl+8", browser_page),
+    Tab("faults", "Simulated faults", "Ctrl+9", fault_page, _simulated),
+)
+PLACES = {tab.name: place for place, tab in enumerate(TABS)}
 
 
 class Tabs(QTabWidget):
-    """Own every panel. ``wanted`` carries requests to the engine, ``said`` sentences."""
+    """Own every page, and be the ``Host`` of its panels.
+
+    ``wanted`` carries requests to the engine, ``said`` sentences, ``start_wanted`` a test file.
+    """
 
     wanted = Signal(str, dict)
     said = Signal(str, bool)
@@ -61,264 +82,135 @@ class Tabs(QTabWidget):
 
     def __init__(
         self,
-        connection: EngineConnection,
         test: ShownTest,
         theme: Theme,
         results_folder: Path,
         worker: TaskWorker,
-        watchdog: Watchdog,
+        stalls: StallCounter,
     ) -> None:
         super().__init__()
-        self._connection = connection
         self._test = test
-        self.setObjectName("tabs")
-        self.setAccessibleName("Panels")
-        self.overview = OverlayPanel("overview", theme)
-        self.overview_trend = TrendPanel("overview", theme)
-        self.overview_wear = TrendPanel("overview_wear", theme, "wear", access_keys=False)
-        self.overview_alarms = AlarmPanel("overview", theme, compact=True)
-        self.cycle = CyclePanel(theme)
-        self.upper_trend = TrendPanel("upper", theme, "force")
-        self.lower_trend = TrendPanel("lower", theme, "wear", access_keys=False)
-        self.residual_trend = TrendPanel("residual", theme, "residual", access_keys=False)
-        self.profile = WearProfilePanel("trends", theme)
-        self.alarms = AlarmPanel("all", theme)
-        self.limits = LimitPanel()
-        self.prepare = PreparePanel(theme, results_folder, worker)
-        self.devices = DevicePanel(theme, watchdog)
-        self.log = LogPanel(worker)
-        self.browser = BrowserPanel(theme, results_folder, worker)
-        self.faults = FaultPanel(worker)
-        self.splitters: list[QSplitter] = [self.cycle, self.cycle.right, self.prepare]
-        self.splitters.append(self.browser)
-        self._trends = (
-            self.overview_trend,
-            self.overview_wear,
-            self.upper_trend,
-            self.lower_trend,
-            self.residual_trend,
-        )
-        self._slow = self._slow_drawings()
-        self._staged: list[QWidget] = [*self._trends, self.profile]
-        self._staged += [self.overview.residual_plot, self.cycle.overlay.residual_plot]
-        self._staged += [self.cycle.polar, self.cycle.probes, self.cycle.values]
-        self._build()
-        self._connect()
+        self._news = News()
+        self.theme = theme
+        self.results_folder = results_folder
+        self.worker = worker
+        self.stalls = stalls
+        self.panels: dict[str, Panel] = {}
+        named(self, "tabs", "Panels")
+        for place, tab in enumerate(TABS):
+            page = tab.make(self)
+            page.setAutoFillBackground(True)
+            self.addTab(_scrolling(page, tab), f"{tab.key[-1]} {tab.title}")
+            self.setTabToolTip(place, f"{tab.title} ({tab.key})")
+            shortcut = QShortcut(QKeySequence(tab.key), self)
+            shortcut.activated.connect(partial(self._go_to, place))
+        self._offer_tabs()
+        self.splitters = [one for one in self.findChildren(QSplitter) if one.objectName()]
+        self.currentChanged.connect(self._changed)
+
+    def add(self, name: str, panel: Added) -> Added:
+        """Tell a panel the news from now on, and dress it; return it."""
+        self.panels[name] = panel
+        return panel
+
+    def ask(self, verb: str, arguments: dict[str, Any]) -> None:
+        """Ask the engine; the answer is shown by the window."""
+        self.wanted.emit(verb, arguments)
+
+    def say(self, sentence: str, good: bool) -> None:
+        """Show a sentence where answers stand."""
+        self.said.emit(sentence, good)
+
+    def offer_start(self, test: Path) -> None:
+        """Ask for the start of a test file."""
+        self.start_wanted.emit(test)
+
+    def read_revolution(
+        self,
+        revolution: int,
+        done: Callable[[StoredRevolution], None],
+        failed: Callable[[Exception], None],
+    ) -> None:
+        """Read the saved cycle nearest to a revolution."""
+        self._test.ask_revolution(revolution, done, failed)
+
+    @property
+    def prepare(self) -> PreparePanel:
+        """Return the panel that prepares a test."""
+        panel = self.panels["prepare"]
+        assert isinstance(panel, PreparePanel)
+        return panel
+
+    def show_prepare(self) -> None:
+        """Go to the tab that prepares a test."""
+        self.setCurrentIndex(PLACES["prepare"])
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        dressed: tuple[Dressed, ...] = (
-            self.overview,
-            self.overview_alarms,
-            self.cycle,
-            self.profile,
-            self.alarms,
-            self.prepare,
-            self.devices,
-            self.browser,
-            *self._trends,
-        )
+        self.theme = theme
+        dressed = [panel for panel in self.panels.values() if isinstance(panel, Dressed)]
         # What is seen first; the sort is stable. The first panel of those at once.
         first, *others = sorted(dressed, key=lambda panel: not panel.isVisible())
         first.dress(theme)
         self._in_turns(partial(panel.dress, theme) for panel in others)
 
-    def take_status(self, status: Status) -> None:
-        """Take what every new status means for panels, seen or not."""
-        for overlay in (self.overview, self.cycle.overlay):
-            overlay.set_channels(status.channels)
-        for panel in (self.overview_alarms, self.alarms):
-            panel.show_alarms(status.alarms)
-            panel.show_state(status.state)
-        simulated = status.simulated and not self._connection.is_replay
-        if self.isTabVisible(self._fault_index) != simulated:
-            self.setTabVisible(self._fault_index, simulated)
+    def take(self, news: News) -> None:
+        """Take what every new status means, for panels that are seen or not."""
+        self._news = news
+        for panel in self.panels.values():
+            if Takes.STATUS in panel.takes:
+                panel.show_news(news)
+        self._offer_tabs()
 
-    def draw_fast(self, status: Status | None) -> None:
+    def draw_fast(self, news: News) -> None:
         """Draw the newest revolution where it can be seen."""
-        data = self._test.data
-        ratio = self._test.crank_over_follower
-        stale = status is not None and is_stale(status)
-        if self.overview.isVisible():
-            self.overview.set_mechanism(ratio)
-            self.overview.refresh(data, stale=stale)
-        if self.cycle.isVisible():
-            self.cycle.overlay.set_mechanism(ratio)
-            self.cycle.show_newest(data, stale=stale)
+        self._news = news
+        for panel in self._seen(Takes.REVOLUTION):
+            panel.show_news(news)
 
-    def draw_slow(self, status: Status | None) -> None:
-        """Draw trends, tables and lists where they can be seen."""
-        for panel, draw in self._slow:
-            if panel.isVisible():
-                draw(status)
+    def draw_slow(self, news: News, part: int = 0, parts: int = 1) -> None:
+        """Draw trends, tables and lists where they can be seen; one of so many parts of them."""
+        self._news = news
+        if part == 0 and any(self._seen(Takes.LOG)):
+            self._test.follow_log()
+        for panel in list(self.panels.values())[part::parts]:
+            self._draw_history(panel)
 
-    def draw_part(self, status: Status | None, part: int, parts: int) -> None:
-        """Draw one of so many parts of what ``draw_slow`` draws, so that no turn is long."""
-        for panel, draw in self._slow[part::parts]:
-            if panel.isVisible():
-                draw(status)
+    def _draw_history(self, panel: Panel) -> None:
+        if Takes.HISTORY in panel.takes and panel.isVisible():
+            panel.show_news(self._news)
 
-    def _slow_drawings(self) -> list[tuple[QWidget, Drawing]]:
-        trends = [(trend, partial(self._draw_trend, trend)) for trend in self._trends]
-        return [
-            *trends,
-            (self.profile, self._draw_profile),
-            (self.prepare, self.prepare.show_status),
-            (self.devices, self._draw_devices),
-            (self.log, self._follow_log),
-            (self.limits, self._follow_log),
-            (self.limits, self._draw_limits),
-            (self.faults, self.faults.show_status),
-        ]
+    def _seen(self, what: Takes) -> Iterable[Panel]:
+        return (one for one in self.panels.values() if what in one.takes and one.isVisible())
 
-    def _draw_trend(self, trend: TrendPanel, status: Status | None) -> None:
-        trend.refresh(self._test.data)
+    def _offer_tabs(self) -> None:
+        for place, tab in enumerate(TABS):
+            if self.isTabVisible(place) != tab.shown(self._news):
+                self.setTabVisible(place, tab.shown(self._news))
 
-    def _draw_profile(self, status: Status | None) -> None:
-        test = self._test.recipe
-        self.profile.refresh(self._test.data, test.model.joint if test is not None else None)
-
-    def _draw_devices(self, status: Status | None) -> None:
-        self.devices.show_status(status, self._connection.silence_s())
-
-    def _follow_log(self, status: Status | None) -> None:
-        self.log.follow(self._test.path)
-
-    def _draw_limits(self, status: Status | None) -> None:
-        state = status.state if status is not None else None
-        planned = status.planned if status is not None else 0
-        changed = newest_limits(self.log.events)
-        self.limits.show_limits(state, self._test.recipe, changed, planned)
-
-    def show_prepare(self) -> None:
-        """Go to the tab that prepares a test."""
-        self.setCurrentIndex(PREPARE_INDEX)
-
-    def open_tests(self, tests: list[Path]) -> None:
-        """Offer the first test file in the form."""
-        if tests:
-            self.prepare.recipe.open_file(tests[0])
-
-    def _build(self) -> None:
-        right = self._split("overview_right", VERTICAL, [380, 260])
-        right.addWidget(self.overview_trend)
-        right.addWidget(self.overview_wear)
-        upper = self._split("overview_split", HORIZONTAL, [700, 700])
-        upper.addWidget(self.overview)
-        upper.addWidget(right)
-        overview = QWidget()
-        column = QVBoxLayout(overview)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(upper, 1)
-        column.addWidget(self.overview_alarms)
-        lower = self._split("trend_lower", HORIZONTAL, [700, 700])
-        lower.addWidget(self.lower_trend)
-        lower.addWidget(self.profile)
-        trends = self._split("trend_split", VERTICAL, [300, 180, 300])
-        for part in (self.upper_trend, self.residual_trend, lower):
-            trends.addWidget(part)
-        alarms = self._split("alarm_split", VERTICAL, [400, 300])
-        alarms.addWidget(self.alarms)
-        alarms.addWidget(self.limits)
-        pages = (
-            (overview, "Overview"),
-            (self.cycle, "Cycle"),
-            (trends, "Trends"),
-            (alarms, "Alarms and limits"),
-            (self.prepare, "Prepare"),
-            (self.devices, "Devices"),
-            (self.log, "Log"),
-            (self.browser, "Results"),
-            (self.faults, "Simulated faults"),
-        )
-        for number, (page, text) in enumerate(pages, start=1):
-            page.setAutoFillBackground(True)
-            self.addTab(_scrolling(page, text), f"{number} {text}")
-            self.setTabToolTip(number - 1, f"{text} (Ctrl+{number})")
-        self._fault_index = self.count() - 1
-        self.setTabVisible(self._fault_index, False)
-
-    def _split(self, name: str, orientation: Qt.Orientation, sizes: list[int]) -> QSplitter:
-        splitter = SizedSplitter(orientation, sizes)
-        splitter.setObjectName(name)
-        splitter.setAccessibleName("Divided panels")
-        splitter.setChildrenCollapsible(False)
-        self.splitters.append(splitter)
-        return splitter
-
-    def _connect(self) -> None:
-        for panel in (
-            self.overview_alarms,
-            self.alarms,
-            self.limits,
-            self.devices,
-            self.browser,
-            self.faults,
-        ):
-            panel.wanted.connect(self.wanted)
-        self.browser.said.connect(self.said)
-        self.prepare.recipe.start_wanted.connect(self.start_wanted)
-        self.cycle.revolution_wanted.connect(self._ask_revolution)
-        self.currentChanged.connect(self._changed)
-        for index in range(self.count()):
-            shortcut = QShortcut(QKeySequence(f"Ctrl+{index + 1}"), self)
-            shortcut.activated.connect(partial(self._go_to, index))
-
-    def _go_to(self, index: int) -> None:
-        if self.isTabVisible(index):
-            self.setCurrentIndex(index)
+    def _go_to(self, place: int) -> None:
+        if self.isTabVisible(place):
+            self.setCurrentIndex(place)
 
     def _changed(self) -> None:
-        self.draw_fast(self._connection.status)
+        self.draw_fast(self._news)
         calls: list[Callable[[], object]] = []
-        for panel in self._staged:
-            if panel.isVisible():
-                panel.setUpdatesEnabled(False)
-                calls.append(partial(panel.setUpdatesEnabled, True))
-        for panel, draw in self._slow:
-            if panel.isVisible():
-                calls.append(partial(self._draw_later, panel, draw))
+        for plot in self.currentWidget().findChildren(QuietPlot)[1:]:
+            plot.setUpdatesEnabled(False)
+            calls.append(partial(plot.setUpdatesEnabled, True))
+        calls += [partial(self._draw_history, panel) for panel in self._seen(Takes.HISTORY)]
         self._in_turns(calls)
-        if self.browser.isVisible():
-            self.browser.look()
 
     def _in_turns(self, calls: Iterable[Callable[[], object]]) -> None:
         """Make each call in a turn of the event loop of its own, so that none is long."""
         for number, call in enumerate(calls, 1):
             QTimer.singleShot(number * TURN_MS, self, call)
 
-    def _draw_later(self, panel: QWidget, draw: Drawing) -> None:
-        if panel.isVisible():
-            draw(self._connection.status)
 
-    def _ask_revolution(self, revolution: int) -> None:
-        def failed(error: Exception) -> None:
-            self.said.emit(f"No stored revolution: {error}", False)
-            self.cycle.no_revolution()
-
-        self._test.ask_revolution(revolution, self.cycle.show_revolution, failed)
-
-
-def _scrolling(page: QWidget, text: str) -> QScrollArea:
+def _scrolling(page: QWidget, tab: Tab) -> QScrollArea:
     """Return a page that scrolls on a screen too small for it; state and buttons stay in sight."""
-    area = QScrollArea()
-    area.setObjectName(f"page_{text.split()[-1].lower()}")
-    area.setAccessibleName(text)
+    area = named(QScrollArea(), f"page_{tab.name}", tab.title)
     area.setWidgetResizable(True)
     area.setFrameShape(QScrollArea.Shape.NoFrame)
     area.setWidget(page)
     return area
-
-
-class SizedSplitter(QSplitter):
-    """A splitter that takes its first sizes when its last panel arrives."""
-
-    def __init__(self, orientation: Qt.Orientation, sizes: list[int]) -> None:
-        super().__init__(orientation)
-        self._sizes = sizes
-
-    def addWidget(self, widget: QWidget) -> None:
-        """Add a panel."""
-        super().addWidget(widget)
-        if self.count() == len(self._sizes):
-            self.setSizes(self._sizes)

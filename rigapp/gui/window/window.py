@@ -11,19 +11,14 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence, QShortcut
-from PySide6.QtWidgets import (
-    QApplication,
-    QHBoxLayout,
-    QMainWindow,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
 from rigapp.gui.data.connection import ConnectionState, EngineConnection
+from rigapp.gui.data.news import News
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import THEMES, Theme, apply_theme
+from rigapp.gui.widgets.build import button, column, row
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.closebar import CloseBar
 from rigapp.gui.window.command import KEY as COMMAND_KEY
@@ -38,7 +33,8 @@ from rigapp.gui.window.replaybar import ReplayBar
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import Watchdog
-from rigapp.schema.messages import ACTIVE_STATES, Snapshot, Status
+from rigapp.schema.messages import Snapshot, Status
+from rigapp.schema.states import ACTIVE
 
 if TYPE_CHECKING:
     from rigapp.gui.wizard.chooser import CalibrationChooser
@@ -103,10 +99,11 @@ class MainWindow(QMainWindow):
         self._forbidden = ""
         self.replay_bar = ReplayBar()
         self.replay_bar.hide()
-        self.tabs = Tabs(connection, test, theme, results_folder, self._reader, self.watchdog)
+        self.tabs = Tabs(test, theme, results_folder, self._reader, self.watchdog)
         if rig is not None:
             self.tabs.prepare.set_rig(rig)
-        self.tabs.open_tests(list(tests))
+        if tests:
+            self.tabs.prepare.recipe.open_file(tests[0])
         self._build()
         self._connect()
         self._timer = QTimer(self)
@@ -132,9 +129,8 @@ class MainWindow(QMainWindow):
         if news or self._test.problem or self._ticks % STATE_EVERY == 1:
             self._show_state()
         if not self.isMinimized():
-            status = self._connection.status
-            self.tabs.draw_fast(status)
-            self.tabs.draw_part(status, self._ticks % SLOW_EVERY, SLOW_EVERY)
+            self.tabs.draw_fast(self.news)
+            self.tabs.draw_slow(self.news, self._ticks % SLOW_EVERY, SLOW_EVERY)
 
     def _show_state(self) -> None:
         status = self._connection.status
@@ -157,14 +153,29 @@ class MainWindow(QMainWindow):
         self._close_when_stopped()
 
     @property
+    def news(self) -> News:
+        """Return what is known now."""
+        test, connection = self._test, self._connection
+        return News(
+            connection.status,
+            test.data,
+            test.recipe,
+            test.path,
+            test.events,
+            test.log_problem,
+            connection.silence_s(),
+            connection.is_replay,
+        )
+
+    @property
     def settled(self) -> bool:
         """Tell whether the engine has spoken and the history of its test is read."""
         return self._connection.status is not None and self._test.settled
 
     def draw_now(self) -> None:
         """Draw what is visible without waiting for the next tick."""
-        self.tabs.draw_fast(self._connection.status)
-        self.tabs.draw_slow(self._connection.status)
+        self.tabs.draw_fast(self.news)
+        self.tabs.draw_slow(self.news)
 
     def start_when_idle(self, test: Path) -> None:
         """Start a test as soon as the engine has been heard and runs no other."""
@@ -180,12 +191,9 @@ class MainWindow(QMainWindow):
         application = QApplication.instance()
         if isinstance(application, QApplication):
             apply_theme(application, theme)
-        self.header.dress(theme)
-        self.notice.dress(theme)
-        self.recover.dress(theme)
-        self.viewer_bar.dress(theme)
-        self.controls.dress(theme)
-        self.tabs.dress(theme)
+        bars = (self.header, self.notice, self.recover, self.viewer_bar, self.controls)
+        for part in (*bars, self.tabs):
+            part.dress(theme)
         self.draw_now()
 
     def show_help(self) -> None:
@@ -232,7 +240,7 @@ class MainWindow(QMainWindow):
 
     def _may_calibrate(self) -> Status | None:
         status = self._connection.status
-        if self._connection.is_replay or status is None or status.state in ACTIVE_STATES:
+        if self._connection.is_replay or status is None or status.state in ACTIVE:
             why = "Calibrating needs a running engine and no test under way."
             self.controls.show_answer(why, good=False)
             return None
@@ -246,7 +254,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask while a test is under way; else remember the layout and detach."""
         status = self._connection.status
-        active = status is not None and status.state in ACTIVE_STATES
+        active = status is not None and status.state in ACTIVE
         attached = (
             self._connection.state is ConnectionState.ATTACHED and not self._connection.is_replay
         )
@@ -292,7 +300,7 @@ class MainWindow(QMainWindow):
         self.recover.take_status(None if self._connection.is_replay else status)
         self.notice.take_status(status, told=not self.recover.isHidden())
         self._test.take(snapshot)
-        self.tabs.take_status(status)
+        self.tabs.take(self.news)
         if self._start_wanted is not None and status.state in STARTABLE:
             test, self._start_wanted = self._start_wanted, None
             self.controls.show_status(status, self._connection.state)
@@ -312,8 +320,8 @@ class MainWindow(QMainWindow):
         why = why_forbidden(watch.holder, watch.name)
         if why != self._forbidden:
             self._forbidden = why
-            for button in self.findChildren(GuardedButton):
-                button.forbid(why)
+            for guarded in self.findChildren(GuardedButton):
+                guarded.forbid(why)
 
     def _leave(self) -> None:
         self._closing = "now"
@@ -325,7 +333,7 @@ class MainWindow(QMainWindow):
 
     def _close_when_stopped(self) -> None:
         status = self._connection.status
-        if self._closing == "when stopped" and status and status.state not in ACTIVE_STATES:
+        if self._closing == "when stopped" and status and status.state not in ACTIVE:
             self._leave()
 
     def _start_prepared(self, path: Path) -> None:
@@ -333,38 +341,27 @@ class MainWindow(QMainWindow):
         self.start_bar.open()
 
     def _build(self) -> None:
-        self.help_button = QPushButton("Help  F1")
-        self.help_button.setObjectName("help_button")
-        self.help_button.setAccessibleName("Help")
-        self.theme_button = QPushButton("Light / dark  F9")
-        self.theme_button.setObjectName("theme_button")
-        self.theme_button.setAccessibleName("Light or dark")
-        self.calibrate_button = GuardedButton("Calibrate…  F3")
-        self.calibrate_button.setObjectName("calibrate_button")
-        self.calibrate_button.setAccessibleName("Calibrate the load cell")
+        self.help_button = button("help_button", "Help  F1", self.show_help, "Help")
+        self.theme_button = button(
+            "theme_button", "Light / dark  F9", self.switch_theme, "Light or dark"
+        )
+        self.calibrate_button = button(
+            "calibrate_button",
+            "Calibrate…  F3",
+            self.calibrate,
+            "Calibrate the load cell",
+            guarded=True,
+        )
         corner = QWidget()
-        row = QHBoxLayout(corner)
-        row.setContentsMargins(0, 0, 0, 2)
-        row.addWidget(self.calibrate_button)
-        row.addWidget(self.theme_button)
-        row.addWidget(self.help_button)
+        tools = row(self.calibrate_button, self.theme_button, self.help_button, on=corner)
+        tools.setContentsMargins(0, 0, 0, 2)
         self.tabs.setCornerWidget(corner)
         body = QWidget()
-        column = QVBoxLayout(body)
-        column.setContentsMargins(6, 6, 6, 6)
-        column.setSpacing(6)
-        for bar in (
-            self.header,
-            self.viewer_bar,
-            self.notice,
-            self.recover,
-            self.controls,
-            self.replay_bar,
-            self.start_bar,
-            self.close_bar,
-        ):
-            column.addWidget(bar)
-        column.addWidget(self.tabs, 1)
+        bars = (self.header, self.viewer_bar, self.notice, self.recover, self.controls)
+        asked = (self.replay_bar, self.start_bar, self.close_bar)
+        layout = column(*bars, *asked, (self.tabs, 1), on=body)
+        layout.setContentsMargins(6, 6, 6, 6)
+        layout.setSpacing(6)
         self.setCentralWidget(body)
         screen = QGuiApplication.primaryScreen()
         room = screen.availableGeometry() if screen is not None else None
@@ -388,13 +385,13 @@ class MainWindow(QMainWindow):
         self.tabs.wanted.connect(self.controls.send)
         self.tabs.said.connect(lambda text, good: self.controls.show_answer(text, good=good))
         self.tabs.start_wanted.connect(self._start_prepared)
-        self.help_button.clicked.connect(self.show_help)
-        self.theme_button.clicked.connect(self.switch_theme)
-        self.calibrate_button.clicked.connect(self.calibrate)
-        QShortcut(QKeySequence("F1"), self, self.show_help)
-        QShortcut(QKeySequence(COMMAND_KEY), self, self.controls.command_line.act)
-        QShortcut(QKeySequence("F9"), self, self.switch_theme)
-        QShortcut(QKeySequence("F3"), self, self.calibrate)
+        for key, call in (
+            ("F1", self.show_help),
+            (COMMAND_KEY, self.controls.command_line.act),
+            ("F9", self.switch_theme),
+            ("F3", self.calibrate),
+        ):
+            QShortcut(QKeySequence(key), self, call)
 
     def _restore_layout(self) -> None:
         if self._settings is None:

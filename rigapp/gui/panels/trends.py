@@ -1,0 +1,25 @@
+"""The life of the joint: three trends, and the worn profile."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
+
+from rigapp.gui.panel import Host
+from rigapp.gui.plots.trend import TrendPanel
+from rigapp.gui.plots.wearprofile import WearProfilePanel
+from rigapp.gui.widgets.build import split
+
+
+def trend_page(host: Host) -> QWidget:
+    """Make the page of trends."""
+    upper, residual, lower = (
+        host.add(
+            f"{place}_trend",
+            TrendPanel(place, host.theme, quantity, access_keys=place == "upper"),
+        )
+        for place, quantity in (("upper", "force"), ("residual", "residual"), ("lower", "wear"))
+    )
+    profile = host.add("profile", WearProfilePanel("trends", host.theme))
+    below = split("trend_lower", Qt.Orientation.Horizontal, [700, 700], lower, profile)
+    return split("trend_split", Qt.Orientation.Vertical, [300, 180, 300], upper, residual, below)

@@ -1,0 +1,173 @@
+"""Make widgets with both their names: the stable one, and the one that is read aloud."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, TypeVar
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QLayout,
+    QLineEdit,
+    QPushButton,
+    QSizePolicy,
+    QSpinBox,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from rigapp.gui.widgets.guarded import GuardedButton
+
+Made = TypeVar("Made", bound=QWidget)
+Layout = TypeVar("Layout", bound=QBoxLayout)
+Item = QWidget | QLayout | str | None
+Called = Callable[..., Any]
+
+CHECKED = "QPushButton:checked { font-weight: bold; }"
+"""Style sheet of a button that stays pressed, so that its state does not rest on its shade."""
+
+
+def named(widget: Made, name: str, spoken: str, tip: str = "") -> Made:
+    """Give a widget its names, and a tool tip where there is one."""
+    widget.setObjectName(name)
+    widget.setAccessibleName(spoken)
+    if tip:
+        widget.setToolTip(tip)
+    return widget
+
+
+def button(
+    name: str,
+    text: str,
+    call: Called | None = None,
+    spoken: str = "",
+    *,
+    tip: str = "",
+    guarded: bool = False,
+    checkable: bool = False,
+) -> QPushButton:
+    """Return a button; guarded: closed while another viewer is in command.
+
+    spoken: its text without access key and dots unless told. A checkable button calls with its
+    new state, any other without arguments.
+    """
+    plain = text.replace("&", "").rstrip("…").strip()
+    kind = GuardedButton if guarded else QPushButton
+    made = named(kind(text), name, spoken or plain, tip)
+    if checkable:
+        made.setCheckable(True)
+        made.setStyleSheet(CHECKED)
+        if call is not None:
+            made.toggled.connect(call)
+    elif call is not None:
+        # A method is held weakly by the signal, which a function around it would not be.
+        made.clicked.connect(call if inspect.ismethod(call) else lambda: call())
+    return made
+
+
+def edit(
+    name: str, spoken: str, changed: Called | None = None, *, hint: str = "", most: int = 0
+) -> QLineEdit:
+    """Return a line to type in; most: characters it takes, 0 for any number."""
+    made = named(QLineEdit(), name, spoken)
+    made.setPlaceholderText(hint)
+    if most:
+        made.setMaxLength(most)
+    if changed is not None:
+        made.textChanged.connect(changed)
+    return made
+
+
+def choice(
+    name: str, spoken: str, items: Iterable[tuple[str, Any]], chosen: Called | None = None
+) -> QComboBox:
+    """Return a box to choose from; items: text and the value that it stands for."""
+    made = named(QComboBox(), name, spoken)
+    for text, value in items:
+        made.addItem(text, value)
+    if chosen is not None:
+        made.currentIndexChanged.connect(chosen)
+    return made
+
+
+def whole_number(name: str, spoken: str, low: int, high: int) -> QSpinBox:
+    """Return a field for a whole number, read when it is complete."""
+    made = named(QSpinBox(), name, spoken)
+    made.setRange(low, high)
+    made.setGroupSeparatorShown(True)
+    made.setKeyboardTracking(False)
+    return made
+
+
+def prose(name: str, spoken: str, text: str = "") -> QLabel:
+    """Return a label for whole sentences."""
+    made = named(QLabel(text), name, spoken)
+    made.setTextFormat(Qt.TextFormat.PlainText)
+    made.setWordWrap(True)
+    made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+    return made
+
+
+def row(*items: Item | tuple[Item, int], on: QWidget | None = None) -> QHBoxLayout:
+    """Return items side by side; see ``filled``."""
+    return filled(QHBoxLayout(on) if on is not None else QHBoxLayout(), items)
+
+
+def column(*items: Item | tuple[Item, int], on: QWidget | None = None) -> QVBoxLayout:
+    """Return items below each other, close together; see ``filled``."""
+    made = filled(QVBoxLayout(on) if on is not None else QVBoxLayout(), items)
+    made.setContentsMargins(0, 0, 0, 0)
+    made.setSpacing(2)
+    return made
+
+
+def filled(layout: Layout, items: Sequence[Item | tuple[Item, int]]) -> Layout:
+    """Fill a layout: widgets and layouts, with their stretch where it is not 0, captions as texts.
+
+    A text is the caption of the widget after it and has its access key; None is room to stretch.
+    """
+    caption: QLabel | None = None
+    for one in items:
+        item, stretch = one if isinstance(one, tuple) else (one, 0)
+        if item is None:
+            layout.addStretch(1)
+        elif isinstance(item, str):
+            caption = QLabel(item)
+            layout.addWidget(caption, stretch)
+        elif isinstance(item, QLayout):
+            layout.addLayout(item, stretch)
+        else:
+            if caption is not None:
+                caption.setBuddy(item)
+                caption = None
+            layout.addWidget(item, stretch)
+    return layout
+
+
+def page(*items: Item | tuple[Item, int]) -> QWidget:
+    """Return a widget that holds items below each other."""
+    made = QWidget()
+    column(*items, on=made)
+    return made
+
+
+def split(
+    name: str,
+    orientation: Qt.Orientation,
+    sizes: Sequence[int],
+    *parts: QWidget,
+    spoken: str = "Divided panels",
+) -> QSplitter:
+    """Return parts with movable borders between them."""
+    made = named(QSplitter(orientation), name, spoken)
+    made.setChildrenCollapsible(False)
+    for part in parts:
+        made.addWidget(part)
+    made.setSizes(list(sizes))
+    return made
