@@ -1,13 +1,10 @@
-"""The settings file of a calibration: the text side, with the units in the keys.
-
-What its numbers may be stands in ``rigapp.config.ranges``.
-"""
+"""The settings file of a calibration: the text side, with the units in the keys."""
 
 from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
@@ -16,6 +13,7 @@ from calibration.load_cell.weights import Place, WeightSet, normal_gravity
 from calibration.probes.settings import ProbeSettings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
+from rigapp.config.numbers import TURN_DEG, within
 
 LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
@@ -26,8 +24,8 @@ class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[cell]: the load cell."""
 
     name: str
-    full_scale_N: float = 400.0
-    resolution_N: float = 2.0
+    full_scale_N: Annotated[float, within(1.0, 1e6)] = 400.0
+    resolution_N: Annotated[float, within(1e-6, 1000.0)] = 2.0
     signal_unit: str = "mV/V"
 
 
@@ -35,24 +33,24 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[weights]: how their mass is stated, density, uncertainty, hanger."""
 
     mass_kind: Literal["conventional", "true"] = "conventional"
-    density_kg_per_m3: float = 8000.0
-    density_standard_uncertainty_kg_per_m3: float = 100.0
-    relative_standard_uncertainty: float = 5e-5
-    hanger_mass_kg: float = 0.0
+    density_kg_per_m3: Annotated[float, within(1e-3, 1e6)] = 8000.0
+    density_standard_uncertainty_kg_per_m3: Annotated[float, within(0.0, 3000.0)] = 100.0
+    relative_standard_uncertainty: Annotated[float, within(0.0, 0.01)] = 5e-5
+    hanger_mass_kg: Annotated[float, within(0.0, 100.0)] = 0.0
 
 
 class PlaceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[place]: gravity, or latitude and height; the air."""
 
-    gravity_m_s2: float | None = None
-    latitude_deg: float | None = None
-    height_m: float = 0.0
-    gravity_relative_standard_uncertainty: float | None = None
-    air_density_kg_per_m3: float = 1.2
-    air_density_standard_uncertainty_kg_per_m3: float = 0.05
-    temperature_degC: float | None = None
-    humidity_percent: float | None = None
-    pressure_hPa: float | None = None
+    gravity_m_s2: Annotated[float | None, within(1e-3, 1e6)] = None
+    latitude_deg: Annotated[float | None, within(-90.0, 90.0)] = None
+    height_m: Annotated[float, within(-500.0, 9000.0)] = 0.0
+    gravity_relative_standard_uncertainty: Annotated[float | None, within(0.0, 0.01)] = None
+    air_density_kg_per_m3: Annotated[float, within(0.0, 1e4)] = 1.2
+    air_density_standard_uncertainty_kg_per_m3: Annotated[float, within(0.0, 0.5)] = 0.05
+    temperature_degC: Annotated[float | None, within(-40.0, 60.0)] = None
+    humidity_percent: Annotated[float | None, within(0.0, 100.0)] = None
+    pressure_hPa: Annotated[float | None, within(400.0, 1100.0)] = None
 
 
 class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -62,10 +60,10 @@ class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     turned end for end. level_readings_deg: what the encoder showed, both ways, from a live step.
     """
 
-    offset_deg: float = 0.0
-    standard_uncertainty_deg: float = 0.05
-    setting_standard_uncertainty_deg: float = 0.02
-    level_readings_deg: tuple[float, ...] = ()
+    offset_deg: Annotated[float, TURN_DEG] = 0.0
+    standard_uncertainty_deg: Annotated[float, within(0.0, 10.0)] = 0.05
+    setting_standard_uncertainty_deg: Annotated[float, within(0.0, 10.0)] = 0.02
+    level_readings_deg: Annotated[tuple[float, ...], within(-1e6, 1e6)] = ()
 
 
 class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -81,7 +79,7 @@ class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     excitation: str = ""
     standards: str = ""
     notes: str = ""
-    valid_days: int = 365
+    valid_days: Annotated[int, within(1, 36_500)] = 365
 
 
 class LoadCellFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -103,15 +101,15 @@ class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     name: str
-    range_V: float = 10.0
-    resolution_V: float = 0.0
-    micrometer_standard_uncertainty_um: float = 0.5
-    target_radius_mm: float | None = None
-    sensor_radius_mm: float | None = None
-    gap_at_zero_um: float | None = None
-    nominal_sensitivity_um_per_V: float | None = None
-    off_axis_um: float = 0.0
-    alignment_standard_uncertainty_deg: float = 0.2
+    range_V: Annotated[float, within(0.001, 1000.0)] = 10.0
+    resolution_V: Annotated[float, within(0.0, 100.0)] = 0.0
+    micrometer_standard_uncertainty_um: Annotated[float, within(0.0, 1000.0)] = 0.5
+    target_radius_mm: Annotated[float | None, within(0.1, 10_000.0)] = None
+    sensor_radius_mm: Annotated[float | None, within(0.01, 1000.0)] = None
+    gap_at_zero_um: Annotated[float | None, within(0.1, 100_000.0)] = None
+    nominal_sensitivity_um_per_V: Annotated[float | None, within(0.0, 1e5, size=True)] = None
+    off_axis_um: Annotated[float, within(0.0, 100_000.0)] = 0.0
+    alignment_standard_uncertainty_deg: Annotated[float, within(0.0, 45.0)] = 0.2
 
 
 class ProbeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

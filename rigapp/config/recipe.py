@@ -1,15 +1,13 @@
-"""The test file (recipe): how long, how fast, what to keep, when to stop, what to compare with.
-
-What its numbers may be stands in ``rigapp.config.ranges``.
-"""
+"""The test file (recipe): how long, how fast, what to keep, when to stop, what to compare with."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import msgspec
 
 from model.wear.techniques import SOLVABLE
+from rigapp.config.numbers import FORCE_N, IN_A_ROW, LEVEL, MOST, within
 from rigapp.config.parameters import ParameterFile
 
 if TYPE_CHECKING:
@@ -23,10 +21,10 @@ Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 class RunSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[run]: revolutions, speed and ramp; pause_angle_deg is the safe angle."""
 
-    revolutions: int
-    speed_rpm: float
-    acceleration_rpm_per_s: float = 60.0
-    pause_angle_deg: float = 90.0
+    revolutions: Annotated[int, within(1, MOST, unit="revolutions")]
+    speed_rpm: Annotated[float, within(0.1, 3000.0)]
+    acceleration_rpm_per_s: Annotated[float, within(0.1, 10_000.0)] = 60.0
+    pause_angle_deg: Annotated[float, within(0.0, 359.999)] = 90.0
 
 
 class MetadataSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -46,22 +44,22 @@ class CyclesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     schedule: Literal["every", "logarithmic", "none"] = "every"
-    every_revolutions: int = 100
-    per_decade: int = 20
-    before_alarm: int = 5
-    after_alarm: int = 5
+    every_revolutions: Annotated[int, IN_A_ROW] = 100
+    per_decade: Annotated[int, within(1, 1000)] = 20
+    before_alarm: Annotated[int, within(0, 1000, unit="revolutions")] = 5
+    after_alarm: Annotated[int, within(0, 1000, unit="revolutions")] = 5
 
 
 class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[[limits.rule]]: two levels on one quantity of the revolution, e.g. ``force_max``."""
 
     quantity: str
-    warning_above: float | None = None
-    critical_above: float | None = None
-    warning_below: float | None = None
-    critical_below: float | None = None
-    hysteresis: float = 0.0
-    delay_revolutions: int = 1
+    warning_above: Annotated[float | None, LEVEL] = None
+    critical_above: Annotated[float | None, LEVEL] = None
+    warning_below: Annotated[float | None, LEVEL] = None
+    critical_below: Annotated[float | None, LEVEL] = None
+    hysteresis: Annotated[float, within(0.0, 1e9)] = 0.0
+    delay_revolutions: Annotated[int, IN_A_ROW] = 1
     action_warning: Action = "warn"
     action_critical: Action = "stop"
 
@@ -69,9 +67,9 @@ class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[limits]: what is always watched, and rules of one's own."""
 
-    overload_N: float = 380.0
-    overspeed_rpm: float = 700.0
-    stale_data_s: float = 2.0
+    overload_N: Annotated[float, FORCE_N] = 380.0
+    overspeed_rpm: Annotated[float, within(0.1, 5000.0)] = 700.0
+    stale_data_s: Annotated[float, within(0.05, 60.0)] = 2.0
     rule: tuple[LimitRule, ...] = ()
 
 
@@ -83,18 +81,18 @@ class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     A level must be passed in so many judged revolutions in a row as the key beside it says.
     """
 
-    elapsed_time_h: float | None = None
-    running_time_h: float | None = None
-    wear_depth_um: float | None = None
-    wear_depth_revolutions: int = 20
-    force_N: float | None = None
-    force_revolutions: int = 10
-    wear_rate_um_per_1000_revolutions: float | None = None
-    wear_rate_window_revolutions: int = 1000
-    deviation_N: float | None = None
-    deviation_percent: float | None = None
-    deviation_revolutions: int = 20
-    hold_off_revolutions: int = 0
+    elapsed_time_h: Annotated[float | None, within(0.001, 100_000.0)] = None
+    running_time_h: Annotated[float | None, within(0.001, 100_000.0)] = None
+    wear_depth_um: Annotated[float | None, within(0.1, 20_000.0)] = None
+    wear_depth_revolutions: Annotated[int, IN_A_ROW] = 20
+    force_N: Annotated[float | None, FORCE_N] = None
+    force_revolutions: Annotated[int, IN_A_ROW] = 10
+    wear_rate_um_per_1000_revolutions: Annotated[float | None, within(0.001, 10_000.0)] = None
+    wear_rate_window_revolutions: Annotated[int, within(20, 1_000_000)] = 1000
+    deviation_N: Annotated[float | None, within(0.1, 10_000.0)] = None
+    deviation_percent: Annotated[float | None, within(0.1, 1000.0)] = None
+    deviation_revolutions: Annotated[int, IN_A_ROW] = 20
+    hold_off_revolutions: Annotated[int, within(0, MOST)] = 0
 
 
 class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

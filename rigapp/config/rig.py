@@ -1,45 +1,45 @@
-"""The rig file: devices, which of their inputs carries what, and the linear calibration.
-
-What its numbers may be stands in ``rigapp.config.ranges``.
-"""
+"""The rig file: devices, which of their inputs carries what, and the linear calibration."""
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import msgspec
+
+from rigapp.config.numbers import COUNT, FACTOR, FORCE_N, LATENCY_MS, TURN_DEG, within
 
 Pair = tuple[float, float]
 Triple = tuple[float, float, float]
 Matrix = tuple[Pair, Pair]
+Orders = tuple[float, ...]
 
 
 class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[simulation.plant]: how the simulated rig differs from the model, each by how much."""
 
-    slider_mass_factor: float = 1.01
-    spring_stiffness_factor: float = 0.985
-    joint_friction_coefficient: float = 0.05
-    wear_coefficient_factor: float = 1.1
-    motor_torque_limit_Nm: float = 6.0
-    speed_ripple_percent: float = 0.5
-    cross_talk_percent: float = 1.5
-    force_noise_N: float = 0.7
-    force_resolution_N: float = 2.0
-    force_drift_N_per_hour: float = 0.2
-    pin_run_out_um: float = 3.0
-    probe_noise_um: float = 0.2
-    filter_delay_ms: float = 1.0
-    outboard_mass_factor: float = 1.0
-    probe_misalignment_deg: Pair = (0.0, 0.0)
-    probe_sensitivity_error_percent: Pair = (0.0, 0.0)
+    slider_mass_factor: Annotated[float, FACTOR] = 1.01
+    spring_stiffness_factor: Annotated[float, FACTOR] = 0.985
+    joint_friction_coefficient: Annotated[float, within(0.0, 2.0)] = 0.05
+    wear_coefficient_factor: Annotated[float, within(0.0, 1e6)] = 1.1
+    motor_torque_limit_Nm: Annotated[float, within(0.01, 10_000.0)] = 6.0
+    speed_ripple_percent: Annotated[float, within(0.0, 50.0)] = 0.5
+    cross_talk_percent: Annotated[float, within(0.0, 100.0)] = 1.5
+    force_noise_N: Annotated[float, within(0.0, 1000.0)] = 0.7
+    force_resolution_N: Annotated[float, within(0.0, 1000.0)] = 2.0
+    force_drift_N_per_hour: Annotated[float, within(-10_000.0, 10_000.0)] = 0.2
+    pin_run_out_um: Annotated[float, within(0.0, 1000.0)] = 3.0
+    probe_noise_um: Annotated[float, within(0.0, 1000.0)] = 0.2
+    filter_delay_ms: Annotated[float, LATENCY_MS] = 1.0
+    outboard_mass_factor: Annotated[float, within(0.0, 100.0)] = 1.0
+    probe_misalignment_deg: Annotated[Pair, TURN_DEG] = (0.0, 0.0)
+    probe_sensitivity_error_percent: Annotated[Pair, within(-99.0, 1000.0)] = (0.0, 0.0)
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[simulation]: present only in a simulated rig."""
 
-    seed: int = 1
-    speed: float | Literal["max"] = 1.0
+    seed: Annotated[int, within(0, 2**63 - 1)] = 1
+    speed: Annotated[float, within(0.001, 10_000.0)] | Literal["max"] = 1.0
     plant: PlantSection = PlantSection()
 
 
@@ -59,11 +59,11 @@ class SpindleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     device: str
-    encoder_counts_per_revolution: int
-    maximum_speed_rpm: float
+    encoder_counts_per_revolution: Annotated[int, COUNT]
+    maximum_speed_rpm: Annotated[float, within(0.1, 5000.0)]
     direction: Literal[1, -1] = 1
-    watchdog_timeout_s: float = 0.5
-    gear_ratio: float = 1.0
+    watchdog_timeout_s: Annotated[float, within(0.05, 25.5)] = 0.5
+    gear_ratio: Annotated[float, within(0.01, 1000.0)] = 1.0
 
 
 class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -71,11 +71,11 @@ class EncoderSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     device: str
     input: str
-    counts_per_revolution: int = 3600
+    counts_per_revolution: Annotated[int, COUNT] = 3600
     quadrature: Literal["after", "before"] = "after"
     direction: Literal[1, -1] = 1
     restarts_at_index: bool = True
-    index_angle_deg: float = 0.0
+    index_angle_deg: Annotated[float, TURN_DEG] = 0.0
 
 
 class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -92,16 +92,16 @@ class LoadCellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     device: str
     input_1: str
     input_2: str
-    matrix_N_per_mV_per_V: Matrix
-    zero_mV_per_V: Pair = (0.0, 0.0)
-    quadratic_mV_per_V_per_N2: tuple[Triple, Triple] | None = None
-    range_mV_per_V: float = 3.5
-    full_scale_N: float = 400.0
-    resolution_N: float = 2.0
-    latency_ms: Pair = (0.0, 0.0)
-    uncertainty_N: Pair | None = None
-    outboard_mass_kg: float = 0.0
-    outboard_radius_mm: float = 76.2
+    matrix_N_per_mV_per_V: Annotated[Matrix, within(-1e6, 1e6)]
+    zero_mV_per_V: Annotated[Pair, within(-1000.0, 1000.0)] = (0.0, 0.0)
+    quadratic_mV_per_V_per_N2: Annotated[tuple[Triple, Triple] | None, within(-1.0, 1.0)] = None
+    range_mV_per_V: Annotated[float, within(0.01, 1000.0)] = 3.5
+    full_scale_N: Annotated[float, FORCE_N] = 400.0
+    resolution_N: Annotated[float, within(1e-6, 1000.0)] = 2.0
+    latency_ms: Annotated[Pair, LATENCY_MS] = (0.0, 0.0)
+    uncertainty_N: Annotated[Pair | None, within(0.0, 10_000.0)] = None
+    outboard_mass_kg: Annotated[float, within(0.0, 100.0)] = 0.0
+    outboard_radius_mm: Annotated[float, within(0.1, 1000.0)] = 76.2
     calibration: str = ""
     calibration_override: str = ""
 
@@ -118,18 +118,18 @@ class ProbesSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     device: str
     input_1: str
     input_2: str
-    sensitivity_um_per_V: Pair
-    offset_V: Pair = (0.0, 0.0)
-    range_V: float = 10.0
-    latency_ms: Pair = (0.0, 0.0)
+    sensitivity_um_per_V: Annotated[Pair, within(1e-3, 1e5, size=True)]
+    offset_V: Annotated[Pair, within(-1000.0, 1000.0)] = (0.0, 0.0)
+    range_V: Annotated[float, within(0.001, 1000.0)] = 10.0
+    latency_ms: Annotated[Pair, LATENCY_MS] = (0.0, 0.0)
     calibration: str | tuple[str, str] = ""
     calibration_override: str = ""
-    uncertainty_um: Pair | None = None
-    alignment: Matrix = ((1.0, 0.0), (0.0, 1.0))
+    uncertainty_um: Annotated[Pair | None, within(0.0, 10_000.0)] = None
+    alignment: Annotated[Matrix, within(-100.0, 100.0)] = ((1.0, 0.0), (0.0, 1.0))
     run_out: str = ""
     run_out_override: str = ""
-    run_out_cos_um: tuple[tuple[float, ...], tuple[float, ...]] = ((), ())
-    run_out_sin_um: tuple[tuple[float, ...], tuple[float, ...]] = ((), ())
+    run_out_cos_um: Annotated[tuple[Orders, Orders], within(-1000.0, 1000.0)] = ((), ())
+    run_out_sin_um: Annotated[tuple[Orders, Orders], within(-1000.0, 1000.0)] = ((), ())
 
     @property
     def calibration_name(self) -> str:
@@ -149,11 +149,11 @@ class ChannelSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     device: str = ""
     input: str = ""
     unit: str = ""
-    scale: float = 1.0
-    offset_V: float = 0.0
-    table: tuple[Pair, ...] = ()
-    range_V: float = 10.0
-    latency_ms: float = 0.0
+    scale: Annotated[float, within(1e-9, 1e9, size=True)] = 1.0
+    offset_V: Annotated[float, within(-1000.0, 1000.0)] = 0.0
+    table: Annotated[tuple[Pair, ...], within(-1e9, 1e9)] = ()
+    range_V: Annotated[float, within(0.001, 1000.0)] = 10.0
+    latency_ms: Annotated[float, LATENCY_MS] = 0.0
     source: str = ""
 
     @property

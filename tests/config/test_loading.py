@@ -11,11 +11,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigapp.config.calibration_settings import LoadCellFile, ProbeFile
+from rigapp.config.calibration_settings import LoadCellFile, ProbeFile, RunOutFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig, parse_test, read_rig, read_test
+from rigapp.config.numbers import ANY
 from rigapp.config.parameters import ParameterFile
-from rigapp.config.ranges import RANGES
+from rigapp.config.ranges import keys_of
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 
@@ -93,45 +94,29 @@ def test_any_text_is_refused_in_one_sentence(text: str) -> None:
     assert str(caught.value).startswith("any.toml: ")
 
 
-ANY_NUMBER = frozenset({int, float})
-
-
-def numbers(
-    kind: type[msgspec.Struct], of: frozenset[type] = ANY_NUMBER, prefix: str = ""
-) -> Iterator[str]:
-    """Yield the dotted path of every key of a file that takes a number, of one type or both."""
-    for name, hint in typing.get_type_hints(kind).items():
-        if of & {hint, *parts(hint)}:
-            yield f"{prefix}{name}"
-        for part in (hint, *parts(hint)):
-            if isinstance(part, type) and issubclass(part, msgspec.Struct):
-                yield from numbers(part, of, f"{prefix}{name}.")
+FILES = [TestFile, RigFile, ParameterFile, LoadCellFile, ProbeFile, RunOutFile]
 
 
 def parts(hint: object) -> Iterator[object]:
-    if typing.get_origin(hint) is typing.Literal:
-        return
-    for part in typing.get_args(hint):
-        yield part
-        yield from parts(part)
+    yield hint
+    if typing.get_origin(hint) is not typing.Literal:
+        for part in typing.get_args(hint):
+            yield from parts(part)
 
 
-@pytest.mark.parametrize("kind", [TestFile, RigFile, ParameterFile, LoadCellFile, ProbeFile])
-def test_every_number_of_a_file_has_a_range(kind: type[msgspec.Struct]) -> None:
-    missing = {key for key in numbers(kind) if not key.endswith("schema") and key not in RANGES}
-    assert missing == set()
+@pytest.mark.parametrize("kind", FILES)
+def test_every_number_of_a_file_says_what_it_may_be(kind: type[msgspec.Struct]) -> None:
+    numbers = [one for one in keys_of(kind) if {int, float} & {*parts(one.hint)}]
+    missing = {one.path for one in numbers if one.range is ANY}
+    assert all(path.endswith("schema") for path in missing)
+    for one in numbers:
+        assert one.path in missing or one.range.whole == (int in parts(one.hint)), one.path
 
 
-def test_the_whole_numbers_of_files_are_those_of_the_table() -> None:
-    kinds = (TestFile, RigFile, ParameterFile, LoadCellFile, ProbeFile)
-    counted = {key for kind in kinds for key in numbers(kind, frozenset({int}))} & set(RANGES)
-    assert counted == {key for key, one in RANGES.items() if one.whole}
-
-
-def test_every_range_belongs_to_a_number() -> None:
-    kinds = (TestFile, RigFile, ParameterFile, LoadCellFile, ProbeFile)
-    known = {key for kind in kinds for key in numbers(kind)}
-    assert {key for key in RANGES if key not in known} == set()
+@pytest.mark.parametrize("kind", FILES)
+def test_what_says_a_range_is_a_number(kind: type[msgspec.Struct]) -> None:
+    for one in keys_of(kind):
+        assert one.range is ANY or {int, float} & {*parts(one.hint)}, one.path
 
 
 def test_a_byte_order_mark_does_not_matter(tmp_path: Path) -> None:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import types
+import math
 import typing
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
 import msgspec
 
-from rigapp.config.ranges import RANGES, UNITS, refusal, unit_of
+from rigapp.config.numbers import Range
+from rigapp.config.ranges import keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
+from rigapp.schema.units import stem_of
 
 NICE = (
     ("um per 1000 revolutions", "µm per 1000 rev"),
@@ -23,7 +25,7 @@ NICE = (
 )
 """How the window writes units."""
 
-HIDDEN = frozenset({"schema", "model.schema", "limits.rule"})
+HIDDEN = ("schema", "model.schema", "limits.rule")
 """Keys that the form keeps as they are or shows in a table of their own."""
 
 
@@ -32,12 +34,13 @@ class FieldSpec:
     """One field of the form.
 
     path: dotted. kind: int, float, str, bool, "choice" or "pair". default: NODEFAULT when required.
-    optional: the section that holds it may be absent.
+    range: what a number may be. optional: the section that holds it may be absent.
     """
 
     path: str
     kind: str
     default: Any
+    range: Range
     choices: tuple[str, ...] = ()
     optional: bool = False
 
@@ -62,24 +65,16 @@ class FieldSpec:
     @property
     def label(self) -> str:
         """Return the key in words, without its unit."""
-        key = self.key
-        ending = next((end for end, _ in UNITS if key.endswith(end)), "")
-        words = key.removesuffix(ending).replace("_", " ").replace("youngs", "Young's")
+        words = stem_of(self.key).replace("_", " ").replace("youngs", "Young's")
         words = words.replace("poissons", "Poisson's")
         return words[:1].upper() + words[1:]
-
-    @property
-    def range(self) -> tuple[float, float] | None:
-        """Return what the number may be, None when any will do."""
-        known = RANGES.get(self.path)
-        return None if known is None else (known.low, known.high)
 
     @property
     def hint(self) -> str:
         """Return key, range and default in one line."""
         parts = [self.path]
-        if self.range is not None:
-            parts.append(f"{self.range[0]:g} to {self.range[1]:g} {self.unit}".rstrip())
+        if math.isfinite(self.range.low):
+            parts.append(f"{self.range.low:g} to {self.range.high:g} {self.unit}".rstrip())
         if self.default is not msgspec.NODEFAULT:
             parts.append(f"default {show_value(self.default) or 'off'}")
         return "; ".join(parts)
@@ -88,30 +83,12 @@ class FieldSpec:
 @cache
 def form_fields() -> tuple[FieldSpec, ...]:
     """Return the fields of a test file in the order of the file."""
-    return tuple(field for field in _fields(TestFile, "", False) if field.path not in HIDDEN)
-
-
-def _fields(struct: type[msgspec.Struct], prefix: str, optional: bool) -> Iterator[FieldSpec]:
-    for info in msgspec.structs.fields(struct):
-        path = f"{prefix}{info.name}"
-        hint, nullable = _without_none(info.type)
-        if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
-            yield from _fields(hint, f"{path}.", optional or nullable)
-            continue
-        kind, choices = _kind(hint)
-        yield FieldSpec(path, kind, info.default, choices, optional)
-
-
-def _without_none(hint: Any) -> tuple[Any, bool]:
-    hint = _bare(hint)
-    if typing.get_origin(hint) in (typing.Union, types.UnionType):
-        kinds = [kind for kind in typing.get_args(hint) if kind is not type(None)]
-        return _bare(kinds[0]), True
-    return hint, False
-
-
-def _bare(hint: Any) -> Any:
-    return typing.get_args(hint)[0] if typing.get_origin(hint) is Annotated else hint
+    shown = (one for one in keys_of(TestFile) if not one.path.startswith(HIDDEN))
+    return tuple(
+        FieldSpec(one.path, kind, one.default, one.range, choices, one.optional)
+        for one in shown
+        for kind, choices in [_kind(one.hint)]
+    )
 
 
 def _kind(hint: Any) -> tuple[str, tuple[str, ...]]:

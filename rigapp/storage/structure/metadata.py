@@ -12,33 +12,7 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any
 
-_UNITS = (
-    ("_um_per_1000_revolutions", "um/1000"),
-    ("_mm3_per_Nm", "mm3/(N m)"),
-    ("_N_per_mV_per_V", "N/(mV/V)"),
-    ("_g_per_cm3", "g/cm3"),
-    ("_kg_per_m3", "kg/m3"),
-    ("_rpm_per_s", "rpm/s"),
-    ("_um_per_V", "um/V"),
-    ("_N_per_m", "N/m"),
-    ("_kg_m2", "kg m2"),
-    ("_mV_per_V", "mV/V"),
-    ("_m_s2", "m/s2"),
-    ("_MPa", "MPa"),
-    ("_rpm", "rpm"),
-    ("_deg", "deg"),
-    ("_kg", "kg"),
-    ("_mm", "mm"),
-    ("_um", "um"),
-    ("_ms", "ms"),
-    ("_Nm", "N m"),
-    ("_Hz", "Hz"),
-    ("_percent", "%"),
-    ("_h", "h"),
-    ("_N", "N"),
-    ("_V", "V"),
-    ("_s", "s"),
-)
+from rigapp.schema.units import unit_of_key
 
 _RATE = re.compile(r"(?:^|_)([A-Za-z]+)_per$")
 """What is left of a key when its last unit divides another: ``speed_limit_count_per`` (``_s``)."""
@@ -84,19 +58,18 @@ def versions() -> dict[str, str]:
     return found
 
 
-def unit_of_key(key: str) -> str:
+def file_unit(key: str) -> str:
     """Return the unit that a key of the configuration names at its end, "1" when none."""
-    for ending, unit in _UNITS:
-        if key.endswith(ending):
-            rate = _RATE.search(key.removesuffix(ending))
-            return f"{rate[1]}/{unit}" if rate is not None else unit
-    return "1"
+    unit = unit_of_key(key)
+    words = unit.words if unit.file is None else unit.file
+    rate = _RATE.search(key.removesuffix(unit.ending)) if unit.ending else None
+    return f"{rate[1]}/{words}" if words and rate is not None else words or "1"
 
 
 def name_and_unit(key: str) -> tuple[str, str]:
     """Cut the unit off a key; a unit that the program does not know stays in the name."""
-    unit = unit_of_key(key)
-    places = [i for i, letter in enumerate(key) if letter == "_" and unit_of_key(key[i:]) == unit]
+    unit = file_unit(key)
+    places = [i for i, letter in enumerate(key) if letter == "_" and file_unit(key[i:]) == unit]
     if unit == "1" or not places or key[: places[-1]].endswith("_per"):
         return key, "1"
     return key[: places[-1]], unit

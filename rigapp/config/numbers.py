@@ -1,0 +1,63 @@
+"""What a number of a file may be, said at its field: ``Annotated[float, within(0.1, 3000.0)]``.
+
+It is judged by ``config.ranges``, not while a file is read: what was allowed when a test ran is
+not judged again when it is shown.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Final
+
+import msgspec
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """What a number may be, both ends included.
+
+    size: its size is judged, the sign is free. whole: of things that are counted. unit: where the
+    key does not name it.
+    """
+
+    low: float
+    high: float
+    size: bool = False
+    whole: bool = False
+    unit: str = ""
+
+    def holds(self, value: float) -> bool:
+        """Tell whether a finite number lies within."""
+        return self.low <= (abs(value) if self.size else value) <= self.high
+
+    def words(self, unit: str) -> str:
+        """Return the range as a sentence says it."""
+        sign = ", of either sign" if self.size else ""
+        return f"{self.low:.9g} to {self.high:.9g} {unit}".rstrip() + sign
+
+    def counted(self) -> Range:
+        """Return the range of whole numbers only."""
+        return replace(self, whole=True)
+
+
+ANY: Final = Range(-math.inf, math.inf)
+
+
+def within(low: float, high: float, *, size: bool = False, unit: str = "") -> msgspec.Meta:
+    """Return what says, in an annotation, what a number may be; see ``Range``."""
+    return msgspec.Meta(extra={"range": Range(low, high, size, unit=unit)})
+
+
+MOST: Final = 100_000_000
+COUNT: Final = within(1, MOST)
+IN_A_ROW: Final = within(1, 1_000_000)
+LEVEL: Final = within(-math.inf, math.inf)
+FACTOR: Final = within(0.01, 100.0)
+TURN_DEG: Final = within(-360.0, 360.0)
+FORCE_N: Final = within(1.0, 10_000.0)
+MASS_KG: Final = within(0.0, 1000.0)
+INERTIA_KG_M2: Final = within(0.0, 10.0)
+LATENCY_MS: Final = within(0.0, 1000.0)
+MODULUS_MPA: Final = within(0.1, 2e6)
+POISSON: Final = within(0.0, 0.499)
