@@ -66,6 +66,10 @@ SAME_NAME = dict.fromkeys(
 
 
 NOT_YET = {
+    "Channel",
+    "Kind",
+    "Measured",
+    "Wire",
     "Answer",
     "Bushing",
     "Command",
