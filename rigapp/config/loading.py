@@ -60,7 +60,7 @@ def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:
     return _record(Path(name), toml_tree(text, name), TestFile, recorded=recorded)
 
 
-def test_of(tree: Mapping[str, Any], name: str) -> TestFile:
+def as_test(tree: Mapping[str, Any], name: str) -> TestFile:
     """Return the test that nested tables mean; raise UnusableInput."""
     return _record(Path(name), tree, TestFile)
 

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import test_of
+from rigapp.config.loading import as_test
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_tree
@@ -315,7 +315,7 @@ class RecipePanel(QWidget):
         try:
             tree = self.tree()
             name = self._path.name if self._path else "test"
-            test = test_of(tree, name)
+            test = as_test(tree, name)
         except (ValueError, UnusableInput) as error:
             self._say(f"Not usable yet. {error}", good=False)
         else:
