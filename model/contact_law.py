@@ -65,7 +65,7 @@ class ContactModel:
 
 
 @dataclass(frozen=True, slots=True)
-class WornProfile:
+class WornSurface:
     """Hold the wear depth (m) over the angle (rad) of the bushing's inner surface.
 
     angle: from the initial contact point (towards the crank), counter-clockwise in the follower
@@ -117,11 +117,15 @@ def hertz_stiffness(joint: Joint, bushing: Material, pin: Material) -> float:
     return float(4.0 / (3.0 * np.pi * compliance) * np.sqrt(curvature))
 
 
-def foundation_modulus(joint: Joint, bushing: Material) -> float:
-    """Return pressure per penetration of the bushing as an elastic layer on its rim, Pa/m.
+def foundation_modulus(
+    youngs_modulus: float, poissons_ratio: float, wall: float, plane: str = "strain"
+) -> float:
+    """Return pressure per penetration of a layer held sideways on its rim (Winkler), Pa/m.
 
-    E (1 - nu) / ((1 + nu) (1 - 2 nu)) / thickness: a layer held sideways (Winkler).
+    E (1 - nu) / ((1 + nu) (1 - 2 nu)) / wall in plane strain; E / (1 - nu^2) / wall in plane
+    stress. youngs_modulus: Pa; wall: thickness, m.
     """
-    nu = bushing.poissons_ratio
-    modulus = bushing.youngs_modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))
-    return modulus / (joint.bushing_outer_radius - joint.bushing_radius)
+    nu = poissons_ratio
+    if plane == "stress":
+        return youngs_modulus / (1.0 - nu * nu) / wall
+    return youngs_modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)) / wall

@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class MechanismMotion:
     """Hold motion and forces at every angle, in SI; vectors have shape (2, ...), scalars (...).
 
     Positions, velocities and accelerations are those of the centres of mass; the slider's are
@@ -84,7 +84,7 @@ def inverse_dynamics(
     acceleration: ArrayLike = 0.0,
     clearance: ArrayLike = 0.0,
     contact: Joint | None = None,
-) -> Motion:
+) -> MechanismMotion:
     """Compute motion and all forces from the crank's angle (rad), speed and acceleration.
 
     The arguments broadcast against each other; scalars give 0-d results. ``clearance`` (m) > 0
@@ -146,7 +146,7 @@ def inverse_dynamics(
         - 0.5 * r * m1 * (c1 * gy - s1 * gx)
         + moment
     )
-    return Motion(
+    return MechanismMotion(
         angle=turn,
         speed=rate,
         acceleration=growth,

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from model import impact_kernel as kernel
 from model import impact_motion as motion_of
-from model.dynamics import Motion
+from model.dynamics import MechanismMotion
 from model.errors import ModelError, require_not_negative, require_positive
 from model.frames import into_frame
 from model.impact_system import ClearanceSystem, ContactState, settled_state
@@ -62,7 +62,7 @@ class ContactCycle:
     """
 
     time: Array
-    motion: Motion
+    motion: MechanismMotion
     touching: NDArray[np.bool_]
     penetration: Array
     contact_angle: Array
@@ -231,8 +231,8 @@ def _contact_angle(rows: Array) -> Array:
     return np.asarray((turned + np.pi) % (2.0 * np.pi) - np.pi)
 
 
-def _motion(system: ClearanceSystem, times: Array, rows: Array) -> Motion:
-    """Return the samples as a Motion, with the forces that the clearance joint does not give."""
+def _motion(system: ClearanceSystem, times: Array, rows: Array) -> MechanismMotion:
+    """Return the samples as a motion, with the forces that the clearance joint does not give."""
     m = system.mechanism
     angle = system.start_angle + system.speed * times
     c1, s1 = np.cos(angle), np.sin(angle)
@@ -277,7 +277,7 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> Motion:
         + moment
         - 0.5 * (pin[0] * crank_weight[1] - pin[1] * crank_weight[0])
     )
-    return Motion(
+    return MechanismMotion(
         angle=angle,
         speed=np.full_like(angle, w),
         acceleration=still,

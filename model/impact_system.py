@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from model import impact_laws as laws
-from model.contact_law import ContactModel, WornProfile, foundation_modulus, hertz_stiffness
+from model.contact_law import ContactModel, WornSurface, foundation_modulus, hertz_stiffness
 from model.dynamics import inverse_dynamics
 from model.errors import ModelError, require_finite, require_positive
 from model.impact_motion import AT_CRANK, AT_WRIST
@@ -70,7 +70,7 @@ def clearance_system(
     speed: float,
     contact: ContactModel | None = None,
     location: Location = "crank",
-    profile: WornProfile | None = None,
+    profile: WornSurface | None = None,
     start_angle: float = 0.0,
 ) -> ClearanceSystem:
     """Put a system together; raise ModelError for what cannot move or touch.
@@ -115,7 +115,11 @@ def clearance_system(
     vector[laws.HYSTERESIS] = settings.hysteresis
     vector[laws.FRICTION] = joint.friction_coefficient
     vector[laws.RAMP_START], vector[laws.RAMP_END] = settings.friction_ramp
-    vector[laws.FOUNDATION] = foundation_modulus(joint, bushing) * joint.bushing_width
+    vector[laws.FOUNDATION] = joint.bushing_width * foundation_modulus(
+        bushing.youngs_modulus,
+        bushing.poissons_ratio,
+        joint.bushing_outer_radius - joint.bushing_radius,
+    )
     vector[laws.SPEED], vector[laws.START_ANGLE] = speed, start_angle
     vector[laws.LEAST_RADIUS] = float(table[:, laws.CONSTANT].min())
     vector[laws.REFERENCE_LENGTH] = _reference_length(mechanism, joint, speed)
@@ -203,7 +207,7 @@ def _scales(mechanism: Mechanism, speed: float, stiffness: float, location: Loca
     return np.array([depth, depth / length, pace, pace / length])
 
 
-def _surface(joint: Joint, profile: WornProfile | None) -> Array:
+def _surface(joint: Joint, profile: WornSurface | None) -> Array:
     """Return the table of surface nodes, arc lengths and the radius spline of the bushing."""
     angle = 2.0 * np.pi / NODES * np.arange(NODES)
     table = np.zeros((NODES, 7))

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from model.dynamics import Motion, inverse_dynamics
+from model.dynamics import MechanismMotion, inverse_dynamics
 from model.errors import require_not_negative
 from model.parameters import Joint, Mechanism
 
@@ -29,7 +29,7 @@ class ContinuousContact:
     in the follower frame from the assumed contact point, rad: the third assumption has it 0.
     """
 
-    motion: Motion
+    motion: MechanismMotion
     wall: Array
     clearance: float
     compression: tuple[Range, ...]
@@ -67,7 +67,7 @@ def perfect_joint(
     speed: ArrayLike,
     acceleration: ArrayLike = 0.0,
     joint: Joint | None = None,
-) -> Motion:
+) -> MechanismMotion:
     """Compute technique 1: pin and bushing centres coincide (Eq. 4), with the joint's friction."""
     return inverse_dynamics(mechanism, angle, speed, acceleration, 0.0, joint)
 
@@ -102,7 +102,7 @@ def continuous_contact(
     )
 
 
-def contact_direction(motion: Motion, friction_coefficient: float = 0.0) -> Array:
+def contact_direction(motion: MechanismMotion, friction_coefficient: float = 0.0) -> Array:
     """Return where the pin presses on the bushing, rad from the point towards the crank.
 
     Counter-clockwise in the follower frame, -pi .. pi. Friction turns the force away from the

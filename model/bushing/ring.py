@@ -21,6 +21,7 @@ from model.bushing.contact import (
 from model.bushing.element import Plane, elasticity
 from model.bushing.sector import SectorMesh, suitable_mesh
 from model.bushing.winkler import winkler_compliance, winkler_half_angle
+from model.contact_law import foundation_modulus
 from model.errors import ModelError, require_positive
 from model.parameters import Joint, Material
 
@@ -76,6 +77,11 @@ class Ring:
             return self.youngs_modulus
         return self.youngs_modulus / (1.0 - self.poissons_ratio**2)
 
+    @property
+    def foundation_modulus(self) -> float:
+        """Return pressure per displacement of the wall as a bed of springs, Pa/m."""
+        return foundation_modulus(self.youngs_modulus, self.poissons_ratio, self.wall, self.plane)
+
     def circle(self, sectors: int) -> Array:
         """Return the unworn positions of the 2 x sectors surface nodes, (2 x sectors, 2), m."""
         angle = surface_angles(sectors)
@@ -87,7 +93,9 @@ class Ring:
         Persson's, or that of the bed of springs.
         """
         if self.contact == "winkler":
-            return winkler_half_angle(self, force)
+            return winkler_half_angle(
+                self.foundation_modulus, self.clearance, self.pin_radius, force
+            )
         return persson.half_angle(force, self.clearance, self.modulus)
 
     def indentation(self, surface: Array, pin: Array) -> float:
@@ -128,7 +136,7 @@ def _compliance(ring: Ring, mesh: SectorMesh, nodes: bytes) -> SurfaceCompliance
     chosen = np.frombuffer(nodes, dtype=np.int64)
     if ring.contact == "winkler":
         weights = simpson_weights(ring.circle(mesh.sectors))
-        return winkler_compliance(ring, mesh, weights, chosen)
+        return winkler_compliance(ring.foundation_modulus, mesh, weights, chosen)
     return circular_compliance(
         ring.inner,
         ring.outer,

@@ -7,52 +7,37 @@ more the narrower the contact is against the wall.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from model.bushing.compliance import SurfaceCompliance, arc_ends, surface_angles
 from model.bushing.sector import SectorMesh
 
-if TYPE_CHECKING:
-    from model.bushing.ring import Ring
-
 Array = NDArray[np.float64]
 
 
-def foundation_modulus(ring: Ring) -> float:
-    """Return pressure per displacement, Pa/m: a layer on its rim that cannot move sideways.
-
-    E (1 - nu) / ((1 + nu) (1 - 2 nu)) / thickness in plane strain; E / (1 - nu^2) / thickness in
-    plane stress.
-    """
-    nu = ring.poissons_ratio
-    if ring.plane == "stress":
-        return ring.youngs_modulus / (1.0 - nu * nu) / ring.wall
-    stiff = ring.youngs_modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))
-    return stiff / ring.wall
-
-
-def winkler_half_angle(ring: Ring, force: float) -> float:
+def winkler_half_angle(
+    foundation: float, clearance: float, pin_radius: float, force: float
+) -> float:
     """Return an estimate of the unworn contact's half-angle for a force in N/m, rad.
 
     Pressure k c (f^2 - x^2) / 2 at an angle x of a small half-angle f, k the foundation modulus
-    and c the clearance, carries 2 k c R1 f^3 / 3.
+    (Pa/m) and c the clearance (m), carries 2 k c R1 f^3 / 3.
     """
-    if ring.clearance <= 0.0:
+    if clearance <= 0.0:
         return float(0.5 * np.pi)
-    stiffness = 2.0 * foundation_modulus(ring) * ring.clearance * ring.pin_radius
+    stiffness = 2.0 * foundation * clearance * pin_radius
     return min(float(np.cbrt(3.0 * force / stiffness)), float(0.5 * np.pi))
 
 
 def winkler_compliance(
-    ring: Ring, mesh: SectorMesh, weights: ArrayLike, nodes: NDArray[np.int64] | None = None
+    foundation: float, mesh: SectorMesh, weights: ArrayLike, nodes: NDArray[np.int64] | None = None
 ) -> SurfaceCompliance:
     """Return the compliance of the bed of springs between surface nodes (all if None).
 
-    weights: the length of surface that each node stands for, (2 x sectors,), m. Tangentially the
-    bed gives way like radially, so that the same springs act along any normal.
+    foundation: its modulus, Pa/m. weights: the length of surface that each node stands for,
+    (2 x sectors,), m. Tangentially the bed gives way like radially, so that the same springs act
+    along any normal.
     """
     around = 2 * mesh.sectors
     if nodes is None:
@@ -60,7 +45,7 @@ def winkler_compliance(
     angle = surface_angles(mesh.sectors)[nodes]
     polar = np.zeros((4, len(nodes), len(nodes)))
     each = np.arange(len(nodes))
-    polar[0, each, each] = 1.0 / (foundation_modulus(ring) * np.asarray(weights)[nodes])
+    polar[0, each, each] = 1.0 / (foundation * np.asarray(weights)[nodes])
     polar[3] = polar[0]
     axis = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     return SurfaceCompliance(nodes, axis, polar, arc_ends(nodes, around))

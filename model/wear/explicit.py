@@ -9,7 +9,6 @@ import numpy as np
 
 from model.bushing.contact import simpson_weights
 from model.bushing.ring import Ring
-from model.bushing.winkler import foundation_modulus
 from model.errors import ModelError, OutOfTime, require_positive
 from model.wear.archard import largest_explicit_step
 from model.wear.front import Array, Front, WearProblem, refuse_worn_through, touched, worn_area
@@ -40,7 +39,7 @@ def stable_step(ring: Ring, sectors: int, wear_coefficient: float, loads: CycleL
     in a thin one: 2 / (K s k). All slip of a revolution counts, wherever it presses.
     """
     slip = float(loads.slip.sum()) + loads.idle
-    rate = wear_coefficient * slip * foundation_modulus(ring)
+    rate = wear_coefficient * slip * ring.foundation_modulus
     bed = 2.0 / rate if rate > 0.0 else float("inf")
     if ring.contact == "winkler":
         return bed

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from model.contact_law import WornProfile
+from model.contact_law import WornSurface
 from model.ensemble import BatchMeans, Mean, revolutions_of
 from model.impact import ContactCycle, contact_cycle
 from model.impact_system import clearance_system
@@ -165,12 +165,12 @@ class _Stage:
     since: float
 
 
-def _profile(front: Front, inner: float) -> WornProfile:
+def _profile(front: Front, inner: float) -> WornSurface:
     """Return a front's depth over the angle from the initial contact point."""
     x, y = front.surface[:, 0], front.surface[:, 1]
     angle = np.arctan2(y, x)
     order = np.argsort(angle)
-    return WornProfile(angle[order], np.maximum(np.hypot(x, y) - inner, 0.0)[order])
+    return WornSurface(angle[order], np.maximum(np.hypot(x, y) - inner, 0.0)[order])
 
 
 def _loads(cycle: ContactCycle, pin_radius: float) -> CycleLoads:

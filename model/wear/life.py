@@ -20,7 +20,7 @@ from model.wear.front import Front, WearProblem, wear_problem
 from model.wear.loads import CycleLoads
 from model.wear.plan import (
     TIME_SHARE,
-    Plan,
+    LifePlan,
     RelativeError,
     mesh_error,
     plan_life,
@@ -153,7 +153,7 @@ def _moments(
     parameters: Parameters,
     ring: Ring,
     source: ForceSource,
-    plan: Plan,
+    plan: LifePlan,
     cycles: float,
     tolerance: float,
     tell: Callable[[float], None],
@@ -248,7 +248,7 @@ def _life(
     parameters: Parameters,
     ring: Ring,
     source: ForceSource,
-    plan: Plan,
+    plan: LifePlan,
     sampling: tuple[RelativeError, RelativeError],
     moments: list[Moment],
     technique: str,
@@ -311,7 +311,7 @@ def _life(
 
 def _errors(
     source: ForceSource,
-    plan: Plan,
+    plan: LifePlan,
     sampling: tuple[RelativeError, RelativeError],
     moments: list[Moment],
     depth: Array,

@@ -63,7 +63,7 @@ class RelativeError:
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class LifePlan:
     """Hold what a life is computed with.
 
     ``positions``: of the crank, and what their number costs in depth and in worn area, from
@@ -88,7 +88,7 @@ def plan_life(
     tolerance: float,
     single: bool = False,
     alive: Callable[[], None] = lambda: None,
-) -> Plan:
+) -> LifePlan:
     """Choose crank positions and mesh by single steps over the whole life on a coarse mesh.
 
     loads_of: the loads of a revolution for a number of positions; single: they are the same for
@@ -160,7 +160,7 @@ def _planned(
     single: bool,
     window: float,
     alive: Callable[[], None],
-) -> Plan:
+) -> LifePlan:
     """Return the plan for an arc of nodes; raise ArcTooSmall when the contact leaves it."""
 
     def problem(sectors: int, loads: CycleLoads) -> WearProblem:
@@ -202,7 +202,7 @@ def _planned(
         3.0 / unworn_half,
     )
     sectors = min(sectors_at_least(wanted * np.pi), most)
-    return Plan(
+    return LifePlan(
         positions,
         RelativeError(1.5 * early, 1.5 * late, cycles),
         RelativeError(1.5 * areas[0], 1.5 * areas[1], cycles),
@@ -226,7 +226,7 @@ def sampling_errors(
     ring: Ring,
     width: float,
     wear_coefficient: float,
-    plan: Plan,
+    plan: LifePlan,
     whole: CycleLoads,
     samples: Sequence[CycleLoads],
     cycles: float,

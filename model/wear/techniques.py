@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from model.errors import ModelError
 
 if TYPE_CHECKING:
-    from model.dynamics import Motion
+    from model.dynamics import MechanismMotion
     from model.parameters import Parameters
     from model.wear.forces import ForceSource
 
@@ -23,7 +23,7 @@ class Solve(Protocol):
 
     def __call__(
         self, parameters: Parameters, angle: Any, speed: Any, acceleration: Any, depth: float
-    ) -> tuple[Motion, str]:
+    ) -> tuple[MechanismMotion, str]:
         """Return the motion, and what must be said of it; nothing when all assumptions hold.
 
         angle (n,): rad; speed: rad/s; acceleration: rad/s^2; depth: of wear at the contact point,
@@ -68,7 +68,7 @@ class Technique:
 
 def _perfect(
     parameters: Parameters, angle: Any, speed: Any, acceleration: Any, depth: float
-) -> tuple[Motion, str]:
+) -> tuple[MechanismMotion, str]:
     from model.joints import perfect_joint
 
     mechanism, joint = parameters.mechanism, parameters.joint
@@ -77,7 +77,7 @@ def _perfect(
 
 def _continuous(
     parameters: Parameters, angle: Any, speed: Any, acceleration: Any, depth: float
-) -> tuple[Motion, str]:
+) -> tuple[MechanismMotion, str]:
     from model.joints import continuous_contact
 
     mechanism, joint = parameters.mechanism, parameters.joint

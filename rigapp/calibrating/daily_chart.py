@@ -10,15 +10,15 @@ import numpy as np
 
 from rigapp.calibrating.daily_history import COLUMNS, NAMES, History, verdict_lines, when
 from rigapp.config.errors import UnusableInput
-from rigapp.report.document import Document, Figure, Section, Table, Text
+from rigapp.report.page.manuscript import Figure, Manuscript, Section, Table, Text
 
 BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#666666"
 
 
 def write_chart(found: History, to: Path) -> None:
     """Write the charts as .png, .html or .pdf; raise UnusableInput."""
-    from rigapp.report.html import as_html
-    from rigapp.report.pdf import as_pdf
+    from rigapp.report.page.html import as_html
+    from rigapp.report.page.pdf import as_pdf
 
     writers = {".png": draw, ".html": _page(as_html), ".pdf": _page(as_pdf)}
     writer = writers.get(to.suffix.lower())
@@ -30,11 +30,11 @@ def write_chart(found: History, to: Path) -> None:
         raise UnusableInput(f"{to}: cannot be written ({error}).") from error
 
 
-def _page(writer: Callable[[Document], bytes]) -> Callable[[History], bytes]:
+def _page(writer: Callable[[Manuscript], bytes]) -> Callable[[History], bytes]:
     return lambda found: writer(document(found))
 
 
-def document(found: History) -> Document:
+def document(found: History) -> Manuscript:
     """Compose the page: verdict, charts, table."""
     rows = tuple(
         (
@@ -49,7 +49,7 @@ def document(found: History) -> Document:
     )
     head = ("when (UTC)", "sensitivity", "cross-talk", "largest N", "verdict", "operator")
     words = tuple(Text(line) for line in verdict_lines(found))
-    return Document(
+    return Manuscript(
         title=f"Daily checks of {found.entries[-1]['rig']}",
         footer="Control chart of the daily checks",
         sections=(

@@ -24,14 +24,14 @@ def write_report(path: Path, to: Path) -> int:
         raise UnusableInput(f"{to}: this is a folder; name the report's file")
     if not to.parent.is_dir():
         raise UnusableInput(f"{to}: the folder {to.parent} does not exist; create it first")
-    from rigapp.report.html import as_html
+    from rigapp.report.page.html import as_html
     from rigapp.report.testreport import report_of
 
     document = report_of(path, vector=ending == ".html")
     if ending == ".html":
         data = as_html(document)
     else:
-        from rigapp.report.pdf import as_pdf
+        from rigapp.report.page.pdf import as_pdf
 
         data = as_pdf(document)
     _replace(to, data)

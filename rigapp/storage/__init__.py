@@ -1,15 +1,15 @@
 """Test files: made whole before the test, written in place, readable at every instant.
 
-``structure`` says what a file holds, ``writing`` fills it while the test runs, ``reading`` answers
-questions at any time, ``upkeep`` goes on with files that are there already. What others may use is
-named here; storage knows the schema and the errors of the configuration, and nothing that measures
-or draws.
+``structure`` says what a file holds, ``filesystem`` how it stands on the disk; ``writing`` fills it
+while the test runs, ``reading`` answers questions at any time, ``upkeep`` goes on with files that
+are there already. What others may use is named here; storage knows the schema and the errors of the
+configuration, and nothing that measures or draws.
 """
 
 from __future__ import annotations
 
-from rigapp.storage.errors import NoRoom, StorageFailed
-from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
+from rigapp.storage.filesystem.locks import hold_writer_lock
 from rigapp.storage.reading.export import export_test
 from rigapp.storage.reading.reader import Columns, StoredCycle, TestReader, open_test
 from rigapp.storage.reading.resample import on_grid

@@ -14,7 +14,7 @@ from model.wear.loads import CycleLoads
 from model.wear.state import restored_state
 from rigapp.twin.ahead import BushingAhead
 from rigapp.twin.pinpath import Reference
-from rigapp.twin.twin import Bushing, Twin
+from rigapp.twin.twin import TrackedBushing, Twin
 
 VERSION = 1
 
@@ -105,7 +105,7 @@ def _decoded(checkpoint: bytes) -> Checkpoint | None:
     return found if found.version == VERSION else None
 
 
-def _record(bushing: Bushing) -> BushingRecord | None:
+def _record(bushing: TrackedBushing) -> BushingRecord | None:
     state = bushing.state
     if state is None:
         return BushingRecord(b"", 0.0, 0.0, bushing.failed) if bushing.failed else None
@@ -113,14 +113,14 @@ def _record(bushing: Bushing) -> BushingRecord | None:
     return BushingRecord(surface, state.cycles, state.step_error, bushing.failed)
 
 
-def _bushing(record: BushingRecord | None, parameters: Parameters) -> Bushing:
+def _bushing(record: BushingRecord | None, parameters: Parameters) -> TrackedBushing:
     if record is None:
-        return Bushing()
+        return TrackedBushing()
     if not record.surface:
-        return Bushing(failed=record.failed)
+        return TrackedBushing(failed=record.failed)
     surface = np.frombuffer(record.surface, dtype="<f8").reshape(-1, 2)
     state = restored_state(parameters, surface, record.cycles, record.step_error)
-    return Bushing(state, record.failed)
+    return TrackedBushing(state, record.failed)
 
 
 def _loads(ahead: BushingAhead | None) -> bytes:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import Motion
+from model.dynamics import MechanismMotion
 from model.history import FEWEST_SAMPLES, smooth_history
 from model.parameters import Parameters
 from model.wear.techniques import solve_of
@@ -79,7 +79,7 @@ def unpack(message: RevolutionMeasured) -> Measured:
 
 def predict_force(
     parameters: Parameters, joint: str, measured: Measured, depth: float
-) -> tuple[Motion, PredictionUncertainty]:
+) -> tuple[MechanismMotion, PredictionUncertainty]:
     """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
 
     joint: one of ``SOLVABLE``, of a bushing worn by depth (m) at the contact point. Returns also
@@ -96,7 +96,7 @@ def predict_force(
 
 def _motion(
     parameters: Parameters, joint: str, depth: float, speed: Array, acceleration: Array
-) -> Motion:
+) -> MechanismMotion:
     return solve_of(joint)(parameters, GRID, speed, acceleration, depth)[0]
 
 
@@ -108,7 +108,10 @@ def measured_force(measured: Measured) -> Array:
 
 
 def compare(
-    measured: Measured, motion: Motion, wear: Wear, doubt: PredictionUncertainty | None = None
+    measured: Measured,
+    motion: MechanismMotion,
+    wear: Wear,
+    doubt: PredictionUncertainty | None = None,
 ) -> Prediction:
     """Say what was predicted for a revolution, how surely, and how far the measurement is off."""
     force_1, force_2 = motion.force_crank

@@ -16,7 +16,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import Motion
+from model.dynamics import MechanismMotion
 from model.errors import ModelError
 from model.frames import into_frame
 from model.parameters import Parameters
@@ -63,7 +63,7 @@ log = logging.getLogger(__name__)
 
 
 @dataclass(slots=True)
-class Bushing:
+class TrackedBushing:
     """A bushing that wears with the test, by cycles gathered into steps."""
 
     state: WearState | None = None
@@ -127,8 +127,8 @@ class Twin:
     parameters: Parameters
     joint: str
     new_position_um: tuple[float, float] | None = None
-    predicted: Bushing = field(default_factory=Bushing)
-    driven: Bushing = field(default_factory=Bushing)
+    predicted: TrackedBushing = field(default_factory=TrackedBushing)
+    driven: TrackedBushing = field(default_factory=TrackedBushing)
     reference: Reference | None = None
     newest: int = 0
     profiled: int = 0
@@ -272,7 +272,7 @@ def profile_is_due(kept: int, revolution: int) -> bool:
     return kept <= 0 or (revolution > kept and step(revolution) > step(kept))
 
 
-def _in_follower(measured: Measured, motion: Motion) -> Array:
+def _in_follower(measured: Measured, motion: MechanismMotion) -> Array:
     """Turn the measured force from the crank frame into the follower's at ``GRID``."""
     turn = motion.follower_angle - GRID
     return np.asarray(
@@ -280,7 +280,7 @@ def _in_follower(measured: Measured, motion: Motion) -> Array:
     )
 
 
-def _path(measured: Measured, motion: Motion) -> PathSum:
+def _path(measured: Measured, motion: MechanismMotion) -> PathSum:
     """Return the measured path of the pin in the wear frame."""
     angle = measured.angle
     lean = np.interp(angle, GRID, motion.follower_angle, period=2.0 * np.pi)

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from model.dynamics import Motion
+from model.dynamics import MechanismMotion
 from model.history import AngleHistory
 from model.history_uncertainty import motion_uncertainty
 
 Array = NDArray[np.float64]
-Compute = Callable[[Array, Array], Motion]
+Compute = Callable[[Array, Array], MechanismMotion]
 
 COVERAGE_FACTOR = 2.0
 

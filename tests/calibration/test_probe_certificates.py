@@ -19,8 +19,8 @@ from rigapp.calibrating.probe_results import pair_result, probe_result
 from rigapp.calibrating.records import keep_record
 from rigapp.commands.run_out import harmonics_csv, run_out_lines, run_out_result
 from rigapp.config.calibration_settings import PinSection, ProbeFile, ProbeSection, RunOutFile
-from rigapp.report.html import as_html
-from rigapp.report.pdf import as_pdf
+from rigapp.report.page.html import as_html
+from rigapp.report.page.pdf import as_pdf
 
 POSITION = np.concatenate((np.linspace(-800e-6, 800e-6, 6), np.linspace(480e-6, -800e-6, 5)))
 

@@ -26,7 +26,7 @@ from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured, calibrate
 from rigapp.engine.values.probes import probe_correction
 from rigapp.engine.values.reduce import Reducer
-from rigapp.report.uncertainty import position_uncertainty
+from rigapp.report.testreport.uncertainty import position_uncertainty
 from rigapp.schema.channels import BASE
 from rigapp.simulation import kernels
 from rigapp.simulation.constants import packaged_parameters, plant_constants

@@ -12,12 +12,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 from report_samples import TEST_TEXT, event
 
-from rigapp.report.document import Document, Listing, Section, Table, Text, is_number
-from rigapp.report.envelope import BUCKETS, envelope
-from rigapp.report.history import AlarmRecord, alarms_of, limits_of
-from rigapp.report.html import as_html
-from rigapp.report.pdf import as_pdf
-from rigapp.report.wording import count, duration, flags, number, quantity, settings, size, stamp
+from rigapp.report.page.html import as_html
+from rigapp.report.page.manuscript import Listing, Manuscript, Section, Table, Text, is_number
+from rigapp.report.page.pdf import as_pdf
+from rigapp.report.testreport.envelope import BUCKETS, envelope
+from rigapp.report.testreport.history import AlarmRecord, alarms_of, limits_of
+from rigapp.report.testreport.wording import (
+    count,
+    duration,
+    flags,
+    number,
+    quantity,
+    settings,
+    size,
+    stamp,
+)
 from rigapp.schema.messages import Event
 from rigapp.storage.reading.oldlog import translated
 
@@ -130,7 +139,7 @@ def test_cells_with_numbers(text: str) -> None:
 
 def test_long_content_is_set_on_numbered_pages() -> None:
     rows = tuple((str(i), "word " * 60, "x" * 300) for i in range(80))
-    document = Document(
+    document = Manuscript(
         "A <title> & more",
         "footer " * 40,
         (

@@ -13,7 +13,7 @@ from report_samples import CALIBRATION, append, cycle, event, metadata
 from calibration.records import seal
 from rigapp.commands.report import write_report
 from rigapp.engine.values.uncertainty import force_uncertainty
-from rigapp.report.worn import extent_of
+from rigapp.report.testreport.worn import extent_of
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, profile_columns
 from rigapp.storage import FilePlan, create_test
 

@@ -128,7 +128,7 @@ def test_too_little_room_for_the_copy_leaves_the_original(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = ended(quick_folder)
-    monkeypatch.setattr("rigapp.storage.folder.SPACE_MARGIN", 1 << 60)
+    monkeypatch.setattr("rigapp.storage.filesystem.folder.SPACE_MARGIN", 1 << 60)
     with pytest.raises(UnusableInput, match="MB are missing"):
         compact_test(path)
     with open_test(path) as reader:

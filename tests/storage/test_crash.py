@@ -21,8 +21,8 @@ from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns, revolution_columns
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, StorageFailed, open_test, reopen_test
-from rigapp.storage.locks import writer_is_alive
-from rigapp.storage.writing.disk import Disk
+from rigapp.storage.filesystem.disk import Disk
+from rigapp.storage.filesystem.locks import writer_is_alive
 
 PAGE = 4096
 SMALL = FilePlan(

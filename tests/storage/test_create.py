@@ -16,7 +16,7 @@ from storage_samples import METADATA, PLAN, new_test, write
 
 from rigapp.config.errors import UnusableInput
 from rigapp.storage import FilePlan, TestWriter, create_test, open_test, reserved_bytes, streams_of
-from rigapp.storage.folder import SPACE_MARGIN
+from rigapp.storage.filesystem.folder import SPACE_MARGIN
 from rigapp.storage.writing import create as create_module
 from rigapp.storage.writing.create import places_of
 

@@ -13,9 +13,9 @@ from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, compact_test, open_test, reopen_test
-from rigapp.storage.folder import hidden_name, remove_stale
-from rigapp.storage.writing.disk import Disk
-from rigapp.storage.writing.holes import punch_hole
+from rigapp.storage.filesystem.disk import Disk
+from rigapp.storage.filesystem.folder import hidden_name, remove_stale
+from rigapp.storage.filesystem.holes import punch_hole
 
 MEGABYTE = 1 << 20
 
@@ -107,7 +107,7 @@ def test_a_kill_at_any_moment_of_the_giving_back_costs_nothing(
 def test_a_file_system_that_gives_nothing_back_is_no_fault(
     quick_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.storage.writing.holes._fallocate", lambda: None)
+    monkeypatch.setattr("rigapp.storage.filesystem.holes._fallocate", lambda: None)
     writer = new_test(quick_folder)
     write(writer, 1, 5)
     writer.finish("stopped", "operator", "enough")

@@ -14,7 +14,7 @@ from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.messages import Event, LookedAfter
 from rigapp.storage import StorageFailed, TestWriter, compact_test, open_test, reopen_test
-from rigapp.storage.locks import writer_is_alive
+from rigapp.storage.filesystem.locks import writer_is_alive
 from rigapp.storage.writing import keeper
 
 Deed = Callable[[Path], object]

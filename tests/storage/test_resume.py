@@ -149,7 +149,7 @@ def test_extension_beyond_the_files_room_is_refused_and_changes_nothing(
         with pytest.raises(UnusableInput, match="room for 1536 revolutions, not 5000"):
             writer.extend(5000)
         disk = shutil.disk_usage(quick_folder)
-        monkeypatch.setattr("rigapp.storage.folder.SPACE_MARGIN", disk.total)
+        monkeypatch.setattr("rigapp.storage.filesystem.folder.SPACE_MARGIN", disk.total)
         with pytest.raises(UnusableInput, match="MB are missing"):
             writer.extend(600)
         assert writer.planned_revolutions == 300

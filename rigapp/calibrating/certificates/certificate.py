@@ -34,13 +34,13 @@ from rigapp.calibrating.certificates.running_check import (
     running_tables,
 )
 from rigapp.config.errors import UnusableInput
-from rigapp.report.document import Document, Figure, Row, Section, Table, Text
+from rigapp.report.page.manuscript import Figure, Manuscript, Row, Section, Table, Text
 
 
 def write_certificate(record: Path, to: Path) -> None:
     """Write the certificate of a record as PDF or HTML; raise UnusableInput."""
-    from rigapp.report.html import as_html
-    from rigapp.report.pdf import as_pdf
+    from rigapp.report.page.html import as_html
+    from rigapp.report.page.pdf import as_pdf
 
     writers = {".pdf": as_pdf, ".html": as_html}
     writer = writers.get(to.suffix.lower())
@@ -58,11 +58,11 @@ def write_certificate(record: Path, to: Path) -> None:
         raise UnusableInput(f"{to}: cannot be written ({error}).") from error
 
 
-def certificate_of(record: Record) -> Document:
+def certificate_of(record: Record) -> Manuscript:
     """Compose the certificate of a record."""
     content = record.content
     texts, tables, figures = PARTS[record.kind](content)
-    return Document(
+    return Manuscript(
         title=f"Certificate of calibration: {_item(content)}",
         footer=f"Certificate {record.number}",
         sections=(

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.report.document import Figure
+from rigapp.report.page.manuscript import Figure
 
 STYLES = (("#0072B2", "o", "-"), ("#D55E00", "s", "--"))
 

@@ -10,7 +10,7 @@ import numpy as np
 from calibration.probes.alignment import split_pair
 from calibration.probes.readings import ProbeReadings, parse_probe
 from rigapp.calibrating.certificates.plots import scatter
-from rigapp.report.document import Figure, Row, Table
+from rigapp.report.page.manuscript import Figure, Row, Table
 
 Content = Mapping[str, Any]
 MICROMETRE = "µm"

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from rigapp.calibrating.certificates.plots import bands
-from rigapp.report.document import Figure, Table
+from rigapp.report.page.manuscript import Figure, Table
 
 Content = Mapping[str, Any]
 MICROMETRE = "µm"

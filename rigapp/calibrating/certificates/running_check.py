@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from rigapp.calibrating.certificates.plots import scatter
-from rigapp.report.document import Figure, Row, Table
+from rigapp.report.page.manuscript import Figure, Row, Table
 
 
 def running_statements(content: Mapping[str, Any]) -> list[str]:

@@ -13,7 +13,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.model_parameters import MM
 
 if TYPE_CHECKING:
-    from model.dynamics import Motion
+    from model.dynamics import MechanismMotion
 
 COLUMNS = (
     "crank_angle_deg",
@@ -51,7 +51,7 @@ def joint_technique(name: str) -> Technique:
     return TECHNIQUES[name]
 
 
-def columns_of(degrees: Array, motion: Motion, pin_radius: float) -> dict[str, Array]:
+def columns_of(degrees: Array, motion: MechanismMotion, pin_radius: float) -> dict[str, Array]:
     """Return the columns that every joint has."""
     values = (
         degrees,

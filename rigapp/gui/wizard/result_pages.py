@@ -267,5 +267,5 @@ def _load_writers() -> None:
     import matplotlib.figure  # noqa: F401
 
     import rigapp.calibrating.certificates.certificate
-    import rigapp.report.html
-    import rigapp.report.pdf  # noqa: F401
+    import rigapp.report.page.html
+    import rigapp.report.page.pdf  # noqa: F401

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.report.document import Block, Document, Figure, Section, Table, Text
-from rigapp.report.html import as_html
+from rigapp.report.page.html import as_html
+from rigapp.report.page.manuscript import Block, Figure, Manuscript, Section, Table, Text
 from rigapp.report.paper.chapter import Chapter
-from rigapp.report.plots import STYLE
 from rigapp.report.tables import write_table
+from rigapp.report.testreport.plots import STYLE
 
 TITLE = "The paper's comparisons, computed again"
 INTRODUCTION = (
@@ -75,7 +75,7 @@ def provenance(path: Path) -> Section:
 
 def write_pages(folder: Path, sections: Sequence[Section]) -> list[Path]:
     """Write the page as HTML and as Markdown, with the same words."""
-    document = Document(
+    document = Manuscript(
         title=TITLE,
         footer=TITLE,
         sections=(Section("", (Text(INTRODUCTION),)), *sections),
@@ -87,7 +87,7 @@ def write_pages(folder: Path, sections: Sequence[Section]) -> list[Path]:
     return [html, markdown]
 
 
-def _as_markdown(document: Document) -> str:
+def _as_markdown(document: Manuscript) -> str:
     """Return the document as Markdown; its pictures are the files beside it."""
     parts = [f"# {document.title}"]
     for section in document.sections:

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
-from rigapp.report.facts import UNSTEADY
-from rigapp.report.model_facts import CyclePicture, cycles_of
 from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, DEGREES
-from rigapp.report.worn import CURVES, worn_of
+from rigapp.report.testreport.facts import UNSTEADY
+from rigapp.report.testreport.model_facts import CyclePicture, cycles_of
+from rigapp.report.testreport.worn import CURVES, worn_of
 from rigapp.storage import TestReader, open_test
 
 COMPONENTS = {"force_1": "component 1", "force_2": "component 2", "force": "magnitude"}

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import CHANNELS
-from rigapp.storage.folder import move_into_place
+from rigapp.storage.filesystem.folder import move_into_place
 from rigapp.storage.reading.reader import StoredCycle, TestReader, open_test
 from rigapp.storage.structure.metadata import unit_suffix
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.schema.messages import Event
-from rigapp.storage.locks import writer_is_alive
+from rigapp.storage.filesystem.locks import writer_is_alive
 from rigapp.storage.reading.oldlog import translated
 from rigapp.storage.reading.resample import Method, resample_channels
 from rigapp.storage.structure.events import events_of, first_broken_link

@@ -14,8 +14,8 @@ import sys
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
-from rigapp.storage.errors import StorageFailed
-from rigapp.storage.folder import (
+from rigapp.storage.filesystem.errors import StorageFailed
+from rigapp.storage.filesystem.folder import (
     hidden_name,
     refuse_little_space,
     remove_stale,

@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.messages import Event
-from rigapp.storage.folder import hidden_name, protect, refuse_little_space, remove_stale
-from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage.filesystem.disk import Disk
+from rigapp.storage.filesystem.folder import hidden_name, protect, refuse_little_space, remove_stale
+from rigapp.storage.filesystem.locks import hold_writer_lock
 from rigapp.storage.reading.reader import TestReader, open_test
 from rigapp.storage.structure.events import seed_of
 from rigapp.storage.structure.layout import FilePlan, planned_rows
 from rigapp.storage.writing.create import Places, fitted_streams, places_of, reserve_stream
-from rigapp.storage.writing.disk import Disk
 from rigapp.storage.writing.scalars import Counts
 from rigapp.storage.writing.writer import TestWriter
 

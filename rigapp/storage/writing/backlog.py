@@ -6,7 +6,7 @@ import threading
 from collections import deque
 from collections.abc import Sequence
 
-from rigapp.storage.writing.disk import Disk
+from rigapp.storage.filesystem.disk import Disk
 
 SOFT_LIMIT = 4 << 20
 HARD_LIMIT = 64 << 20

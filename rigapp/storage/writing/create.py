@@ -15,8 +15,9 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.names import name_refusal
-from rigapp.storage.errors import StorageFailed
-from rigapp.storage.folder import (
+from rigapp.storage.filesystem.disk import Disk
+from rigapp.storage.filesystem.errors import StorageFailed
+from rigapp.storage.filesystem.folder import (
     MEGABYTE,
     hidden_name,
     move_into_place,
@@ -26,7 +27,7 @@ from rigapp.storage.folder import (
     short_reason,
     sync_folder,
 )
-from rigapp.storage.locks import hold_writer_lock
+from rigapp.storage.filesystem.locks import hold_writer_lock
 from rigapp.storage.structure.build import build_file
 from rigapp.storage.structure.hdf import open_for_reading
 from rigapp.storage.structure.layout import (
@@ -37,7 +38,6 @@ from rigapp.storage.structure.layout import (
     streams_of,
 )
 from rigapp.storage.structure.metadata import TestMetadata
-from rigapp.storage.writing.disk import Disk
 
 Places = dict[str, tuple[int, int]]
 """Path of a dataset -> offset and length in bytes."""

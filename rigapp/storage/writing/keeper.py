@@ -10,17 +10,17 @@ from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.messages import LookedAfter
-from rigapp.storage.errors import StorageFailed
-from rigapp.storage.folder import (
+from rigapp.storage.filesystem.disk import Disk
+from rigapp.storage.filesystem.errors import StorageFailed
+from rigapp.storage.filesystem.folder import (
     hidden_name,
     move_into_place,
     protect,
     refuse_little_space,
     sync_folder,
 )
-from rigapp.storage.locks import hold_writer_lock
-from rigapp.storage.writing.disk import Disk
-from rigapp.storage.writing.rescue import Fate, copy_content, fate_of, link_open_file, places_for
+from rigapp.storage.filesystem.locks import hold_writer_lock
+from rigapp.storage.filesystem.rescue import Fate, copy_content, fate_of, link_open_file, places_for
 
 
 class Keeper:

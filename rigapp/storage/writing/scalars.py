@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.structure.layout import STATE
 from rigapp.storage.writing.create import Places
-from rigapp.storage.writing.disk import Disk
 
 FINAL_STATUSES = ("complete", "stopped", "fault")
 

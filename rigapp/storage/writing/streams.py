@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.structure.layout import FileStream
 from rigapp.storage.writing.backlog import Backlog
-from rigapp.storage.writing.disk import Disk
 
 Float = NDArray[np.float64]
 Offsets = dict[str, int]

@@ -17,8 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.columns import PROFILE_CURVES, prediction_columns, profile_columns
 from rigapp.schema.messages import Event, LookedAfter
-from rigapp.storage.errors import NoRoom, StorageFailed
-from rigapp.storage.folder import refuse_little_space
+from rigapp.storage.filesystem.disk import Disk
+from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
+from rigapp.storage.filesystem.folder import refuse_little_space
 from rigapp.storage.structure.build import PAGE
 from rigapp.storage.structure.events import asked_for, columns_of, rows_of, seed_of
 from rigapp.storage.structure.layout import (
@@ -33,7 +34,6 @@ from rigapp.storage.structure.layout import (
 from rigapp.storage.structure.metadata import TestMetadata, iso_time
 from rigapp.storage.writing.backlog import Backlog
 from rigapp.storage.writing.create import Places, create_file, fitted_streams, reserve_stream
-from rigapp.storage.writing.disk import Disk
 from rigapp.storage.writing.keeper import Keeper
 from rigapp.storage.writing.scalars import COUNTERS, FINAL_STATUSES, Counts, Scalars
 from rigapp.storage.writing.streams import RecordPlacer, Room, RowBuffer

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from model.dynamics import Motion, inverse_dynamics
+from model.dynamics import MechanismMotion, inverse_dynamics
 from model.errors import ModelError
 from model.frames import into_frame
 from model.parameters import Joint, Mechanism, Spring
@@ -22,7 +22,7 @@ RPM_30 = np.pi
 DEGREES = np.deg2rad(np.arange(360.0))
 
 
-def columns_of(motion: Motion) -> dict[str, np.ndarray]:
+def columns_of(motion: MechanismMotion) -> dict[str, np.ndarray]:
     """Return the motion under the reference table's column names."""
     vectors = {
         ("x1[m]", "y1[m]"): motion.crank_position,

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from model.constraints import ALPHA, PHI1, PHI2, X3, Solution, solve_imperfect, solve_perfect
-from model.dynamics import Motion, inverse_dynamics
+from model.dynamics import MechanismMotion, inverse_dynamics
 from model.errors import ModelError
 from model.parameters import Mechanism, Spring
 
@@ -21,7 +21,7 @@ SPEED = np.pi * (1.0 + 0.1 * np.sin(2.0 * ANGLES))
 GROWTH = 0.2 * np.pi * np.cos(2.0 * ANGLES) * SPEED
 
 
-def agree(solution: Solution, motion: Motion) -> None:
+def agree(solution: Solution, motion: MechanismMotion) -> None:
     force = 1e-12 * motion.force_magnitude.max()
     torque = 1e-12 * np.abs(motion.drive_torque).max()
     np.testing.assert_allclose(solution.force, motion.force, rtol=0, atol=force)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from model.dynamics import Motion, inverse_dynamics
+from model.dynamics import MechanismMotion, inverse_dynamics
 from model.parameters import Mechanism, Spring
 
 CASE_A = Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871)
@@ -16,7 +16,7 @@ FLYWHEEL = 0.0847
 """kg m^2."""
 
 
-def kinetic(m: Mechanism, motion: Motion) -> np.ndarray:
+def kinetic(m: Mechanism, motion: MechanismMotion) -> np.ndarray:
     return 0.5 * (
         m.crank_inertia * motion.speed**2
         + m.follower_inertia * motion.follower_speed**2

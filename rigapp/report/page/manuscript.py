@@ -55,7 +55,7 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
-class Document:
+class Manuscript:
     """A whole document. footer: at the foot of every page. closing: small print at the end."""
 
     title: str

@@ -30,7 +30,15 @@ from reportlab.platypus import (
 )
 from reportlab.platypus import Table as Grid
 
-from rigapp.report.document import Block, Document, Figure, Listing, Table, Text, numeric_columns
+from rigapp.report.page.manuscript import (
+    Block,
+    Figure,
+    Listing,
+    Manuscript,
+    Table,
+    Text,
+    numeric_columns,
+)
 
 PLAIN, BOLD, FIXED = "DejaVuSans", "DejaVuSans-Bold", "DejaVuSansMono"
 WIDTH = 174 * mm
@@ -52,7 +60,7 @@ LINE = [
 ]
 
 
-def set_pages(document: Document) -> bytes:
+def set_pages(document: Manuscript) -> bytes:
     """Return the PDF; two passes, since every page names the number of pages."""
     _prepare()
     pages = _build(document, 0)[1]
@@ -75,7 +83,7 @@ def _prepare() -> None:
     pdfmetrics.registerFontFamily(PLAIN, normal=PLAIN, bold=BOLD, italic=PLAIN, boldItalic=BOLD)
 
 
-def _build(document: Document, pages: int) -> tuple[bytes, int]:
+def _build(document: Manuscript, pages: int) -> tuple[bytes, int]:
     """Set the pages; without their number only to count them, with room for the pictures."""
     stream = io.BytesIO()
     template = SimpleDocTemplate(
@@ -95,7 +103,7 @@ def _build(document: Document, pages: int) -> tuple[bytes, int]:
     return stream.getvalue(), template.page
 
 
-def _footer(document: Document, pages: int) -> Callable[[Canvas, Any], None]:
+def _footer(document: Manuscript, pages: int) -> Callable[[Canvas, Any], None]:
     number_width = 40 * mm
     text = _shortened(document.footer, PLAIN, 7.5, WIDTH - number_width)
 
@@ -147,7 +155,7 @@ class _Heading(Paragraph):  # type: ignore[misc, unused-ignore]
         super().draw()
 
 
-def _story(document: Document, draft: bool) -> list[Flowable]:
+def _story(document: Manuscript, draft: bool) -> list[Flowable]:
     story: list[Flowable] = [Paragraph(escape(document.title), TITLE)]
     for section in document.sections:
         heading = [_Heading(escape(section.title), HEADING)] if section.title else []

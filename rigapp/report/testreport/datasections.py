@@ -6,12 +6,12 @@ import math
 from collections.abc import Sequence
 
 from rigapp.engine.values.uncertainty import ForceUncertainty
-from rigapp.report import plots
-from rigapp.report.document import Block, Section, Table, Text
-from rigapp.report.facts import ENDS, Channel, Gap, Peak, Rows
-from rigapp.report.model_facts import Agreement, Burst, CyclePicture, Wear
-from rigapp.report.uncertainty import PositionUncertainty
-from rigapp.report.wording import (
+from rigapp.report.page.manuscript import Block, Section, Table, Text
+from rigapp.report.testreport import plots
+from rigapp.report.testreport.facts import ENDS, ChannelFacts, Gap, Peak, Rows
+from rigapp.report.testreport.model_facts import Agreement, Burst, CyclePicture, LastDepth
+from rigapp.report.testreport.uncertainty import PositionUncertainty
+from rigapp.report.testreport.wording import (
     CHANNELS,
     FLAGS,
     UNKNOWN,
@@ -23,7 +23,7 @@ from rigapp.report.wording import (
     symbol,
     utc,
 )
-from rigapp.report.worn import Worn, profile_blocks
+from rigapp.report.testreport.worn import Worn, profile_blocks
 from rigapp.schema.messages import Event
 
 BURSTS_SHOWN = 40
@@ -88,7 +88,7 @@ def extremes(
     return [Section(title, tuple(blocks))]
 
 
-def _extremes_row(channel: Channel, noted: dict[str, str]) -> tuple[str, ...]:
+def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ...]:
     def place(peak: Peak) -> str:
         if not math.isfinite(peak.value):
             return UNKNOWN
@@ -240,7 +240,7 @@ def wear(
     return Section("Wear", tuple(blocks))
 
 
-def _wear_cells(found: Wear | None) -> tuple[str, str, str]:
+def _wear_cells(found: LastDepth | None) -> tuple[str, str, str]:
     if found is None:
         return UNKNOWN, UNKNOWN, UNKNOWN
     rate = UNKNOWN if math.isnan(found.rate) else f"{1e6 * found.rate:.3g}"

@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 
 from rigapp.engine.values.uncertainty import ForceUncertainty, force_uncertainty
-from rigapp.report import datasections, logsections, setupsections
-from rigapp.report.document import Block, Document, Section, Table, Text
-from rigapp.report.facts import Rows, rows_of
-from rigapp.report.model_facts import agreement_of, bursts_of, cycles_of
-from rigapp.report.uncertainty import position_uncertainty
-from rigapp.report.wording import (
+from rigapp.report.page.manuscript import Block, Manuscript, Section, Table, Text
+from rigapp.report.testreport import datasections, logsections, setupsections
+from rigapp.report.testreport.facts import Rows, rows_of
+from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of
+from rigapp.report.testreport.uncertainty import position_uncertainty
+from rigapp.report.testreport.wording import (
     REASONS,
     STATUSES,
     UNKNOWN,
@@ -32,7 +32,7 @@ from rigapp.report.wording import (
     size,
     stamp,
 )
-from rigapp.report.worn import worn_of
+from rigapp.report.testreport.worn import worn_of
 from rigapp.storage import TestReader, open_test
 
 LEADS = {
@@ -43,7 +43,7 @@ LEADS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Identity:
+class FileIdentity:
     """The file itself. digest: SHA-256 in hexadecimal, empty for a file that still changes."""
 
     name: str
@@ -51,7 +51,7 @@ class Identity:
     digest: str
 
 
-def report_of(path: Path, vector: bool) -> Document:
+def report_of(path: Path, vector: bool) -> Manuscript:
     """Compose the report of a test file; vector: pictures as SVG, else as PNG.
 
     A file that is replaced meanwhile by its compressed form is read again. Raises UnusableInput for
@@ -72,7 +72,7 @@ def _inode(path: Path) -> int:
         return 0
 
 
-def _document(reader: TestReader, path: Path, vector: bool) -> Document:
+def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
     summary, about = reader.summary(), reader.metadata()
     identity = _identity(path, running=summary["status"] == "running")
     rows, agreement = rows_of(reader), agreement_of(reader)
@@ -100,7 +100,7 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Document:
         _file_section(identity, summary, reader),
     ]
     title = about["title"] or path.stem
-    return Document(
+    return Manuscript(
         title=f"Test report: {title}",
         footer=f"Test report: {title} ({identity.name})",
         sections=tuple(one for one in sections if one.blocks),
@@ -108,15 +108,15 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Document:
     )
 
 
-def _identity(path: Path, running: bool) -> Identity:
+def _identity(path: Path, running: bool) -> FileIdentity:
     octets = path.stat().st_size
     if running:
-        return Identity(path.name, octets, "")
+        return FileIdentity(path.name, octets, "")
     with path.open("rb") as file:
-        return Identity(path.name, octets, hashlib.file_digest(file, "sha256").hexdigest())
+        return FileIdentity(path.name, octets, hashlib.file_digest(file, "sha256").hexdigest())
 
 
-def _closing(identity: Identity, about: dict[str, Any]) -> str:
+def _closing(identity: FileIdentity, about: dict[str, Any]) -> str:
     origin = f"Made from {identity.name}, test {about['identifier'] or UNKNOWN}"
     if not identity.digest:
         return f"{origin}, while the test was running: a later report will say more."
@@ -127,7 +127,7 @@ def _summary(
     summary: dict[str, Any],
     about: dict[str, Any],
     rows: Rows | None,
-    identity: Identity,
+    identity: FileIdentity,
     uncertainty: ForceUncertainty | None,
 ) -> Section:
     status, revolutions = summary["status"], summary["revolutions"]
@@ -216,7 +216,7 @@ def _capital(text: str) -> str:
     return text if name else text[:1].upper() + text[1:]
 
 
-def _file_section(identity: Identity, summary: dict[str, Any], reader: TestReader) -> Section:
+def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestReader) -> Section:
     versions = reader.configuration().get("versions", {})
     form = "compressed, as after the test" if reader.compressed else "in place, as during the test"
     altered = reader.first_altered_event()

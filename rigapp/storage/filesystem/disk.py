@@ -8,9 +8,9 @@ import os
 import threading
 from pathlib import Path
 
-from rigapp.storage.errors import StorageFailed
-from rigapp.storage.writing.holes import punch_hole
-from rigapp.storage.writing.rescue import copy_ranges
+from rigapp.storage.filesystem.errors import StorageFailed
+from rigapp.storage.filesystem.holes import punch_hole
+from rigapp.storage.filesystem.rescue import copy_ranges
 
 Bytes = bytes | bytearray | memoryview
 

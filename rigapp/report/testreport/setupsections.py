@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from calibration.records import Record, RecordError, unseal
-from rigapp.report.document import Block, Listing, Section, Table, Text
-from rigapp.report.wording import UNKNOWN, settings
+from rigapp.report.page.manuscript import Block, Listing, Section, Table, Text
+from rigapp.report.testreport.wording import UNKNOWN, settings
 from rigapp.storage import TestReader
 
 TITLES = {

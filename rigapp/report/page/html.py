@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from base64 import b64encode
 
-from rigapp.report.document import Block, Document, Figure, numeric_columns
+from rigapp.report.page.manuscript import Block, Figure, Manuscript, numeric_columns
 
 
-def as_html(document: Document) -> bytes:
+def as_html(document: Manuscript) -> bytes:
     """Return the document as one HTML file with its pictures inside."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     environment = Environment(
-        loader=PackageLoader("rigapp.report", "templates"),
+        loader=PackageLoader("rigapp.report.page", "templates"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from rigapp.report.document import Block, Section, Table, Text
-from rigapp.report.facts import Rows, span_of
-from rigapp.report.history import (
+from rigapp.report.page.manuscript import Block, Section, Table, Text
+from rigapp.report.testreport.facts import Rows, span_of
+from rigapp.report.testreport.history import (
     AlarmRecord,
     Limit,
     alarms_of,
@@ -15,7 +15,7 @@ from rigapp.report.history import (
     course_of,
     limits_of,
 )
-from rigapp.report.wording import UNKNOWN, count, counted, duration, number, symbol, utc
+from rigapp.report.testreport.wording import UNKNOWN, count, counted, duration, number, symbol, utc
 from rigapp.schema.messages import Event
 from rigapp.storage import TestReader
 

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.report import plots
-from rigapp.report.document import Block, Figure, Table, Text
-from rigapp.report.wording import UNKNOWN, count, number
+from rigapp.report.page.manuscript import Block, Figure, Table, Text
+from rigapp.report.testreport import plots
+from rigapp.report.testreport.wording import UNKNOWN, count, number
 from rigapp.storage import TestReader
 
 Floats = NDArray[np.float64]

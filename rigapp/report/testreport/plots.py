@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 
 from rigapp.engine.values.uncertainty import ForceUncertainty
-from rigapp.report.document import Figure
-from rigapp.report.envelope import envelope
-from rigapp.report.facts import Channel, Gap
-from rigapp.report.model_facts import Agreement, CyclePicture
-from rigapp.report.uncertainty import PositionUncertainty
-from rigapp.report.wording import CHANNELS, THIN, number, quantity, symbol
+from rigapp.report.page.manuscript import Figure
+from rigapp.report.testreport.envelope import envelope
+from rigapp.report.testreport.facts import ChannelFacts, Gap
+from rigapp.report.testreport.model_facts import Agreement, CyclePicture
+from rigapp.report.testreport.uncertainty import PositionUncertainty
+from rigapp.report.testreport.wording import CHANNELS, THIN, number, quantity, symbol
 
 WIDTH_IN = 7.2
 DPI = 200
@@ -130,7 +130,7 @@ def _mark_gaps(axes: Any, gaps: Sequence[Gap]) -> None:
 
 
 def trends(
-    channels: Sequence[Channel],
+    channels: Sequence[ChannelFacts],
     agreement: Agreement | None,
     gaps: Sequence[Gap],
     title: str,
@@ -208,7 +208,7 @@ def _band(axes: Any, x: Any, values: Any, doubt: Any, colour: str, alpha: float 
     axes.fill_between(x, values - doubt, values + doubt, color=colour, alpha=alpha, lw=0)
 
 
-def _leave_out_unsteady(axes: Any, channel: Channel) -> bool:
+def _leave_out_unsteady(axes: Any, channel: ChannelFacts) -> bool:
     """Keep a start or a pause from flattening the curves; True when something is out of sight."""
     if channel.steady is None:
         return False

@@ -13,8 +13,8 @@ from model.errors import ModelError
 from model.wear.techniques import technique_of
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
-from rigapp.report.envelope import Floats, envelope
-from rigapp.report.facts import Line, Peak, mean
+from rigapp.report.testreport.envelope import Floats, envelope
+from rigapp.report.testreport.facts import Line, Peak, mean
 from rigapp.storage import Columns, TestReader
 
 TRIGGERED = ("before", "trigger", "after")
@@ -48,7 +48,7 @@ class Pair:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Wear:
+class LastDepth:
     """The last wear depth that is known (mm), and its revolution.
 
     rate: mm a revolution over the last half of the revolutions with a depth. uncertainty: expanded
@@ -73,7 +73,7 @@ class Agreement:
     residuals: tuple[Residual, ...]
     pairs: tuple[Pair, ...]
     lines: Mapping[str, Line]
-    wear: Mapping[str, Wear | None]
+    wear: Mapping[str, LastDepth | None]
     joint: str = ""
 
 
@@ -192,7 +192,7 @@ def _pairs(reader: TestReader, number: NDArray[np.int64], table: Columns) -> tup
 
 def _wear(
     number: NDArray[np.int64], depth: NDArray[Any], doubt: NDArray[Any] | None
-) -> Wear | None:
+) -> LastDepth | None:
     finite = np.flatnonzero(np.isfinite(depth))
     if finite.size == 0:
         return None
@@ -205,7 +205,7 @@ def _wear(
     last = finite[-1]
     line = envelope(number[finite], depth[finite])
     uncertainty = float("nan") if doubt is None else float(doubt[last])
-    return Wear(float(depth[last]), int(number[last]), rate, line, uncertainty)
+    return LastDepth(float(depth[last]), int(number[last]), rate, line, uncertainty)
 
 
 def cycles_of(reader: TestReader) -> tuple[CyclePicture, ...]:

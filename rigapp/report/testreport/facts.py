@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.report.envelope import Floats, envelope
+from rigapp.report.testreport.envelope import Floats, envelope
 from rigapp.schema.columns import CHANNELS
 from rigapp.schema.messages import Flag
 from rigapp.storage import TestReader
@@ -36,7 +36,7 @@ class Peak:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Channel:
+class ChannelFacts:
     """What a report says of a channel. rms: over the whole test; start, end: mean RMS there.
 
     steady: smallest and largest value in revolutions at a steady speed, None without any.
@@ -81,8 +81,8 @@ class Rows:
     mean_speed: float
     test_s: float
     host_span: tuple[float, float]
-    channels: tuple[Channel, ...]
-    speed: Channel | None
+    channels: tuple[ChannelFacts, ...]
+    speed: ChannelFacts | None
     gaps: tuple[Gap, ...]
 
 
@@ -161,10 +161,10 @@ def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
 
 def _channel(
     table: _Table, name: str, number: NDArray[np.int64], quality: NDArray[np.int64]
-) -> Channel:
+) -> ChannelFacts:
     largest, smallest, rms = (table.column(f"{name}_{one}") for one in ("max", "min", "rms"))
     good = np.flatnonzero(quality == 0)
-    return Channel(
+    return ChannelFacts(
         name=name,
         unit=table.units[f"{name}_max"],
         largest=_peak(largest, number, quality, 1.0),
