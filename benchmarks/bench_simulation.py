@@ -11,9 +11,9 @@ import time
 from pathlib import Path
 
 from rigapp.config.loading import read_rig
-from rigapp.simulation import kernels
+from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
-from rigapp.simulation.kernels import Drive
+from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
 
 FASTEST_DAQ_HZ = 12_000.0
@@ -27,8 +27,8 @@ def samples_per_second(rate_Hz: float, chunk: int, seconds: float = 1.0) -> floa
         plant_constants(packaged_parameters(), rig), filter_delay_s=1e-3, sample_rate_Hz=rate_Hz
     )
     speed = 2.0 * math.pi
-    plant.advance(chunk, Drive(kernels.VELOCITY, 0.0, speed, 0.0, 48.0, 0.0))
-    command = Drive(kernels.VELOCITY, speed, speed, 0.0, 48.0, 0.0)
+    plant.advance(chunk, Drive(layout.VELOCITY, 0.0, speed, 0.0, 48.0, 0.0))
+    command = Drive(layout.VELOCITY, speed, speed, 0.0, 48.0, 0.0)
     made = 0
     start = time.process_time()
     while time.process_time() - start < seconds:

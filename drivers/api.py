@@ -575,10 +575,12 @@ class MotorState:
 
 
 class SimulatedSlowSource(Protocol):
-    """Simulate a slow device at the byte level."""
+    """Simulate a slow device at the byte level; quantities: those that it tells, as its driver."""
+
+    quantities: tuple[str, ...]
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take bytes from the host and return the replies that they cause."""
+        """Take bytes from the host, or none; return the replies that are due."""
         ...
 
     def observe(self, values: Mapping[str, float]) -> None:

@@ -15,7 +15,11 @@ Orders = tuple[float, ...]
 
 
 class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[simulation.plant]: how the simulated rig differs from the model, each by how much."""
+    """[simulation.plant]: how the simulated rig differs from the model, each by how much.
+
+    bushing_heating_K_per_W: what the friction's power warms the bushing by in the end, with
+    bushing_time_constant_s. The room's temperature and humidity swing about their means once a day.
+    """
 
     slider_mass_factor: Annotated[float, FACTOR] = 1.01
     spring_stiffness_factor: Annotated[float, FACTOR] = 0.985
@@ -33,6 +37,12 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     outboard_mass_factor: Annotated[float, within(0.0, 100.0)] = 1.0
     probe_misalignment_deg: Annotated[Pair, TURN_DEG] = (0.0, 0.0)
     probe_sensitivity_error_percent: Annotated[Pair, within(-99.0, 1000.0)] = (0.0, 0.0)
+    bushing_heating_K_per_W: Annotated[float, within(0.0, 10_000.0)] = 20.0
+    bushing_time_constant_s: Annotated[float, within(1.0, 1e6)] = 300.0
+    room_temperature_degC: Annotated[float, within(-40.0, 80.0)] = 21.0
+    room_swing_K: Annotated[float, within(0.0, 50.0)] = 1.5
+    humidity_percent: Annotated[float, within(0.0, 100.0)] = 45.0
+    humidity_swing_percent: Annotated[float, within(0.0, 100.0)] = 8.0
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

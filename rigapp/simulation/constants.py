@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import PlantSection, RigFile
-from rigapp.simulation.kernels import Constants
+from rigapp.simulation.layout import Constants
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,6 +138,8 @@ def plant_constants(
         * rig.load_cell.outboard_mass_kg
         * rig.load_cell.outboard_radius_mm
         * 1e-3,
+        heating_K_per_W=plant.bushing_heating_K_per_W,
+        heating_time_s=plant.bushing_time_constant_s,
     )
     return Constants(*map(float, constants))
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from drivers.api import DriverInfo, DriverKind, RigSignals, SimulatedDataSource, SimulatedDrive
+from drivers.api import DriverInfo, DriverKind, RigSignals
 from drivers.registry import (
     DriverNotFound,
     SettingsError,
@@ -19,6 +19,7 @@ from drivers.registry import (
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import DeviceSection, RigFile
 from rigapp.simulation.endpoints import Endpoint
+from rigapp.simulation.layout import Array
 from rigapp.simulation.link import Wire
 from rigapp.simulation.plant import Samples
 
@@ -26,100 +27,89 @@ MakeEndpoint = Callable[[str], Endpoint]
 
 
 @dataclass(frozen=True, slots=True)
-class DataDevice:
-    """Join the data acquisition device's simulator with its wire."""
+class SimulatedDevice:
+    """Join a device's simulator with its wire; quantities: of a slow one, those that it tells."""
 
     name: str
-    simulator: SimulatedDataSource
+    simulator: Any
     wire: Wire
-
-
-@dataclass(frozen=True, slots=True)
-class DriveDevice:
-    """Join the drive's simulator with its wire.
-
-    counts_per_crank_revolution, direction: of the drive's own encoder, which is on the motor.
-    """
-
-    name: str
-    simulator: SimulatedDrive
-    wire: Wire
-    counts_per_crank_revolution: float
-    direction: int
+    quantities: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """Tell which analog input carries which signal."""
+    """Tell which analog input carries which signal; free: numbers of the free channels' inputs."""
 
-    bridge_1: int
-    bridge_2: int
-    probe_1: int
-    probe_2: int
+    instruments: tuple[int, int, int, int]
+    free: tuple[int, ...]
 
-    def signals(self, samples: Samples) -> RigSignals:
+    def signals(self, samples: Samples, free: Sequence[Array]) -> RigSignals:
         """Return what the terminals of the data acquisition device see."""
+        wired = (samples.bridge_1, samples.bridge_2, samples.probe_1, samples.probe_2)
         return RigSignals(
-            analog={
-                self.bridge_1: samples.bridge_1,
-                self.bridge_2: samples.bridge_2,
-                self.probe_1: samples.probe_1,
-                self.probe_2: samples.probe_2,
-            },
+            analog=dict(zip((*self.instruments, *self.free), (*wired, *free), strict=True)),
             shaft_revolutions=samples.shaft_revolutions,
         )
 
 
-def inputs_of(rig: RigFile) -> Inputs:
-    """Return the analog inputs of load cell and probes; raise UnusableInput."""
+def inputs_of(rig: RigFile, free: Mapping[str, str]) -> Inputs:
+    """Return the analog inputs of load cell, probes and free channels; raise UnusableInput."""
     names = {
         "load_cell.input_1": rig.load_cell.input_1,
         "load_cell.input_2": rig.load_cell.input_2,
         "probes.input_1": rig.probes.input_1,
         "probes.input_2": rig.probes.input_2,
+        **free,
     }
-    numbers = [_input_number(key, name) for key, name in names.items()]
-    if len(set(numbers)) < len(numbers):
+    first, second, third, fourth, *rest = (_input_number(*item) for item in names.items())
+    numbers = (first, second, third, fourth)
+    if len({*numbers, *rest}) < len(names):
         taken = ", ".join(f"{key} = {name!r}" for key, name in names.items())
         raise UnusableInput(f"{taken}: two signals cannot share one input; give each its own.")
-    return Inputs(*numbers)
+    return Inputs(numbers, tuple(rest))
 
 
-def data_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> DataDevice:
+def data_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> SimulatedDevice:
     """Return the simulated data acquisition device; raise UnusableInput."""
-    name = rig.encoder.device
-    info, settings = _load(name, rig.devices[name], DriverKind.DATA_SOURCE)
     counts = rig.encoder.counts_per_revolution * (4 if rig.encoder.quadrature == "before" else 1)
     facts = {"counts_per_revolution": counts, "seed": seed}
-    simulator = _simulator(name, info, settings, facts)
-    return DataDevice(name, simulator, Wire(make_endpoint(name), seed=seed))
+    return _device(rig, rig.encoder.device, DriverKind.DATA_SOURCE, facts, make_endpoint, seed)
 
 
-def drive_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> DriveDevice:
+def drive_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> SimulatedDevice:
     """Return the simulated drive; raise UnusableInput."""
-    name = rig.spindle.device
-    info, settings = _load(name, rig.devices[name], DriverKind.SPINDLE)
-    counts = rig.spindle.encoder_counts_per_revolution
-    simulator = _simulator(name, info, settings, {"counts_per_revolution": counts})
-    wire = Wire(make_endpoint(name), seed=seed + 1)
-    counts_per_crank = counts * rig.spindle.gear_ratio
-    return DriveDevice(name, simulator, wire, counts_per_crank, rig.spindle.direction)
+    facts = {"counts_per_revolution": rig.spindle.encoder_counts_per_revolution}
+    return _device(rig, rig.spindle.device, DriverKind.SPINDLE, facts, make_endpoint, seed + 1)
 
 
-def check_devices(rig: RigFile) -> None:
-    """Refuse a rig with a device that the simulated rig would not feed; raise UnusableInput."""
-    used = {rig.spindle.device, rig.encoder.device, rig.load_cell.device, rig.probes.device}
-    for name in rig.devices:
-        if name not in used:
-            raise UnusableInput(
-                f"devices.{name} is used by neither [spindle], [encoder], [load_cell] nor [probes];"
-                " name it there or take it out."
-            )
+def slow_devices(
+    rig: RigFile, make_endpoint: MakeEndpoint, seed: int
+) -> tuple[SimulatedDevice, ...]:
+    """Return the simulated thermometers and the like; raise UnusableInput for any other device."""
+    instruments = {rig.spindle.device, rig.encoder.device, rig.load_cell.device, rig.probes.device}
     if rig.spindle.device == rig.encoder.device:
         raise UnusableInput(
             f"spindle.device and encoder.device are both {rig.spindle.device!r}; the drive and the"
             " data acquisition are separate devices in a simulated rig."
         )
+    return tuple(
+        _device(rig, name, DriverKind.SLOW_SOURCE, {}, make_endpoint, seed + 2 + place)
+        for place, name in enumerate(one for one in rig.devices if one not in instruments)
+    )
+
+
+def _device(
+    rig: RigFile,
+    name: str,
+    kind: DriverKind,
+    facts: Mapping[str, Any],
+    make_endpoint: MakeEndpoint,
+    seed: int,
+) -> SimulatedDevice:
+    info, settings = _load(name, rig.devices[name], kind)
+    simulator = _simulator(name, info, settings, facts)
+    wire = Wire(make_endpoint(name), seed=seed)
+    return SimulatedDevice(name, simulator, wire, getattr(simulator, "quantities", ()))
 
 
 def _input_number(key: str, name: str) -> int:
@@ -139,6 +129,11 @@ def _load(
         check_settings(info, device.settings, f"devices.{name}.settings")
     except (DriverNotFound, SettingsError) as error:
         raise UnusableInput(f"devices.{name}: {error}") from error
+    if kind is DriverKind.SLOW_SOURCE and info.kind is not kind:
+        raise UnusableInput(
+            f"devices.{name} is used by neither [spindle], [encoder], [load_cell] nor [probes];"
+            " name it there or take it out."
+        )
     if info.kind is not kind:
         raise UnusableInput(
             f"devices.{name}.driver = {device.driver!r} is a {info.kind}, where a {kind} is needed."

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from rigapp.simulation.kernels import Array, uniform
+from rigapp.simulation.layout import Array
 from rigapp.simulation.plant import Samples
+from rigapp.simulation.sensing import uniform
 
 CHANNELS = {
     "force_1": "bridge_1",

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rigapp.simulation import kernels
-from rigapp.simulation.kernels import Array, Constants, Drive
+from rigapp.simulation import kernels, layout, mechanics, sensing
+from rigapp.simulation.layout import Array, Constants, Drive
 from rigapp.simulation.wall import APPROACH, Wall, looked_up, unworn_wall, worn_wall
 
 LONGEST_STEP_S = 1.0 / 900.0
@@ -41,7 +41,11 @@ class Truth:
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """Carry what the terminals see: shaft in revolutions as the encoder turns, mV/V, V."""
+    """Carry what the terminals see: shaft in revolutions as the encoder turns, mV/V, V.
+
+    bushing_rise_K: of the bushing above the room. warm_s: since the crank first left its rest.
+    free_noise: (free inputs, samples), standard normal.
+    """
 
     first_sample: int
     shaft_revolutions: Array
@@ -49,6 +53,9 @@ class Samples:
     bridge_2: Array
     probe_1: Array
     probe_2: Array
+    bushing_rise_K: Array
+    warm_s: Array
+    free_noise: Array
     truth: Truth
 
 
@@ -84,8 +91,13 @@ class Plant:
         sample_rate_Hz: float = 960.0,
         angle_rad: float | None = None,
         longest_step_s: float = LONGEST_STEP_S,
+        free_inputs: int = 0,
     ) -> None:
-        """Start at rest: at angle_rad, or just before where the crank rests by itself."""
+        """Start at rest: at angle_rad, or just before where the crank rests by itself.
+
+        free_inputs: for how many more inputs noise is wanted.
+        """
+        self._rows = layout.ROWS + free_inputs
         self.constants = Constants(*map(float, constants))
         self._assembled = self.constants
         self._seed = np.uint64(seed % 2**64)
@@ -93,10 +105,10 @@ class Plant:
         self._longest = longest_step_s
         self._usual_force = max(_mean_force(self.constants), LEAST_FORCE_N)
         self._wall = self._new_wall()
-        self._state = np.zeros(kernels.STATES)
-        self._counters = np.zeros(kernels.COUNTERS, dtype=np.int64)
+        self._state = np.zeros(layout.STATES)
+        self._counters = np.zeros(layout.COUNTERS, dtype=np.int64)
         start = rest_angle(constants) - START_BEFORE_REST_RAD if angle_rad is None else angle_rad
-        self._state[kernels.ANGLE] = start
+        self._state[layout.ANGLE] = start
         self._rate = 0.0
         self._ring = np.empty((4, 0))
         self.set_sample_rate(sample_rate_Hz)
@@ -113,8 +125,8 @@ class Plant:
         self._delay_steps = self._delay / self.step_s
         size = math.ceil(self._delay_steps) + 4
         self._ring = np.repeat(self._present()[:, np.newaxis], size, axis=1)
-        self._counters[kernels.PHASE] = 0
-        self._counters[kernels.HEAD] = 0
+        self._counters[layout.PHASE] = 0
+        self._counters[layout.HEAD] = 0
 
     @property
     def sample_rate_Hz(self) -> float:
@@ -124,30 +136,42 @@ class Plant:
     @property
     def time_s(self) -> float:
         """Return the plant's time."""
-        return float(self._state[kernels.TIME])
+        return float(self._state[layout.TIME])
 
     @property
     def angle_rad(self) -> float:
         """Return the crank angle, unwrapped."""
-        return float(self._state[kernels.ANGLE])
+        return float(self._state[layout.ANGLE])
 
     @property
     def speed_rad_per_s(self) -> float:
         """Return the crank speed."""
-        return float(self._state[kernels.SPEED])
+        return float(self._state[layout.SPEED])
 
     @property
     def motor_current_A(self) -> float:
         """Return the motor current."""
-        return float(self._state[kernels.CURRENT])
+        return float(self._state[layout.CURRENT])
+
+    @property
+    def bushing_rise_K(self) -> float:
+        """Return how much warmer than the room the bushing is."""
+        return float(self._state[layout.RISE])
+
+    @property
+    def warm_s(self) -> float:
+        """Return the time since the crank first left its rest, 0 before."""
+        if not self._counters[layout.DEPARTURES]:
+            return 0.0
+        return float(self._state[layout.TIME] - self._state[layout.WARM])
 
     def advance(self, steps: int, drive: Drive) -> Samples:
         """Advance by ``steps`` steps of ``step_s`` under a command; return the samples due."""
         room = steps // self._steps_per_sample + 1
-        out = np.empty((kernels.ROWS, room))
-        first = int(self._counters[kernels.SAMPLE])
-        if drive.mode != kernels.VELOCITY:
-            self._state[kernels.INTEGRAL] = 0.0
+        out = np.empty((self._rows, room))
+        first = int(self._counters[layout.SAMPLE])
+        if drive.mode != layout.VELOCITY:
+            self._state[layout.INTEGRAL] = 0.0
         count = kernels.advance(
             self.constants,
             Drive(*map(float, drive)),
@@ -202,12 +226,12 @@ class Plant:
         if area_m2 is not None and not 0.0 <= area_m2 < math.inf:
             raise ValueError(f"a worn area of {area_m2 * 1e6:g} mm2 is not possible")
         self._wall, area = worn_wall(
-            self._new_wall(), kernels.bore(self.constants), self._usual_force, depth_m
+            self._new_wall(), mechanics.bore(self.constants), self._usual_force, depth_m
         )
-        self._state[kernels.DEPTH] = depth_m
-        self._state[kernels.AREA] = area if area_m2 is None else area_m2
-        angle = self._state[kernels.ANGLE]
-        self._state[kernels.FORCE] = kernels.resting(self.constants, angle, depth_m)[2]
+        self._state[layout.DEPTH] = depth_m
+        self._state[layout.AREA] = area if area_m2 is None else area_m2
+        angle = self._state[layout.ANGLE]
+        self._state[layout.FORCE] = mechanics.resting(self.constants, angle, depth_m)[2]
 
     def approach_m(self, force_N: float) -> float:
         """Return how far a force brings pin and bushing nearer by elasticity, as they are now."""
@@ -216,33 +240,33 @@ class Plant:
     def _new_wall(self) -> Wall:
         k = self.constants
         material = (k.outer_radius, k.youngs_modulus, k.poissons_ratio)
-        return unworn_wall(kernels.bore(k), *material, self._usual_force)
+        return unworn_wall(mechanics.bore(k), *material, self._usual_force)
 
     def turn_by_hand(self, angle_rad: float) -> None:
         """Turn the crank to an angle of its present revolution and leave it at rest."""
-        turns = math.floor(self._state[kernels.ANGLE] / (2.0 * math.pi))
-        self._state[kernels.ANGLE] = 2.0 * math.pi * turns + angle_rad % (2.0 * math.pi)
-        self._state[kernels.SPEED] = 0.0
+        turns = math.floor(self._state[layout.ANGLE] / (2.0 * math.pi))
+        self._state[layout.ANGLE] = 2.0 * math.pi * turns + angle_rad % (2.0 * math.pi)
+        self._state[layout.SPEED] = 0.0
 
     def state(self) -> PlantState:
         """Return the present state."""
         s = self._state
-        kinetic, potential = kernels.energy(
-            self.constants, s[kernels.ANGLE], s[kernels.SPEED], s[kernels.DEPTH]
+        kinetic, potential = mechanics.energy(
+            self.constants, s[layout.ANGLE], s[layout.SPEED], s[layout.DEPTH]
         )
         return PlantState(
-            time_s=float(s[kernels.TIME]),
-            angle_rad=float(s[kernels.ANGLE]),
-            speed_rad_per_s=float(s[kernels.SPEED]),
-            acceleration_rad_per_s2=float(s[kernels.ACCELERATION]),
-            motor_torque_Nm=float(s[kernels.TORQUE]),
-            motor_current_A=float(s[kernels.CURRENT]),
-            joint_force_N=float(s[kernels.FORCE]),
-            wear_depth_m=float(s[kernels.DEPTH]),
-            worn_area_m2=float(s[kernels.AREA]),
-            samples=int(self._counters[kernels.SAMPLE]),
-            motor_work_J=float(s[kernels.WORK]),
-            friction_loss_J=float(s[kernels.LOSS]),
+            time_s=float(s[layout.TIME]),
+            angle_rad=float(s[layout.ANGLE]),
+            speed_rad_per_s=float(s[layout.SPEED]),
+            acceleration_rad_per_s2=float(s[layout.ACCELERATION]),
+            motor_torque_Nm=float(s[layout.TORQUE]),
+            motor_current_A=float(s[layout.CURRENT]),
+            joint_force_N=float(s[layout.FORCE]),
+            wear_depth_m=float(s[layout.DEPTH]),
+            worn_area_m2=float(s[layout.AREA]),
+            samples=int(self._counters[layout.SAMPLE]),
+            motor_work_J=float(s[layout.WORK]),
+            friction_loss_J=float(s[layout.LOSS]),
             kinetic_energy_J=kinetic,
             potential_energy_J=potential,
         )
@@ -250,44 +274,47 @@ class Plant:
     def _present(self) -> Array:
         """Return what the sensors would see now, for the filters' past at a change of rate."""
         if self._ring.shape[1] > 0:
-            return self._ring[:, int(self._counters[kernels.HEAD])].copy()
-        angle, depth = self._state[kernels.ANGLE], self._state[kernels.DEPTH]
-        fx, fy, _ = kernels.resting(self.constants, angle, depth)
-        position = kernels.geometry(self.constants, angle, depth)
+            return self._ring[:, int(self._counters[layout.HEAD])].copy()
+        angle, depth = self._state[layout.ANGLE], self._state[layout.DEPTH]
+        fx, fy, _ = mechanics.resting(self.constants, angle, depth)
+        position = mechanics.geometry(self.constants, angle, depth)
         wall = self._wall
         return np.array(
-            kernels.views(self.constants, wall.table, wall.state, position, depth, fx, fy, 0.0)
+            sensing.views(self.constants, wall.table, wall.state, position, depth, fx, fy, 0.0)
         )
 
 
 def _mean_force(constants: Constants) -> float:
     """Return the mean joint force of a slow turn, N."""
     angles = np.linspace(0.0, 2.0 * math.pi, 25)[:-1]
-    return float(np.mean([kernels.resting(constants, angle, 0.0)[2] for angle in angles]))
+    return float(np.mean([mechanics.resting(constants, angle, 0.0)[2] for angle in angles]))
 
 
 def rest_angle(constants: Constants) -> float:
     """Return the crank angle (rad, 0 ... 2 pi) of least potential energy: spring and weight."""
     angles = np.linspace(0.0, 2.0 * math.pi, 721)[:-1]
-    potential = [kernels.energy(constants, angle, 0.0, 0.0)[1] for angle in angles]
+    potential = [mechanics.energy(constants, angle, 0.0, 0.0)[1] for angle in angles]
     return float(angles[int(np.argmin(potential))])
 
 
 def _samples(first: int, out: Array) -> Samples:
     truth = Truth(
-        time_s=out[kernels.OUT_TIME],
-        angle_rad=out[kernels.OUT_ANGLE],
-        speed_rad_per_s=out[kernels.OUT_SPEED],
-        force_e1_N=out[kernels.OUT_FORCE_1],
-        force_n1_N=out[kernels.OUT_FORCE_2],
-        wear_depth_m=out[kernels.OUT_DEPTH],
+        time_s=out[layout.OUT_TIME],
+        angle_rad=out[layout.OUT_ANGLE],
+        speed_rad_per_s=out[layout.OUT_SPEED],
+        force_e1_N=out[layout.OUT_FORCE_1],
+        force_n1_N=out[layout.OUT_FORCE_2],
+        wear_depth_m=out[layout.OUT_DEPTH],
     )
     return Samples(
         first_sample=first,
-        shaft_revolutions=out[kernels.OUT_SHAFT],
-        bridge_1=out[kernels.OUT_BRIDGE_1],
-        bridge_2=out[kernels.OUT_BRIDGE_2],
-        probe_1=out[kernels.OUT_PROBE_1],
-        probe_2=out[kernels.OUT_PROBE_2],
+        shaft_revolutions=out[layout.OUT_SHAFT],
+        bridge_1=out[layout.OUT_BRIDGE_1],
+        bridge_2=out[layout.OUT_BRIDGE_2],
+        probe_1=out[layout.OUT_PROBE_1],
+        probe_2=out[layout.OUT_PROBE_2],
+        bushing_rise_K=out[layout.OUT_RISE],
+        warm_s=out[layout.OUT_WARM],
+        free_noise=out[layout.ROWS :],
         truth=truth,
     )

@@ -18,27 +18,30 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile
 from rigapp.schema.faults import FaultRecord
-from rigapp.simulation import kernels
+from rigapp.simulation import layout
 from rigapp.simulation.constants import Machine, plant_constants, plant_section, seed_of
 from rigapp.simulation.devices import (
     MakeEndpoint,
-    check_devices,
     data_device,
     drive_device,
     inputs_of,
+    slow_devices,
 )
 from rigapp.simulation.disturbances import Disturbances, SignalFault
 from rigapp.simulation.faults import SIGNAL_KINDS, WIRE_KINDS, Timetable, check_fault
 from rigapp.simulation.hands import Hands
-from rigapp.simulation.kernels import Drive
+from rigapp.simulation.layout import Drive
 from rigapp.simulation.link import WireFault
 from rigapp.simulation.pacing import Pace
 from rigapp.simulation.plant import Plant, Samples
+from rigapp.simulation.surroundings import DRIVE_WARMER_K, FreeInputs, slow_values
 from rigapp.simulation.truth import TruthRecorder
 
 STANDING = 1e-6
 """A crank slower than this stands, rad/s."""
 CHUNK_S = 0.02
+SLOW_S = 1.0
+"""So often do slow devices look at their surroundings, in plant time."""
 LONGEST_CHUNK_S = 0.1
 CHUNK_REVOLUTIONS = 1.0 / 20.0
 LONGEST_PASS_CHUNKS = 8
@@ -66,19 +69,25 @@ class RigSimulation:
         truth: TruthRecorder | None = None,
     ) -> None:
         """Open all ports; raise UnusableInput."""
-        check_devices(rig)
         seed = seed_of(rig)
-        self._inputs = inputs_of(rig)
+        self._free = FreeInputs(rig)
+        self._inputs = inputs_of(rig, self._free.names())
+        self._section = plant_section(rig)
         self._machine = Machine()
         constants = plant_constants(parameters, rig, self._machine)
         self._daq = data_device(rig, make_endpoint, seed)
         self._drive = drive_device(rig, make_endpoint, seed)
-        self._wires = {self._daq.name: self._daq.wire, self._drive.name: self._drive.wire}
+        self._slow = slow_devices(rig, make_endpoint, seed)
+        self._devices = {one.name: one for one in (self._daq, self._drive, *self._slow)}
+        self._wires = {name: one.wire for name, one in self._devices.items()}
+        self._counts = rig.spindle.encoder_counts_per_revolution * rig.spindle.gear_ratio
+        self._sense = rig.spindle.direction
         self.plant = Plant(
             constants,
             seed=seed,
-            filter_delay_s=plant_section(rig).filter_delay_ms * 1e-3,
+            filter_delay_s=self._section.filter_delay_ms * 1e-3,
             sample_rate_Hz=self._daq.simulator.sample_rate_Hz,
+            free_inputs=len(self._free),
         )
         self.hands = Hands(self.plant)
         self._start_angle = self.plant.angle_rad
@@ -93,6 +102,8 @@ class RigSimulation:
         self._command = DriveCommand(DriveMode.OFF)
         self._speed_wanted = 0.0
         self._chunk_bytes = 0
+        self._look_again_s = -math.inf
+        self._drive_degC = 0.0
         self._connected = False
 
     @property
@@ -148,7 +159,7 @@ class RigSimulation:
         elif fault.kind in SIGNAL_KINDS:
             self._disturbances.stop(SignalFault(fault.kind), fault.channel)
         else:
-            self._simulator(fault.device).clear(fault.kind)
+            self._devices[fault.device].simulator.clear(fault.kind)
 
     def inject(self, fault: FaultRecord) -> None:
         """Put a fault on the timetable; raise UnusableInput for one that nothing here can have."""
@@ -188,6 +199,7 @@ class RigSimulation:
             "motor_current_A": state.motor_current_A,
             "wear_depth_um": state.wear_depth_m * 1e6,
             "worn_area_mm2": state.worn_area_m2 * 1e6,
+            "bushing_rise_K": self.plant.bushing_rise_K,
             "drive_mode": str(self._command.mode),
             "setpoint_rpm": self._speed_wanted / TURN * 60.0,
             "watchdog_tripped": bool(getattr(self._drive.simulator, "watchdog_tripped", False)),
@@ -207,15 +219,13 @@ class RigSimulation:
 
     def _converse(self, now_s: float) -> None:
         """Answer the hosts."""
-        data = self._daq.wire.receive()
-        if data:
-            reply = self._daq.simulator.receive(data, self._device_s)
-            self._daq.wire.send(reply, now_s, droppable=False)
-        wire, drive = self._drive.wire, self._drive.simulator
-        data = wire.receive()
-        if data:
-            wire.send(drive.receive(data, self._device_s), now_s, droppable=False)
-        wire.send(drive.emit(self._device_s), now_s, droppable=True)
+        for device in self._devices.values():
+            data = device.wire.receive()
+            if data or device in self._slow:
+                reply = device.simulator.receive(data, self._device_s)
+                device.wire.send(reply, now_s, droppable=False)
+        sent = self._drive.simulator.emit(self._device_s)
+        self._drive.wire.send(sent, now_s, droppable=True)
 
     def _advance(self, steps: int, chunk_s: float, now_s: float) -> None:
         """Advance the plant by one chunk under the drive's command and send its samples."""
@@ -230,7 +240,8 @@ class RigSimulation:
     def _deliver(self, samples: Samples, now_s: float) -> None:
         if samples.shaft_revolutions.size == 0:
             return
-        data = self._daq.simulator.sample(self._inputs.signals(samples), self._device_s)
+        signals = self._inputs.signals(samples, self._free.voltages(samples))
+        data = self._daq.simulator.sample(signals, self._device_s)
         self._chunk_bytes = len(data)
         if not self._daq.wire.send(data, now_s, droppable=True):
             self._daq.simulator.overrun(self._device_s)
@@ -243,31 +254,42 @@ class RigSimulation:
         start = self._speed_wanted
         self._speed_wanted = 0.0
         if command.mode == DriveMode.OFF:
-            return Drive(kernels.OFF, 0.0, 0.0, 0.0, supply, jam)
-        sense = self._drive.direction
+            return Drive(layout.OFF, 0.0, 0.0, 0.0, supply, jam)
+        sense = self._sense
         if command.mode == DriveMode.DUTY:
             self._speed_wanted = (
                 sense * command.duty * supply / self._machine.torque_constant_Nm_per_A
             )
-            return Drive(kernels.DUTY, 0.0, 0.0, sense * command.duty, supply, jam)
-        speed = sense * TURN * command.speed_count_per_s / self._drive.counts_per_crank_revolution
+            return Drive(layout.DUTY, 0.0, 0.0, sense * command.duty, supply, jam)
+        speed = sense * TURN * command.speed_count_per_s / self._counts
         if before.mode != DriveMode.VELOCITY:
             start = self.plant.speed_rad_per_s
         self._speed_wanted = speed
-        return Drive(kernels.VELOCITY, start, speed, 0.0, supply, jam)
+        return Drive(layout.VELOCITY, start, speed, 0.0, supply, jam)
 
     def _observe(self) -> None:
-        """Let the drive see its encoder, current and supply."""
+        """Let the drive see its encoder, current and supply, and slow devices their quantities."""
         plant = self.plant
-        counts = self._drive.direction * self._drive.counts_per_crank_revolution / TURN
+        if plant.time_s >= self._look_again_s:
+            self._look_again_s = plant.time_s + SLOW_S
+            self._look_around()
+        counts = self._sense * self._counts / TURN
         self._drive.simulator.observe(
             MotorState(
                 position_count=math.floor((plant.angle_rad - self._start_angle) * counts),
                 speed_count_per_s=plant.speed_rad_per_s * counts,
-                current_A=self._drive.direction * plant.motor_current_A,
+                current_A=self._sense * plant.motor_current_A,
                 supply_V=self._machine.supply_V,
+                temperature_C=self._drive_degC,
             )
         )
+
+    def _look_around(self) -> None:
+        """Let slow devices see their quantities, and the drive the temperature of the room."""
+        now = (self._section, self.plant.bushing_rise_K, self.plant.warm_s)
+        for device in self._slow:
+            device.simulator.observe(slow_values(device.quantities, *now))
+        self._drive_degC = slow_values(("temperature_C",), *now)["temperature_C"] + DRIVE_WARMER_K
 
     def _chunk_steps(self) -> int:
         speed = max(abs(self.plant.speed_rad_per_s), abs(self._speed_wanted))
@@ -295,22 +317,19 @@ class RigSimulation:
     def _revolutions(self) -> float:
         return (self.plant.angle_rad - self._start_angle) / TURN
 
-    def _simulator(self, device: str) -> Any:
-        return self._daq.simulator if device == self._daq.name else self._drive.simulator
-
     def _check(self, fault: FaultRecord, *, later: bool) -> None:
         """Refuse a fault that nothing here can have, before it is due; raise UnusableInput."""
         check_fault(fault, list(self._wires))
         if later and fault.kind not in WIRE_KINDS | SIGNAL_KINDS:
             self._strike(fault)
-            self._simulator(fault.device).clear(fault.kind)
+            self._devices[fault.device].simulator.clear(fault.kind)
 
     def _strike(self, fault: FaultRecord) -> None:
         """Hand a fault to the device's simulator, in the simulator's own words."""
         data = {"value": fault.value, "count": fault.count, "target": fault.target}
         given = {key: value for key, value in data.items() if value is not None}
         try:
-            self._simulator(fault.device).inject(fault.kind, **given)
+            self._devices[fault.device].simulator.inject(fault.kind, **given)
         except (AttributeError, TypeError, ValueError) as error:
             raise UnusableInput(
                 f"fault {fault.kind}: device {fault.device} cannot have it ({error})."

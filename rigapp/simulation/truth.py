@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rigapp.simulation.kernels import Array
+from rigapp.simulation.layout import Array
 from rigapp.simulation.plant import Samples
 
 COLUMNS = (

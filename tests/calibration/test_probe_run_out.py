@@ -12,9 +12,9 @@ import pytest
 from calibration.turning.run_out import Roll, RunOutError, Turn, evaluate, make_map, spread_at
 from rigapp.config.loading import read_rig
 from rigapp.config.model_parameters import to_parameters
-from rigapp.simulation import kernels
+from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
-from rigapp.simulation.kernels import Drive
+from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
 from rigapp.twin.elasticmotion import DOUBTS, elastic_motions
 
@@ -136,7 +136,7 @@ def rolling(rpm: float, turns: int, wear: float) -> tuple[Plant, Roll, list[np.n
     constants = plant_constants(packaged_parameters(), read_rig(RIG).record)
     constants = constants._replace(wear_coefficient=wear * constants.wear_coefficient)
     plant = Plant(constants, sample_rate_Hz=200.0, angle_rad=0.0)
-    drive = Drive(kernels.VELOCITY, rpm * RPM, rpm * RPM, 0.0, 48.0, 0.0)
+    drive = Drive(layout.VELOCITY, rpm * RPM, rpm * RPM, 0.0, 48.0, 0.0)
     samples = plant.advance(round((turns + 1.5) * 60.0 / rpm / plant.step_s), drive)
     angle = samples.truth.angle_rad
     scale = 100e-6

@@ -28,9 +28,9 @@ from rigapp.engine.values.probes import probe_correction
 from rigapp.engine.values.reduce import Reducer
 from rigapp.report.testreport.uncertainty import position_uncertainty
 from rigapp.schema.channels import BASE
-from rigapp.simulation import kernels
+from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
-from rigapp.simulation.kernels import Drive
+from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
 from tests.engine.calibrations import calibration_by_hand
 
@@ -244,7 +244,7 @@ def test_pair_calibrated_on_the_plants_bench_tells_the_true_position_in_use() ->
         rig, simulation=msgspec.structs.replace(rig.simulation, plant=section)
     )
     plant = Plant(plant_constants(packaged_parameters(), rig), sample_rate_Hz=200.0)
-    still = Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
+    still = Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
 
     def volts(x_um: float, y_um: float) -> np.ndarray:
         plant.bench(0.0, (1e-6 * x_um, 1e-6 * y_um))

@@ -9,13 +9,13 @@ import pytest
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile
-from rigapp.simulation import kernels
+from rigapp.simulation import layout
 from rigapp.simulation.constants import plant_constants
 from rigapp.simulation.hands import Hands, hand_of
-from rigapp.simulation.kernels import Drive
+from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant
 
-LOCKED = Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 1e6)
+LOCKED = Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 1e6)
 
 
 @pytest.fixture
@@ -65,7 +65,7 @@ def test_hands_refuse_what_nobody_could_do(plant: Plant) -> None:
         hand_of({"hand": "hang_weight", "mass_kg": -1.0})
     with pytest.raises(UnusableInput, match="hand:"):
         hand_of({"hand": "hit_it"})
-    plant.advance(900, Drive(kernels.VELOCITY, 0.0, 6.0, 0.0, 48.0, 0.0))
+    plant.advance(900, Drive(layout.VELOCITY, 0.0, 6.0, 0.0, 48.0, 0.0))
     with pytest.raises(UnusableInput, match="stop it first"):
         hands.do(hand_of({"hand": "take_off_follower"}))
 

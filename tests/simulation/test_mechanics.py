@@ -18,9 +18,9 @@ from model.dynamics import inverse_dynamics
 from model.parameters import Joint, Mechanism, Spring
 from rigapp.config.parameters import ParameterFile, SpringSection
 from rigapp.config.rig import PlantSection, RigFile, SimulationSection
-from rigapp.simulation import kernels
+from rigapp.simulation import layout, mechanics, sensing
 from rigapp.simulation.constants import Machine, plant_constants
-from rigapp.simulation.kernels import Constants, Drive
+from rigapp.simulation.layout import Constants, Drive
 from rigapp.simulation.plant import Plant
 from rigapp.simulation.wall import LEVELS
 
@@ -51,8 +51,8 @@ def test_inverse_dynamics_is_the_reference(
     table = reference(case)
     k = case_constants(perfect_rig, parameters, case)
     for row, degrees in enumerate(table["crank_angle_deg"]):
-        b = kernels.bodies(k, math.radians(degrees), 0.0)
-        fx, fy = kernels.reaction(k, b, 0.0, SPEED**2, 0.0)
+        b = mechanics.bodies(k, math.radians(degrees), 0.0)
+        fx, fy = mechanics.reaction(k, b, 0.0, SPEED**2, 0.0)
         assert fx == pytest.approx(table["Fx[N]"][row], abs=1e-9)
         assert fy == pytest.approx(table["Fy[N]"][row], abs=1e-9)
         assert b[13] * SPEED**2 - b[14] == pytest.approx(table["T[N*m]"][row], abs=1e-10)
@@ -66,7 +66,7 @@ def test_running_plant_at_steady_speed_gives_the_reference_forces(
     k = case_constants(perfect_rig, parameters, case)
     stiff = k._replace(proportional=3e2 * k.proportional, integral=3e3 * k.integral)
     plant = Plant(stiff, sample_rate_Hz=9600.0, angle_rad=0.0, longest_step_s=1e-5)
-    command = Drive(kernels.VELOCITY, SPEED, SPEED, 0.0, 1e6, 0.0)
+    command = Drive(layout.VELOCITY, SPEED, SPEED, 0.0, 1e6, 0.0)
     truth = plant.advance(int(5.0 / plant.step_s), command).truth
     last = truth.angle_rad > truth.angle_rad[-1] - 2.0 * math.pi
     angle = np.degrees(truth.angle_rad[last]) % 360.0
@@ -100,9 +100,9 @@ def test_plant_and_model_agree_on_one_instant(
     rough = msgspec.structs.replace(rig, simulation=SimulationSection(plant=section))
     k = plant_constants(parameters, rough)
     depth, sense = depth_um * 1e-6, math.copysign(1.0, speed)
-    a, fx, fy, force, _ = kernels.motion(k, angle, speed, depth, torque, sense, 50.0)
+    a, fx, fy, force, _ = mechanics.motion(k, angle, speed, depth, torque, sense, 50.0)
     # Two passes of the fixed point leave a relative error of (mu R1 / L)^2.
-    a, fx, fy, force, _ = kernels.motion(k, angle, speed, depth, torque, sense, force)
+    a, fx, fy, force, _ = mechanics.motion(k, angle, speed, depth, torque, sense, force)
     m = parameters.mechanism
     mechanism = Mechanism(
         crank_radius=m.crank_radius_mm * 1e-3,
@@ -125,7 +125,9 @@ def test_plant_and_model_agree_on_one_instant(
     )
     assert fx == pytest.approx(float(motion.force[0]), abs=1e-5 * scale)
     assert fy == pytest.approx(float(motion.force[1]), abs=1e-5 * scale)
-    e1, n1, _, _ = kernels.views(k, *RIGID, kernels.geometry(k, angle, depth), depth, fx, fy, sense)
+    e1, n1, _, _ = sensing.views(
+        k, *RIGID, mechanics.geometry(k, angle, depth), depth, fx, fy, sense
+    )
     assert (e1, n1) == pytest.approx(tuple(motion.force_crank), abs=1e-5 * scale)
 
 
@@ -134,10 +136,10 @@ def lagrange(k: Constants, angle: float, speed: float) -> float:
     h = 1e-4
 
     def inertia(x: float) -> float:
-        return 2.0 * kernels.energy(k, x, 1.0, 0.0)[0]
+        return 2.0 * mechanics.energy(k, x, 1.0, 0.0)[0]
 
     def potential(x: float) -> float:
-        return kernels.energy(k, x, 0.0, 0.0)[1]
+        return mechanics.energy(k, x, 0.0, 0.0)[1]
 
     slope = (inertia(angle + h) - inertia(angle - h)) / (2.0 * h)
     pull = (potential(angle + h) - potential(angle - h)) / (2.0 * h)
@@ -151,8 +153,8 @@ def test_free_motion_is_that_of_an_independent_integrator(
     changed = msgspec.structs.replace(parameters, mechanism=gravity)
     k = plant_constants(changed, perfect_rig, Machine(bearing_torque_Nm=0, bearing_viscous_Nm_s=0))
     plant = Plant(k, sample_rate_Hz=900.0, angle_rad=1.0)
-    plant._state[kernels.SPEED] = 12.0
-    truth = plant.advance(1801, Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)).truth
+    plant._state[layout.SPEED] = 12.0
+    truth = plant.advance(1801, Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)).truth
     exact = solve_ivp(
         lambda _, y: (y[1], lagrange(k, y[0], y[1])), (0.0, 2.0), (1.0, 12.0), rtol=1e-9, atol=1e-9
     )
@@ -167,11 +169,11 @@ def test_energy_is_balanced_through_start_reversal_and_coasting(
     plant = Plant(plant_constants(parameters, rig))
     before = plant.state()
     for mode, start, end, steps in (
-        (kernels.VELOCITY, 0.0, 9.0, 900),
-        (kernels.VELOCITY, 9.0, 9.0, 1800),
-        (kernels.VELOCITY, 9.0, -9.0, 1800),
-        (kernels.VELOCITY, -9.0, -9.0, 900),
-        (kernels.OFF, 0.0, 0.0, 900),
+        (layout.VELOCITY, 0.0, 9.0, 900),
+        (layout.VELOCITY, 9.0, 9.0, 1800),
+        (layout.VELOCITY, 9.0, -9.0, 1800),
+        (layout.VELOCITY, -9.0, -9.0, 900),
+        (layout.OFF, 0.0, 0.0, 900),
     ):
         plant.advance(steps, Drive(mode, start, end, 0.0, 48.0, 0.0))
         now = plant.state()
@@ -189,9 +191,9 @@ def test_power_balance_of_one_instant(rig: RigFile, parameters: ParameterFile) -
     k = plant_constants(parameters, rig)
     for angle in np.linspace(0.1, 6.2, 13):
         speed, torque, h = 7.0, 2.0, 1e-6
-        a, _, _, _, friction = kernels.motion(k, angle, speed, 0.0, torque, 1.0, 60.0)
-        later = sum(kernels.energy(k, angle + speed * h, speed + a * h, 0.0))
-        earlier = sum(kernels.energy(k, angle - speed * h, speed - a * h, 0.0))
+        a, _, _, _, friction = mechanics.motion(k, angle, speed, 0.0, torque, 1.0, 60.0)
+        later = sum(mechanics.energy(k, angle + speed * h, speed + a * h, 0.0))
+        earlier = sum(mechanics.energy(k, angle - speed * h, speed - a * h, 0.0))
         assert (later - earlier) / (2 * h) == pytest.approx((torque - friction) * speed, abs=1e-6)
 
 
@@ -201,9 +203,9 @@ def test_friction_couple_belongs_to_the_joint_force(
     frictionless = SimulationSection(plant=PlantSection(joint_friction_coefficient=0.0))
     k = plant_constants(parameters, rig)
     smooth = plant_constants(parameters, msgspec.structs.replace(rig, simulation=frictionless))
-    _, fx, fy, force, friction = kernels.motion(k, 1.0, 3.0, 0.0, 1.0, 1.0, 50.0)
-    _, fx0, fy0, _, bearing = kernels.motion(smooth, 1.0, 3.0, 0.0, 1.0, 1.0, 50.0)
-    b = kernels.bodies(k, 1.0, 0.0)
+    _, fx, fy, force, friction = mechanics.motion(k, 1.0, 3.0, 0.0, 1.0, 1.0, 50.0)
+    _, fx0, fy0, _, bearing = mechanics.motion(smooth, 1.0, 3.0, 0.0, 1.0, 1.0, 50.0)
+    b = mechanics.bodies(k, 1.0, 0.0)
     couple = 0.05 / math.hypot(1.0, 0.05) * 9.5e-3 * force
     assert friction - bearing == pytest.approx(couple * (1.0 - b[2]), rel=2e-3)
     # On the follower the couple turns with the pin: the force gets a part across the follower.
@@ -218,8 +220,8 @@ def test_halving_the_step_changes_nothing_that_matters(
     ends = []
     for factor in (1, 8):
         plant = Plant(k, sample_rate_Hz=900.0, longest_step_s=1 / 900.0 / factor)
-        plant.advance(1800 * factor, Drive(kernels.VELOCITY, 0.0, 60.0, 0.0, 480.0, 0.0))
-        command = Drive(kernels.VELOCITY, 60.0, 60.0, 0.0, 480.0, 0.0)
+        plant.advance(1800 * factor, Drive(layout.VELOCITY, 0.0, 60.0, 0.0, 480.0, 0.0))
+        command = Drive(layout.VELOCITY, 60.0, 60.0, 0.0, 480.0, 0.0)
         ends.append(plant.advance(900 * factor, command).truth)
     coarse, fine = ends
     assert np.abs(coarse.angle_rad - fine.angle_rad).max() < 5e-5

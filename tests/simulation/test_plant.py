@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import msgspec
 import numpy as np
@@ -11,19 +12,19 @@ import pytest
 
 from rigapp.config.parameters import ParameterFile, SpringSection
 from rigapp.config.rig import PlantSection, RigFile
-from rigapp.simulation import kernels
+from rigapp.simulation import layout
 from rigapp.simulation.constants import plant_constants
-from rigapp.simulation.kernels import Drive
+from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant, Samples
 
 Flawed = Callable[..., RigFile]
 
-COAST = Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
-JAMMED = Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 1000.0)
+COAST = Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
+JAMMED = Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 1000.0)
 
 
 def velocity(speed: float, start: float | None = None) -> Drive:
-    return Drive(kernels.VELOCITY, speed if start is None else start, speed, 0.0, 48.0, 0.0)
+    return Drive(layout.VELOCITY, speed if start is None else start, speed, 0.0, 48.0, 0.0)
 
 
 def running(rig: RigFile, parameters: ParameterFile, speed: float = 2 * math.pi) -> Plant:
@@ -132,7 +133,7 @@ def cut(plant: Plant, sizes: list[int]) -> Samples:
     parts = [plant.advance(size, velocity(2 * math.pi)) for size in sizes]
     names = ("shaft_revolutions", "bridge_1", "bridge_2", "probe_1", "probe_2")
     joined = {name: np.concatenate([getattr(p, name) for p in parts]) for name in names}
-    return Samples(parts[0].first_sample, truth=parts[0].truth, **joined)
+    return replace(parts[0], **joined)
 
 
 @pytest.mark.parametrize("rate", [10.0, 960.0, 12000.0])
@@ -250,7 +251,7 @@ def test_off_coasts_to_rest_and_stays(rig: RigFile, parameters: ParameterFile) -
 
 
 def test_zero_duty_brakes_more_than_coasting(rig: RigFile, parameters: ParameterFile) -> None:
-    brake = Drive(kernels.DUTY, 0.0, 0.0, 0.0, 48.0, 0.0)
+    brake = Drive(layout.DUTY, 0.0, 0.0, 0.0, 48.0, 0.0)
     ends = []
     for command in (brake, COAST):
         plant = running(rig, parameters)
@@ -264,7 +265,7 @@ def test_torque_limit_and_supply_bound_the_motor(rig: RigFile, parameters: Param
     plant = Plant(plant_constants(parameters, rig))
     plant.advance(1, velocity(70.0))
     assert plant.state().motor_torque_Nm == pytest.approx(6.0)
-    full = Drive(kernels.DUTY, 0.0, 0.0, 1.0, 24.0, 0.0)
+    full = Drive(layout.DUTY, 0.0, 0.0, 1.0, 24.0, 0.0)
     plant.advance(20 * 960, full)
     mean_speed = np.mean(plant.advance(960, full).truth.speed_rad_per_s)
     assert mean_speed == pytest.approx(24.0 / 0.573, rel=0.05)

@@ -6,13 +6,13 @@ import numpy as np
 
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile
-from rigapp.simulation import kernels
+from rigapp.simulation import layout
 from rigapp.simulation.constants import plant_constants
-from rigapp.simulation.kernels import Drive
+from rigapp.simulation.layout import Drive
 from rigapp.simulation.plant import Plant, Samples
 
-STANDING = Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
-TURNING = Drive(kernels.VELOCITY, 0.0, 3.0, 0.0, 48.0, 0.0)
+STANDING = Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 0.0)
+TURNING = Drive(layout.VELOCITY, 0.0, 3.0, 0.0, 48.0, 0.0)
 ANALOG = ("bridge_1", "bridge_2", "probe_1", "probe_2")
 
 
@@ -39,7 +39,7 @@ def test_the_time_before_the_start_changes_nothing(rig: RigFile, parameters: Par
 def test_noise_is_not_repeated_after_a_stop(rig: RigFile, parameters: ParameterFile) -> None:
     plant, first = started_after(rig, parameters, 960)
     while plant.speed_rad_per_s != 0.0:
-        plant.advance(960, Drive(kernels.OFF, 0.0, 0.0, 0.0, 48.0, 50.0))
+        plant.advance(960, Drive(layout.OFF, 0.0, 0.0, 0.0, 48.0, 50.0))
     plant.advance(960, STANDING)
     second = plant.advance(2000, TURNING)
     for name in ANALOG:

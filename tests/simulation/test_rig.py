@@ -173,14 +173,7 @@ def test_negative_direction_turns_the_other_way(
     make: Callable[..., Bench], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     bench = make()
-    reversed_drive = devices.DriveDevice(
-        "drive",
-        bench.motor,
-        bench.rig._drive.wire,
-        counts_per_crank_revolution=3600.0,
-        direction=-1,
-    )
-    monkeypatch.setattr(bench.rig, "_drive", reversed_drive)
+    monkeypatch.setattr(bench.rig, "_sense", -1)
     bench.open("drive")
     bench.run(1.0, feed=b"1.0\n")
     assert bench.rig.report()["revolutions"] < -0.5

@@ -15,7 +15,7 @@ from rigapp.config.model_parameters import to_parameters
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.simulation.constants import plant_constants
-from rigapp.simulation.kernels import VELOCITY, Drive
+from rigapp.simulation.layout import VELOCITY, Drive
 from rigapp.simulation.plant import Plant
 from rigapp.simulation.wall import (
     APPROACH,

@@ -17,7 +17,7 @@ from rigapp.config.model_parameters import to_parameters
 from rigapp.schema.columns import prediction_columns, profile_columns
 from rigapp.schema.messages import Prediction, WornProfile, as_array
 from rigapp.simulation.constants import plant_constants
-from rigapp.simulation.kernels import VELOCITY, Drive
+from rigapp.simulation.layout import VELOCITY, Drive
 from rigapp.simulation.plant import Plant
 from rigapp.twin.checkpoint import Checkpoint, packed, restore
 from rigapp.twin.predict import Measured

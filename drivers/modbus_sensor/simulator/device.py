@@ -44,8 +44,8 @@ def crc16(data: bytes) -> int:
 class ModbusSensorSimulator:
     """Answer reads of the registers that the settings name; a ``drivers.api.SimulatedSlowSource``.
 
-    preset, registers, address: as in the driver's settings. faults: ``Fault`` records or tables of
-    their fields, see ``ModbusSensorFault``.
+    preset, registers, address: as in the driver's settings. quantities: those that it tells.
+    faults: ``Fault`` records or tables of their fields, see ``ModbusSensorFault``.
     """
 
     kinds = ModbusSensorFault
@@ -59,6 +59,7 @@ class ModbusSensorSimulator:
         faults: Faults = (),
     ) -> None:
         self._registers = registers_of({"preset": preset, "registers": registers or []})
+        self.quantities = tuple(one.quantity for one in self._registers)
         self._address = address
         self._plan = FaultPlan(ModbusSensorFault, faults)
         self.inject, self.clear = self._plan.add, self._plan.clear

@@ -1,0 +1,104 @@
+"""What the laboratory around the simulated rig is like, and what free inputs and slow devices see.
+
+The bushing is warmed by the power of friction in the joint: force along the wall times sliding
+speed, through a first-order lag (see ``kernels``). The room's temperature and humidity swing about
+their means once a day, against each other: warmer air of the same water is drier. Their day begins
+when the crank first leaves its rest, so that a test of the same seed is the same however long the
+rig stood before.
+
+A free input of the rig file carries the quantity that its channel is named after,
+``[channels.bushing_temperature]``, ``room_temperature`` or ``humidity``; to any other nothing is
+connected, and it floats near 0 V. A slow device sees the same by its quantities' names.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from rigapp.config.rig import ChannelSection, PlantSection, RigFile
+from rigapp.simulation.constants import plant_section
+from rigapp.simulation.layout import Array
+from rigapp.simulation.plant import Samples
+
+DAY_S = 86400.0
+DRIVE_WARMER_K = 10.5
+"""How much warmer than the room a drive's electronics are [assumed]."""
+CONNECTED_NOISE_V = 2e-4
+FLOATING_NOISE_V = 2e-3
+"""Standard deviations: of a transmitter's output, of an open input of some megohms [assumed]."""
+
+Values = Callable[[PlantSection, Array, Array], Array]
+
+
+def _room(plant: PlantSection, rise_K: Array, warm_s: Array) -> Array:
+    return plant.room_temperature_degC + plant.room_swing_K * np.sin(2.0 * math.pi / DAY_S * warm_s)
+
+
+def _bushing(plant: PlantSection, rise_K: Array, warm_s: Array) -> Array:
+    return _room(plant, rise_K, warm_s) + rise_K
+
+
+def _humidity(plant: PlantSection, rise_K: Array, warm_s: Array) -> Array:
+    swing = plant.humidity_swing_percent * np.sin(2.0 * math.pi / DAY_S * warm_s)
+    return np.asarray(np.clip(plant.humidity_percent - swing, 0.0, 100.0))
+
+
+QUANTITIES: Mapping[str, Values] = {
+    "bushing_temperature": _bushing,
+    "room_temperature": _room,
+    "temperature": _room,
+    "humidity": _humidity,
+}
+"""Name of a channel, or of a slow device's quantity without its unit -> its values (degC, %)."""
+
+
+class FreeInputs:
+    """The analog inputs of ``[channels.NAME]``: what stands at their terminals."""
+
+    def __init__(self, rig: RigFile) -> None:
+        self._plant = plant_section(rig)
+        self._channels = {name: one for name, one in rig.channels.items() if not one.source}
+
+    def __len__(self) -> int:
+        """Return how many there are."""
+        return len(self._channels)
+
+    def names(self) -> dict[str, str]:
+        """Return the input of each, by its key in the rig file."""
+        return {f"channels.{name}.input": one.input for name, one in self._channels.items()}
+
+    def voltages(self, samples: Samples) -> list[Array]:
+        """Return (samples,) in V for each, in the order of ``names``."""
+        found = []
+        for row, (name, section) in enumerate(self._channels.items()):
+            noise = samples.free_noise[row]
+            values = QUANTITIES.get(name)
+            if values is None:
+                found.append(FLOATING_NOISE_V * noise)
+                continue
+            value = values(self._plant, samples.bushing_rise_K, samples.warm_s)
+            found.append(_volts(section, value) + CONNECTED_NOISE_V * noise)
+        return found
+
+
+def _volts(section: ChannelSection, value: Array) -> Array:
+    """Return the voltage that stands for a value: the channel's scale or table, backwards."""
+    if section.table:
+        pairs = np.array(sorted(section.table, key=lambda pair: pair[1]))
+        return np.asarray(np.interp(value, pairs[:, 1], pairs[:, 0]))
+    return np.asarray(value / section.scale + section.offset_V)
+
+
+def slow_values(
+    quantities: tuple[str, ...], plant: PlantSection, rise_K: float, warm_s: float
+) -> dict[str, float]:
+    """Return what a slow device sees now, by its quantities; unknown ones are left out."""
+    found = {}
+    for quantity in quantities:
+        values = QUANTITIES.get(quantity.rpartition("_")[0])
+        if values is not None:
+            found[quantity] = float(values(plant, np.array(rise_K), np.array(warm_s)))
+    return found
