@@ -49,29 +49,35 @@ def _file_name(parameter: typer.CallbackParam, path: Path | None) -> Path | None
     return path
 
 
+def _option(flag: str, words: str, **more: Any) -> Any:
+    """Return an option that is given by its whole name."""
+    return typer.Option(flag, help=words, **more)
+
+
 def _file(flag: str, words: str) -> Any:
     """Return the option for a file that is written."""
-    return typer.Option(flag, help=words, callback=_file_name)
+    return _option(flag, words, callback=_file_name)
 
 
-RigOption = Annotated[Path, typer.Option("--rig", help="Rig file (devices, inputs, calibration).")]
+RecordedArgument = Annotated[Path, typer.Argument(help="Test file (HDF5).")]
+RigArgument = Annotated[Path, typer.Argument(help="Rig file.")]
+TestArgument = Annotated[Path, typer.Argument(help="Test file.")]
+RigOption = Annotated[Path, _option("--rig", "Rig file (devices, inputs, calibration).")]
 OutOption = Annotated[Path, _file("--out", "HDF5 file to make; never overwritten.")]
 ToOption = Annotated[Path, _file("--to", "File to write.")]
+JsonOption = Annotated[bool, _option("--json", "Print JSON.")]
 SpeedOption = Annotated[
-    str | None,
-    typer.Option("--speed", help="Simulated rigs only: N times real time, or 'max'."),
+    str | None, _option("--speed", "Simulated rigs only: N times real time, or 'max'.")
 ]
 ProgressOption = Annotated[
-    str | None,
-    typer.Option("--progress", help="'json': one JSON object a line on standard output."),
+    str | None, _option("--progress", "'json': one JSON object a line on standard output.")
 ]
-
 BindOption = Annotated[
     str | None,
-    typer.Option(
+    _option(
         "--bind",
+        "Let viewers attach there; beyond this computer only with authorised keys.",
         metavar="tcp://ADDRESS:PORT",
-        help="Let viewers attach there; beyond this computer only with authorised keys.",
     ),
 ]
 
@@ -79,13 +85,13 @@ BindOption = Annotated[
 @app.callback()
 def options(
     context: typer.Context,
-    debug: Annotated[bool, typer.Option("--debug", help="Show a traceback on errors.")] = False,
+    debug: Annotated[bool, _option("--debug", "Show a traceback on errors.")] = False,
     log_level: Annotated[
         str | None,
-        typer.Option(
+        _option(
             "--log-level",
+            "Remarks on standard error from this level on: debug, info, warning or error.",
             metavar="LEVEL",
-            help="Remarks on standard error from this level on: debug, info, warning or error.",
         ),
     ] = None,
 ) -> None:
@@ -97,28 +103,28 @@ def options(
 
 @app.command()
 def gui(
-    rig: Annotated[Path | None, typer.Option("--rig", help="Rig file.")] = None,
-    test: Annotated[Path | None, typer.Option("--test", help="Test file to offer first.")] = None,
-    start: Annotated[bool, typer.Option("--start", help="Start that test at once.")] = False,
-) -> None:
+    rig: Annotated[Path | None, _option("--rig", "Rig file.")] = None,
+    test: Annotated[Path | None, _option("--test", "Test file to offer first.")] = None,
+    start: Annotated[bool, _option("--start", "Start that test at once.")] = False,
+) -> int:
     """Open the operator's window (without a rig file: on the simulated rig)."""
     from rigapp.commands.window import open_window
 
-    raise typer.Exit(open_window(rig, test, start=start))
+    return open_window(rig, test, start=start)
 
 
 @app.command()
 def run(
-    test: Annotated[Path, typer.Argument(help="Test file.")],
+    test: TestArgument,
     rig: RigOption,
     out: OutOption,
     revolutions: Annotated[
-        int | None, typer.Option("--revolutions", min=1, help="Instead of the test file's.")
+        int | None, _option("--revolutions", "Instead of the test file's.", min=1)
     ] = None,
     progress: ProgressOption = None,
     speed: SpeedOption = None,
     bind: BindOption = None,
-) -> None:
+) -> int:
     """Run one test without a window."""
     from rigapp.service.registry import starting
 
@@ -126,7 +132,7 @@ def run(
     with starting(rig):
         from rigapp.commands.run import run_test
 
-        raise typer.Exit(run_test(test, rig, out, revolutions, progress, speed, bind))
+        return run_test(test, rig, out, revolutions, progress, speed, bind)
 
 
 @app.command()
@@ -137,13 +143,10 @@ def resume(
     speed: SpeedOption = None,
     bind: BindOption = None,
     reason: Annotated[
-        str,
-        typer.Option("--reason", help="Why it may go on with another calibration or zero; logged."),
+        str, _option("--reason", "Why it may go on with another calibration or zero; logged.")
     ] = "",
-    check: Annotated[
-        bool, typer.Option("--check", help="Only show what is there and what differs.")
-    ] = False,
-) -> None:
+    check: Annotated[bool, _option("--check", "Only show what is there and what differs.")] = False,
+) -> int:
     """Go on with an interrupted test in the same file, after a look at what has changed."""
     from rigapp.service.registry import starting
 
@@ -151,90 +154,87 @@ def resume(
         from rigapp.commands.run import examine_test, resume_test
 
         if check:
-            raise typer.Exit(examine_test(file, rig))
-        raise typer.Exit(resume_test(file, rig, progress, speed, bind, reason=reason))
+            return examine_test(file, rig)
+        return resume_test(file, rig, progress, speed, bind, reason=reason)
 
 
 @app.command()
 def check(
-    rig: Annotated[Path, typer.Argument(help="Rig file.")],
-    test: Annotated[Path, typer.Argument(help="Test file.")],
-) -> None:
+    rig: RigArgument,
+    test: TestArgument,
+) -> int:
     """Check devices, calibration, disk and limits before a test; status 1 if anything blocks."""
     from rigapp.commands.check import check_rig
 
-    raise typer.Exit(check_rig(rig, test))
+    return check_rig(rig, test)
 
 
 @app.command(context_settings={"allow_extra_args": True, "ignore_unknown_options": True})
-def sim(context: typer.Context, rig: Annotated[Path, typer.Argument(help="Rig file.")]) -> None:
+def sim(context: typer.Context, rig: RigArgument) -> int:
     """Start the rig's simulated devices, print one JSON line of URLs, run until interrupted."""
     from rigapp.simulation.process import main as simulate
 
-    raise typer.Exit(simulate([str(rig), *context.args]))
+    return simulate([str(rig), *context.args])
 
 
 @app.command()
 def info(
-    file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
-    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
-) -> None:
+    file: RecordedArgument,
+    json: JsonOption = False,
+) -> int:
     """Tell what a test file holds and how the test ended."""
     from rigapp.commands.files import print_info
 
-    raise typer.Exit(print_info(file, as_json=json))
+    return print_info(file, as_json=json)
 
 
 @app.command()
 def export(
-    file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
+    file: RecordedArgument,
     to: Annotated[Path, _file("--to", "FILE.csv or FILE.parquet")],
-    cycles: Annotated[bool, typer.Option("--cycles", help="Saved cycles, not statistics.")] = False,
+    cycles: Annotated[bool, _option("--cycles", "Saved cycles, not statistics.")] = False,
     points: Annotated[
-        int | None,
-        typer.Option("--points", help="With --cycles: put each on so many even crank angles."),
+        int | None, _option("--points", "With --cycles: put each on so many even crank angles.")
     ] = None,
-) -> None:
+) -> int:
     """Write statistics or saved cycles as CSV or Parquet."""
     from rigapp.commands.files import export_file
 
-    raise typer.Exit(export_file(file, to, cycles=cycles, points=points))
+    return export_file(file, to, cycles=cycles, points=points)
 
 
 @app.command()
-def replay(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")]) -> None:
+def replay(file: RecordedArgument) -> int:
     """Show a recorded test through the same window."""
     from rigapp.commands.window import replay_file
 
-    raise typer.Exit(replay_file(file))
+    return replay_file(file)
 
 
 @app.command()
 def report(
-    file: Annotated[Path, typer.Argument(help="Test file (HDF5).")],
+    file: RecordedArgument,
     to: Annotated[Path, _file("--to", "REPORT.html or REPORT.pdf")],
-) -> None:
+) -> int:
     """Write the report of a test, the same bytes each time."""
     from rigapp.commands.report import write_report
 
-    raise typer.Exit(write_report(file, to))
+    return write_report(file, to)
 
 
 @app.command()
-def picture(file: Annotated[Path, typer.Argument(help="Test file (HDF5).")], to: ToOption) -> None:
+def picture(file: RecordedArgument, to: ToOption) -> int:
     """Draw a recorded test as the window shows it (PNG)."""
     from rigapp.commands.window import draw_picture
 
-    raise typer.Exit(draw_picture(file, to))
+    return draw_picture(file, to)
 
 
 ParametersArgument = Annotated[Path, typer.Argument(metavar="PARAMS.toml", help="Parameters.")]
-RpmOption = Annotated[float, typer.Option("--rpm", help="Crank speed, rpm.")]
-JointOption = Annotated[str, typer.Option("--joint", help=f"{listed()} (paper: 3.1, 3.2).")]
-
+RpmOption = Annotated[float, _option("--rpm", "Crank speed, rpm.")]
+JointOption = Annotated[str, _option("--joint", f"{listed()} (paper: 3.1, 3.2).")]
 TimeLimitOption = Annotated[
-    float | None,
-    typer.Option("--time-limit-s", help="Write what was reached by then and end with status 1."),
+    float | None, _option("--time-limit-s", "Write what was reached by then and end with status 1.")
 ]
 
 
@@ -245,103 +245,94 @@ def model_forces(
     to: ToOption,
     joint: JointOption = "perfect",
     clearance_mm: Annotated[
-        float | None, typer.Option("--clearance-mm", help="Radial clearance instead of the file's.")
+        float | None, _option("--clearance-mm", "Radial clearance instead of the file's.")
     ] = None,
-    points: Annotated[int, typer.Option("--points", help="Crank angles of the cycle.")] = 360,
+    points: Annotated[int, _option("--points", "Crank angles of the cycle.")] = 360,
     revolutions: Annotated[
-        int | None,
-        typer.Option("--revolutions", help="Joint contact: add means over so many, with errors."),
+        int | None, _option("--revolutions", "Joint contact: add means over so many, with errors.")
     ] = None,
     tolerance: Annotated[
-        float | None,
-        typer.Option("--tolerance", help="Joint contact: error of a step, of the penetration."),
+        float | None, _option("--tolerance", "Joint contact: error of a step, of the penetration.")
     ] = None,
     time_limit_s: TimeLimitOption = None,
-) -> None:
+) -> int:
     """Write motion and forces over one cycle of the mechanism as CSV."""
     from rigapp.commands.model.forces import write_forces
     from rigapp.commands.model.impacts import Impacting
 
     impacting = Impacting(revolutions, tolerance, time_limit_s)
-    raise typer.Exit(write_forces(params, rpm, joint, clearance_mm, points, to, impacting))
+    return write_forces(params, rpm, joint, clearance_mm, points, to, impacting)
 
 
 @model_app.command("wear")
 def model_wear(
     params: ParametersArgument,
     rpm: RpmOption,
-    cycles: Annotated[int, typer.Option("--cycles", help="Cycles of the whole life.")],
+    cycles: Annotated[int, _option("--cycles", "Cycles of the whole life.")],
     to: ToOption,
     joint: JointOption = "continuous",
     force_n: Annotated[
         float | None,
-        typer.Option(
-            "--force-N", help="Constant force along the follower, N, not the mechanism's."
-        ),
+        _option("--force-N", "Constant force along the follower, N, not the mechanism's."),
     ] = None,
     tolerance: Annotated[
-        float, typer.Option("--tolerance", help="Largest relative error of the depth.")
+        float, _option("--tolerance", "Largest relative error of the depth.")
     ] = 1e-3,
     method: Annotated[
-        str,
-        typer.Option("--method", help="implicit, or explicit: extrapolated as in the paper."),
+        str, _option("--method", "implicit, or explicit: extrapolated as in the paper.")
     ] = "implicit",
     extrapolation: Annotated[
         float | None,
-        typer.Option(
+        _option(
             "--extrapolation",
-            help="Method explicit: most cycles of a step; by default half the stability limit.",
+            "Method explicit: most cycles of a step; by default half the stability limit.",
         ),
     ] = None,
     contact: Annotated[
-        str, typer.Option("--contact", help="finite-element, or winkler: a bed of springs.")
+        str, _option("--contact", "finite-element, or winkler: a bed of springs.")
     ] = "finite-element",
     profile: Annotated[
-        Path | None,
-        _file("--profile", "CSV of the worn profile at the end."),
+        Path | None, _file("--profile", "CSV of the worn profile at the end.")
     ] = None,
     time_limit_s: TimeLimitOption = None,
-) -> None:
+) -> int:
     """Write the life of the bushing as CSV."""
     from rigapp.commands.model.wear import Scheme, write_wear
 
     scheme = Scheme(method, extrapolation, contact)
-    raise typer.Exit(
-        write_wear(
-            params, rpm, cycles, joint, force_n, tolerance, to, profile, time_limit_s, scheme
-        )
+    return write_wear(
+        params, rpm, cycles, joint, force_n, tolerance, to, profile, time_limit_s, scheme
     )
 
 
 @model_app.command("pressure")
 def model_pressure(
     params: ParametersArgument,
-    force_n: Annotated[float, typer.Option("--force-N", help="Force of the pin, N.")],
+    force_n: Annotated[float, _option("--force-N", "Force of the pin, N.")],
     to: ToOption,
-) -> None:
+) -> int:
     """Write the contact pressure of one load as CSV and print the pin displacement."""
     from rigapp.commands.model.wear import write_pressure
 
-    raise typer.Exit(write_pressure(params, force_n, to))
+    return write_pressure(params, force_n, to)
 
 
 @model_app.command("paper")
 def model_paper(
-    to: Annotated[Path, typer.Option("--to", help="Folder for plots and tables.")] = Path("paper"),
+    to: Annotated[Path, _option("--to", "Folder for plots and tables.")] = Path("paper"),
     file: Annotated[
-        Path | None, typer.Option("--file", help="Recorded test (HDF5) for Figs 20 and 21.")
+        Path | None, _option("--file", "Recorded test (HDF5) for Figs 20 and 21.")
     ] = None,
     time_limit_s: TimeLimitOption = None,
-) -> None:
+) -> int:
     """Make the paper's comparisons (Figs 6-10, 13, 15, 20, 21, Table 2) as plots and tables."""
     from rigapp.commands.model.paper import write_paper
 
-    raise typer.Exit(write_paper(to, file, time_limit_s))
+    return write_paper(to, file, time_limit_s)
 
 
 SettingsOption = Annotated[Path, typer.Option("--settings", help="Settings file (TOML).")]
 RecordOption = Annotated[Path, _file("--to", "Record to make; never overwritten.")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
 @calibrate_app.command("load-cell")
@@ -563,25 +554,24 @@ def calibrate_certificate(
 @app.command()
 def doctor(
     port: Annotated[
-        str | None,
-        typer.Option("--port", metavar="URL", help="Ask only this port who is there."),
+        str | None, _option("--port", "Ask only this port who is there.", metavar="URL")
     ] = None,
-) -> None:
+) -> int:
     """Show versions, ports with the devices on them, permissions; test the window's libraries."""
     from rigapp.commands.doctor import examine
 
-    raise typer.Exit(examine(port))
+    return examine(port)
 
 
 @app.command()
 def status(
-    rig: Annotated[Path | None, typer.Option("--rig", help="Only the engine of this rig.")] = None,
+    rig: Annotated[Path | None, _option("--rig", "Only the engine of this rig.")] = None,
     json: JsonOption = False,
-) -> None:
+) -> int:
     """Show the engines that run: state, revolution, alarms, who is in command; 1 when none does."""
     from rigapp.commands.status import show_engines
 
-    raise typer.Exit(show_engines(rig, as_json=json))
+    return show_engines(rig, as_json=json)
 
 
 @app.command()
@@ -600,14 +590,14 @@ def engine(
     rig: Annotated[Path, typer.Argument()],
     speed: SpeedOption = None,
     bind: BindOption = None,
-) -> None:
+) -> int:
     """Host an engine for windows to attach to."""
     from rigapp.service.registry import starting
 
     with starting(rig):
         from rigapp.service.host import serve
 
-        raise typer.Exit(serve(rig, speed, bind))
+        return serve(rig, speed, bind)
 
 
 INTERRUPTED = 130
