@@ -17,7 +17,8 @@ TOP = Path(__file__).parents[2]
 PACKAGES = ("rigapp", "drivers", "model", "calibration")
 
 STEP = re.compile(
-    r"^(?:New file `(?P<made>[^`]+)`|(?:In `(?P<file>[^`]+)`,|and) after `(?P<after>[^\n]+)`)"
+    r"^(?:New file `(?P<made>[^`]+)`|At the end of `(?P<end>[^`]+)`"
+    r"|(?:In `(?P<file>[^`]+)`,|and) after `(?P<after>[^\n]+)`)"
     r":\n\n```\w*\n(?P<text>.*?)^```$",
     re.MULTILINE | re.DOTALL,
 )
@@ -25,11 +26,12 @@ STEP = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One step of a recipe: a new file, or lines behind one that is there."""
+    """One step of a recipe: a new file or the end of one, or lines behind one that is there."""
 
     file: str
     after: str
     text: str
+    is_addition: bool
 
 
 def recipe(title: str) -> list[Step]:
@@ -39,8 +41,8 @@ def recipe(title: str) -> list[Step]:
     section = re.split(r"^##+ ", section, maxsplit=1, flags=re.MULTILINE)[0]
     steps: list[Step] = []
     for found in STEP.finditer(section):
-        file = found["made"] or found["file"] or steps[-1].file
-        steps.append(Step(file, found["after"] or "", found["text"]))
+        file = found["made"] or found["end"] or found["file"] or steps[-1].file
+        steps.append(Step(file, found["after"] or "", found["text"], bool(found["end"])))
     assert len(steps) == section.count("```") // 2, f"a step of {title!r} is not understood"
     return steps
 
@@ -55,8 +57,9 @@ def follow(title: str, folder: Path) -> None:
     for step in recipe(title):
         path = folder / step.file
         if not step.after:
-            assert not path.exists(), path
-            path.write_text(step.text, "utf-8")
+            assert path.exists() == step.is_addition, path
+            with path.open("a", encoding="utf-8") as file:
+                file.write(step.text)
             continue
         lines = path.read_text("utf-8").splitlines(keepends=True)
         (place,) = [n for n, line in enumerate(lines, 1) if line.strip() == step.after]

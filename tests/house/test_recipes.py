@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
 from pathlib import Path
 
+import h5py
+import numpy as np
 import pytest
 from house.recipes import TOP, copy_of_the_source, files, follow, headings, inside
+from patience import PATIENCE_S
 
 EXAMPLES = TOP / "examples"
 MOST_FILES = {
+    "A channel": 1,
     "A driver": 2,
     "A joint technique": 2,
     "A stop criterion": 2,
+    "A column": 2,
+    "A panel": 2,
     "A verb": 2,
 }
 """What a change may cost; beyond it a list is written in one place too many."""
 
-OF_ITS_OWN = ("A driver",)
+OF_ITS_OWN = ("A channel", "A driver")
 """Recipes that change nothing of the source."""
 
 
@@ -52,17 +60,85 @@ def test_a_technique_is_solved_predicted_and_named_by_the_help(changed: Path) ->
     assert "fixed" in shown
 
 
-def test_a_criterion_ends_a_test_and_says_so(changed: Path) -> None:
+@pytest.fixture(scope="module")
+def ended(changed: Path) -> subprocess.CompletedProcess[str]:
+    """Return what was said of a test with the new channels, technique and criterion, ``t.h5``."""
+    shutil.copy(EXAMPLES / "simulated.toml", changed / "rig.toml")
+    follow("A channel", changed)
     text = (EXAMPLES / "quick.toml").read_text("utf-8")
-    text = text.replace('joint = "continuous"', 'joint = "fixed"')
-    test = changed / "test.toml"
-    test.write_text(text + "\n[stop]\nforce_rms_N = 5.0\nforce_revolutions = 3\n", "utf-8")
-    where = ("--rig", EXAMPLES / "simulated.toml", "--out", changed / "t.h5", "--speed", "max")
-    done = inside(changed, "-m", "rigapp", "run", test, *where)
-    assert done.returncode == 1, done.stderr
-    assert (
-        "The RMS of |F| was at or above 5 N in 3 revolutions in a row" in done.stdout + done.stderr
-    )
+    text = text.replace('joint = "continuous"', 'joint = "fixed"', 1)
+    rule = '[[limits.rule]]\nquantity = "bushing_temperature_max"\nwarning_above = 15.0\n'
+    stop = "[stop]\nforce_rms_N = 5.0\nforce_revolutions = 12\n"
+    (changed / "test.toml").write_text(f"{text}\n{rule}\n{stop}", "utf-8")
+    where = ("--rig", "rig.toml", "--out", "t.h5", "--speed", "max")
+    return inside(changed, "-m", "rigapp", "run", "test.toml", *where)
+
+
+def test_a_criterion_ends_a_test_and_says_so(ended: subprocess.CompletedProcess[str]) -> None:
+    assert ended.returncode == 1, ended.stderr
+    assert "The RMS of |F| was at or above 5 N in 12 revolutions" in ended.stdout + ended.stderr
+
+
+def test_channels_are_recorded_limited_and_exported(
+    changed: Path, ended: subprocess.CompletedProcess[str]
+) -> None:
+    with h5py.File(changed / "t.h5") as file:
+        rows = file["/entry/revolutions"]
+        committed = int(rows["committed"][()])
+        assert committed > 12
+        for statistic in ("max", "min", "rms", "mean"):
+            one = rows[f"bushing_temperature_{statistic}"]
+            assert one.attrs["units"] == "degC"
+            assert np.all(np.abs(one[:committed] - 21.0) < 5.0)
+        assert rows["sled_position_max"].attrs["units"] == "um"
+        assert {"bushing_temperature", "sled_position"} <= set(file["/entry/cycles"])
+        events = [text.decode() for text in file["/entry/events/text"][:]]
+        assert any("bushing_temperature_max" in text for text in events), events
+    done = inside(changed, "-m", "rigapp", "export", "t.h5", "--to", "t.csv")
+    assert done.returncode == 0, done.stderr
+    assert "sled_position_mean_um" in (changed / "t.csv").read_text("utf-8").splitlines()[0]
+
+
+def test_a_column_is_stored_with_its_unit_and_sentence(
+    changed: Path, ended: subprocess.CompletedProcess[str]
+) -> None:
+    with h5py.File(changed / "t.h5") as file:
+        counted = file["/entry/revolutions/counted"]
+        assert "turns of the crank" in counted.attrs["long_name"]
+        committed = int(file["/entry/revolutions/committed"][()])
+        np.testing.assert_allclose(counted[1:committed], 1.0, rtol=0.01)
+
+
+def test_a_panel_is_a_tab_and_told_the_news(
+    changed: Path, ended: subprocess.CompletedProcess[str]
+) -> None:
+    assert run(changed, LOOK_AT_THE_PANEL).strip().endswith(" rpm")
+
+
+LOOK_AT_THE_PANEL = f"""
+import time
+from pathlib import Path
+from PySide6.QtWidgets import QApplication
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.showntest import ShownTest
+from rigapp.gui.panels.steadiness import SteadinessPanel
+from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.window.window import MainWindow
+from rigapp.replay.client import ReplayClient
+application = QApplication([])
+client = ReplayClient(Path("t.h5"), at_end=True)
+window = MainWindow(EngineConnection(lambda: client), ShownTest(), LIGHT)
+window.show()
+panel = window.findChild(SteadinessPanel)
+window.tabs.setCurrentIndex(0)
+deadline = time.monotonic() + {PATIENCE_S}
+while not panel.text():
+    assert time.monotonic() < deadline
+    window.tick()
+    application.processEvents()
+print(panel.text())
+window.close()
+"""
 
 
 def test_a_verb_is_carried_out_for_who_may(changed: Path) -> None:
