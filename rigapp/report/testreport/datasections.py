@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 from rigapp.engine.values.uncertainty import ForceUncertainty
 from rigapp.report.page.manuscript import Block, Section, Table, Text
@@ -12,19 +13,24 @@ from rigapp.report.testreport.facts import ENDS, ChannelFacts, Gap, Peak, Rows
 from rigapp.report.testreport.model_facts import Agreement, Burst, CyclePicture, LastDepth
 from rigapp.report.testreport.uncertainty import PositionUncertainty
 from rigapp.report.testreport.wording import (
-    CHANNELS,
     FLAGS,
     UNKNOWN,
     count,
     counted,
+    duration,
     flags,
     number,
     quantity,
     symbol,
+    title_of,
     utc,
 )
 from rigapp.report.testreport.worn import Worn, profile_blocks
+from rigapp.schema.channels import LOAD_CELL, Kind
 from rigapp.schema.messages import Event
+
+PANELS = 4
+"""Channels in one picture of free ones: five would not fit on a page with their words."""
 
 BURSTS_SHOWN = 40
 TOLD = 20
@@ -51,41 +57,60 @@ def extremes(
     positions: PositionUncertainty | None = None,
 ) -> list[Section]:
     """Return the table of extremes and the trends of every channel."""
-    title = "Extremes and RMS of every channel"
     if rows is None:
-        return [Section(title, (Text("No revolution is recorded."),))]
-    channels = [*rows.channels, *([rows.speed] if rows.speed is not None else [])]
+        nothing = Text("No revolution is recorded.")
+        return [Section("Extremes and RMS of every channel", (nothing,))]
+    slow = [one for one in rows.channels if one.channel.kind is Kind.SLOW]
+    sampled = [one for one in rows.channels if one not in slow]
+    speed = [rows.speed] if rows.speed is not None else []
     noted: dict[str, str] = {}
-    table = Table(
-        "Over the whole test",
-        tuple(_extremes_row(one, noted) for one in channels),
-        ("channel", "unit", "largest", "in revolution", "smallest", "in revolution",
-         "RMS over the test", f"RMS, first {ENDS}", f"RMS, last {ENDS}"),
-    )  # fmt: skip
-    blocks: list[Block] = [table]
+    blocks: list[Block] = [_extremes_table("Over the whole test", [*sampled, *speed], noted)]
+    if slow:
+        title = "Slow channels, one value a revolution"
+        blocks.append(_extremes_table(title, slow, noted, of="mean"))
+        ages = ", ".join(f"{one.name} {duration(one.age_s)}" for one in slow)
+        blocks.append(Text(f"Oldest value at the end of a revolution: {ages}."))
     if noted:
         notes = "; ".join(f"revolution {one}: {words}" for one, words in noted.items())
         blocks.append(Text(f"* The revolution carries a quality flag. {notes}."))
     blocks.append(
         Text(
-            f"RMS, first and last {ENDS}: mean over the first and last {ENDS} revolutions without "
+            f"First and last {ENDS}: mean over the first and last {ENDS} revolutions without "
             "a quality flag."
         )
     )
     if positions is not None:
         blocks.append(Text(f"Expanded uncertainty of a position: {positions.words}."))
-    forces = [one for one in rows.channels if one.unit == "N"]
-    others = [one for one in channels if one.unit != "N"]
+    forces = [one for one in sampled if one.channel.instrument == LOAD_CELL]
     if forces:
-        blocks.append(
-            plots.trends(
-                forces, agreement, rows.gaps, "Forces against revolution", vector, uncertainty
-            )
-        )
+        name = "Forces against revolution"
+        blocks.append(plots.trends(forces, agreement, rows.gaps, name, vector, uncertainty))
+    free = [one for one in rows.channels if not one.channel.instrument]
+    others = [*(one for one in sampled if one not in (*forces, *free)), *speed]
     if others:
         name = "Displacement and speed against revolution"
         blocks.append(plots.trends(others, None, rows.gaps, name, vector, positions=positions))
-    return [Section(title, tuple(blocks))]
+    for some in batched(free):
+        name = f"{', '.join(one.name for one in some)} against revolution"
+        blocks.append(plots.trends(some, None, rows.gaps, name, vector))
+    return [Section("Extremes and RMS of every channel", tuple(blocks))]
+
+
+def batched(channels: Sequence[Any]) -> Iterator[Sequence[Any]]:
+    """Yield channels, so many at a time as one picture can show."""
+    for first in range(0, len(channels), PANELS):
+        yield channels[first : first + PANELS]
+
+
+def _extremes_table(
+    title: str, channels: Sequence[ChannelFacts], noted: dict[str, str], of: str = "RMS"
+) -> Table:
+    return Table(
+        title,
+        tuple(_extremes_row(one, noted) for one in channels),
+        ("channel", "unit", "largest", "in revolution", "smallest", "in revolution",
+         f"{of} over the test", f"{of}, first {ENDS}", f"{of}, last {ENDS}"),
+    )  # fmt: skip
 
 
 def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ...]:
@@ -97,9 +122,9 @@ def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ..
         noted[count(peak.revolution)] = flags(peak.quality) or f"flag {peak.quality}"
         return f"{count(peak.revolution)}*"
 
-    values = (channel.rms, channel.start, channel.end)
+    values = (channel.overall, channel.start, channel.end)
     return (
-        CHANNELS[channel.name],
+        title_of(channel.channel),
         symbol(channel.unit),
         number(channel.largest.value, channel.unit),
         place(channel.largest),
@@ -156,7 +181,7 @@ def agreement(
 
 def _relative(found: Agreement, rows: Rows) -> str:
     residual = next((one.mean for one in found.residuals if one.name == "residual_rms"), math.nan)
-    force = next((one.rms for one in rows.channels if one.name == "force"), math.nan)
+    force = next((one.overall for one in rows.channels if one.name == "force"), math.nan)
     if not (math.isfinite(residual) and force > 0):
         return ""
     return f" The mean residual of |F| is {100 * residual / force:.1f} % of the RMS force."
@@ -182,6 +207,8 @@ def cycles(
         blocks.append(Text(text, strong=True))
     if pictures:
         blocks.append(plots.cycles(pictures, vector, uncertainty))
+        free = batched(pictures[0].free)
+        blocks += [plots.free_cycles(pictures, some, vector) for some in free]
     else:
         blocks.append(Text("No whole cycle is saved."))
     blocks += _bursts(bursts)

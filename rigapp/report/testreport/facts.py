@@ -14,11 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.report.testreport.envelope import Floats, envelope
-from rigapp.schema.columns import CHANNELS
+from rigapp.schema.channels import Channel, Kind
 from rigapp.schema.messages import Flag
 from rigapp.storage import TestReader
 
 Line = tuple[Floats, Floats]
+
+SPEED = Channel("speed", "rpm", "speed of the crank")
+"""The speed, which the encoder gives, as a report treats it: beside the channels."""
 
 UNSTEADY = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
 
@@ -37,20 +40,33 @@ class Peak:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ChannelFacts:
-    """What a report says of a channel. rms: over the whole test; start, end: mean RMS there.
+    """What a report says of a channel, as the file describes it.
 
+    overall: RMS over the whole test, of a slow channel the mean; start, end: mean of that there.
     steady: smallest and largest value in revolutions at a steady speed, None without any.
+    lines: maximum, minimum and RMS against revolution, of a slow channel its values. age_s: the
+    oldest value of a slow channel, NaN for others.
     """
 
-    name: str
-    unit: str
+    channel: Channel
     largest: Peak
     smallest: Peak
-    rms: float
+    overall: float
     start: float
     end: float
     steady: tuple[float, float] | None
     lines: Mapping[str, Line]
+    age_s: float
+
+    @property
+    def name(self) -> str:
+        """Return the channel's name in the file."""
+        return self.channel.name
+
+    @property
+    def unit(self) -> str:
+        """Return the unit of its values."""
+        return self.channel.unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,9 +129,9 @@ def rows_of(reader: TestReader) -> Rows | None:
     host, time = table.column("host_time"), table.column("time")
     known = int(sum(Flag))
     channels = tuple(
-        _channel(table, name, number, quality)
-        for name in CHANNELS
-        if all(f"{name}_{one}" in table for one in ("max", "min", "rms"))
+        _channel(table, one, number, quality)
+        for one in reader.plan.table.channels
+        if all(name in table for name in _columns(one))
     )
     speed = table.column("speed")
     return Rows(
@@ -131,7 +147,7 @@ def rows_of(reader: TestReader) -> Rows | None:
         test_s=float(time[-1]),
         host_span=(float(host[0]), float(host[-1])),
         channels=channels,
-        speed=_channel(table, "speed", number, quality) if "speed_max" in table else None,
+        speed=_channel(table, SPEED, number, quality) if "speed_max" in table else None,
         gaps=_gaps(number, quality, lost, host, speed),
     )
 
@@ -159,25 +175,38 @@ def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
     return float(finite.min()), float(finite.max()), unit
 
 
+def _columns(channel: Channel) -> tuple[str, ...]:
+    """Return the columns that a report needs of a channel: of a slow one value and age."""
+    if channel.kind is Kind.SLOW:
+        return channel.name, f"{channel.name}_age"
+    return f"{channel.name}_max", f"{channel.name}_min", f"{channel.name}_rms"
+
+
 def _channel(
-    table: _Table, name: str, number: NDArray[np.int64], quality: NDArray[np.int64]
+    table: _Table, channel: Channel, number: NDArray[np.int64], quality: NDArray[np.int64]
 ) -> ChannelFacts:
-    largest, smallest, rms = (table.column(f"{name}_{one}") for one in ("max", "min", "rms"))
+    slow = channel.kind is Kind.SLOW
+    if slow:
+        largest, age = (table.column(name) for name in _columns(channel))
+        smallest = typical = largest
+        oldest, overall = age[np.isfinite(age)].max(initial=0.0), mean(largest)
+        lines = {"value": envelope(number, largest)}
+    else:
+        largest, smallest, typical = (table.column(name) for name in _columns(channel))
+        oldest, overall = np.nan, np.sqrt(mean(np.square(typical)))
+        named = zip(("max", "min", "rms"), (largest, smallest, typical), strict=True)
+        lines = {name: envelope(number, values) for name, values in named}
     good = np.flatnonzero(quality == 0)
     return ChannelFacts(
-        name=name,
-        unit=table.units[f"{name}_max"],
+        channel=channel,
         largest=_peak(largest, number, quality, 1.0),
         smallest=_peak(smallest, number, quality, -1.0),
-        rms=float(np.sqrt(mean(np.square(rms)))),
-        start=mean(rms[good[:ENDS]]),
-        end=mean(rms[good[-ENDS:]]),
+        overall=float(overall),
+        start=mean(typical[good[:ENDS]]),
+        end=mean(typical[good[-ENDS:]]),
         steady=_steady_range(largest, smallest, quality),
-        lines={
-            "max": envelope(number, largest),
-            "min": envelope(number, smallest),
-            "rms": envelope(number, rms),
-        },
+        lines=lines,
+        age_s=float(oldest),
     )
 
 

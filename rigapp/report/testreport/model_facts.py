@@ -15,6 +15,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_test
 from rigapp.report.testreport.envelope import Floats, envelope
 from rigapp.report.testreport.facts import Line, Peak, mean
+from rigapp.schema.channels import Channel
 from rigapp.storage import Columns, TestReader
 
 TRIGGERED = ("before", "trigger", "after")
@@ -82,7 +83,8 @@ class CyclePicture:
     """A saved cycle by angle, with the model's curves where they are saved.
 
     columns: angle and channels, sorted by angle. model: angle and curves of model_revolution.
-    residual: measured minus predicted by channel, at the measured angles.
+    residual: measured minus predicted by channel, at the measured angles. free: the channels among
+    the columns that belong to no instrument.
     """
 
     revolution: int
@@ -90,6 +92,7 @@ class CyclePicture:
     model_revolution: int | None
     model: Columns
     residual: Mapping[str, Floats]
+    free: tuple[Channel, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,4 +241,5 @@ def _picture(
         for name in model
         if name != "angle" and name in columns
     }
-    return CyclePicture(stored.revolution, columns, model_revolution, model, residual)
+    free = tuple(one for one in reader.plan.table.free if one.name in columns)
+    return CyclePicture(stored.revolution, columns, model_revolution, model, residual, free)

@@ -15,7 +15,8 @@ from rigapp.report.testreport.envelope import envelope
 from rigapp.report.testreport.facts import ChannelFacts, Gap
 from rigapp.report.testreport.model_facts import Agreement, CyclePicture
 from rigapp.report.testreport.uncertainty import PositionUncertainty
-from rigapp.report.testreport.wording import CHANNELS, THIN, number, quantity, symbol
+from rigapp.report.testreport.wording import THIN, number, quantity, symbol, title_of
+from rigapp.schema.channels import Channel
 
 WIDTH_IN = 7.2
 DPI = 200
@@ -30,6 +31,7 @@ COLOURS = {
     "max": "#0072B2",
     "rms": "#000000",
     "min": "#009E73",
+    "value": "#0072B2",
 }
 MODEL = "#D55E00"
 DRIVEN = "#CC79A7"
@@ -47,6 +49,7 @@ SHORT = {
     "max": "maximum",
     "rms": "RMS",
     "min": "minimum",
+    "value": "value",
 }
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
@@ -147,7 +150,7 @@ def trends(
     with canvas_of(_height(len(channels))) as canvas:
         panels = _panels(canvas, len(channels))
         zoomed = False
-        whole = {one.name: one.lines["max"] for one in channels}.get("force")
+        whole = next((one.lines["max"] for one in channels if one.name == "force"), None)
         for axes, channel in zip(panels, channels, strict=True):
             _mark_gaps(axes, gaps)
             if uncertainty is not None and channel.unit == "N":
@@ -164,34 +167,31 @@ def trends(
                         x, values - doubt, values + doubt, color=COLOURS[one], alpha=0.2, lw=0
                     )
             with_model = False
-            _draw(axes, channel.lines["max"], color=COLOURS["max"], label=SHORT["max"])
-            x, rms = channel.lines["rms"]
-            negative = channel.smallest.value < 0.0 and channel.rms > max(
+            negative = channel.smallest.value < 0.0 and channel.overall > max(
                 0.0, channel.largest.value
             )
-            _draw(
-                axes,
-                (x, -rms if negative else rms),
-                color=COLOURS["rms"],
-                label="−RMS" if negative else SHORT["rms"],
-            )
-            _draw(axes, channel.lines["min"], color=COLOURS["min"], label=SHORT["min"])
+            for one, (x, values) in channel.lines.items():
+                turned = one == "rms" and negative
+                label = "−RMS" if turned else SHORT[one]
+                _draw(axes, (x, -values if turned else values), color=COLOURS[one], label=label)
             for one in ("max", "rms", "min"):
                 line = predicted.get(f"{channel.name}_{one}")
                 if line is not None and np.isfinite(line[1]).any():
                     _draw(axes, line, **MODEL_LINE, label=None if with_model else "model")
                     with_model = True
             zoomed |= _leave_out_unsteady(axes, channel)
-            axes.set_title(CHANNELS[channel.name], loc="left")
+            axes.set_title(title_of(channel.channel), loc="left")
             axes.set_ylabel(f"{SHORT.get(channel.name, channel.name)} ({symbol(channel.unit)})")
             axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
         _revolution_axis(panels[-1])
         words = f"{title}: " + " ".join(
-            f"{CHANNELS[one.name]} between {number(one.smallest.value, one.unit)} and "
+            f"{title_of(one.channel)} between {number(one.smallest.value, one.unit)} and "
             f"{quantity(one.largest.value, one.unit)}."
             for one in channels
         )
-        caption = "Maximum, RMS and minimum of every revolution, measured (solid)"
+        sampled = any("max" in one.lines for one in channels)
+        caption = "Maximum, RMS and minimum" if sampled else "The newest value at the end"
+        caption += " of every revolution, measured (solid)"
         model = any(f"{one.name}_max" in predicted for one in channels)
         caption += " and by the model (dashed)." if model else "."
         if uncertainty is not None:
@@ -301,6 +301,47 @@ def cycles(
     if any("probe_1" in one.columns for one in pictures):
         rows.append(("pin, less its\nmean (µm)", _probe_panel))
     heights = [2.4 if draw is force_panel else 1.5 for _, draw in rows]
+    caption = _cycle_caption(pictures)
+    if uncertainty is not None:
+        caption += f" {BAND_WORDS}"
+    which = {1: "the only one", 2: "first and last", 3: "first, middle and last"}
+    title = f"Whole cycles, {which[len(pictures)]}"
+    return _cycle_grid(pictures, rows, heights, title, _cycle_words(pictures), caption, vector)
+
+
+def free_cycles(
+    pictures: Sequence[CyclePicture], channels: Sequence[Channel], vector: bool
+) -> Figure:
+    """Draw whole cycles of free channels side by side, one line of panels a channel."""
+
+    def panel(name: str) -> Callable[[Any, CyclePicture], None]:
+        def draw(axes: Any, picture: CyclePicture) -> None:
+            _curve(axes, picture, picture.columns[name], color=COLOURS["value"], label="measured")
+
+        return draw
+
+    rows = [(f"{one.name}\n({symbol(one.unit)})", panel(one.name)) for one in channels]
+    title = f"Whole cycles of {', '.join(one.name for one in channels)}"
+    words = " ".join(
+        f"Revolution {picture.revolution}: {title_of(one)} between "
+        f"{number(float(picture.columns[one.name].min()), one.unit)} and "
+        f"{quantity(float(picture.columns[one.name].max()), one.unit)}."
+        for picture in pictures
+        for one in channels
+    )
+    return _cycle_grid(pictures, rows, [1.5] * len(rows), title, words, "", vector)
+
+
+def _cycle_grid(
+    pictures: Sequence[CyclePicture],
+    rows: Sequence[tuple[str, Callable[[Any, CyclePicture], None]]],
+    heights: Sequence[float],
+    title: str,
+    words: str,
+    caption: str,
+    vector: bool,
+) -> Figure:
+    """Draw a column of panels a cycle; rows: label and what draws it. heights: of these, inches."""
     with canvas_of(0.55 + sum(heights)) as canvas:
         grid = canvas.subplots(
             len(rows), len(pictures), sharex=True, sharey="row", squeeze=False,
@@ -317,12 +358,7 @@ def cycles(
             axes.set_xlabel("crank angle (°)")
             axes.set_xticks(range(0, 360, 90))
             axes.set_xlim(0, 360)
-        which = {1: "the only one", 2: "first and last", 3: "first, middle and last"}
-        title = f"Whole cycles, {which[len(pictures)]}"
-        caption = _cycle_caption(pictures)
-        if uncertainty is not None:
-            caption += f" {BAND_WORDS}"
-        return saved(canvas, title, _cycle_words(pictures), caption, vector)
+        return saved(canvas, title, words, caption, vector)
 
 
 def _cycle_words(pictures: Sequence[CyclePicture]) -> str:

@@ -7,23 +7,24 @@ from collections.abc import Mapping
 from datetime import UTC, datetime
 from typing import Any
 
+from rigapp.schema.channels import Channel
 from rigapp.schema.messages import Flag
 from rigapp.storage import name_and_unit
 
 UNKNOWN = "unknown"
 THIN = "\u202f"
 
-DECIMALS = {"N": 1, "um": 1, "mm": 4, "rpm": 2, "deg": 1, "s": 1, "1": 0}
+DECIMALS = {"N": 1, "um": 1, "mm": 4, "rpm": 2, "deg": 1, "degC": 1, "s": 1, "1": 0}
 """Digits after the point that a unit deserves on this kind of rig."""
 
-CHANNELS = {
+SHORTER = {
     "force": "joint force |F|",
     "force_1": "force along the crank, force_1",
     "force_2": "force across the crank, force_2",
     "probe_1": "pin along the follower, probe_1",
     "probe_2": "pin across the follower, probe_2",
-    "speed": "speed of the crank",
 }
+"""What a heading calls a channel of every rig; the schema's own words are a sentence."""
 
 FLAGS = {
     Flag.LOST_SAMPLES: "samples lost in or just before the revolution",
@@ -56,9 +57,14 @@ REASONS = {
 }
 
 
+def title_of(channel: Channel) -> str:
+    """Return what a table or a picture calls a channel."""
+    return SHORTER.get(channel.name, channel.description or channel.name)
+
+
 def symbol(unit: str) -> str:
     """Return a unit as it is printed."""
-    return {"um": "µm", "1": "", "deg": "°"}.get(unit, unit.replace("um/", "µm/"))
+    return {"um": "µm", "1": "", "deg": "°", "degC": "°C"}.get(unit, unit.replace("um/", "µm/"))
 
 
 def number(value: float, unit: str = "1", digits: int | None = None) -> str:

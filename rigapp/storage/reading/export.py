@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
-from rigapp.schema.columns import CHANNELS
 from rigapp.storage.filesystem.folder import move_into_place
 from rigapp.storage.reading.reader import StoredCycle, TestReader, open_test
 from rigapp.storage.structure.metadata import unit_suffix
@@ -74,8 +73,9 @@ def export_columns(
             _named(one.name, one.unit): (one.name, one.unit, one.description) for one in columns
         }
     found = {"revolution": ("revolution", "1", "number of the revolution")}
+    even = {"angle", *(one.name for one in reader.plan.table.curves)}
     for one in reader.plan.cycle_columns:
-        if on_grid and one.name not in ("angle", *CHANNELS):
+        if on_grid and one.name not in even:
             continue
         found[_named(one.name, one.unit)] = (one.name, one.unit, one.description)
     return found

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
+from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
 from rigapp.schema.messages import Event
 from rigapp.storage.filesystem.locks import writer_is_alive
@@ -51,20 +52,23 @@ class StoredCycle:
     """Carry one cycle: its revolution and one array of samples a column.
 
     why: scheduled, last, before, trigger or after; empty for an unfinished revolution. quality:
-    flags as in the revolution's row, 0 where the file does not tell.
+    flags as in the revolution's row, 0 where the file does not tell. table: the channels of the
+    file.
     """
 
     revolution: int
     columns: Columns
     why: str = "scheduled"
     quality: int = 0
+    table: ChannelTable = BASE
 
     def resampled(self, points: int = 360, method: Method = "linear") -> StoredCycle:
         """Return this cycle on a uniform grid of crank angles, without time and raw signals.
 
         method: linear or band-limited, see ``rigapp.storage.reading.resample``. Raises ValueError.
         """
-        return replace(self, columns=dict(resample_channels(self.columns, points, method)))
+        even = resample_channels(self.columns, self.table, points, method)
+        return replace(self, columns={**even})
 
 
 def open_test(path: str | os.PathLike[str]) -> TestReader:
@@ -246,6 +250,7 @@ class TestReader:
         known = {one.name: group[one.name][start:stop].tolist() for one in index.fields}
         whys = known.get("why", [b"scheduled" if stream == "cycles" else b""] * (stop - start))
         qualities = known.get("quality", [0] * (stop - start))
+        table = self.plan.table
         for i, (first, count) in enumerate(zip(known["first"], known["count"], strict=True)):
             part = slice(first, first + count)
             yield StoredCycle(
@@ -253,6 +258,7 @@ class TestReader:
                 {name: np.asarray(one[part]) for name, one in datasets.items()},
                 whys[i].decode(),
                 qualities[i],
+                table,
             )
 
     def predictions(self, first: int = 0) -> Columns:

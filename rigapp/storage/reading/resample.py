@@ -24,6 +24,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rigapp.schema.channels import LOAD_CELL, ChannelTable
+
 Array = NDArray[np.float64]
 Method = Literal["linear", "band-limited"]
 
@@ -63,15 +65,14 @@ def on_grid(
 
 
 def resample_channels(
-    columns: Mapping[str, ArrayLike], points: int, method: Method
+    columns: Mapping[str, ArrayLike], table: ChannelTable, points: int, method: Method
 ) -> dict[str, Array]:
-    """Return angle, forces and pin position of a cycle on a grid; ``force`` is their |F| again."""
-    names = ("force_1", "force_2", "probe_1", "probe_2")
+    """Return the angle and the channels of a cycle on a grid; ``force`` is |F| of it again."""
+    names = [one.name for one in table.sampled]
     rows = on_grid(columns["angle"], np.array([columns[name] for name in names]), points, method)
-    found = {"angle": grid_deg(points), **dict(zip(names, rows, strict=True))}
-    found["force"] = np.hypot(found["force_1"], found["force_2"])
-    order = ("angle", "force_1", "force_2", "force", "probe_1", "probe_2")
-    return {name: found[name] for name in order}
+    found = dict(zip(names, rows, strict=True))
+    found["force"] = np.hypot(*(found[name] for name in table.names_of(LOAD_CELL)))
+    return {"angle": grid_deg(points), **{one.name: found[one.name] for one in table.curves}}
 
 
 def _in_order(angle_deg: ArrayLike, values: ArrayLike) -> tuple[Array, Array]:
