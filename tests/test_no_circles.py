@@ -96,7 +96,6 @@ def test_a_circle_is_found() -> None:
 
 KNOWN_MODULES = {
     ("model.bushing.ring", "model.bushing.winkler"),
-    ("rigapp.config.model_parameters", "rigapp.config.loading"),
     ("rigapp.engine.connection", "rigapp.engine.judging.guard"),
     ("rigapp.engine.connection", "rigapp.engine.judging.watches"),
     ("rigapp.engine.connection", "rigapp.engine.supervisor"),

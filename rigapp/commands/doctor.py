@@ -39,7 +39,7 @@ _SUBJECT_WIDTH = 19
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class Observation:
     """One line of the examination: good, or what to do."""
 
     subject: str
@@ -53,7 +53,7 @@ def examine(port: str | None = None) -> int:
     return _report(findings)
 
 
-def _all() -> Iterator[Finding]:
+def _all() -> Iterator[Observation]:
     yield from _versions()
     yield from _folders()
     yield from ports()
@@ -61,7 +61,7 @@ def _all() -> Iterator[Finding]:
     yield from _window()
 
 
-def _report(findings: Iterable[Finding]) -> int:
+def _report(findings: Iterable[Observation]) -> int:
     """Print findings as they come, a line each: a port may take seconds to answer."""
     good = True
     for finding in findings:
@@ -74,39 +74,39 @@ def _report(findings: Iterable[Finding]) -> int:
 # --- the machine ------------------------------------------------------------------------------
 
 
-def _versions() -> Iterator[Finding]:
-    yield Finding("Python", f"{platform.python_version()} on {platform.platform()}")
+def _versions() -> Iterator[Observation]:
+    yield Observation("Python", f"{platform.python_version()} on {platform.platform()}")
     for package in PACKAGES:
         try:
             version = importlib.metadata.version(package)
         except importlib.metadata.PackageNotFoundError:
-            yield Finding(package, "is not installed; run make run, or pip install it.", False)
+            yield Observation(package, "is not installed; run make run, or pip install it.", False)
             continue
         bad = package == "PySide6-Essentials" and version.startswith("6.12.")
         if bad and sys.version_info < (3, 12):
-            yield Finding(package, f"{version} aborts Python 3.11; install 6.11.3.", False)
+            yield Observation(package, f"{version} aborts Python 3.11; install 6.11.3.", False)
         else:
-            yield Finding(package, version)
+            yield Observation(package, version)
 
 
-def _folders() -> Iterator[Finding]:
+def _folders() -> Iterator[Observation]:
     from rigapp.config.errors import UnusableInput
     from rigapp.service.registry import running_engines, runtime_folder
 
     try:
-        yield Finding("Runtime folder", str(runtime_folder()))
+        yield Observation("Runtime folder", str(runtime_folder()))
     except UnusableInput as error:
-        yield Finding("Runtime folder", str(error), False)
+        yield Observation("Runtime folder", str(error), False)
         return
     engines = running_engines()
     words = ", ".join(f"process {entry.pid} on {entry.rig}" for entry in engines)
-    yield Finding("Running engines", words or "none")
+    yield Observation("Running engines", words or "none")
 
 
 # --- serial ports -----------------------------------------------------------------------------
 
 
-def installed_drivers(findings: list[Finding]) -> list[DriverInfo]:
+def installed_drivers(findings: list[Observation]) -> list[DriverInfo]:
     """Return the drivers that can be loaded; a broken one becomes a finding."""
     from drivers.registry import DriverNotFound, available_drivers, load_driver
 
@@ -115,41 +115,41 @@ def installed_drivers(findings: list[Finding]) -> list[DriverInfo]:
         try:
             drivers.append(load_driver(name))
         except DriverNotFound as error:
-            findings.append(Finding(f"Driver {name}", str(error), False))
+            findings.append(Observation(f"Driver {name}", str(error), False))
         except Exception as error:  # of a third party's package
             sentence = f"cannot be loaded ({error!r}); reinstall the package that brings it."
-            findings.append(Finding(f"Driver {name}", sentence, False))
+            findings.append(Observation(f"Driver {name}", sentence, False))
     return drivers
 
 
-def ports() -> Iterator[Finding]:
+def ports() -> Iterator[Observation]:
     """Name the devices on the serial ports, by USB id and by asking where that is safe."""
     from serial.tools import list_ports
 
-    broken: list[Finding] = []
+    broken: list[Observation] = []
     drivers = installed_drivers(broken)
-    yield Finding("Drivers", ", ".join(f"{info.name} ({info.title})" for info in drivers))
+    yield Observation("Drivers", ", ".join(f"{info.name} ({info.title})" for info in drivers))
     yield from broken
     found = sorted(list_ports.comports())
     if not found:
-        yield Finding("Serial ports", "none found; simulated rigs need none")
+        yield Observation("Serial ports", "none found; simulated rigs need none")
     for port in found:
         yield from _port(port, drivers)
 
 
-def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Finding]:
+def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Observation]:
     from drivers.discovery import ask, drivers_of_usb_id, may_be_asked
 
     known = drivers_of_usb_id(port.vid, port.pid, drivers)
     described = "" if port.description in (None, "n/a") else port.description
     label = " / ".join(info.title for info in known) or described or "serial port"
     if not os.access(port.device, os.R_OK | os.W_OK):
-        yield Finding(port.device, f"{label}: {permission_advice(port.device)}", False)
+        yield Observation(port.device, f"{label}: {permission_advice(port.device)}", False)
     elif may_be_asked(port.device, known):
         others = [info for info in drivers if info not in known]
         yield from _inquiry_finding(ask(port.device, [*known, *others]), label, bool(known))
     else:
-        yield Finding(
+        yield Observation(
             port.device,
             f"{label}: not asked, because a motor controller behind it could take any byte for a "
             f"speed; when that is safe: rigapp doctor --port {port.device}",
@@ -157,42 +157,42 @@ def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Finding]:
     yield from latency_timer(Path(port.device).name)
 
 
-def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Finding]:
+def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Observation]:
     """Say what came of a port that the user has not named: a stranger there is no fault."""
     if inquiry.answer is not None:
-        yield Finding(inquiry.port, identity_words(inquiry))
+        yield Observation(inquiry.port, identity_words(inquiry))
     elif inquiry.problem:
         in_use = "in use" in inquiry.problem
-        yield Finding(inquiry.port, f"{label}: {inquiry.problem}", in_use or not known)
+        yield Observation(inquiry.port, f"{label}: {inquiry.problem}", in_use or not known)
     elif known:
-        yield Finding(
+        yield Observation(
             inquiry.port,
             f"{label} by its USB id, but it does not answer; switch it off and on, and check its "
             "mode (DATAQ: CDC, yellow; RoboClaw: packet serial).",
             False,
         )
     else:
-        yield Finding(inquiry.port, f"{label}: none of the known devices answers")
+        yield Observation(inquiry.port, f"{label}: none of the known devices answers")
 
 
-def ask_port(port: str) -> Iterator[Finding]:
+def ask_port(port: str) -> Iterator[Observation]:
     """Ask one port that the user names."""
     from drivers.discovery import ask
 
-    broken: list[Finding] = []
+    broken: list[Observation] = []
     drivers = installed_drivers(broken)
     yield from broken
     if port.startswith("/") and os.path.exists(port) and not os.access(port, os.R_OK | os.W_OK):
-        yield Finding(port, permission_advice(port), False)
+        yield Observation(port, permission_advice(port), False)
         return
     inquiry = ask(port, drivers)
     if inquiry.answer is not None:
-        yield Finding(port, identity_words(inquiry))
-        yield Finding("In the rig file", f'driver = "{inquiry.answer.driver}", port = "{port}"')
+        yield Observation(port, identity_words(inquiry))
+        yield Observation("In the rig file", f'driver = "{inquiry.answer.driver}", port = "{port}"')
     elif inquiry.problem:
-        yield Finding(port, inquiry.problem, False)
+        yield Observation(port, inquiry.problem, False)
     else:
-        yield Finding(
+        yield Observation(
             port,
             f"nothing that is known answers (asked for: {', '.join(inquiry.asked)}); check power, "
             "cable and, on a UART, the device's baud rate.",
@@ -225,7 +225,7 @@ def permission_advice(device: str) -> str:
     return f"no permission; run 'sudo usermod -aG {group} $USER' and log in again."
 
 
-def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Finding]:
+def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Observation]:
     """Explain the latency timer of an FTDI adapter; nothing for other ports."""
     timer = folder / name / "latency_timer"
     try:
@@ -239,20 +239,20 @@ def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Finding]:
         else "; the adapter holds short replies back for so long. rigapp asks for the low-latency "
         f"mode when it opens the port; if replies stay late: echo 1 | sudo tee {timer}"
     )
-    yield Finding(f"{name} latency timer", f"{milliseconds} ms{advice}")
+    yield Observation(f"{name} latency timer", f"{milliseconds} ms{advice}")
 
 
 # --- CAN --------------------------------------------------------------------------------------
 
 
-def can_interfaces(folder: Path = NETWORKS) -> Iterator[Finding]:
+def can_interfaces(folder: Path = NETWORKS) -> Iterator[Observation]:
     """Name the CAN interfaces and the nodes whose heartbeat is heard on them."""
     names = [path.name for path in _children(folder) if _text(path / "type") == _CAN_NETWORK]
     if not names:
-        yield Finding("CAN interfaces", "none found; slcan adapters are serial ports")
+        yield Observation("CAN interfaces", "none found; slcan adapters are serial ports")
     for name in sorted(names):
         if _text(folder / name / "operstate") == "down":
-            yield Finding(
+            yield Observation(
                 name,
                 "CAN interface, down; to use it: "
                 f"sudo ip link set {name} up type can bitrate 500000",
@@ -261,16 +261,16 @@ def can_interfaces(folder: Path = NETWORKS) -> Iterator[Finding]:
             yield _heard(name)
 
 
-def _heard(name: str) -> Finding:
+def _heard(name: str) -> Observation:
     from drivers.api import DeviceError
     from drivers.cia402.probe import listen, node_words
 
     try:
         nodes = listen("socketcan", name, CAN_LISTEN_S)
     except DeviceError as error:
-        return Finding(name, f"CAN interface: {error.sentence}", False)
+        return Observation(name, f"CAN interface: {error.sentence}", False)
     silence = "" if nodes else "; a drive is silent until its object 1017 is set or its power comes"
-    return Finding(name, f"CAN interface, {node_words(nodes)}{silence}")
+    return Observation(name, f"CAN interface, {node_words(nodes)}{silence}")
 
 
 def _children(folder: Path) -> list[Path]:
@@ -290,7 +290,7 @@ def _text(path: Path) -> str:
 # --- the window -------------------------------------------------------------------------------
 
 
-def _window() -> Iterator[Finding]:
+def _window() -> Iterator[Observation]:
     """Test the window's libraries in a process of its own: a broken Qt may abort."""
     script = (
         "import sys\n"
@@ -310,13 +310,13 @@ def _window() -> Iterator[Finding]:
             check=False,
         )
     except subprocess.TimeoutExpired:
-        yield Finding("Window self test", "did not end within 120 s.", False)
+        yield Observation("Window self test", "did not end within 120 s.", False)
         return
     except OSError as error:
-        yield Finding("Window self test", f"could not be started ({error}).", False)
+        yield Observation("Window self test", f"could not be started ({error}).", False)
         return
     if done.returncode == 0:
-        yield Finding("Window self test", "passed")
+        yield Observation("Window self test", "passed")
         return
     last = (done.stdout.strip() or done.stderr.strip() or "aborted").splitlines()[-1]
-    yield Finding("Window self test", f"failed: {last}", False)
+    yield Observation("Window self test", f"failed: {last}", False)

@@ -151,7 +151,7 @@ def _with_elastic(
 ) -> list[Turn]:
     """Return the revolutions with how their forces (2, n) each, N, move the pin elastically."""
     from model.errors import ModelError
-    from rigapp.config.model_parameters import to_parameters
+    from rigapp.config.parameters import to_parameters
     from rigapp.twin.elasticmotion import elastic_motions
     from rigapp.twin.predict import Unpredictable
 

@@ -10,8 +10,7 @@ import msgspec
 
 from rigapp.config.channels import channel_faults, input_keys
 from rigapp.config.errors import UnusableInput
-from rigapp.config.model_parameters import to_parameters
-from rigapp.config.parameters import ParameterFile
+from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import Matrix, RigFile
 from rigapp.config.rules import check_rules

@@ -9,18 +9,21 @@ import typing
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
 import msgspec
 
 from rigapp.config.consistency import faults
 from rigapp.config.errors import UnusableInput
-from rigapp.config.parameters import ParameterFile
+from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.ranges import refusals
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.config.toml import toml_tree
+
+if TYPE_CHECKING:
+    from model.parameters import Parameters
 
 SCHEMA = 1
 LARGEST_SETTINGS_BYTES = 1 << 20
@@ -50,6 +53,12 @@ def read_test(path: Path) -> Document[TestFile]:
 def read_parameter_file(path: Path) -> Document[ParameterFile]:
     """Read a parameter file of the model; raise UnusableInput."""
     return read_document(path, ParameterFile)
+
+
+def read_parameters(path: Path) -> Parameters:
+    """Read a parameter file into the model's records; raise UnusableInput naming file and key."""
+    path = Path(path)
+    return to_parameters(read_parameter_file(path).record, source=str(path))
 
 
 def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:

@@ -98,7 +98,7 @@ class FaultKind(msgspec.Struct, frozen=True):
     kind: Name
 
 
-class Window(msgspec.Struct, frozen=True):
+class LastSeconds(msgspec.Struct, frozen=True):
     """Say how many of the last seconds are wanted."""
 
     window_s: Duration
@@ -165,7 +165,7 @@ VERBS = {
         Verb("present", Nothing, Lane.LOOK, Who.ANYONE, timeout_s=2.0),
         Verb("take_command", Force, Lane.LOOK, Who.ANYONE),
         Verb("release_command", Nothing, Lane.LOOK, Who.ANYONE),
-        Verb("signals", Window, Lane.WORK, Who.ANYONE),
+        Verb("signals", LastSeconds, Lane.WORK, Who.ANYONE),
         Verb("simulation_state", Nothing, Lane.WORK, Who.ANYONE),
         Verb("connect", Nothing, Lane.WORK, timeout_s=90.0),
         Verb("reconnect", Nothing, Lane.WORK, timeout_s=90.0),

@@ -45,7 +45,7 @@ from rigapp.schema.messages import (
 from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, File, Hand, Nothing, Start
 from rigapp.service.bounds import asked_of, refusal
-from rigapp.service.command import Command
+from rigapp.service.command import InCommand
 from rigapp.service.registry import (
     EngineEntry,
     announce,
@@ -130,7 +130,7 @@ class EngineHost:
         self._cancelled = ""
         self.ended = threading.Event()
         self._behind = Behind()
-        self._command = Command(
+        self._command = InCommand(
             lambda text, who, before, after: self.engine.log("command", text, who, before, after)
         )
         self._verbs = self._table()

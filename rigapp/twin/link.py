@@ -23,7 +23,7 @@ import msgspec
 import zmq
 
 from rigapp.schema.messages import Prediction, RevolutionMeasured
-from rigapp.twin.worker import Answer, TwinSetup
+from rigapp.twin.worker import TwinAnswer, TwinSetup
 
 MAILBOX = 64
 START_S = 60.0
@@ -249,20 +249,20 @@ class TwinLink:
                 self._asked_again = measured.revolution
                 self._mailbox.appendleft(measured)
 
-    def _answer(self, socket: zmq.Socket[bytes], patience: float) -> Answer | None:
+    def _answer(self, socket: zmq.Socket[bytes], patience: float) -> TwinAnswer | None:
         """Return what the worker says next; None when it died, is late, or nobody waits."""
         deadline = time.monotonic() + patience
         while time.monotonic() < deadline and not self._stop.is_set():
             gone = self._worker is None or self._worker.poll() is not None
             if socket.poll(100):
-                return self._heard(msgspec.msgpack.decode(socket.recv(), type=Answer))
+                return self._heard(msgspec.msgpack.decode(socket.recv(), type=TwinAnswer))
             if gone:
                 self.last_failure = "the twin died"
                 return None
         self.last_failure = f"the twin did not answer within {patience:g} s"
         return None
 
-    def _heard(self, answer: Answer) -> Answer:
+    def _heard(self, answer: TwinAnswer) -> TwinAnswer:
         """Pass on what a worker has to say besides its prediction."""
         for text in answer.said:
             self._report(text)

@@ -27,7 +27,7 @@ class Unpredictable(ValueError):
 
 
 @dataclass(frozen=True, slots=True)
-class Measured:
+class MeasuredRevolution:
     """One measured revolution in SI: time (s), crank angle (rad), forces (N), probes (m)."""
 
     revolution: int
@@ -53,7 +53,7 @@ class Wear:
     measured_uncertainty: float = float("nan")
 
 
-def unpack(message: RevolutionMeasured) -> Measured:
+def unpack(message: RevolutionMeasured) -> MeasuredRevolution:
     """Turn a message into arrays in SI; samples that do not advance the crank are left out.
 
     Raises Unpredictable for a crank that stood or turned backwards, and for what is no number.
@@ -66,7 +66,7 @@ def unpack(message: RevolutionMeasured) -> Measured:
     if np.count_nonzero(forward) < FEWEST_SAMPLES:
         raise Unpredictable("the crank did not turn forward in it")
     um = 1e-6
-    return Measured(
+    return MeasuredRevolution(
         revolution=message.revolution,
         time=time[forward],
         angle=angle[forward],
@@ -78,7 +78,7 @@ def unpack(message: RevolutionMeasured) -> Measured:
 
 
 def predict_force(
-    parameters: Parameters, joint: str, measured: Measured, depth: float
+    parameters: Parameters, joint: str, measured: MeasuredRevolution, depth: float
 ) -> tuple[MechanismMotion, PredictionUncertainty]:
     """Compute motion and forces at ``GRID`` from a revolution's angle history alone.
 
@@ -100,7 +100,7 @@ def _motion(
     return solve_of(joint)(parameters, GRID, speed, acceleration, depth)[0]
 
 
-def measured_force(measured: Measured) -> Array:
+def measured_force(measured: MeasuredRevolution) -> Array:
     """Return the measured joint force (2, points) at ``GRID``, crank frame, N."""
     return np.stack(
         (_on_grid(measured.angle, measured.force_1), _on_grid(measured.angle, measured.force_2))
@@ -108,7 +108,7 @@ def measured_force(measured: Measured) -> Array:
 
 
 def compare(
-    measured: Measured,
+    measured: MeasuredRevolution,
     motion: MechanismMotion,
     wear: Wear,
     doubt: PredictionUncertainty | None = None,

@@ -43,7 +43,7 @@ from rigapp.twin.pinpath import (
 )
 from rigapp.twin.predict import (
     GRID,
-    Measured,
+    MeasuredRevolution,
     Wear,
     compare,
     measured_force,
@@ -139,7 +139,7 @@ class Twin:
     _first: dict[int, PathSum] = field(default_factory=dict)
     _path: PathSum | None = None
 
-    def predict(self, measured: Measured) -> Prediction:
+    def predict(self, measured: MeasuredRevolution) -> Prediction:
         """Predict a revolution, wear the bushings on, compare."""
         depth = self.predicted.depth
         motion, doubt = predict_force(
@@ -272,7 +272,7 @@ def profile_is_due(kept: int, revolution: int) -> bool:
     return kept <= 0 or (revolution > kept and step(revolution) > step(kept))
 
 
-def _in_follower(measured: Measured, motion: MechanismMotion) -> Array:
+def _in_follower(measured: MeasuredRevolution, motion: MechanismMotion) -> Array:
     """Turn the measured force from the crank frame into the follower's at ``GRID``."""
     turn = motion.follower_angle - GRID
     return np.asarray(
@@ -280,7 +280,7 @@ def _in_follower(measured: Measured, motion: MechanismMotion) -> Array:
     )
 
 
-def _path(measured: Measured, motion: MechanismMotion) -> PathSum:
+def _path(measured: MeasuredRevolution, motion: MechanismMotion) -> PathSum:
     """Return the measured path of the pin in the wear frame."""
     angle = measured.angle
     lean = np.interp(angle, GRID, motion.follower_angle, period=2.0 * np.pi)

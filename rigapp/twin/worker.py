@@ -2,7 +2,7 @@
 
 Started by ``rigapp.twin.link`` as ``python -m rigapp.twin.worker ADDRESS ENGINE_PID``; ends when
 the engine's process is gone or asks for it with an empty message. What goes wrong is said in an
-``Answer``, for the log of the test: nobody reads what this process would print.
+``TwinAnswer``, for the log of the test: nobody reads what this process would print.
 """
 
 from __future__ import annotations
@@ -18,8 +18,7 @@ import zmq
 from model.errors import ModelError
 from model.wear.techniques import solve_of
 from rigapp.config.errors import UnusableInput
-from rigapp.config.model_parameters import to_parameters
-from rigapp.config.parameters import ParameterFile
+from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.schema.messages import Prediction, RevolutionMeasured
 from rigapp.twin.checkpoint import packed, restore
 from rigapp.twin.predict import Unpredictable, unpack
@@ -44,7 +43,7 @@ class TwinSetup(msgspec.Struct, frozen=True):
     checkpoint: bytes = b""
 
 
-class Answer(msgspec.Struct, frozen=True):
+class TwinAnswer(msgspec.Struct, frozen=True):
     """Say what became of the setup or of a revolution.
 
     refused: why there is no prediction of this revolution; the next one may have one. failed: why
@@ -90,7 +89,7 @@ def new_twin(setup: TwinSetup) -> Twin:
     return twin
 
 
-def answer(twin: Twin, measured: RevolutionMeasured) -> Answer:
+def answer(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
     """Return the prediction for a revolution, with a checkpoint where it is a new one.
 
     A revolution of which the model can make nothing is refused.
@@ -98,26 +97,26 @@ def answer(twin: Twin, measured: RevolutionMeasured) -> Answer:
     try:
         prediction = twin.predict(unpack(measured))
     except (Unpredictable, ModelError, ArithmeticError) as error:
-        return Answer(refused=str(error))
+        return TwinAnswer(refused=str(error))
     if twin.changed:
         prediction = msgspec.structs.replace(prediction, checkpoint=packed(twin))
-    return Answer(prediction)
+    return TwinAnswer(prediction)
 
 
-def set_up(body: bytes) -> tuple[Twin | None, Answer]:
+def set_up(body: bytes) -> tuple[Twin | None, TwinAnswer]:
     """Return the twin that a message asks for, or why there is none."""
     try:
-        return new_twin(msgspec.msgpack.decode(body, type=TwinSetup)), Answer()
+        return new_twin(msgspec.msgpack.decode(body, type=TwinSetup)), TwinAnswer()
     except Exception as error:
-        return None, Answer(failed=_failure(error), hopeless=True)
+        return None, TwinAnswer(failed=_failure(error), hopeless=True)
 
 
-def serve(twin: Twin, body: bytes) -> Answer:
+def serve(twin: Twin, body: bytes) -> TwinAnswer:
     """Return the answer to a message; whatever goes wrong in the model becomes a sentence."""
     try:
         return answer(twin, msgspec.msgpack.decode(body, type=RevolutionMeasured))
     except Exception as error:
-        return Answer(failed=_failure(error))
+        return TwinAnswer(failed=_failure(error))
 
 
 def _failure(error: Exception) -> str:

@@ -11,7 +11,7 @@ import pytest
 
 from calibration.turning.run_out import Roll, RunOutError, Turn, evaluate, make_map, spread_at
 from rigapp.config.loading import read_rig
-from rigapp.config.model_parameters import to_parameters
+from rigapp.config.parameters import to_parameters
 from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
 from rigapp.simulation.layout import Drive

@@ -52,10 +52,10 @@ def device(tmp_path: Path) -> Iterator[Callable[[str], Any]]:
 
 
 @pytest.fixture
-def listed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[doctor.Finding]]:
+def listed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[doctor.Observation]]:
     """Examine these serial ports."""
 
-    def examine(*ports: FakePort) -> list[doctor.Finding]:
+    def examine(*ports: FakePort) -> list[doctor.Observation]:
         monkeypatch.setattr("serial.tools.list_ports.comports", lambda: list(ports))
         return list(doctor.ports())
 
@@ -93,7 +93,7 @@ def test_a_named_port_in_use_is_told(
 
 
 def test_known_usb_devices_are_asked_and_adapters_are_not(
-    device: Callable[[str], Any], listed: Callable[..., list[doctor.Finding]]
+    device: Callable[[str], Any], listed: Callable[..., list[doctor.Observation]]
 ) -> None:
     drive, adapter = device("roboclaw"), device("gsv8")
     findings = listed(
@@ -109,7 +109,7 @@ def test_known_usb_devices_are_asked_and_adapters_are_not(
 
 
 def test_a_known_device_that_is_silent_needs_action(
-    device: Callable[[str], Any], listed: Callable[..., list[doctor.Finding]]
+    device: Callable[[str], Any], listed: Callable[..., list[doctor.Observation]]
 ) -> None:
     bench = device("dataq")
     bench.port.wire.start_fault(WireFault.HANG)
@@ -122,7 +122,7 @@ def test_a_known_device_that_is_silent_needs_action(
 def test_permissions_are_explained(
     monkeypatch: pytest.MonkeyPatch,
     tmp_path: Path,
-    listed: Callable[..., list[doctor.Finding]],
+    listed: Callable[..., list[doctor.Observation]],
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     port = tmp_path / "ttyUSB7"
@@ -136,7 +136,7 @@ def test_permissions_are_explained(
     assert "sudo usermod" in capsys.readouterr().out
 
 
-def test_no_port_at_all_is_no_fault(listed: Callable[..., list[doctor.Finding]]) -> None:
+def test_no_port_at_all_is_no_fault(listed: Callable[..., list[doctor.Observation]]) -> None:
     findings = listed()
     assert "none found" in findings[-1].text
     assert all(finding.good for finding in findings)
@@ -178,7 +178,7 @@ def test_broken_packages_of_others_are_findings(monkeypatch: pytest.MonkeyPatch)
         EntryPoint("gsv8", "drivers.gsv8.driver:DRIVER", registry.GROUP),
     )
     monkeypatch.setattr(registry, "entry_points", lambda group: entries)
-    findings: list[doctor.Finding] = []
+    findings: list[doctor.Observation] = []
     assert [info.name for info in doctor.installed_drivers(findings)] == ["gsv8"]
     assert [finding.subject for finding in findings] == ["Driver absent", "Driver wrong"]
     assert not any(finding.good for finding in findings)

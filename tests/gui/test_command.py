@@ -16,7 +16,7 @@ from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Reply, Request, RunState, Snapshot
 from rigapp.schema.states import Refused
-from rigapp.service.command import Command
+from rigapp.service.command import InCommand
 
 
 class SharedEngine:
@@ -26,7 +26,7 @@ class SharedEngine:
         self._snapshot = snapshot
         self.log: list[str] = []
         self.done: list[tuple[str, str]] = []
-        self.command = Command(lambda text, who, before, after: self.log.append(f"{who}: {text}"))
+        self.command = InCommand(lambda text, who, before, after: self.log.append(f"{who}: {text}"))
         self.state = RunState.RUNNING
 
     def snapshot(self) -> Snapshot:

@@ -8,7 +8,7 @@ import pytest
 
 from rigapp.schema.messages import Reply, Request
 from rigapp.schema.states import Refused
-from rigapp.service.command import ASLEEP_S, GONE_AFTER_S, Command
+from rigapp.service.command import ASLEEP_S, GONE_AFTER_S, InCommand
 
 ADA = {"operator": "Ada", "client": "a"}
 BOB = {"operator": "Bob", "client": "b"}
@@ -25,12 +25,12 @@ class Clock:
 
 
 class Desk:
-    """A Command with its clock and its log."""
+    """A InCommand with its clock and its log."""
 
     def __init__(self) -> None:
         self.clock = Clock()
         self.log: list[tuple[str, str, str, str]] = []
-        self.command = Command(lambda *event: self.log.append(event), self.clock)
+        self.command = InCommand(lambda *event: self.log.append(event), self.clock)
 
     def ask(self, verb: str, who: dict[str, str], **arguments: object) -> object:
         request = Request(verb, arguments, **who)  # type: ignore[arg-type]

@@ -11,8 +11,7 @@ import pytest
 
 from model.bushing.ring import Ring, pressure_distribution
 from model.wear.life import life
-from rigapp.config.model_parameters import to_parameters
-from rigapp.config.parameters import ParameterFile
+from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.simulation.constants import plant_constants
 from rigapp.simulation.layout import VELOCITY, Drive

@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 
 from rigapp.config.loading import read_rig, read_test
-from rigapp.config.model_parameters import to_parameters
+from rigapp.config.parameters import to_parameters
 from rigapp.schema.columns import prediction_columns, profile_columns
 from rigapp.schema.messages import Prediction, WornProfile, as_array
 from rigapp.simulation.constants import plant_constants
 from rigapp.simulation.layout import VELOCITY, Drive
 from rigapp.simulation.plant import Plant
 from rigapp.twin.checkpoint import Checkpoint, packed, restore
-from rigapp.twin.predict import Measured
+from rigapp.twin.predict import MeasuredRevolution
 from rigapp.twin.profile import ANGLES
 from rigapp.twin.twin import Twin, profile_is_due
 
@@ -33,7 +33,7 @@ SPEED = 2.0 * np.pi
 
 def measured_revolutions(
     wear: float, number: int, **effects_off: float
-) -> list[tuple[Measured, float]]:
+) -> list[tuple[MeasuredRevolution, float]]:
     """Run the plant, its wear so many times the model's; return revolutions and true depths, m.
 
     Everything that the simulated rig has is on: noise, friction, cross-talk, run-out, ripple;
@@ -55,7 +55,7 @@ def measured_revolutions(
     found = []
     for index in range(number):
         part = np.flatnonzero(np.floor(turns) == index)
-        measured = Measured(
+        measured = MeasuredRevolution(
             index + 1,
             samples.truth.time_s[part],
             2.0 * np.pi * (turns[part] - index),
@@ -66,7 +66,7 @@ def measured_revolutions(
     return found
 
 
-def followed(twin: Twin, revolutions: list[tuple[Measured, float]]) -> list[Prediction]:
+def followed(twin: Twin, revolutions: list[tuple[MeasuredRevolution, float]]) -> list[Prediction]:
     return [twin.predict(measured) for measured, _ in revolutions]
 
 
@@ -79,7 +79,7 @@ def last_profile(predictions: list[Prediction]) -> WornProfile:
     return [one.profile for one in predictions if one.profile is not None][-1]
 
 
-def true_profile(revolutions: list[tuple[Measured, float]]) -> np.ndarray:
+def true_profile(revolutions: list[tuple[MeasuredRevolution, float]]) -> np.ndarray:
     """Cut the pin's circle out of the bushing at all its true places: depth at ANGLES, mm.
 
     The places are those of a pin that does not indent: clearance and depth from the middle. By

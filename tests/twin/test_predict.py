@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from model.dynamics import inverse_dynamics
 from rigapp.config.loading import read_parameter_file
-from rigapp.config.model_parameters import to_parameters
+from rigapp.config.parameters import to_parameters
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import RevolutionMeasured, as_array
 from rigapp.twin.predict import (

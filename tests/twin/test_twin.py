@@ -9,10 +9,10 @@ import pytest
 
 from model.dynamics import inverse_dynamics
 from model.wear.life import life
-from rigapp.config.model_parameters import read_parameters
+from rigapp.config.loading import read_parameters
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Prediction, as_array
-from rigapp.twin.predict import Measured
+from rigapp.twin.predict import MeasuredRevolution
 from rigapp.twin.twin import Twin
 
 PARAMETERS = read_parameters(Path(__file__).parents[2] / "examples" / "parameters.toml")
@@ -20,12 +20,12 @@ PARAMETERS = read_parameters(Path(__file__).parents[2] / "examples" / "parameter
 RUN_OUT = 3e-6
 
 
-def revolution(number: int, factor: float = 1.0, probe_um: float = -500.0) -> Measured:
+def revolution(number: int, factor: float = 1.0, probe_um: float = -500.0) -> MeasuredRevolution:
     time = np.arange(720) * (2.0 / 720)
     angle = np.pi * time
     motion = inverse_dynamics(PARAMETERS.mechanism, angle, np.pi, 0.0, PARAMETERS.joint.clearance)
     turn = angle - motion.follower_angle
-    return Measured(
+    return MeasuredRevolution(
         number,
         time,
         angle,

@@ -10,7 +10,7 @@ import numpy as np
 
 from model.wear.techniques import TECHNIQUES, Technique
 from rigapp.config.errors import UnusableInput
-from rigapp.config.model_parameters import MM
+from rigapp.config.parameters import MM
 
 if TYPE_CHECKING:
     from model.dynamics import MechanismMotion

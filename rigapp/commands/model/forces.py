@@ -14,7 +14,8 @@ from model.wear.techniques import TECHNIQUES, listed
 from rigapp.commands.model.cycle import CycleTable, columns_of, joint_technique
 from rigapp.commands.model.impacts import Impacting, check_impacting, impact_cycle
 from rigapp.config.errors import UnusableInput
-from rigapp.config.model_parameters import MM, read_parameters
+from rigapp.config.loading import read_parameters
+from rigapp.config.parameters import MM
 from rigapp.report.tables import check_target, write_table
 
 if TYPE_CHECKING:

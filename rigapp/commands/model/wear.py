@@ -15,7 +15,8 @@ import numpy as np
 from rigapp.commands.model.cycle import joint_technique
 from rigapp.commands.model.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
-from rigapp.config.model_parameters import MM, MPA, read_parameters
+from rigapp.config.loading import read_parameters
+from rigapp.config.parameters import MM, MPA
 from rigapp.report.tables import check_target, write_table
 
 if TYPE_CHECKING:

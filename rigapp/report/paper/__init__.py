@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.model_parameters import read_parameters
+from rigapp.config.loading import read_parameters
 
 if TYPE_CHECKING:
     from rigapp.report.paper.chapter import Chapter

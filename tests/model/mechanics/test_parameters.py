@@ -9,7 +9,7 @@ import pytest
 from model.errors import ModelError
 from model.parameters import Bushing, Joint, Material, Mechanism, Spring
 from rigapp.config.errors import UnusableInput
-from rigapp.config.model_parameters import read_parameters
+from rigapp.config.loading import read_parameters
 
 TABLE_1 = {
     "crank_radius": 0.0762,
