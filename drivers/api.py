@@ -321,8 +321,6 @@ class DriveRequest:
     gear_ratio: turns of the motor for one of the crank, positive. Every speed and acceleration that
     a Spindle takes or tells is the crank's. direction: +1 or -1, the rig's positive sense against
     the drive's.
-    simulated: the drive runs on this computer, whose load delays host and drive alike. Then the
-    drive's own word says whether its watchdog has fired, not the host's clock.
     """
 
     counts_per_revolution: int
@@ -330,7 +328,6 @@ class DriveRequest:
     maximum_speed_rev_per_s: float
     watchdog_timeout_s: float
     settings: Mapping[str, Any] = field(default_factory=dict)
-    simulated: bool = False
     gear_ratio: float = 1.0
 
     def __post_init__(self) -> None:

@@ -34,12 +34,15 @@ from drivers.cia402.protocol import (
     mapping_entry,
     velocity_unit_rev_per_s,
 )
+from drivers.spindles import refuse_request
 
 ABORT_QUICK_STOP: Final = 3
 _UNITS: Final = {"rpm": RPM, "milli-rpm": MILLI_RPM}
 _MODE_S: Final = 1.0
 _START_S: Final = 2.0
 _LONGEST_HEARTBEAT_MS: Final = 0xFFFF
+_COARSE_RPM: Final = 0.1  # wear tests turn at some tens of rpm, and such a step is 0.3 % of 30 rpm
+_ROUNDING: Final = 0.01
 _CONTROL_ONLY: Final = (mapping_entry(0x6040, 0, 16),)
 
 Readback = dict[str, str | float | int]
@@ -87,8 +90,8 @@ class Commissioning:
 
     def run(self, request: DriveRequest) -> Setup:
         """Set the drive up; raise SettingRefused, ReplyTimeout, DeviceLost."""
-        self._check(request)
         node = self._node
+        refuse_request(node.device, node.port, request, self._settings, check_watchdog)
         node.stop_beating()
         node.write(0x6040, Control.DISABLE_VOLTAGE)
         node.write(0x60FF, 0)
@@ -120,24 +123,6 @@ class Commissioning:
             boot_ups=boot_ups,
             readback=self._readback,
         )
-
-    def _check(self, request: DriveRequest) -> None:
-        if request.counts_per_revolution < 1:
-            raise self._refused(
-                f"{request.counts_per_revolution} counts per revolution are not possible."
-            )
-        if request.direction not in (1, -1):
-            raise self._refused(f"direction {request.direction} is neither 1 nor -1.")
-        for key, value in request.settings.items():
-            if key in self._settings and self._settings[key] != value:
-                raise self._refused(
-                    f"{key} = {value} differs from {self._settings[key]}, with which the port was "
-                    "opened; open it again."
-                )
-        try:
-            check_watchdog(request)
-        except ValueError as error:
-            raise self._refused(str(error)) from error
 
     # --- supervision -----------------------------------------------------------------------------
 
@@ -209,6 +194,13 @@ class Commissioning:
             "maximum_speed_rev_per_s": highest * unit,
             "maximum_motor_speed": -1 if motor is None else motor,
         }
+        step_rpm = unit * 60.0
+        if step_rpm > _COARSE_RPM:
+            self._readback["advice"] = (
+                f"it takes speeds in whole steps of {step_rpm:g} rpm of the crank, so that one "
+                f"below {step_rpm / 2.0 / _ROUNDING:g} rpm may be more than {_ROUNDING:.0%} beside "
+                "what was asked for; choose a finer velocity_unit for those."
+            )
         return unit
 
     def _compare_encoder(self, request: DriveRequest) -> None:

@@ -7,7 +7,6 @@ No thread sends that heartbeat: every call sends one, so a program that hangs st
 from __future__ import annotations
 
 import contextlib
-import math
 import threading
 import time
 from collections.abc import Mapping
@@ -43,8 +42,15 @@ from drivers.cia402.protocol import (
 )
 from drivers.cia402.readings import Condition, Readings
 from drivers.cia402.settings import SETTINGS, bus_options
+from drivers.spindles import (
+    QUANTITIES,
+    WATCHDOG,
+    note_survived_silence,
+    refuse_speed,
+    torque_Nm,
+    whole_ramp,
+)
 
-_ROUNDING: Final = 0.01
 _INT32: Final = 2**31 - 1
 
 
@@ -67,7 +73,6 @@ class Cia402Drive:
         self._epos = False
         self._target: int | None = None
         self._trip = ""
-        self._rounding = ""
 
     # --- connection ------------------------------------------------------------------------------
 
@@ -111,7 +116,7 @@ class Cia402Drive:
             self._target = None
             commissioning = Commissioning(node, self._monitor, self._settings, self._epos)
             setup = commissioning.run(request)
-            self._trip = self._rounding = ""
+            self._trip = ""
             self._monitor.forget_active()
             self._readings = Readings(node, self._monitor, setup, self._settings)
             self._setup = setup
@@ -150,7 +155,9 @@ class Cia402Drive:
         with self._lock:
             node, setup = self._open_node(), self._configured()
             target = self._steps(speed_rev_per_s, setup)
-            ramp = self._ramp_steps(acceleration_rev_per_s2, setup)
+            ramp = whole_ramp(
+                self.name, self.port, acceleration_rev_per_s2, setup.acceleration_unit, _INT32
+            )
             self._judge_restart(setup)
             self._judge_silence(node, setup)
             control = DriveControl(node)
@@ -171,33 +178,11 @@ class Cia402Drive:
             node.write(0x6040, Control.ENABLE)
 
     def _steps(self, speed_rev_per_s: float, setup: Setup) -> int:
-        if not math.isfinite(speed_rev_per_s):
-            raise self._refused(f"a speed of {speed_rev_per_s} is not a number.")
-        limit = setup.request.maximum_speed_rev_per_s
-        if abs(speed_rev_per_s) > limit * (1 + 1e-9):
-            raise self._refused(
-                f"{speed_rev_per_s * 60:.1f} rpm is above the rig's maximum of "
-                f"{limit * 60:.1f} rpm."
-            )
+        refuse_speed(self.name, self.port, speed_rev_per_s, setup.request)
         steps = round(setup.request.direction * speed_rev_per_s / setup.velocity_unit)
         if abs(steps) > _INT32:
             raise self._refused(f"{speed_rev_per_s * 60:.1f} rpm does not fit into object 60FF.")
-        real = setup.request.direction * steps * setup.velocity_unit
-        self._rounding = ""
-        if abs(real - speed_rev_per_s) > _ROUNDING * abs(speed_rev_per_s):
-            self._rounding = (
-                f"the drive's whole steps make {real * 60:.2f} rpm of {speed_rev_per_s * 60:.2f} "
-                "rpm; choose a finer velocity_unit"
-            )
         return steps
-
-    def _ramp_steps(self, acceleration_rev_per_s2: float, setup: Setup) -> int:
-        ramp = acceleration_rev_per_s2 / setup.acceleration_unit
-        if not (math.isfinite(ramp) and ramp > 0):
-            raise self._refused(
-                f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible."
-            )
-        return min(max(1, round(ramp)), _INT32)
 
     def quick_stop(self) -> None:
         """Stop with the drive's own quick-stop deceleration; the next start needs a reset."""
@@ -265,8 +250,6 @@ class Cia402Drive:
             elif faults and self._target is not None:
                 self._trip = faults[0]
             warnings = readings.warnings(motion)
-            if self._rounding:
-                warnings.append(self._rounding)
             return self._drive_status(setup, motion, condition, faults, warnings)
 
     @property
@@ -306,6 +289,7 @@ class Cia402Drive:
             current_A=condition.current_A,
             supply_V=condition.supply_V,
             temperature_C=condition.temperature_C,
+            torque_Nm=torque_Nm(condition.current_A, self._settings),
             enabled=enabled and not faults,
             emergency_stop=condition.torque_off,
             faults=tuple(dict.fromkeys(faults)),
@@ -314,17 +298,18 @@ class Cia402Drive:
         )
 
     def _judge_silence(self, node: CanNode, setup: Setup) -> None:
-        """Take note that the drive's supervision has fired, and make the stop certain."""
+        """Take note that the drive's supervision has fired, and make the stop certain.
+
+        Whether it has is told by the drive's state: this computer's clock says only when to ask.
+        """
         silence_s = (time.monotonic_ns() - node.last_beat_ns) * 1e-9
         if self._target is None or silence_s <= setup.watchdog_s:
             return
-        if setup.request.simulated and DriveControl(node).state() is State.ENABLED:
+        if DriveControl(node).state() is State.ENABLED:
+            note_survived_silence(self.name, self.port, silence_s, setup.watchdog_s)
             return
         self._target = None
-        self._trip = (
-            f"watchdog: the host was silent for {silence_s:.2f} s and the drive has stopped the "
-            "motor"
-        )
+        self._trip = WATCHDOG.format(silence_s)
         node.write(0x6040, Control.QUICK_STOP)
 
     def _judge_restart(self, setup: Setup) -> None:
@@ -362,5 +347,5 @@ DRIVER: Final = DriverInfo(
     simulator="drivers.cia402.simulator:Cia402Simulator",
     probe=PROBE,
     check=check_watchdog,
-    quantities=("current_A", "supply_V", "temperature_C"),
+    quantities=QUANTITIES,
 )

@@ -23,10 +23,12 @@ from drivers.cia402.protocol import (
 
 _log = logging.getLogger(__name__)
 
-_HEARTBEATS_MISSED: Final = 3
-_HEARTBEAT_LEAST_S: Final = 0.5
-_CATCH_UP_S: Final = 0.1
-_PATIENCE: Final = 4.0  # with a drive that the load of this computer delays
+_HEARTBEATS_MISSED: Final = 12
+_HEARTBEAT_LEAST_S: Final = 2.0
+"""A drive that is gone answers no question, which is known at once; only one that answers without a
+heartbeat has so long, and no pause of this computer of a second or so is taken for that."""
+_CATCH_UP_S: Final = 0.4
+"""So long may this process have been held up itself, with heartbeats that wait to be received."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,10 +109,8 @@ class Readings:
     def _supervision(self) -> list[str]:
         monitor = self._monitor
         period_s = int(self._settings["heartbeat_ms"]) * 1e-3
-        patience = _PATIENCE if self._setup.request.simulated else 1.0
-        limit_s = patience * max(_HEARTBEATS_MISSED * period_s, _HEARTBEAT_LEAST_S)
-        # This process may have been held up itself: let the receiver catch up before judging.
-        if not monitor.wait_for_heartbeat(limit_s, patience * _CATCH_UP_S):
+        limit_s = max(_HEARTBEATS_MISSED * period_s, _HEARTBEAT_LEAST_S)
+        if not monitor.wait_for_heartbeat(limit_s, _CATCH_UP_S):
             age_s = monitor.heartbeat_age_s()
             told = "never came" if age_s is None else f"is missing for {age_s:.2f} s"
             return [f"the drive's heartbeat {told}"]

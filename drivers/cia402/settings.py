@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from drivers.api import SettingSpec
+from drivers.spindles import TORQUE_CONSTANT
 
 BIT_RATES: Final = (10_000, 20_000, 50_000, 100_000, 125_000, 250_000, 500_000, 750_000, 1_000_000)
 INTERFACES: Final = ("slcan", "socketcan", "pcan", "kvaser", "gs_usb")
@@ -57,6 +58,7 @@ SETTINGS: Final[Mapping[str, SettingSpec]] = {
         0,
         255,
     ),
+    "torque_constant_Nm_per_A": TORQUE_CONSTANT,
 }
 
 _NUMBERED_CHANNELS: Final = ("kvaser", "gs_usb")

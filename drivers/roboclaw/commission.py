@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import Final
 
 from drivers.api import (
     ConnectionFailed,
@@ -94,25 +94,6 @@ def _generation(link: Link, firmware: str, status_width: str) -> Generation:
         f'the status of firmware "{firmware}" has neither 16 nor 32 bits; '
         "set status_width from the drive's manual.",
     )
-
-
-def check_request(link: Link, request: DriveRequest, settings: Mapping[str, Any]) -> None:
-    """Raise SettingRefused for a request that no RoboClaw can follow."""
-    if request.counts_per_revolution < 1:
-        raise _refused(link, f"{request.counts_per_revolution} counts per revolution are too few.")
-    if request.direction not in (1, -1):
-        raise _refused(link, f"direction {request.direction} is neither 1 nor -1.")
-    for key, value in request.settings.items():
-        if key in settings and settings[key] != value:
-            raise _refused(
-                link,
-                f"{key} = {value} differs from {settings[key]}, with which the port was opened; "
-                "open it again.",
-            )
-    try:
-        check_watchdog(request)
-    except ValueError as error:
-        raise _refused(link, str(error)) from error
 
 
 def commission(link: Link, request: DriveRequest, motor: int, combined: bool) -> Setup:

@@ -8,7 +8,6 @@ command that means "emergency stop": that is an input of the drive and a contact
 from __future__ import annotations
 
 import contextlib
-import math
 import threading
 import time
 from collections.abc import Mapping
@@ -27,7 +26,7 @@ from drivers.api import (
     ReplyTimeout,
     SettingRefused,
 )
-from drivers.roboclaw.commission import Setup, check_request, check_watchdog, commission, identify
+from drivers.roboclaw.commission import Setup, check_watchdog, commission, identify
 from drivers.roboclaw.link import Link
 from drivers.roboclaw.probe import PROBE
 from drivers.roboclaw.protocol import (
@@ -42,11 +41,20 @@ from drivers.roboclaw.protocol import (
 from drivers.roboclaw.readings import Readings, StatusReader
 from drivers.roboclaw.settings import SETTINGS
 from drivers.roboclaw.status import StatusWords, describe_status
+from drivers.spindles import (
+    QUANTITIES,
+    WATCHDOG,
+    note_survived_silence,
+    refuse_request,
+    refuse_speed,
+    torque_Nm,
+    whole_ramp,
+)
 from drivers.transport import SerialPort, byte_counters
 
 _MAXIMUM_SPEED: Final = 2**31 - 1
 _MAXIMUM_ACCELERATION: Final = 2**32 - 1
-_LOOKS: Final = 3  # a ramp that has just begun shows a set-point of 0
+_LOOKS: Final = 3  # some milliseconds, in which the duty of a ramp has grown above 0
 
 
 class RoboClaw:
@@ -103,7 +111,7 @@ class RoboClaw:
         with self._lock:
             link = self._link()
             self._setup = None
-            check_request(link, request, self._settings)
+            refuse_request(self.name, self.port, request, self._settings, check_watchdog)
             self._off(link)
             combined = self._settings["combined_status"] == "auto"
             setup = commission(link, request, self._motor, combined)
@@ -144,19 +152,17 @@ class RoboClaw:
         with self._lock:
             link, setup = self._link(), self._configured()
             speed = self._counts_per_s(speed_rev_per_s, setup)
-            ramp = acceleration_rev_per_s2 * setup.request.counts_per_crank_revolution
-            if not (math.isfinite(ramp) and ramp > 0):
-                raise self._refused(
-                    f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible."
-                )
-            acceleration = min(max(1, round(ramp)), _MAXIMUM_ACCELERATION)
+            step = 1.0 / setup.request.counts_per_crank_revolution
+            acceleration = whole_ramp(
+                self.name, self.port, acceleration_rev_per_s2, step, _MAXIMUM_ACCELERATION
+            )
             command = self._of(Command.RAMP_SPEED_M1, Command.RAMP_SPEED_M2)
             self._judge_silence(link, setup)
             if speed and self._silence_s:
                 raise DeviceFault(
                     self.name,
                     self.port,
-                    f"{self._silence_words()}; reset the fault before the next start.",
+                    f"{WATCHDOG.format(self._silence_s)}; reset the fault before the next start.",
                 )
             if link.hurry.is_set():
                 raise DeviceFault(self.name, self.port, "a stop came before the speed was set.")
@@ -170,13 +176,7 @@ class RoboClaw:
 
     def _counts_per_s(self, speed_rev_per_s: float, setup: Setup) -> int:
         request = setup.request
-        if not math.isfinite(speed_rev_per_s):
-            raise self._refused(f"a speed of {speed_rev_per_s} is not a number.")
-        if abs(speed_rev_per_s) > request.maximum_speed_rev_per_s * (1 + 1e-9):
-            raise self._refused(
-                f"{speed_rev_per_s * 60:.1f} rpm is above the rig's maximum of "
-                f"{request.maximum_speed_rev_per_s * 60:.1f} rpm."
-            )
+        refuse_speed(self.name, self.port, speed_rev_per_s, request)
         speed = round(request.direction * speed_rev_per_s * request.counts_per_crank_revolution)
         if abs(speed) > min(setup.qpps, _MAXIMUM_SPEED):
             raise self._refused(
@@ -292,7 +292,7 @@ class RoboClaw:
         words = describe_status(read.state, link.generation.status_bits)
         faults = words.faults
         if self._silence_s:
-            faults += (self._silence_words(),)
+            faults += (WATCHDOG.format(self._silence_s),)
         target = self._target or 0
         setpoint = target if read.setpoint is None or self._target is None else read.setpoint
         scale = request.direction / request.counts_per_crank_revolution
@@ -304,6 +304,7 @@ class RoboClaw:
             current_A=read.current * CURRENT_UNIT_A,
             supply_V=read.main_voltage * VOLTAGE_UNIT_V,
             temperature_C=read.temperature * TEMPERATURE_UNIT_C,
+            torque_Nm=torque_Nm(read.current * CURRENT_UNIT_A, self._settings),
             enabled=self._target is not None and not faults,
             emergency_stop=words.emergency_stop,
             faults=faults,
@@ -312,34 +313,23 @@ class RoboClaw:
         )
 
     def _judge_silence(self, link: Link, setup: Setup) -> None:
-        """Take note that the watchdog has fired, and make the stop certain."""
+        """Take note that the watchdog has fired, and make the stop certain.
+
+        Whether it has is told by the drive, which was there: this computer's clock says only when
+        to ask.
+        """
         silence_s = (time.monotonic_ns() - link.last_sent_ns) * 1e-9
         if self._target is None or silence_s <= setup.watchdog_s:
             return
-        if setup.request.simulated and self._still_obeys(link, setup, self._target):
+        if self._target == 0 or self._still_drives(link):
+            note_survived_silence(self.name, self.port, silence_s, setup.watchdog_s)
             return
         self._off(link)
         self._silence_s = silence_s
 
-    def _still_obeys(self, link: Link, setup: Setup, target: int) -> bool:
-        """Ask the drive whether its set-point is still there; the watchdog would have made it 0."""
-        if target == 0:
-            return True
-        for _ in range(_LOOKS):
-            if setup.combined:
-                status = combined_status_of(link.read(Command.COMBINED_STATUS))
-                found = status.setpoints[self._motor - 1]
-            else:
-                found = link.read(Command.PWM)[self._motor - 1]
-            if found != 0:
-                return True
-        return False
-
-    def _silence_words(self) -> str:
-        return (
-            f"watchdog: the host was silent for {self._silence_s:.2f} s and the drive has stopped "
-            "the motor"
-        )
+    def _still_drives(self, link: Link) -> bool:
+        """Tell whether the motor has power; a ramp that has just begun may show none yet."""
+        return any(link.read(Command.PWM)[self._motor - 1] for _ in range(_LOOKS))
 
     def _check_watchdog(self, link: Link, setup: Setup) -> None:
         (found,) = link.read(Command.GET_TIMEOUT)
@@ -387,5 +377,5 @@ DRIVER: Final = DriverInfo(
     usb_ids=((0x03EB, 0x2404),),
     probe=PROBE,
     check=check_watchdog,
-    quantities=("current_A", "supply_V", "temperature_C"),
+    quantities=QUANTITIES,
 )

@@ -7,6 +7,7 @@ from typing import Final
 
 from drivers.api import SettingSpec
 from drivers.roboclaw.protocol import BAUD_RATES
+from drivers.spindles import TORQUE_CONSTANT
 
 SETTINGS: Final[Mapping[str, SettingSpec]] = {
     "address": SettingSpec(int, 128, "Packet serial address of the drive.", 128, 135),
@@ -29,4 +30,5 @@ SETTINGS: Final[Mapping[str, SettingSpec]] = {
     "reply_timeout_ms": SettingSpec(
         float, 100.0, "Longest wait for a reply, besides its time on the wire.", 20.0, 1000.0
     ),
+    "torque_constant_Nm_per_A": TORQUE_CONSTANT,
 }

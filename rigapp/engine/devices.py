@@ -98,7 +98,6 @@ def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_
         watchdog_timeout_s=rig.spindle.watchdog_timeout_s,
         gear_ratio=rig.spindle.gear_ratio,
         settings=drive_settings,
-        simulated=rig.simulation is not None,
     )
     _check_inputs(rig, info, data, where)
     if drive_info.check is not None:

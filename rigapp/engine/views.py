@@ -189,7 +189,7 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
                 else (error.sentence if error is not None else ""),
                 counters=dict(device.counters()) if isinstance(device, LineCounters) else {},
                 wiring=str(devices.readback.get(device.name, {}).get("wiring", "")),
-                advice=identity.details.get("advice", "") if identity is not None else "",
+                advice=str(devices.readback.get(device.name, {}).get("advice", "")),
             )
         )
     return tuple(views)

@@ -264,13 +264,10 @@ def drive_request(
     direction: int = 1,
     counts: int = COUNTS,
     *,
-    simulated: bool = True,
     gear_ratio: float = 1.0,
 ) -> DriveRequest:
     """Return a request for at most 12 rev/s."""
-    return DriveRequest(
-        counts, direction, 12.0, watchdog_s, simulated=simulated, gear_ratio=gear_ratio
-    )
+    return DriveRequest(counts, direction, 12.0, watchdog_s, gear_ratio=gear_ratio)
 
 
 class Connections:
@@ -290,7 +287,6 @@ class Connections:
         rig: DriveRig,
         *,
         watchdog_s: float | None = None,
-        simulated: bool = True,
         **settings: Any,
     ) -> Any:
         """Return a driver that is open and configured."""
@@ -298,7 +294,7 @@ class Connections:
         self._opened.append(driver)
         driver.open()
         time_s = self._watchdog_s if watchdog_s is None else watchdog_s
-        driver.configure(drive_request(time_s, simulated=simulated))
+        driver.configure(drive_request(time_s))
         return driver
 
     def close(self) -> None:

@@ -171,15 +171,18 @@ def test_a_generic_drive_has_no_current_and_turns_all_the_same(
     assert math.isnan(status.supply_V)
 
 
-def test_milli_rpm_makes_slow_speeds_exact_and_whole_rpm_warn(
-    drive_rig: Any, connect: Any, wait_until: Any
+def test_milli_rpm_makes_slow_speeds_exact_and_whole_rpm_are_told_at_the_set_up(
+    drive_rig: Any, connect: Any, wait_until: Any, request_for: Any
 ) -> None:
     rig = drive_rig()
     drive = connect(rig)
+    told = drive.configure(request_for())
+    assert "whole steps of 1 rpm of the crank, so that one below 50 rpm" in told["advice"]
     drive.set_speed(0.5083, 1000.0)
-    assert any("whole steps" in warning for warning in drive.status().warnings)
+    assert not drive.status().warnings
     drive.close()
     fine = connect(rig, velocity_unit="milli-rpm")
+    assert "advice" not in fine.configure(request_for())
     fine.set_speed(0.5083, 1000.0)
     wait_until(lambda: abs(rig.speed_rpm - 30.498) < 1e-6, "the exact speed")
     status = fine.status()
@@ -350,12 +353,11 @@ def test_close_leaves_the_drive_without_power_and_without_an_error(
 # --- supervision ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("simulated", [False, True])
 def test_a_silent_host_makes_the_drive_stop_quickly_and_is_told_so(
-    drive_rig: Any, connect: Any, wait_until: Any, simulated: bool
+    drive_rig: Any, connect: Any, wait_until: Any
 ) -> None:
     rig = drive_rig()
-    drive = connect(rig, watchdog_s=1.0, simulated=simulated)
+    drive = connect(rig, watchdog_s=1.0)
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.speed_rpm == 60, "the speed")
     wait_until(lambda: rig.simulator.node.objects.number(0x603F) == 0x8130, "error 8130")
@@ -369,24 +371,22 @@ def test_a_silent_host_makes_the_drive_stop_quickly_and_is_told_so(
     with pytest.raises(DeviceFault, match="reset the fault"):
         drive.set_speed(0.5, 1000.0)
     drive.reset_fault()
-    if simulated:  # a real one's clock does not wait for a busy test
-        assert not drive.status().faults
-        drive.set_speed(0.5, 1000.0)
-        wait_until(lambda: rig.speed_rpm == 30, "the next start")
+    assert not drive.status().faults
+    drive.set_speed(0.5, 1000.0)
+    wait_until(lambda: rig.speed_rpm == 30, "the next start")
 
 
-@pytest.mark.parametrize("simulated", [False, True])
-def test_a_host_that_was_held_up_is_believed_only_by_a_simulated_drive(
-    drive_rig: Any, connect: Any, wait_until: Any, monkeypatch: pytest.MonkeyPatch, simulated: bool
+def test_a_host_that_was_held_up_believes_the_drive_whether_its_supervision_has_fired(
+    drive_rig: Any, connect: Any, wait_until: Any, monkeypatch: pytest.MonkeyPatch, caplog: Any
 ) -> None:
     rig = drive_rig()
-    drive = connect(rig, watchdog_s=5.0, simulated=simulated)
+    drive = connect(rig, watchdog_s=5.0)
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.speed_rpm == 60, "the speed")
     monkeypatch.setattr(drive._node, "last_beat_ns", time.monotonic_ns() - 9 * 10**9)
-    faults = drive.status().faults
-    assert any(fault.startswith("watchdog") for fault in faults) is not simulated
-    assert rig.speed_rpm == 60 or not simulated
+    assert not drive.status().faults
+    assert rig.speed_rpm == 60
+    assert "its watchdog of 5.00 s has not fired" in caplog.text
 
 
 def test_a_new_speed_after_a_silence_is_refused_although_no_status_was_read(

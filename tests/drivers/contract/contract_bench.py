@@ -338,9 +338,7 @@ class SpindleBench:
         assert identity.maker
         assert identity.port == self.port.url
         self.counts_per_crank_revolution = COUNTS * gear_ratio
-        request = DriveRequest(
-            COUNTS, 1, 12.0, watchdog_s, self.settings, simulated=True, gear_ratio=gear_ratio
-        )
+        request = DriveRequest(COUNTS, 1, 12.0, watchdog_s, self.settings, gear_ratio=gear_ratio)
         readback = self.driver.configure(request)
         assert 0.0 < float(readback["watchdog_timeout_s"]) <= watchdog_s
 

@@ -303,13 +303,12 @@ def test_close_switches_the_motor_off(drive_rig: Any, connect: Any, wait_until: 
 # --- watchdog -------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("simulated", [False, True])
 @pytest.mark.parametrize("firmware", [NEWER, OLDER])
 def test_a_silent_host_stops_the_spindle_and_is_told_so(
-    drive_rig: Any, connect: Any, wait_until: Any, simulated: bool, firmware: str
+    drive_rig: Any, connect: Any, wait_until: Any, firmware: str
 ) -> None:
     rig = drive_rig(firmware=firmware)
-    drive = connect(rig, watchdog_s=1.0, simulated=simulated, **PATIENT)
+    drive = connect(rig, watchdog_s=1.0, **PATIENT)
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
     wait_until(lambda: rig.simulator.watchdog_tripped, "the drive's watchdog")
@@ -320,24 +319,41 @@ def test_a_silent_host_stops_the_spindle_and_is_told_so(
     with pytest.raises(DeviceFault, match="reset the fault"):
         drive.set_speed(0.5, 1000.0)
     drive.reset_fault()
-    if simulated:  # a real one's clock does not wait for a busy test
-        drive.set_speed(0.5, 1000.0)
-        wait_until(lambda: rig.last.speed_count_per_s == 1800, "a new command")
-        assert not drive.status().faults
+    drive.set_speed(0.5, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 1800, "a new command")
+    assert not drive.status().faults
 
 
-@pytest.mark.parametrize("simulated", [False, True])
-def test_a_host_that_was_held_up_is_believed_only_by_a_simulated_drive(
-    drive_rig: Any, connect: Any, wait_until: Any, monkeypatch: pytest.MonkeyPatch, simulated: bool
+@pytest.mark.parametrize("firmware", [NEWER, OLDER])
+def test_a_host_that_was_held_up_believes_the_drive_whether_its_watchdog_has_fired(
+    drive_rig: Any,
+    connect: Any,
+    wait_until: Any,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: Any,
+    firmware: str,
 ) -> None:
-    rig = drive_rig()
-    drive = connect(rig, watchdog_s=5.0, simulated=simulated, **PATIENT)
+    rig = drive_rig(firmware=firmware)
+    drive = connect(rig, watchdog_s=5.0, **PATIENT)
     drive.set_speed(1.0, 1000.0)
     wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
     monkeypatch.setattr(drive._connection, "last_sent_ns", time.monotonic_ns() - 9 * 10**9)
-    faults = drive.status().faults
-    assert [fault.startswith("watchdog") for fault in faults] == ([] if simulated else [True])
-    assert rig.last.speed_count_per_s == (3600 if simulated else 0)
+    assert not drive.status().faults
+    assert rig.last.speed_count_per_s == 3600
+    assert "its watchdog of 5.00 s has not fired" in caplog.text
+
+
+@pytest.mark.parametrize("settings", [{}, {"torque_constant_Nm_per_A": 0.5}])
+def test_the_torque_is_told_where_its_constant_is_known(
+    drive_rig: Any, connect: Any, wait_until: Any, settings: dict[str, float]
+) -> None:
+    drive = connect(rig := drive_rig(), watchdog_s=5.0, **PATIENT, **settings)
+    drive.set_speed(1.0, 1000.0)
+    wait_until(lambda: rig.last.speed_count_per_s == 3600, "the speed")
+    status = drive.status()
+    assert status.current_A == pytest.approx(0.36, abs=0.01)
+    assert math.isnan(status.torque_Nm) or status.torque_Nm == 0.5 * status.current_A
+    assert math.isnan(status.torque_Nm) is (not settings)
 
 
 def test_a_new_speed_after_a_silence_is_refused_although_no_status_was_read(
