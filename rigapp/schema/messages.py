@@ -152,7 +152,11 @@ class DriveView(msgspec.Struct, frozen=True):
 
 
 class ChannelView(msgspec.Struct, frozen=True):
-    """Show one channel live: its newest raw signal and calibrated value."""
+    """Show one channel live: its newest raw signal and calibrated value.
+
+    calibration: what the value follows from, in words. age_s: of a slow channel's value, None of
+    one that is sampled.
+    """
 
     name: str
     raw: float
@@ -161,6 +165,7 @@ class ChannelView(msgspec.Struct, frozen=True):
     unit: str
     calibration: str
     uncertainty: float | None = None
+    age_s: float | None = None
 
 
 class DeviceView(msgspec.Struct, frozen=True):

@@ -52,11 +52,7 @@ LEAST_CONTRAST = 3.0
 THEMES = pytest.mark.parametrize("theme", [LIGHT, DARK], ids=["light", "dark"])
 EYES = pytest.mark.parametrize("eyes", list(SEEN_BY))
 
-PLOTS = (
-    ("force", "force_1", "force_2", "model", "frozen"),
-    ("max", "rms", "min", "model"),
-    ("probe_1", "probe_2"),
-)
+PLOTS = (("main", "first", "second", "model", "frozen"),)
 """Roles that stand in one plot; ``model`` is dashed, all others are solid."""
 
 

@@ -8,13 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.gui.data.channels import COMPONENTS, SIZE
 from rigapp.gui.data.frames import ForceFrame, to_frame
 from rigapp.gui.data.series import MeasuredCycle, PredictedCycle
 from rigapp.schema.messages import ChannelView
 
 Floats = NDArray[np.float64]
 
-CURVES = ("force", "force_1", "force_2")
+CURVES = (SIZE, *COMPONENTS)
+"""The size of the force and its components: measured, and predicted too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,9 +75,8 @@ def binned(angle_deg: Floats, values: Floats, width_deg: float) -> tuple[Floats,
 
 def values_at(shown: RevolutionCurves, angle_deg: float, first: str, second: str) -> str:
     """Return measured and predicted values at a crank angle as one line with units."""
-    names = {"force": "|F|", "force_1": first, "force_2": second}
     parts = []
-    for name, text in names.items():
+    for name, text in zip(CURVES, ("|F|", first, second), strict=True):
         measured = _at(shown.angle_deg, shown.measured[name], angle_deg)
         part = f"{text} {measured:.1f} N"
         if shown.model is not None and shown.model_angle_deg is not None:
@@ -106,9 +107,9 @@ def uncertainty_of(channels: Sequence[ChannelView]) -> float | None:
         for channel in channels
         if channel.uncertainty is not None and channel.uncertainty > 0.0
     }
-    if "force" in known:
-        return known["force"]
-    return max((known[name] for name in ("force_1", "force_2") if name in known), default=None)
+    if SIZE in known:
+        return known[SIZE]
+    return max((known[name] for name in COMPONENTS if name in known), default=None)
 
 
 def _in_frame(
@@ -117,8 +118,10 @@ def _in_frame(
     frame: ForceFrame,
     crank_over_follower: float | None,
 ) -> dict[str, Floats]:
-    one, two = to_frame(curves["force_1"], curves["force_2"], angle_deg, frame, crank_over_follower)
-    return {"force": curves["force"].astype(np.float64), "force_1": one, "force_2": two}
+    along, across = (curves[name] for name in COMPONENTS)
+    turned = to_frame(along, across, angle_deg, frame, crank_over_follower)
+    size = curves[SIZE].astype(np.float64)
+    return dict(zip(CURVES, (size, *turned), strict=True))
 
 
 def _at(angle_deg: Floats, values: Floats, at_deg: float) -> float:

@@ -34,18 +34,18 @@ def follower_angle(crank_angle_rad: ArrayLike, crank_over_follower: float) -> Fl
 
 
 def to_frame(
-    force_1: ArrayLike,
-    force_2: ArrayLike,
+    along: ArrayLike,
+    across: ArrayLike,
     crank_angle_deg: ArrayLike,
     frame: ForceFrame,
     crank_over_follower: float | None = None,
 ) -> tuple[Floats, Floats]:
-    """Turn crank-frame components into a frame; arrays of one length in N and degrees.
+    """Turn components along and across the crank into a frame; N and deg, arrays of one length.
 
     Raises ValueError for the follower frame when the mechanism is not known.
     """
-    first = np.asarray(force_1, dtype=np.float64)
-    second = np.asarray(force_2, dtype=np.float64)
+    first = np.asarray(along, dtype=np.float64)
+    second = np.asarray(across, dtype=np.float64)
     if frame is ForceFrame.CRANK:
         return first, second
     turn = np.radians(np.asarray(crank_angle_deg, dtype=np.float64))

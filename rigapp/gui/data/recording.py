@@ -54,7 +54,7 @@ def load_history(path: Path, planned: int = 0) -> StoredTest:
     with open_test(path) as test:
         rows = test.rows()
         data = LiveData(max(planned, len(rows["revolution"])))
-        data.load_rows(rows)
+        data.load_rows(rows, test.column_units())
         predictions = test.predictions()
         if len(predictions["revolution"]):
             data.predictions.load(predictions)

@@ -6,10 +6,12 @@ import math
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.gui.data.channels import SIZE, table_of
 from rigapp.gui.data.profiles import ShownProfile, shown_profile
 from rigapp.gui.data.pyramid import GrowingArray, Pyramid
 from rigapp.schema.channels import BASE
@@ -139,7 +141,7 @@ def measured_cycle(message: Cycle) -> MeasuredCycle:
 def predicted_cycle(message: Prediction) -> PredictedCycle:
     """Unpack a prediction message (views, no copy)."""
     curves = {name: as_array(getattr(message, name)) for name in PREDICTED_CURVES}
-    points = len(curves["force"])
+    points = len(curves[SIZE])
     return PredictedCycle(
         message.revolution, 360.0 / max(points, 1) * np.arange(points, dtype=np.float64), curves
     )
@@ -150,6 +152,7 @@ class LiveData:
 
     def __init__(self, planned: int = 0) -> None:
         capacity = max(1 << 16, planned + 1024)
+        self.channels = BASE
         self.rows = SeriesTable(BASE.names, capacity)
         self.predictions = SeriesTable(
             tuple(column.name for column in prediction_columns()), capacity
@@ -160,6 +163,7 @@ class LiveData:
         self.missing_from: int | None = None
         self._cycles: OrderedDict[int, MeasuredCycle] = OrderedDict()
         self._next_row: int | None = None
+        self._row_names: tuple[str, ...] = BASE.names
 
     def take(self, snapshot: Snapshot) -> None:
         """Take what a snapshot brings.
@@ -168,8 +172,8 @@ class LiveData:
         missing between the last snapshot and this one; the file has them.
         """
         rows = _matrix(snapshot.rows, len(snapshot.columns))
+        self._know(snapshot.columns)
         if len(rows):
-            self.rows.know(tuple(snapshot.columns))
             expected = self._next_row if self._next_row is not None else 0
             if snapshot.first_row > expected and self.missing_from is None:
                 self.missing_from = expected
@@ -201,8 +205,20 @@ class LiveData:
         if committed > len(self.rows) and self.missing_from is None:
             self.missing_from = len(self.rows)
 
-    def load_rows(self, columns: Mapping[str, NDArray[np.generic]]) -> None:
-        """Take the rows of a file; the next live row is the one after them."""
+    def _know(self, units: Mapping[str, str]) -> None:
+        """Take note of what a row holds: name -> unit, in its order."""
+        if tuple(units) != self._row_names:
+            self._row_names = tuple(units)
+            self.channels = table_of(units)
+            self.rows.know(self._row_names)
+
+    def load_rows(
+        self,
+        columns: Mapping[str, NDArray[np.generic]],
+        units: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
+        """Take the rows of a file and their units; the next live row is the one after them."""
+        self._know(BASE.units | dict(units))
         self.rows.load(columns)
         self._next_row = len(self.rows)
 
@@ -213,7 +229,7 @@ class LiveData:
             return ""
         sure, unfollowed, most = (
             float(self.predictions.series(name).values[place])
-            for name in ("force_uncertainty", "unfollowed_acceleration", "force_max")
+            for name in ("force_uncertainty", "unfollowed_acceleration", f"{SIZE}_max")
         )
         if not math.isfinite(sure):
             return ""

@@ -4,6 +4,23 @@ from __future__ import annotations
 
 import math
 
+_UNITS = (
+    ("um per 1000 revolutions", "µm per 1000 rev"),
+    ("revolutions", "rev"),
+    ("degC", "°C"),
+    ("^2", "²"),
+    ("^3", "³"),
+    ("um", "µm"),
+)
+"""How the window writes units."""
+
+
+def unit_text(unit: str) -> str:
+    """Return a unit as the window writes it, nothing for a plain number."""
+    for plain, nice in _UNITS:
+        unit = unit.replace(plain, nice)
+    return "" if unit == "1" else unit
+
 
 def grouped(number: int) -> str:
     """Return a whole number with thin spaces between groups of three digits."""

@@ -12,14 +12,16 @@ from numpy.typing import NDArray
 from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.pyramid import polyline
+from rigapp.gui.data.quantities import compared_columns
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredTest, load_history
-from rigapp.gui.data.series import LiveData, SeriesTable
+from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.plots.palette import Theme, line_pen
 from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
 from rigapp.gui.widgets.build import choice, column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.schema.channels import BASE
 
 Floats = NDArray[np.float64]
 
@@ -28,19 +30,6 @@ BUCKETS = 1500
 COLOURS = {
     "light": ("#0072b2", "#d55e00", "#2ca25f", "#000000", "#a8497b", "#803000"),
     "dark": ("#3f9be0", "#f0a050", "#7fe0b0", "#ffffff", "#f0e442", "#e15759"),
-}
-QUANTITIES = {
-    "force_max": "Maximum of |F| (N)",
-    "force_rms": "RMS of |F| (N)",
-    "force_min": "Minimum of |F| (N)",
-    "force_1_max": "Maximum along crank (N)",
-    "force_1_min": "Minimum along crank (N)",
-    "probe_1_mean": "Mean of probe 1 (µm)",
-    "probe_2_mean": "Mean of probe 2 (µm)",
-    "speed": "Speed (rpm)",
-    "measured_wear_depth": "Wear depth, measured (mm)",
-    "wear_depth": "Wear depth, model (mm)",
-    "residual_rms": "Measured − model, RMS (N)",
 }
 AXES = {"cycle": "Cycle", "measured_wear_depth": "Measured wear depth (mm)"}
 
@@ -55,7 +44,9 @@ class ComparedTest:
 
 def line_of(data: LiveData, quantity: str, axis: str) -> tuple[Floats, Floats]:
     """Return the points of one test to draw, extremes kept."""
-    table = _table(data, quantity)
+    table = data.rows if quantity in data.rows.names else data.predictions
+    if quantity not in table.names:
+        return np.empty(0), np.empty(0)
     series = table.series(quantity)
     x, y = polyline(table.revolutions, series.envelope(0, len(series), BUCKETS))
     if axis == "cycle" or not len(data.predictions):
@@ -67,10 +58,6 @@ def line_of(data: LiveData, quantity: str, axis: str) -> tuple[Floats, Floats]:
     at = np.interp(x, data.predictions.revolutions[known], depth[known].astype(np.float64))
     order = np.argsort(at, kind="stable")
     return at[order], y[order]
-
-
-def _table(data: LiveData, quantity: str) -> SeriesTable:
-    return data.rows if quantity in data.rows.names else data.predictions
 
 
 def _items(texts: dict[str, str]) -> list[tuple[str, str]]:
@@ -91,7 +78,7 @@ class ComparePanel(QWidget):
         self.plot.setMouseEnabled(x=True, y=False)
         self._curves: list[Any] = [self.plot.curve(line_pen(theme.text)) for _ in range(MOST)]
         self.quantity = choice(
-            "compare_quantity", "Quantity to compare", _items(QUANTITIES), self._draw
+            "compare_quantity", "Quantity to compare", _items(compared_columns(BASE)), self._draw
         )
         self.axis = choice("compare_axis", "Axis to compare on", _items(AXES), self._draw)
         self.message = ElidedLabel("compare_message", "State of the comparison")
@@ -129,9 +116,21 @@ class ComparePanel(QWidget):
         if path in self._wanted and all(run.path != path for run in self._runs):
             self._runs.append(ComparedTest(path, history.data))
             self._runs.sort(key=lambda run: self._wanted.index(run.path))
+            self._offer()
             if len(self._runs) == len(self._wanted):
                 self.message.show_text("")
             self._draw()
+
+    def _offer(self) -> None:
+        """Offer what any of the tests has."""
+        columns = {
+            name: text
+            for run in self._runs
+            for name, text in compared_columns(run.data.channels).items()
+        }
+        for name, text in columns.items():
+            if self.quantity.findData(name) < 0:
+                self.quantity.addItem(text, name)
 
     def _failed(self, path: Path, error: Exception) -> None:
         self.message.show_text(f"{path.name} cannot be read: {error}")
@@ -159,7 +158,7 @@ class ComparePanel(QWidget):
                     max(limits[3], float(np.nanmax(y))),
                 ]
         self.legend.show_entries(entries)
-        self.plot.label("left", QUANTITIES[quantity])
+        self.plot.label("left", self.quantity.currentText())
         self.plot.label("bottom", AXES[axis])
         if np.isfinite(limits).all():
             self._place(*limits)

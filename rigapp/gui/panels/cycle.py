@@ -17,10 +17,10 @@ from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.panel import Host
+from rigapp.gui.plots.channelcurves import ChannelCurvePanel
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.plots.polar import PolarPanel
-from rigapp.gui.plots.probes import ProbePanel
 from rigapp.gui.widgets.build import button, filled, named, page, split, whole_number
 
 HEADINGS = tuple(
@@ -70,7 +70,7 @@ class ValueTable(QTableWidget):
 
 
 class CyclePanel(QSplitter):
-    """Hold the overlay with its tools on the left, vector and probes on the right."""
+    """Hold the overlay with its tools on the left, vector and other channels on the right."""
 
     revolution_wanted = Signal(int)
     takes = Takes.REVOLUTION
@@ -82,7 +82,7 @@ class CyclePanel(QSplitter):
         self.overlay = OverlayPanel("cycle", theme)
         self.values = ValueTable("cycle")
         self.polar = PolarPanel("cycle", theme)
-        self.probes = ProbePanel("cycle", theme)
+        self.channels = ChannelCurvePanel("cycle", theme)
         self._valued: RevolutionCurves | None = None
         self._add_tools()
         self.right = split(
@@ -90,8 +90,8 @@ class CyclePanel(QSplitter):
             Qt.Orientation.Vertical,
             [300, 300],
             self.polar,
-            self.probes,
-            spoken="Vector and probes",
+            self.channels,
+            spoken="Vector and other channels",
         )
         self.addWidget(page((self.overlay, 1), self.values))
         self.addWidget(self.right)
@@ -113,7 +113,7 @@ class CyclePanel(QSplitter):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        for panel in (self.overlay, self.polar, self.probes):
+        for panel in (self.overlay, self.polar, self.channels):
             panel.dress(theme)
 
     def show_news(self, news: News) -> None:
@@ -125,7 +125,7 @@ class CyclePanel(QSplitter):
             self.values.show_values(shown, self.overlay.frame)
             self.polar.refresh(shown, self.overlay.frame)
         if not self.overlay.held:
-            self.probes.show_news(news)
+            self.channels.show_news(news)
 
     def show_revolution(self, stored: StoredRevolution) -> None:
         """Compare with a stored revolution that has been read."""

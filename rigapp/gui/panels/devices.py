@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
 
+from rigapp.gui.data.channels import value_text
 from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.texts import duration, unit_text
 from rigapp.gui.panel import Host, StallCounter
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row
 from rigapp.gui.widgets.tables import PlainTable
-from rigapp.schema.messages import RunState, Status
+from rigapp.schema.messages import ChannelView, RunState, Status
 
 DEVICE_HEADINGS = (
     "Device",
@@ -115,9 +116,9 @@ class DevicePanel(QWidget):
         rows = [
             (
                 channel.name,
-                f"{channel.raw:.5g} {channel.raw_unit}",
-                _number(channel.value, channel.unit),
-                f"±{channel.uncertainty:.3g} {channel.unit}"
+                f"{channel.raw:.5g} {unit_text(channel.raw_unit)}",
+                _value(channel),
+                f"±{channel.uncertainty:.3g} {unit_text(channel.unit)}"
                 if channel.uncertainty
                 else "not known",
                 channel.calibration,
@@ -158,7 +159,7 @@ class DevicePanel(QWidget):
             rows[1:1] = [
                 ("Engine process", str(status.engine_pid)),
                 ("Rows not sent to this window", str(status.rows_dropped)),
-                ("Age of the prediction", _number(status.twin_age_s, "s")),
+                ("Age of the prediction", value_text(status.twin_age_s, "s")),
             ]
         self.health.show_rows(rows)
 
@@ -191,9 +192,9 @@ def _counted(counters: Mapping[str, int]) -> str:
     return ", ".join(words).replace("crc", "CRC") or "–"
 
 
-def _number(value: float, unit: str) -> str:
-    unit = unit.replace("um", "µm")
-    return f"{value:.2f} {unit}" if math.isfinite(value) else "–"
+def _value(view: ChannelView) -> str:
+    text = value_text(view.value, view.unit)
+    return text if view.age_s is None else f"{text}, {duration(view.age_s)} old"
 
 
 def device_page(host: Host) -> QWidget:

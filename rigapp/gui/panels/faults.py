@@ -13,8 +13,10 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.panel import Host
 from rigapp.gui.widgets.build import button, choice, edit, filled, named, prose
+from rigapp.schema.channels import BASE
 
-CHANNELS = ("force_1", "force_2", "probe_1", "probe_2")
+CHANNELS = tuple(one.name for one in BASE.sampled)
+"""The inputs whose signal can be spoilt."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from rigapp.config.rules import ALWAYS, BOUNDS, limit_refusal
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.widgets.build import button, edit, filled, named, row
 from rigapp.gui.widgets.tables import PlainTable
+from rigapp.schema.channels import BASE
 from rigapp.schema.loglines import newest_limits
 from rigapp.schema.messages import NOTE_CHARACTERS, RunState
 from rigapp.schema.states import ACTIVE
@@ -55,6 +56,7 @@ class LimitPanel(QGroupBox):
         super().__init__("Limits of the running test")
         self._shown: dict[str, tuple[float, str]] = {}
         self._active = False
+        self._channels = BASE
         named(self, "limit_panel", "Limits of the running test")
         self.table = PlainTable("limit_table", "Limits", ("Limit", "Now", "Action", "Meaning"))
         self.table.itemSelectionChanged.connect(self._chosen)
@@ -78,6 +80,7 @@ class LimitPanel(QGroupBox):
         """Show the limits of the test, with the changes that its log tells of."""
         status = news.status
         state, planned = (status.state, status.planned) if status is not None else (None, 0)
+        self._channels = news.data.channels
         self.show_limits(state, news.recipe, newest_limits(news.events), planned)
 
     def show_limits(
@@ -132,9 +135,14 @@ class LimitPanel(QGroupBox):
         elif not self.reason.text().strip():
             problem = "Give the reason."
         else:
-            problem = _refusal(name, number)
+            problem = self._refusal(name, number)
         self.problem.setText(problem)
         self.change.setEnabled(not problem)
+
+    def _refusal(self, name: str, number: float) -> str:
+        if name == REVOLUTIONS:
+            return refusal("run.revolutions", number)
+        return limit_refusal(name, number, self._channels)
 
     def _change(self) -> None:
         name, number = self._name(), self._number()
@@ -146,12 +154,6 @@ class LimitPanel(QGroupBox):
             self.wanted.emit("extend", {"revolutions": number, "reason": reason})
         else:
             self.wanted.emit("set_limit", {"name": name, "value": number, "reason": reason})
-
-
-def _refusal(name: str, number: float) -> str:
-    if name == REVOLUTIONS:
-        return refusal("run.revolutions", number)
-    return limit_refusal(name, number)
 
 
 def _number(value: float) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from rigapp.gui.data.channels import SIZE
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.wearprofile import WearProfilePanel
@@ -18,7 +19,7 @@ def trend_page(host: Host) -> QWidget:
             f"{place}_trend",
             TrendPanel(place, host.theme, quantity, access_keys=place == "upper"),
         )
-        for place, quantity in (("upper", "force"), ("residual", "residual"), ("lower", "wear"))
+        for place, quantity in (("upper", SIZE), ("residual", "residual"), ("lower", "wear"))
     )
     profile = host.add("profile", WearProfilePanel("trends", host.theme))
     below = split("trend_lower", Qt.Orientation.Horizontal, [700, 700], lower, profile)

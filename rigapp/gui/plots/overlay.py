@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
+from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.comparison import (
     CURVES,
     RevolutionCurves,
@@ -27,6 +28,10 @@ from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.messages import ChannelView
 
 RESIDUAL_BIN_DEG = 2.0
+"""Short enough for the model's sharpest turn, long enough that noise averages out."""
+
+ROLES = dict(zip(CURVES, ("main", "first", "second"), strict=True))
+"""The role of each curve's colour."""
 
 
 class AnglePlot(CursorPlot):
@@ -88,10 +93,12 @@ class OverlayPanel(QWidget):
         self._band = self.residual_plot.band(theme)
         self._raw_residual = self.residual_plot.curve(line_pen(theme.grid))
         self._references = {name: self.plot.curve(measured_pen(theme, "frozen")) for name in CURVES}
-        self._measured = {name: self.plot.curve(measured_pen(theme, name)) for name in CURVES}
+        self._measured = {
+            name: self.plot.curve(measured_pen(theme, ROLES[name])) for name in CURVES
+        }
         self._model = {name: self.plot.curve(model_pen(theme, width=2.0)) for name in CURVES}
         self._residual = {
-            name: self.residual_plot.curve(measured_pen(theme, name)) for name in CURVES
+            name: self.residual_plot.curve(measured_pen(theme, ROLES[name])) for name in CURVES
         }
 
     def _build(self) -> None:
@@ -125,8 +132,8 @@ class OverlayPanel(QWidget):
         self.plot.dress(theme)
         self.residual_plot.dress(theme)
         for name in CURVES:
-            self._measured[name].setPen(measured_pen(theme, name))
-            self._residual[name].setPen(measured_pen(theme, name))
+            self._measured[name].setPen(measured_pen(theme, ROLES[name]))
+            self._residual[name].setPen(measured_pen(theme, ROLES[name]))
             self._references[name].setPen(measured_pen(theme, "frozen"))
         self._raw_residual.setPen(line_pen(theme.grid))
         self._band.setBrush(theme.band)
@@ -221,7 +228,7 @@ class OverlayPanel(QWidget):
             self._residual[name].setData(
                 *binned(shown.angle_deg, shown.residual[name], RESIDUAL_BIN_DEG)
             )
-        raw = shown.residual["force"]
+        raw = shown.residual[SIZE]
         self._raw_residual.setData(*thinned(shown.angle_deg, raw, buckets))
         worst = float(np.abs(raw).max())
         if self._residual_range.update(-worst, worst):
@@ -280,9 +287,10 @@ class OverlayPanel(QWidget):
         theme = self._theme
         first, second = COMPONENT_NAMES[self.frame]
         entries = [
-            LegendEntry("|F|", measured_pen(theme, "force")),
-            LegendEntry(first, measured_pen(theme, "force_1")),
-            LegendEntry(second, measured_pen(theme, "force_2")),
+            *(
+                LegendEntry(text, measured_pen(theme, ROLES[name]))
+                for name, text in zip(CURVES, ("|F|", first, second), strict=True)
+            ),
             LegendEntry(
                 "model (stale)" if self._stale else "model",
                 model_pen(theme, stale=self._stale, width=2.0),

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 @dataclass(frozen=True, slots=True)
 class Theme:
-    """Name every colour that the window uses; ``curves`` maps a drawn quantity to its colour."""
+    """Name every colour that the window uses; ``curves`` maps the role of a line to its colour."""
 
     name: str
     window: str
@@ -61,14 +61,9 @@ LIGHT = Theme(
     on_critical="#ffffff",
     curves=MappingProxyType(
         {
-            "force": "#000000",
-            "force_1": "#0072b2",
-            "force_2": "#2ca25f",
-            "probe_1": "#0072b2",
-            "probe_2": "#2ca25f",
-            "max": "#0072b2",
-            "rms": "#000000",
-            "min": "#2ca25f",
+            "first": "#0072b2",
+            "main": "#000000",
+            "second": "#2ca25f",
             "model": "#d55e00",
             "frozen": "#767676",
             "other": "#a8497b",
@@ -95,14 +90,9 @@ DARK = Theme(
     on_critical="#000000",
     curves=MappingProxyType(
         {
-            "force": "#ffffff",
-            "force_1": "#3f9be0",
-            "force_2": "#7fe0b0",
-            "probe_1": "#3f9be0",
-            "probe_2": "#7fe0b0",
-            "max": "#3f9be0",
-            "rms": "#ffffff",
-            "min": "#7fe0b0",
+            "first": "#3f9be0",
+            "main": "#ffffff",
+            "second": "#7fe0b0",
             "model": "#f0a050",
             "frozen": "#8c8c8c",
             "other": "#cc79a7",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
+from rigapp.gui.data.channels import COMPONENTS, SIZE
 from rigapp.gui.data.comparison import RevolutionCurves
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.ranges import nice_step
@@ -29,7 +30,7 @@ class PolarPanel(QWidget):
         self._circles = [self.plot.curve(line_pen(theme.grid)) for _ in range(2)]
         self.plot.guide(0.0, horizontal=True, theme=theme)
         self.plot.guide(0.0, horizontal=False, theme=theme)
-        self._measured = self.plot.curve(measured_pen(theme, "force"))
+        self._measured = self.plot.curve(measured_pen(theme, "main"))
         self._model = self.plot.curve(model_pen(theme, width=2.0))
         column(self.plot, on=self)
 
@@ -38,7 +39,7 @@ class PolarPanel(QWidget):
         self.plot.dress(theme)
         for circle in self._circles:
             circle.setPen(line_pen(theme.grid))
-        self._measured.setPen(measured_pen(theme, "force"))
+        self._measured.setPen(measured_pen(theme, "main"))
         self._model.setPen(model_pen(theme, width=2.0))
 
     def refresh(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
@@ -54,12 +55,12 @@ class PolarPanel(QWidget):
         self.plot.label("bottom", f"Force {first} (N)")
         self.plot.label("left", f"Force {second} (N)")
         step = max(1, len(shown.angle_deg) // POINTS)
-        self._measured.setData(shown.measured["force_1"][::step], shown.measured["force_2"][::step])
+        self._measured.setData(*(shown.measured[name][::step] for name in COMPONENTS))
         if shown.model is not None:
-            self._model.setData(shown.model["force_1"], shown.model["force_2"])
+            self._model.setData(*(shown.model[name] for name in COMPONENTS))
         else:
             self._model.setData([], [])
-        self._place_circles(float(shown.measured["force"].max()))
+        self._place_circles(float(shown.measured[SIZE].max()))
 
     def _place_circles(self, largest: float) -> None:
         step = nice_step(largest, 2)

@@ -2,108 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent, QPen
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import polyline
+from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantities
 from rigapp.gui.data.ranges import SteadyRange, nice_step
 from rigapp.gui.data.series import LiveData, SeriesTable
 from rigapp.gui.plots.palette import Theme, measured_pen, model_pen
 from rigapp.gui.plots.plotting import CursorPlot, LegendEntry, LegendRow, Pointed
-from rigapp.gui.widgets.build import button, choice, column, row
+from rigapp.gui.widgets.build import button, choice, column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.schema.channels import BASE, ChannelTable
 
 Floats = NDArray[np.float64]
 
 BUCKETS = 1200
 FOLLOWED = 1000
-
-
-@dataclass(frozen=True, slots=True)
-class TrendLine:
-    """One line of a trend: its column, the role of its colour, its name in the legend.
-
-    doubt: the column of its expanded uncertainty (k = 2), where it has one.
-    """
-
-    column: str
-    role: str
-    text: str
-    doubt: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class TrendQuantity:
-    """What a trend can show: measured lines and predicted lines of one unit."""
-
-    title: str
-    axis: str
-    minimum_span: float
-    measured: tuple[TrendLine, ...]
-    predicted: tuple[TrendLine, ...] = ()
-
-
-def _statistics(channel: str) -> tuple[TrendLine, ...]:
-    return (
-        TrendLine(f"{channel}_max", "max", "maximum"),
-        TrendLine(f"{channel}_rms", "rms", "RMS"),
-        TrendLine(f"{channel}_min", "min", "minimum"),
-    )
-
-
-QUANTITIES = {
-    "force": TrendQuantity("|F|", "Force (N)", 5.0, _statistics("force"), _statistics("force")),
-    "force_1": TrendQuantity(
-        "Force along crank", "Force (N)", 5.0, _statistics("force_1"), _statistics("force_1")
-    ),
-    "force_2": TrendQuantity(
-        "Force across crank", "Force (N)", 5.0, _statistics("force_2"), _statistics("force_2")
-    ),
-    "probe_1": TrendQuantity("Probe 1", "Position (µm)", 5.0, _statistics("probe_1")),
-    "probe_2": TrendQuantity("Probe 2", "Position (µm)", 5.0, _statistics("probe_2")),
-    "wear": TrendQuantity(
-        "Wear depth",
-        "Depth (mm)",
-        0.002,
-        (),
-        (
-            TrendLine(
-                "measured_wear_depth",
-                "max",
-                "measured",
-                "measured_wear_depth_uncertainty",
-            ),
-            TrendLine("wear_depth", "model", "model"),
-        ),
-    ),
-    "residual": TrendQuantity(
-        "Measured − model",
-        "RMS (N)",
-        1.0,
-        (),
-        (
-            TrendLine("residual_rms", "rms", "|F|"),
-            TrendLine("residual_1_rms", "max", "along crank"),
-            TrendLine("residual_2_rms", "min", "across crank"),
-        ),
-    ),
-    "speed": TrendQuantity(
-        "Speed",
-        "Speed (rpm)",
-        1.0,
-        (
-            TrendLine("speed_max", "max", "maximum"),
-            TrendLine("speed", "rms", "mean"),
-            TrendLine("speed_min", "min", "minimum"),
-        ),
-    ),
-}
 
 
 class TrendPlot(CursorPlot):
@@ -138,17 +58,18 @@ class TrendPanel(QWidget):
     takes = Takes.HISTORY
 
     def __init__(
-        self, prefix: str, theme: Theme, quantity: str = "force", *, access_keys: bool = True
+        self, prefix: str, theme: Theme, quantity: str = SIZE, *, access_keys: bool = True
     ) -> None:
         super().__init__()
         self._access_keys = access_keys
         self._theme = theme
         self._name = quantity
+        self._channels = BASE
+        self._quantities = trend_quantities(BASE)
         self._mode = "whole"
         self._drawn: tuple[object, ...] = ()
         self._curves: list[tuple[TrendLine, bool, object]] = []
-        self.setObjectName(f"{prefix}_trend_panel")
-        self.setAccessibleName("Statistics against cycle")
+        named(self, f"{prefix}_trend_panel", "Statistics against cycle")
         self._cursor: float | None = None
         self._data: LiveData | None = None
         self.plot = TrendPlot(f"{prefix}_trend_plot", theme, self.point_at)
@@ -161,7 +82,7 @@ class TrendPanel(QWidget):
         self.choice = choice(
             f"{prefix}_trend_quantity",
             "Quantity of the trend",
-            [(quantity.title, name) for name, quantity in QUANTITIES.items()],
+            [(quantity.title, name) for name, quantity in self._quantities.items()],
         )
         self.choice.setCurrentIndex(self.choice.findData(self._name))
         self.choice.currentIndexChanged.connect(self._quantity_chosen)
@@ -190,7 +111,7 @@ class TrendPanel(QWidget):
     @property
     def quantity(self) -> TrendQuantity:
         """Return what is shown."""
-        return QUANTITIES[self._name]
+        return self._quantities[self._name]
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -208,6 +129,8 @@ class TrendPanel(QWidget):
             self._data = data
             self._drawn = ()
             self._ranges.clear()
+        if data.channels is not self._channels:
+            self._offer(data.channels)
         self._place_view(data.rows, data.predictions)
         view = tuple(self.plot.viewRange()[0])
         token = (self._name, len(data.rows), len(data.predictions), view)
@@ -233,6 +156,18 @@ class TrendPanel(QWidget):
         when = "Now" if self._cursor is None else f"At cycle {self._cursor:.0f}"
         self.values.show_text(f"{when}: " + ", ".join(texts) if texts else "")
         self._set_y(low, high)
+
+    def _offer(self, table: ChannelTable) -> None:
+        """Offer what a table has; what was chosen stays, where it is still there."""
+        self._channels, self._quantities = table, trend_quantities(table)
+        chosen = self._name if self._name in self._quantities else SIZE
+        self.choice.blockSignals(True)
+        self.choice.clear()
+        for name, quantity in self._quantities.items():
+            self.choice.addItem(quantity.title, name)
+        self.choice.setCurrentIndex(self.choice.findData(chosen))
+        self.choice.blockSignals(False)
+        self._quantity_chosen()
 
     def point_at(self, cycle: float | None) -> None:
         """Read the values at a cycle; None: the newest again."""

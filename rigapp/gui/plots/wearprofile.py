@@ -64,7 +64,7 @@ class WearProfilePanel(QWidget):
         self._band = pg.FillBetweenItem(self._lower, self._upper)
         self._band.setZValue(-5)
         self.plot.addItem(self._band)
-        self._measured = self.plot.curve(measured_pen(theme, "max"))
+        self._measured = self.plot.curve(measured_pen(theme, "first"))
         self._model = self.plot.curve(model_pen(theme, width=2.0))
         self._range = SteadyRange(0.002)
         self.legend = LegendRow(f"{prefix}_profile_legend")
@@ -75,7 +75,7 @@ class WearProfilePanel(QWidget):
         """Take a theme."""
         self._theme = theme
         self.plot.dress(theme)
-        self._measured.setPen(measured_pen(theme, "max"))
+        self._measured.setPen(measured_pen(theme, "first"))
         self._model.setPen(model_pen(theme, width=2.0))
         self._band.setBrush(QColor(theme.band))
         self._show_entries("measured: not known", "model: not known", "")
@@ -148,7 +148,7 @@ class WearProfilePanel(QWidget):
 
     def _show_entries(self, measured: str, model: str, words: str) -> None:
         entries = [
-            LegendEntry(measured, measured_pen(self._theme, "max")),
+            LegendEntry(measured, measured_pen(self._theme, "first")),
             LegendEntry(model, model_pen(self._theme, width=2.0)),
         ]
         if words:

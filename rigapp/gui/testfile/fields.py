@@ -14,16 +14,8 @@ import msgspec
 from rigapp.config.numbers import Range
 from rigapp.config.ranges import keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
+from rigapp.gui.data.texts import unit_text
 from rigapp.schema.units import stem_of
-
-NICE = (
-    ("um per 1000 revolutions", "µm per 1000 rev"),
-    ("revolutions", "rev"),
-    ("^2", "²"),
-    ("^3", "³"),
-    ("um", "µm"),
-)
-"""How the window writes units."""
 
 HIDDEN = ("schema", "model.schema", "limits.rule")
 """Keys that the form keeps as they are or shows in a table of their own."""
@@ -57,10 +49,7 @@ class FieldSpec:
     @property
     def unit(self) -> str:
         """Return the unit that the key names, empty when none."""
-        text = unit_of(self.path)
-        for plain, nice in NICE:
-            text = text.replace(plain, nice)
-        return text
+        return unit_text(unit_of(self.path))
 
     @property
     def label(self) -> str:

@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from rigapp.calibrating.records_in_use import RigRecords, with_records
+from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.gui.data.news import News, Takes
@@ -97,6 +98,7 @@ class PreparePanel(QSplitter):
 
     def _got_records(self, records: RigRecords) -> None:
         self._records, self._problem = records, ""
+        self.recipe.rules.know(channel_table(records.rig.record))
 
     def _no_records(self, error: Exception) -> None:
         self._records = None

@@ -19,9 +19,10 @@ from PySide6.QtWidgets import (
 
 from rigapp.config.recipe import Action
 from rigapp.config.rules import BOUNDS, quantities
+from rigapp.gui.data.channels import SIZE
 from rigapp.gui.testfile.fields import show_value
 from rigapp.gui.widgets.build import button, choice, filled, named, row
-from rigapp.schema.channels import BASE
+from rigapp.schema.channels import BASE, ChannelTable
 
 LEVELS = tuple(reversed(BOUNDS))
 COLUMNS = ("quantity", *LEVELS, "hysteresis", "delay_revolutions", "action_critical")
@@ -35,6 +36,9 @@ HEADINGS = (
     "Delay\n(rev)",
     "Action at\ncritical",
 )
+FIRST = f"{SIZE}_max"
+"""What a new limit is about until somebody chooses."""
+
 NUMBERS = frozenset({*LEVELS, "hysteresis"})
 
 
@@ -47,6 +51,7 @@ class RuleTable(QGroupBox):
         super().__init__("Limits of this test")
         named(self, "section_rules", "Limits of this test")
         self._others: list[dict[str, Any]] = []
+        self._table = BASE
         self._filling = False
         self.table = named(QTableWidget(0, len(COLUMNS)), "rule_table", "Limit rules")
         self.table.setHorizontalHeaderLabels(list(HEADINGS))
@@ -71,6 +76,17 @@ class RuleTable(QGroupBox):
         for rule in rules:
             self._append(dict(rule))
         self._filling = False
+
+    def know(self, table: ChannelTable) -> None:
+        """Offer limits on the channels of a rig."""
+        if table == self._table:
+            return
+        self._table = table
+        for place in range(self.table.rowCount()):
+            box = self.table.cellWidget(place, 0)
+            if isinstance(box, QComboBox):
+                known = [box.itemText(at) for at in range(box.count())]
+                box.addItems([one for one in quantities(table) if one not in known])
 
     def rules(self) -> list[dict[str, Any]]:
         """Return the rules; raise ValueError with one sentence."""
@@ -101,7 +117,7 @@ class RuleTable(QGroupBox):
         row = self.table.rowCount()
         self.table.insertRow(row)
         quantity = self._choice(
-            tuple(quantities(BASE)), rule.pop("quantity", "force_max"), row, "Quantity"
+            tuple(quantities(self._table)), rule.pop("quantity", FIRST), row, "Quantity"
         )
         actions = typing.get_args(Action)
         action = self._choice(actions, rule.pop("action_critical", "stop"), row, "Action")

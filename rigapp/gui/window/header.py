@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
@@ -19,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from rigapp.gui.data.channels import FreeValue
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.widgets.build import column, named, row
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel, scaled_font
@@ -161,9 +164,12 @@ TILES = (
 )
 """The tiles in order: name in the headline, caption, size of the value, share of the width."""
 
+FREE_SIZE = 1.3
+"""Size of a free channel's value: read at the desk, not from three metres."""
+
 
 class Header(QWidget):
-    """Hold the tiles in one row and the identity of test, rig and file below."""
+    """Hold the tiles in one row, the identity of test, rig and file below, then free channels."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -190,10 +196,15 @@ class Header(QWidget):
         self.tiles["cycle"].column.addWidget(self.progress)
         self.line = ElidedLabel("identity", "Test, rig and file")
         grid.addWidget(self.line, 1, 0, 1, len(TILES))
+        self._theme = theme
+        self.free: dict[str, Tile] = {}
+        self._free_row = row()
+        grid.addLayout(self._free_row, 2, 0, 1, len(TILES))
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        for tile in self.tiles.values():
+        self._theme = theme
+        for tile in (*self.tiles.values(), *self.free.values()):
             tile.dress(theme)
 
     def show_headline(self, shown: Headline) -> None:
@@ -203,3 +214,14 @@ class Header(QWidget):
         self.shape.show_shape(shown.shape, self.state.foreground)
         self.progress.setValue(min(1000, int(1000 * shown.progress)))
         self.line.show_text(shown.line)
+
+    def show_free(self, values: Sequence[FreeValue]) -> None:
+        """Show a tile for each free channel of the rig, in a row of their own."""
+        for gone in self.free.keys() - {one.name for one in values}:
+            self.free.pop(gone).deleteLater()
+        for one in values:
+            if one.name not in self.free:
+                made = Tile(f"free_{one.name}", one.title, self._theme, FREE_SIZE)
+                self.free[one.name] = made
+                self._free_row.addWidget(made, 1)
+            self.free[one.name].show_field(TileText(one.value, one.detail))

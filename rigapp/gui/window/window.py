@@ -13,6 +13,7 @@ from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
+from rigapp.gui.data.channels import free_values
 from rigapp.gui.data.connection import ConnectionState, EngineConnection
 from rigapp.gui.data.news import News
 from rigapp.gui.data.showntest import ShownTest
@@ -142,6 +143,8 @@ class MainWindow(QMainWindow):
                 self._connection.data_age_s(),
             )
         )
+        data, views = self._test.data, status.channels if status is not None else ()
+        self.header.show_free(free_values(data.channels, views, data.rows.last))
         self.controls.show_status(status, self._connection.state, replay=self._connection.is_replay)
         self.replay_bar.setVisible(self._connection.is_replay)
         if self._connection.is_replay and status is not None:

@@ -23,7 +23,7 @@ class ChartPlot(QWidget):
         self.plot.label("bottom", "Check")
         self.plot.setMinimumHeight(10 * self.fontMetrics().height())
         self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        colour = theme.curves["force_1"]
+        colour = theme.curves["first"]
         self._line = pg.PlotDataItem(
             pen=line_pen(colour), symbol="o", symbolSize=8, symbolBrush=colour, symbolPen=colour
         )

@@ -190,7 +190,7 @@ class ResidualPlot(QWidget):
             self,
             theme,
             ScatterNames("residual", "Residuals of the readings so far, N", "N", "Reading"),
-            ("force_1", "force_2"),
+            ("first", "second"),
         )
         self.clear()
 

@@ -1,0 +1,106 @@
+"""The channels that are shown, and how the window calls them, from the table of engine or file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
+from rigapp.gui.data.texts import duration, unit_text
+from rigapp.schema.channels import BASE, LOAD_CELL, Channel, ChannelTable, Kind
+from rigapp.schema.messages import ChannelView
+
+COMPONENTS = BASE.names_of(LOAD_CELL)
+"""The two axes of the load cell, along and across the crank."""
+
+SIZE = next(
+    one.name for one in BASE.channels if one.instrument == LOAD_CELL and one.kind is Kind.DERIVED
+)
+"""The size of the force."""
+
+_DIRECTIONS = dict(zip(COMPONENTS, COMPONENT_NAMES[ForceFrame.CRANK], strict=True))
+
+_QUANTITIES = {"N": "Force", "um": "Position", "degC": "Temperature", "%": "Share"}
+"""What a unit alone tells of the quantity, for the words at an axis."""
+
+_SPANS = {"N": 5.0, "um": 5.0, "rpm": 1.0, "mm": 0.002, "degC": 0.5}
+"""The smallest range drawn, by unit: about twice the noise of a good instrument."""
+
+OTHER_SPAN = 1e-3
+"""The same where nothing is known of a unit: any real change is larger."""
+
+
+def table_of(units: Mapping[str, str]) -> ChannelTable:
+    """Return the channels whose columns a row holds (name -> unit), ``BASE`` first."""
+    found = [*BASE.channels]
+    for column, unit in units.items():
+        name = column.removesuffix("_max")
+        if name in BASE:
+            continue
+        if name != column and f"{name}_angle_of_max" in units:
+            found.append(Channel(name, unit, words(name)))
+        elif f"{column}_age" in units:
+            found.append(Channel(column, unit, words(column), Kind.SLOW))
+    return ChannelTable(tuple(found))
+
+
+def words(name: str) -> str:
+    """Return a name as words."""
+    return name.replace("_", " ")
+
+
+def title_of(channel: Channel) -> str:
+    """Return what the window calls a channel."""
+    if channel.name == SIZE:
+        return "|F|"
+    if channel.name in COMPONENTS:
+        return f"Force {_DIRECTIONS[channel.name]}"
+    text = words(channel.name)
+    return text[:1].upper() + text[1:]
+
+
+def axis_of(channel: Channel) -> str:
+    """Return the words at an axis of a channel's values."""
+    quantity = _QUANTITIES.get(channel.unit, title_of(channel))
+    return f"{quantity} ({unit_text(channel.unit)})" if channel.unit != "1" else quantity
+
+
+def span_of(channel: Channel) -> float:
+    """Return the smallest range of a channel's values that is drawn, in its unit."""
+    return _SPANS.get(channel.unit, OTHER_SPAN)
+
+
+def value_text(value: float, unit: str) -> str:
+    """Return a channel's value with its unit; a dash where it is not known."""
+    return f"{value:.2f} {unit_text(unit)}".rstrip() if math.isfinite(value) else "–"
+
+
+@dataclass(frozen=True, slots=True)
+class FreeValue:
+    """The newest value of a channel that belongs to no instrument, with the age of a slow one."""
+
+    name: str
+    title: str
+    value: str
+    detail: str
+
+
+def free_values(
+    table: ChannelTable, views: Sequence[ChannelView], newest: Callable[[str], float]
+) -> list[FreeValue]:
+    """Return the newest values of free channels: live where there is a view, else of a column."""
+    live = {view.name: view for view in views}
+    found = []
+    for channel in table.free:
+        slow, view = channel.kind is Kind.SLOW, live.get(channel.name)
+        column, age_s = channel.name if slow else f"{channel.name}_mean", math.nan
+        if view is not None:
+            value, age_s = view.value, math.nan if view.age_s is None else view.age_s
+        else:
+            value = newest(column)
+            age_s = newest(f"{channel.name}_age") if slow else math.nan
+        detail = f"{duration(age_s)} old" if math.isfinite(age_s) else ""
+        text = value_text(value, channel.unit)
+        found.append(FreeValue(channel.name, title_of(channel), text, detail))
+    return found

@@ -1,0 +1,119 @@
+"""What a trend and a comparison can show: every channel's statistics, and the twin's answers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rigapp.gui.data.channels import axis_of, span_of, title_of
+from rigapp.gui.data.texts import unit_text
+from rigapp.schema.channels import Channel, ChannelTable, Kind
+from rigapp.schema.columns import prediction_columns
+
+STATISTICS = {"max": ("maximum", "first"), "rms": ("RMS", "main"), "min": ("minimum", "second")}
+"""The statistics of a channel that are drawn: their words, and the role of their colour."""
+
+COMPARED = {**{name: text for name, (text, _) in STATISTICS.items()}, "mean": "mean"}
+"""The statistics that tests are compared by."""
+
+_DERIVED = Kind.DERIVED
+_PREDICTED = frozenset(column.name for column in prediction_columns())
+
+
+@dataclass(frozen=True, slots=True)
+class TrendLine:
+    """One line of a trend: its column, the role of its colour, its name in the legend.
+
+    doubt: the column of its expanded uncertainty (k = 2), where it has one.
+    """
+
+    column: str
+    role: str
+    text: str
+    doubt: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class TrendQuantity:
+    """What a trend can show: measured lines and predicted lines of one unit."""
+
+    title: str
+    axis: str
+    minimum_span: float
+    measured: tuple[TrendLine, ...]
+    predicted: tuple[TrendLine, ...] = ()
+
+
+_OTHERS = {
+    "wear": TrendQuantity(
+        "Wear depth",
+        "Depth (mm)",
+        0.002,
+        (),
+        (
+            TrendLine(
+                "measured_wear_depth", "first", "measured", "measured_wear_depth_uncertainty"
+            ),
+            TrendLine("wear_depth", "model", "model"),
+        ),
+    ),
+    "residual": TrendQuantity(
+        "Measured − model",
+        "RMS (N)",
+        1.0,
+        (),
+        (
+            TrendLine("residual_rms", "main", "|F|"),
+            TrendLine("residual_1_rms", "first", "along crank"),
+            TrendLine("residual_2_rms", "second", "across crank"),
+        ),
+    ),
+    "speed": TrendQuantity(
+        "Speed",
+        "Speed (rpm)",
+        1.0,
+        (
+            TrendLine("speed_max", "first", "maximum"),
+            TrendLine("speed", "main", "mean"),
+            TrendLine("speed_min", "second", "minimum"),
+        ),
+    ),
+}
+"""What is no channel of its own."""
+
+
+def trend_quantities(table: ChannelTable) -> dict[str, TrendQuantity]:
+    """Return what a trend can show of the channels of a table, and all else, by name."""
+    return {**{one.name: _of_channel(one) for one in _ordered(table)}, **_OTHERS}
+
+
+def _ordered(table: ChannelTable) -> list[Channel]:
+    """Return the channels, the derived size of the force first: it is looked at most."""
+    return sorted(table.channels, key=lambda one: (not one.instrument, one.kind is not _DERIVED))
+
+
+def _of_channel(channel: Channel) -> TrendQuantity:
+    if channel.kind is Kind.SLOW:
+        lines: tuple[TrendLine, ...] = (TrendLine(channel.name, "main", "newest"),)
+    else:
+        lines = tuple(
+            TrendLine(f"{channel.name}_{name}", role, text)
+            for name, (text, role) in STATISTICS.items()
+        )
+    predicted = lines if lines[0].column in _PREDICTED else ()
+    return TrendQuantity(title_of(channel), axis_of(channel), span_of(channel), lines, predicted)
+
+
+def compared_columns(table: ChannelTable) -> dict[str, str]:
+    """Return the columns that tests can be compared by, each with its words and unit."""
+    found: dict[str, str] = {}
+    for channel in _ordered(table):
+        title, unit = title_of(channel), unit_text(channel.unit)
+        names = {"": ""} if channel.kind is Kind.SLOW else COMPARED
+        for name, word in names.items():
+            column = f"{channel.name}_{name}".rstrip("_")
+            found[column] = f"{title}, {word} ({unit})" if word else f"{title} ({unit})"
+    for quantity in _OTHERS.values():
+        for line in (*quantity.measured, *quantity.predicted):
+            unit = quantity.axis.rpartition("(")[2]
+            found[line.column] = f"{quantity.title}, {line.text} ({unit}"
+    return found

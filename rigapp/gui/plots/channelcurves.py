@@ -1,0 +1,143 @@
+"""One revolution of what is no force: the pin in the bushing, or a free channel."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtWidgets import QWidget
+
+from rigapp.gui.data.channels import axis_of, span_of, title_of
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.pyramid import thinned
+from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.data.series import MeasuredCycle
+from rigapp.gui.data.texts import unit_text
+from rigapp.gui.plots.palette import Theme, measured_pen
+from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
+from rigapp.gui.widgets.build import choice, column, named, row
+from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind
+
+ROLES = ("first", "second")
+
+
+@dataclass(frozen=True, slots=True)
+class CurveGroup:
+    """Channels drawn together; centred: each less its mean, for what moves matters, not where."""
+
+    title: str
+    axis: str
+    channels: tuple[Channel, ...]
+    texts: tuple[str, ...]
+    centred: bool = False
+
+
+def curve_groups(table: ChannelTable) -> tuple[CurveGroup, ...]:
+    """Return what can be drawn: the pair of probes, then each free channel of its own."""
+    names = table.names_of(PROBES)
+    texts = tuple(f"{title_of(table[name]).lower()}, {table[name].description}" for name in names)
+    probes = CurveGroup(
+        "Pin position", "Position − mean (µm)", tuple(table[n] for n in names), texts, centred=True
+    )
+    return probes, *(
+        CurveGroup(title_of(one), axis_of(one), (one,), (title_of(one),))
+        for one in table.free
+        if one.kind is not Kind.SLOW
+    )
+
+
+class ChannelCurvePanel(QWidget):
+    """Draw one group of channels against crank angle."""
+
+    takes = Takes.REVOLUTION
+
+    def __init__(self, prefix: str, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        self._table = BASE
+        self._groups = curve_groups(BASE)
+        self._means: tuple[float, ...] = ()
+        self._drawn: MeasuredCycle | None = None
+        named(self, f"{prefix}_channel_panel", "Other channels over one revolution")
+        self.plot = QuietPlot(f"{prefix}_channel_plot", "Channel against crank angle", theme)
+        self.plot.guide(0.0, horizontal=True, theme=theme)
+        self.plot.show_crank_angle(theme)
+        self.choice = choice(
+            f"{prefix}_channel", "Channel against crank angle", (), self._group_chosen
+        )
+        self.legend = LegendRow(f"{prefix}_channel_legend")
+        self._curves = [self.plot.curve(measured_pen(theme, role)) for role in ROLES]
+        column(row(self.choice, (self.legend, 1)), (self.plot, 1), on=self)
+        self._offer(BASE)
+
+    @property
+    def group(self) -> CurveGroup:
+        """Return what is drawn."""
+        return self._groups[max(self.choice.currentIndex(), 0)]
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.plot.dress(theme)
+        for curve, role in zip(self._curves, ROLES, strict=True):
+            curve.setPen(measured_pen(theme, role))
+        self._theme = theme
+        self._show_legend()
+
+    def show_news(self, news: News) -> None:
+        """Draw the newest revolution if it is not drawn yet."""
+        if news.data.channels is not self._table:
+            self._offer(news.data.channels)
+        cycle = news.data.cycle
+        if cycle is self._drawn:
+            return
+        self._drawn = cycle
+        if cycle is None:
+            for curve in self._curves:
+                curve.setData([], [])
+            return
+        angle = cycle.angle_deg.astype(np.float64)
+        shown = [
+            cycle.channels[one.name].astype(np.float64)
+            for one in self.group.channels
+            if one.name in cycle.channels
+        ]
+        self._means = tuple(float(values.mean()) for values in shown)
+        if self.group.centred:
+            shown = [values - mean for values, mean in zip(shown, self._means, strict=True)]
+        for curve, values in zip(self._curves, shown, strict=False):
+            curve.setData(*thinned(angle, values, max(self.plot.width(), 200)))
+        self._show_legend()
+        low = min((float(values.min()) for values in shown), default=np.nan)
+        high = max((float(values.max()) for values in shown), default=np.nan)
+        if self._range.update(low, high) and self._range.range is not None:
+            self.plot.setYRange(*self._range.range, padding=0.0)
+
+    def _offer(self, table: ChannelTable) -> None:
+        """Offer what a table has; what was chosen stays, where it is still there."""
+        chosen = self.choice.currentText()
+        self._table, self._groups = table, curve_groups(table)
+        self.choice.blockSignals(True)
+        self.choice.clear()
+        self.choice.addItems([group.title for group in self._groups])
+        self.choice.setCurrentIndex(max(self.choice.findText(chosen), 0))
+        self.choice.blockSignals(False)
+        self.choice.setVisible(len(self._groups) > 1)
+        self._group_chosen()
+
+    def _group_chosen(self) -> None:
+        group = self.group
+        self._means = ()
+        self._drawn = None
+        self._range = SteadyRange(span_of(group.channels[0]), symmetric=group.centred)
+        self.plot.label("left", group.axis)
+        for curve in self._curves:
+            curve.setData([], [])
+        self._show_legend()
+
+    def _show_legend(self) -> None:
+        group, entries = self.group, []
+        for place, (channel, text) in enumerate(zip(group.channels, group.texts, strict=True)):
+            if place < len(self._means):
+                text += f", mean {self._means[place]:.1f} {unit_text(channel.unit)}"
+            entries.append(LegendEntry(text, measured_pen(self._theme, ROLES[place])))
+        self.legend.show_entries(entries)

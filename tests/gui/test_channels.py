@@ -1,0 +1,166 @@
+"""Free channels of a rig in the window: from the engine's table or the file's, by no list of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QComboBox
+
+from rigapp.config.loading import parse_test
+from rigapp.gui.data.channels import free_values, table_of
+from rigapp.gui.data.news import News
+from rigapp.gui.data.quantities import compared_columns, trend_quantities
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.panels.limits import LimitPanel
+from rigapp.gui.plots.channelcurves import ChannelCurvePanel
+from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.plots.trend import TrendPanel
+from rigapp.gui.testfile.rules import RuleTable
+from rigapp.gui.window.window import MainWindow
+from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
+from rigapp.schema.messages import ChannelView, Cycle, Snapshot
+
+WARM = Channel("bushing_temperature", "degC", "bushing temperature")
+ROOM = Channel("room_temperature", "degC", "room temperature", Kind.SLOW)
+TABLE = ChannelTable((*BASE.channels, WARM, ROOM))
+
+
+@pytest.fixture
+def warm_snapshot(make_snapshot: Callable[..., Snapshot]) -> Callable[..., Snapshot]:
+    """Return the maker of snapshots of a rig with a free channel and a slow one."""
+
+    def make(first: int = 1, count: int = 20, **changes: Any) -> Snapshot:
+        plain = make_snapshot(first, count, **changes)
+        base = np.frombuffer(plain.rows).reshape(count, len(BASE.names))
+        rows = np.full((count, len(TABLE.names)), np.nan)
+        rows[:, : base.shape[1]] = base
+        warm = 30.0 + 0.1 * np.arange(first, first + count)
+        for column, values in (
+            ("bushing_temperature_max", warm + 0.5),
+            ("bushing_temperature_rms", warm),
+            ("bushing_temperature_mean", warm),
+            ("bushing_temperature_min", warm - 0.5),
+            ("room_temperature", np.full(count, 21.5)),
+            ("room_temperature_age", np.full(count, 12.0)),
+        ):
+            rows[:, TABLE.place[column]] = values
+        cycle = plain.cycle
+        if cycle is not None:
+            angle = np.frombuffer(cycle.angle_deg, "<f4")
+            curve = (31.0 + np.sin(np.radians(angle))).astype("<f4").tobytes()
+            cycle = Cycle(cycle.revolution, cycle.angle_deg, {**cycle.curves, WARM.name: curve})
+        return msgspec.structs.replace(plain, rows=rows.tobytes(), cycle=cycle, columns=TABLE.units)
+
+    return make
+
+
+def test_the_table_is_known_by_its_columns() -> None:
+    assert table_of(TABLE.units).channels == TABLE.channels
+    assert table_of(BASE.units).channels == BASE.channels
+
+
+def test_every_channel_can_be_chosen_in_trend_and_comparison() -> None:
+    plain, found = trend_quantities(BASE), trend_quantities(TABLE)
+    assert found.keys() - plain.keys() == {WARM.name, ROOM.name}
+    assert found[WARM.name].axis == "Temperature (°C)"
+    assert [line.column for line in found[ROOM.name].measured] == [ROOM.name]
+    columns = compared_columns(TABLE)
+    assert columns["bushing_temperature_mean"] == "Bushing temperature, mean (°C)"
+    assert columns["room_temperature"] == "Room temperature (°C)"
+    assert "room_temperature_age" not in columns
+
+
+def test_a_free_channel_is_watched_live_with_its_unit_and_age(
+    window: MainWindow, engine: Any, attach: Callable[[], None], warm_snapshot: Any
+) -> None:
+    views = (
+        ChannelView(WARM.name, 0.315, "V", 31.5, "degC", "by its line in the rig file"),
+        ChannelView(ROOM.name, 21.4, "degC", 21.4, "degC", "told by thermometer", age_s=7.0),
+    )
+    engine.snapshots.append(warm_snapshot(count=0, curves=False, channels=views))
+    attach()
+    free = window.header.free
+    assert free[WARM.name].value.whole == "31.50 °C"
+    assert free[ROOM.name].value.whole == "21.40 °C"
+    assert free[ROOM.name].detail.whole == "7 s old"
+    window.tabs.setCurrentIndex(5)
+    window.draw_now()
+    rows = {row[0]: row[1:] for row in window.tabs.panels["devices"].channels.texts()}
+    assert rows[WARM.name][:2] == ["0.315 V", "31.50 °C"]
+    assert rows[ROOM.name][1] == "21.40 °C, 7 s old"
+    window.dress(DARK)
+    engine.say(first=1, count=3)  # another rig, without them
+    attach()
+    assert not window.header.free
+
+
+def test_a_free_channel_is_drawn_in_the_trend_and_against_the_angle(
+    qtbot: Any, qapp: Any, warm_snapshot: Any
+) -> None:
+    data = LiveData()
+    data.take(warm_snapshot())
+    trend, curves = TrendPanel("x", LIGHT), ChannelCurvePanel("x", LIGHT)
+    for panel in (trend, curves):
+        qtbot.addWidget(panel)
+        panel.show_news(News(data=data))
+    trend.choice.setCurrentIndex(trend.choice.findData(WARM.name))
+    trend.show_news(News(data=data))
+    assert trend.values.whole == "Now: maximum 32.5, RMS 32, minimum 31.5"
+    trend.choice.setCurrentIndex(trend.choice.findData(ROOM.name))
+    trend.show_news(News(data=data))
+    assert trend.values.whole == "Now: newest 21.5"
+    assert [curves.choice.itemText(i) for i in range(2)] == ["Pin position", "Bushing temperature"]
+    curves.choice.setCurrentIndex(1)
+    curves.show_news(News(data=data))
+    drawn = curves._curves[0].getData()[1]
+    assert drawn.min() == pytest.approx(30.0, abs=1e-3)
+    assert drawn.max() == pytest.approx(32.0, abs=1e-3)
+    assert "mean 31.0 °C" in curves.legend.accessibleName()
+    # another rig: what was chosen is gone, and the panels show what is there
+    for panel in (trend, curves):
+        panel.show_news(News(data=LiveData()))
+    assert trend.quantity.title == "|F|"
+    assert curves.group.title == "Pin position"
+
+
+def test_a_limit_on_a_free_channel_is_offered_and_changed(
+    qtbot: Any, qapp: Any, make_status: Any
+) -> None:
+    rules = RuleTable()
+    qtbot.addWidget(rules)
+    rules.fill([{"quantity": "force_max", "warning_above": 150.0}])
+    rules.know(TABLE)
+    box = rules.table.cellWidget(0, 0)
+    assert isinstance(box, QComboBox)
+    box.setCurrentText("bushing_temperature_max")
+    assert rules.rules() == [{"quantity": "bushing_temperature_max", "warning_above": 150.0}]
+    panel = LimitPanel()
+    qtbot.addWidget(panel)
+    name = "bushing_temperature_max.warning_above"
+    quick = Path(__file__).parents[2] / "examples" / "quick.toml"
+    limit = '[[limits.rule]]\nquantity = "bushing_temperature_max"\nwarning_above = 60.0\n'
+    recipe = parse_test(quick.read_text(encoding="utf-8") + limit, "quick.toml")
+    data = LiveData()
+    data.channels = TABLE
+    panel.show_news(News(make_status(), data, recipe))
+    asked: list[Any] = []
+    panel.wanted.connect(lambda verb, arguments: asked.append((verb, arguments)))
+    panel.table.selectRow([row[0] for row in panel.table.texts()].index(name))
+    panel.value.setText("70")
+    panel.reason.setText("hotter oil")
+    panel.change.click()
+    assert asked == [("set_limit", {"name": name, "value": 70, "reason": "hotter oil"})]
+
+
+def test_newest_values_come_from_rows_where_nothing_is_live(warm_snapshot: Any) -> None:
+    data = LiveData()
+    data.take(warm_snapshot())
+    found = {one.name: one for one in free_values(data.channels, (), data.rows.last)}
+    assert found[WARM.name].value == "32.00 °C"
+    assert (found[ROOM.name].value, found[ROOM.name].detail) == ("21.50 °C", "12 s old")
+    assert free_values(BASE, (), data.rows.last) == []
