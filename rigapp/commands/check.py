@@ -37,10 +37,11 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
     records = with_records(read_rig(rig_path))
     plan_devices(records.rig.record, str(rig_path))
     test = read_test(test_path).record
-    check_rules(test.limits.rule, channel_table(records.rig.record), f"{test_path}: ")
+    channels = channel_table(records.rig.record)
+    check_rules(test.limits.rule, channels, f"{test_path}: ")
     status, found = look(records, test)
     rate = _rate(status) or _configured_rate(records.rig.record)
-    disk = disk_facts(test, rate, Path.cwd()) if rate else None
+    disk = disk_facts(test, rate, Path.cwd(), channels) if rate else None
     checks = preflight(test, records, disk, status)
     if status is None:
         checks = [check for check in checks if check.what != "Engine"]

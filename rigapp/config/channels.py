@@ -94,10 +94,10 @@ def channel_faults(rig: RigFile) -> Iterator[str]:
 
 
 def _of_name(name: str, key: str, section: ChannelSection, taken: Mapping[str, str]) -> str:
-    if not NAME.fullmatch(name) or len(name) > LONGEST_NAME:
+    if not NAME.fullmatch(name) or len(name) > LONGEST_NAME or name.startswith("raw_"):
         return (
             f"{key} is no name for a channel; write at most {LONGEST_NAME} lower-case letters,"
-            " digits and _, a letter first, for example bushing_temperature"
+            " digits and _, a letter first and not raw_, for example bushing_temperature"
         )
     own = {one.name for one in _channel(name, section).columns} | {name, f"raw_{name}"}
     clash = sorted(own & taken.keys(), key=lambda one: (one != name, one))

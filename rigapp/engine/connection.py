@@ -15,9 +15,19 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
-from drivers.api import Block, DataOverrun, DeviceError, DeviceLost, DriveStatus, StreamSetup
+from drivers.api import (
+    Block,
+    DataOverrun,
+    DeviceError,
+    DeviceLost,
+    DriveStatus,
+    Identity,
+    SlowRequest,
+    SlowSource,
+    StreamSetup,
+)
 from rigapp.engine.core import Core
 from rigapp.engine.devices import Devices
 from rigapp.engine.drive.driving import SpindleControl
@@ -27,6 +37,7 @@ from rigapp.engine.judging.guard import Guard
 from rigapp.engine.judging.lateness import Lateness
 from rigapp.engine.processing import Processor
 from rigapp.engine.recording.devicelog import DeviceLog
+from rigapp.engine.samples.slow import SlowChannels, SlowDevice
 from rigapp.engine.supervisor import Supervisor
 from rigapp.engine.threads import BlockQueue, Worker
 from rigapp.engine.values.calibrate import Calibration
@@ -96,6 +107,13 @@ class Connection:
         self.process = Worker("process", self._process, died, silence, age)
         self.commit = Worker("commit", self._commit, died, timing.silence_commit, age)
         self.drive = Worker("drive", self._drive, died, silence, age)
+        self.slow_channels = SlowChannels(
+            core.table.slow,
+            [self._ask(source, request) for source, request in devices.slow],
+            devices.spindle.name,
+            lambda: self.control.status,
+            self.age_s,
+        )
         self.supervisor = Supervisor(core, self)
         self._log = DeviceLog(lambda name, text: core.event("device", name, text))
         self.supervise = Worker("supervise", self.supervisor.step, self._died, silence)
@@ -110,8 +128,25 @@ class Connection:
         self._log.attach()
         self.devices.source.start()
         self.received_s = time.monotonic()
-        for worker in self.workers:
+        for worker in (*self.workers, *self._askers):
             worker.start()
+
+    def _ask(self, source: SlowSource, request: SlowRequest) -> SlowDevice:
+        """Return a slow source with its thread, whose death is warned of and ends nothing."""
+
+        def opened(identity: Identity, readback: Mapping[str, str | float | int]) -> None:
+            self.devices.identities[source.name] = identity
+            self.devices.readback[source.name] = readback
+
+        def died(worker: Worker, error: BaseException) -> None:
+            sentence = f"{type(error).__name__}: {error}"
+            self.core.warn(causes.slow_silent(source.name, source.port, 0.0, sentence))
+
+        return SlowDevice(source, request, opened, died, self.core.timing.silence)
+
+    @property
+    def _askers(self) -> tuple[Worker, ...]:
+        return tuple(one.worker for one in self.slow_channels.devices.values())
 
     @property
     def sound(self) -> bool:
@@ -131,12 +166,13 @@ class Connection:
     def close(self, timeout_s: float = 5.0) -> tuple[str, ...]:
         """Stop the motor, end the threads, release the devices; return threads that hang."""
         self.control.stop_now(off=True)
-        for worker in reversed(self.workers):
+        everyone = (*self.workers, *self._askers)
+        for worker in reversed(everyone):
             worker.halt()
         deadline = time.monotonic() + timeout_s
         hanging = [
             worker.name
-            for worker in self.workers
+            for worker in everyone
             if not worker.join(max(0.0, deadline - time.monotonic()))
         ]
         try:
@@ -144,6 +180,8 @@ class Connection:
         except DeviceError as error:
             self.last_source_error = error.sentence
         self.devices.close()
+        for slow in self.slow_channels.devices.values():
+            slow.close()
         self._log.detach()
         return tuple(hanging)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, cast
 
@@ -13,6 +13,7 @@ from drivers.api import (
     DriverInfo,
     DriverKind,
     Identity,
+    SlowRequest,
     SlowSource,
     Spindle,
     StreamSetup,
@@ -30,18 +31,22 @@ KINDS = {"mV/V": "bridge", "V": "voltage"}
 
 @dataclass(slots=True)
 class Devices:
-    """The devices of a rig: one source of samples, one spindle."""
+    """The devices of a rig: one source of samples, one spindle, slow sources with their requests.
+
+    A slow source is opened and asked by a thread of its own (``samples.slow``).
+    """
 
     source: DataSource
     spindle: Spindle
     data_request: DataRequest
     drive_request: DriveRequest
     drivers: Mapping[str, str]
+    slow: tuple[tuple[SlowSource, SlowRequest], ...] = ()
     identities: dict[str, Identity] = field(default_factory=dict)
     readback: dict[str, Mapping[str, str | float | int]] = field(default_factory=dict)
 
     def open(self) -> StreamSetup:
-        """Open and configure all of them; raise DeviceError. On failure all are closed again."""
+        """Open and configure source and spindle; raise DeviceError. On failure both are closed."""
         try:
             self.identities[self.spindle.name] = self.spindle.open()
             self.readback[self.spindle.name] = self.spindle.configure(self.drive_request)
@@ -69,6 +74,7 @@ class Plan:
     spindle: str
     spindle_driver: DriverInfo
     drive_request: DriveRequest
+    slow: Mapping[str, tuple[DriverInfo, SlowRequest]]
 
 
 def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_driver) -> Plan:
@@ -105,7 +111,37 @@ def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_
             drive_info.check(wanted)
         except ValueError as error:
             raise UnusableInput(f"{where}: [spindle] on devices.{drive}: {error}") from error
-    return Plan(name, info, data, drive, drive_info, wanted)
+    _check_drive_quantities(rig, drive_info, where)
+    slow = dict(_slow_requests(rig, where, load))
+    return Plan(name, info, data, drive, drive_info, wanted, slow)
+
+
+def _check_drive_quantities(rig: RigFile, info: DriverInfo, where: str) -> None:
+    """Refuse a slow channel of something that the drive does not tell."""
+    for one in channel_table(rig).slow:
+        if one.device == rig.spindle.device and one.input not in info.quantities:
+            raise UnusableInput(
+                f"{where}: channels.{one.name}.source = '{one.device}.{one.input}': a {info.title}"
+                f" tells {', '.join(info.quantities) or 'nothing of itself'}"
+            )
+
+
+def _slow_requests(
+    rig: RigFile, where: str, load: LoadDriver
+) -> Iterator[tuple[str, tuple[DriverInfo, SlowRequest]]]:
+    """Yield what each slow device will be asked for; raise UnusableInput where it cannot tell."""
+    slow = [one for one in channel_table(rig).slow if one.device != rig.spindle.device]
+    for name in dict.fromkeys(one.device for one in slow):
+        wanted = [one for one in slow if one.device == name]
+        info, settings = _driver(rig, name, DriverKind.SLOW_SOURCE, where, load)
+        request = SlowRequest(tuple(dict.fromkeys(one.input for one in wanted)), settings=settings)
+        for one in wanted:
+            wrong = _objection(info, replace(request, quantities=(one.input,)))
+            if wrong:
+                raise UnusableInput(
+                    f"{where}: channels.{one.name}.source = '{name}.{one.input}': {wrong}"
+                )
+        yield name, (info, request)
 
 
 def _inputs(rig: RigFile) -> dict[str, tuple[str, float]]:
@@ -134,7 +170,7 @@ def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: s
     raise UnusableInput(f"{where}: [devices.{rig.encoder.device}.settings]: {wrong}")
 
 
-def _objection(info: DriverInfo, request: DataRequest) -> str:
+def _objection(info: DriverInfo, request: DataRequest | SlowRequest) -> str:
     if info.check is not None:
         try:
             info.check(request)
@@ -163,7 +199,13 @@ def make_devices(
         spindle=cast(Spindle, spindle),
         data_request=plan.data_request,
         drive_request=plan.drive_request,
-        drivers={name: rig.devices[name].driver for name in (plan.source, plan.spindle)},
+        drivers={
+            name: rig.devices[name].driver for name in (plan.source, plan.spindle, *plan.slow)
+        },
+        slow=tuple(
+            (cast(SlowSource, _made(rig, name, info, request.settings, ports, where)), request)
+            for name, (info, request) in plan.slow.items()
+        ),
     )
 
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 import os
 import time
+from typing import Any
 
-from drivers.api import LineCounters
+from drivers.api import DataSource, LineCounters, SlowSource, Spindle
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core, Session
 from rigapp.engine.judging.limits import least_margin, margin_to
 from rigapp.engine.recovery import Situation, recovery
 from rigapp.engine.values.uncertainty import stated_uncertainty
-from rigapp.schema.channels import LOAD_CELL, PROBES, Channel
+from rigapp.schema.channels import LOAD_CELL, PROBES, Channel, Kind
 from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import (
     ChannelView,
@@ -165,34 +166,48 @@ def _drive(connection: Connection | None) -> DriveView | None:
 def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
     if connection is None:
         return ()
-    devices, control = connection.devices, connection.control
-    views = []
-    for device in (devices.source, devices.spindle):
-        identity = devices.identities.get(device.name)
-        source = device is devices.source
-        error = control.last_error
-        views.append(
-            DeviceView(
-                name=device.name,
-                driver=devices.drivers[device.name],
-                port=device.port,
-                connected=not connection.reader.ended if source else control.answering,
-                identity=f"{identity.maker} {identity.model} {identity.firmware} "
-                f"{identity.serial_number}".strip()
-                if identity is not None
-                else "",
-                sample_rate_Hz=connection.setup.sample_rate_Hz if source else 0.0,
-                lost_samples=connection.processor.assembler.lost_samples if source else 0,
-                errors=connection.source_errors if source else control.errors,
-                last_error=connection.last_source_error
-                if source
-                else (error.sentence if error is not None else ""),
-                counters=dict(device.counters()) if isinstance(device, LineCounters) else {},
-                wiring=str(devices.readback.get(device.name, {}).get("wiring", "")),
-                advice=str(devices.readback.get(device.name, {}).get("advice", "")),
-            )
+    source, control = connection.devices.source, connection.control
+    sampling = DeviceView(
+        **_named(connection, source),
+        connected=not connection.reader.ended,
+        sample_rate_Hz=connection.setup.sample_rate_Hz,
+        lost_samples=connection.processor.assembler.lost_samples,
+        errors=connection.source_errors,
+        last_error=connection.last_source_error,
+    )
+    error = control.last_error
+    drive = DeviceView(
+        **_named(connection, connection.devices.spindle),
+        connected=control.answering,
+        errors=control.errors,
+        last_error=error.sentence if error is not None else "",
+    )
+    slow = (
+        DeviceView(
+            **_named(connection, one.source),
+            connected=one.answering,
+            errors=one.errors,
+            last_error=one.last_error,
         )
-    return tuple(views)
+        for one in connection.slow_channels.devices.values()
+    )
+    return (sampling, drive, *slow)
+
+
+def _named(connection: Connection, device: DataSource | Spindle | SlowSource) -> dict[str, Any]:
+    """Return what is shown of every device alike."""
+    devices = connection.devices
+    identity = devices.identities.get(device.name)
+    words = ("maker", "model", "firmware", "serial_number")
+    return {
+        "name": device.name,
+        "driver": devices.drivers[device.name],
+        "port": device.port,
+        "identity": " ".join(getattr(identity, one) for one in words).strip() if identity else "",
+        "counters": dict(device.counters()) if isinstance(device, LineCounters) else {},
+        "wiring": str(devices.readback.get(device.name, {}).get("wiring", "")),
+        "advice": str(devices.readback.get(device.name, {}).get("advice", "")),
+    }
 
 
 def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, ...]:
@@ -200,27 +215,34 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     if connection is None or live is None:
         return ()
     calibration = connection.processor.calibration
-    records = {
+    said = {
         LOAD_CELL: calibration.load_cell.record or RIG_FILE,
         PROBES: calibration.probes.record or RIG_FILE,
+        "": "by its line in the rig file",
     }
-    wires = {one.channel.name: one for one in calibration.wires}
-    force = live.values["force"]
+    units = {one.channel.name: one.unit for one in calibration.wires}
     views = []
     for channel in calibration.table.curves:
-        value, wire = live.values[channel.name], wires.get(channel.name)
-        derived = wire is None
+        value = live.values[channel.name]
         views.append(
             ChannelView(
-                name=channel.name,
-                raw=value if derived else live.signals[channel.name],
-                raw_unit=channel.unit if wire is None else wire.unit,
-                value=value,
-                unit=channel.unit,
-                calibration="from force_1 and force_2"
-                if derived
-                else records.get(channel.instrument, RIG_FILE),
-                uncertainty=_uncertainty(core, channel, force),
+                channel.name,
+                live.signals.get(channel.name, value),
+                units.get(channel.name, channel.unit),
+                value,
+                channel.unit,
+                said[channel.instrument]
+                if channel.kind is Kind.SAMPLED
+                else "from force_1 and force_2",
+                _uncertainty(core, channel, live.values["force"]),
+            )
+        )
+    for channel in calibration.table.slow:
+        value, age_s = connection.slow_channels.at(channel, time.monotonic())
+        words = f"told by {channel.device}"
+        views.append(
+            ChannelView(
+                channel.name, value, channel.signal_unit, value, channel.unit, words, age_s=age_s
             )
         )
     angle = connection.processor.motion.angle_deg(live.host_s)

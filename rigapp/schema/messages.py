@@ -181,10 +181,10 @@ class DeviceView(msgspec.Struct, frozen=True):
     port: str
     connected: bool
     identity: str
-    sample_rate_Hz: float
-    lost_samples: int
-    errors: int
-    last_error: str
+    sample_rate_Hz: float = 0.0
+    lost_samples: int = 0
+    errors: int = 0
+    last_error: str = ""
     counters: dict[str, int] = {}
     wiring: str = ""
     advice: str = ""

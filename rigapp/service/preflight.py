@@ -13,10 +13,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rigapp.calibrating.records_in_use import RigRecords
+from rigapp.config.channels import channel_table
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.judging.criteria import described
 from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
+from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.messages import DeviceView, RunState, Severity, Status
 
 FEW_SAMPLES = 60
@@ -56,12 +58,14 @@ class DiskFacts:
     problem: str = ""
 
 
-def disk_facts(test: TestFile, sample_rate_Hz: float, folder: Path) -> DiskFacts:
-    """Return the room that a test needs in a folder; reads the disk."""
+def disk_facts(
+    test: TestFile, sample_rate_Hz: float, folder: Path, table: ChannelTable = BASE
+) -> DiskFacts:
+    """Return the room that a test of these channels needs in a folder; reads the disk."""
     from rigapp.engine.recording.fileplan import file_plan
     from rigapp.storage import reserved_bytes, streams_of
 
-    needed = reserved_bytes(streams_of(file_plan(test, sample_rate_Hz)).values())
+    needed = reserved_bytes(streams_of(file_plan(test, sample_rate_Hz, table=table)).values())
     try:
         if not os.access(folder, os.W_OK | os.X_OK):
             return DiskFacts(folder, needed, 0, f"{folder} does not exist or cannot be written to")
@@ -270,23 +274,23 @@ def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
         yield Check("Samples", Verdict.BLOCKS, "none are coming", "Check the device, reconnect")
     else:
         yield Check("Samples", Verdict.GOOD, f"{status.data_age_s:.1f} s old")
+    ranges = {one.name: one for one in channel_table(rig).sampled} if rig is not None else {}
     for channel in status.channels:
-        bound = _bound(channel.name, rig)
-        if bound is not None and abs(channel.raw) > NEAR_THE_END * bound:
+        known = ranges.get(channel.name)
+        if known is not None and abs(channel.raw) > NEAR_THE_END * known.signal_range:
             yield Check(
                 f"Channel {channel.name}",
-                Verdict.BLOCKS,
+                Verdict.BLOCKS if known.instrument else Verdict.ATTENTION,
                 f"{channel.raw:.3g} {channel.raw_unit} is at the end of the range",
                 "Check sensor and wiring, or adjust the probe",
             )
-
-
-def _bound(channel: str, rig: RigFile | None) -> float | None:
-    if rig is None:
-        return None
-    if channel in ("force_1", "force_2"):
-        return rig.load_cell.range_mV_per_V
-    return rig.probes.range_V if channel in ("probe_1", "probe_2") else None
+        elif channel.age_s is not None and math.isnan(channel.value):
+            yield Check(
+                f"Channel {channel.name}",
+                Verdict.ATTENTION,
+                f"no value for {channel.age_s:.0f} s",
+                "Check the device that tells it, or go on without",
+            )
 
 
 def _of_rate(test: TestFile, status: Status) -> Iterator[Check]:

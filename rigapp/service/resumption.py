@@ -22,8 +22,9 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig
 from rigapp.config.rig import RigFile
 from rigapp.engine.engine import Remark
-from rigapp.engine.recording.store import calibration_record
+from rigapp.engine.recording.store import calibration_record, missing_channels
 from rigapp.engine.values.calibrate import Calibration
+from rigapp.schema.channels import ChannelTable, Kind
 from rigapp.schema.loglines import rest_signals
 from rigapp.schema.states import Refused, refuse_long
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
@@ -101,6 +102,7 @@ class Past:
     last_at: float
     calibration: Mapping[str, Any]
     rig: RigFile | None
+    channels: ChannelTable
     rest: Pair | None
     new_position_um: Pair | None
     wear_depth_um: float | None
@@ -142,6 +144,7 @@ def read_past(path: Path) -> Past:
             last_at=float(reader.column("host_time", rows - 1)[0]) if rows else 0.0,
             calibration=reader.calibration(),
             rig=rig,
+            channels=reader.plan.table,
             rest=rests[0].pair if rests else None,
             new_position_um=new,
             wear_depth_um=_depth(reader, rows),
@@ -187,6 +190,7 @@ def compare(
     moment = time.time() if now is None else now
     findings = [
         *_of_rig(past, rig),
+        *_of_channels(past, calibration.table),
         *_of_devices(past, devices),
         *_of_calibration(past, calibration),
         *_of_zero(past, rig, calibration, rest),
@@ -227,6 +231,16 @@ def _of_rig(past: Past, rig: RigFile) -> Iterator[Finding]:
                 f"the test was made with a {then}, this rig has a {here}: use the rig of the test"
             )
             yield Finding(what, then, here, Fit.BLOCKS, text)
+
+
+def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Finding]:
+    gone = missing_channels(past.channels, measured)
+    if gone:
+        yield Finding("Channels", "", "", Fit.BLOCKS, gone)
+    for one in measured.channels:
+        if one.name not in past.channels:
+            text = f"the file was made without {one.name}; it is limited and shown, but not kept"
+            yield Finding(f"Channel {one.name}", "none", one.unit, Fit.NOTED, text)
 
 
 def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterator[Finding]:
@@ -276,6 +290,11 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Finding]:
         ("encoder", "Encoder", Fit.BLOCKS),
         ("load_cell", "Calibration of the load cell", Fit.REASON),
         ("probes", "Calibration of the probes", Fit.REASON),
+        *(
+            (f"channel_{one.name}", f"Line of {one.name}", Fit.REASON)
+            for one in calibration.table.free
+            if one.kind is Kind.SAMPLED and one.name in past.channels
+        ),
     ):
         then = past.calibration.get(section, {})
         now = present[section]

@@ -14,6 +14,7 @@ from msgspec import structs
 from stories import NEVER_OVER, RIG, end_soon, log, numbers, recipe, summary, until
 
 from drivers.api import ChannelSpec, StreamSetup
+from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
 from rigapp.config.rig import RigFile
@@ -49,6 +50,7 @@ def past(rig: RigFile) -> Past:
         last_at=1000.0,
         calibration={**calibration_record(calibration(rig)), "device_daq": {"filter_Hz": 100.0}},
         rig=rig,
+        channels=channel_table(rig),
         rest=(0.1, 0.0),
         new_position_um=(500.0, 0.0),
         wear_depth_um=1.0,

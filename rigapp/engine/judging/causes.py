@@ -180,6 +180,12 @@ KINDS: Mapping[str, Kind] = {
         "Check cable and power of the drive, then reconnect.",
         Ends.CONNECTION,
     ),
+    "slow_silent": _warning(
+        "No answer from {}",
+        "What it tells is not recorded until it answers; the test goes on.",
+        "Check its cable, its power and its port in the rig file.",
+        Ends.CONNECTION,
+    ),
     "drive_warning": _warning(
         "Drive warning",
         "The drive may switch off by itself soon.",
@@ -474,6 +480,22 @@ def emergency_stop(drive: str) -> Cause:
 def drive_silent(drive: str, port: str, sentence: str) -> Cause:
     """The drive does not answer."""
     return _cause("drive_silent", f"{drive} on {port}: {sentence}")
+
+
+def slow_silent(device: str, port: str, age_s: float, sentence: str) -> Cause:
+    """A device that tells slow channels does not answer. sentence: its last error, if any."""
+    why = f" ({sentence.rstrip('.')})" if sentence else ""
+    return _cause(
+        "slow_silent",
+        f"{device} on {port} has told nothing for {age_s:.0f} s{why}.",
+        key=slow_key(device),
+        name=device,
+    )
+
+
+def slow_key(device: str) -> str:
+    """Return the key of the alarm that a slow device is silent."""
+    return f"slow_silent:{device}"
 
 
 def drive_warning(drive: str, warnings: str) -> Cause:

@@ -34,6 +34,20 @@ class Watches:
         self._look_at_queue()
         self._look_at_inputs()
         self._look_for_return()
+        self._look_at_slow()
+
+    def _look_at_slow(self) -> None:
+        """Warn of slow devices that tell nothing, until they do."""
+        slow, alarms = self._connection.slow_channels, self._core.alarms
+        silent = {one.source.name: (one, age_s) for one, age_s in slow.silent()}
+        for name, device in slow.devices.items():
+            key = causes.slow_key(name)
+            if name not in silent:
+                if not device.worker.error:
+                    alarms.clear(key)
+            elif not alarms.is_active(key):
+                port, age_s = device.source.port, silent[name][1]
+                self._core.warn(causes.slow_silent(name, port, age_s, device.last_error))
 
     def _look_at_queue(self) -> None:
         """Switch the drive off when an overload would be seen too late.

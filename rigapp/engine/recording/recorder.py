@@ -15,6 +15,7 @@ from rigapp.engine.recording.history import History, Kept
 from rigapp.engine.recording.store import Store
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured
+from rigapp.schema.channels import ChannelTable
 from rigapp.schema.columns import PREDICTED_CURVES, PROFILE_CURVES
 from rigapp.schema.messages import (
     Cycle,
@@ -30,9 +31,9 @@ Array = NDArray[np.float64]
 
 
 def cycle_samples(
-    measured: Measured, start_sample: int, time_offset_s: float
+    measured: Measured, table: ChannelTable, start_sample: int, time_offset_s: float
 ) -> dict[str, ArrayLike]:
-    """Return the columns of a whole cycle for one revolution, (samples,) each.
+    """Return the columns of a whole cycle for one revolution, (samples,) each, as a file has them.
 
     start_sample: device sample at which the test's time was time_offset_s.
     """
@@ -45,8 +46,7 @@ def cycle_samples(
         **{f"raw_{name}": signal for name, signal in measured.signals().items()},
     }
     # Copies of the file's own types: the file then need not copy them again.
-    described = measured.calibration.table.cycle_columns
-    return {one.name: columns[one.name].astype(one.dtype) for one in described}
+    return {one.name: columns[one.name].astype(one.dtype) for one in table.cycle_columns}
 
 
 def cycle_message(number: int, measured: Measured) -> Cycle:
@@ -98,8 +98,8 @@ class Recorder:
     """Write one test; rows from the processing thread, the rest from any.
 
     first: number of the first revolution to come. unfinished: tells what there is of the revolution
-    under way. After ``close`` nothing is written
-    any more, and nothing fails.
+    under way. table: the channels that the file keeps, None for those of the rig. After ``close``
+    nothing is written any more, and nothing fails.
     """
 
     def __init__(
@@ -110,11 +110,16 @@ class Recorder:
         time_offset_s: float,
         first: int = 1,
         unfinished: Callable[[], Revolution | None] = lambda: None,
+        table: ChannelTable | None = None,
     ) -> None:
         self._store = store
         self._history = history
         self._curves = CurvesBeside()
         self._calibration = calibration
+        self._table = table if table is not None else calibration.table
+        place = calibration.table.place
+        kept = [place[name] for name in self._table.names]
+        self._kept = None if kept == list(range(len(place))) else kept
         self._start_sample: int | None = None
         self._time_offset_s = time_offset_s
         self._first = first
@@ -150,7 +155,7 @@ class Recorder:
         with self._lock:
             if self._closed:
                 return
-            self._store.append_row(row)
+            self._store.append_row(row if self._kept is None else row[self._kept])
             self._last = (number, measured.revolution.ordinal)
             self._whole = number >= self._history.planned
             quality = int(row[measured.calibration.table.place["quality"]])
@@ -252,7 +257,7 @@ class Recorder:
             return
 
     def _samples(self, measured: Measured) -> dict[str, ArrayLike]:
-        return cycle_samples(measured, self._start_sample or 0, self._time_offset_s)
+        return cycle_samples(measured, self._table, self._start_sample or 0, self._time_offset_s)
 
     def _keep(self, leaving: Iterable[Kept]) -> None:
         numbers: list[int] = []

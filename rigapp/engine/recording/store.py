@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from drivers.api import SampleClock
 from rigapp.config.channels import channel_table
+from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
@@ -22,7 +23,7 @@ from rigapp.engine.recording.history import TRIGGERED
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.engine.values.instruments import Line, ProbePair
 from rigapp.engine.values.uncertainty import noise_of_sample, stated_uncertainty, uncertainty_record
-from rigapp.schema.channels import LOAD_CELL, PROBES, Kind
+from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 from rigapp.schema.loglines import RestSignals
 from rigapp.schema.messages import Event, LookedAfter
 from rigapp.storage import (
@@ -132,12 +133,15 @@ def _no_history() -> Iterator[NDArray[np.float64]]:
 class Opened:
     """A test file that is ready for rows. rows: already in it; last_*: of the last of these.
 
+    table: the channels that it keeps, None for those of the rig.
+
     triggered: whole cycles in it that a trigger kept. history: yields these rows, some at a time,
     as (len(HISTORY_COLUMNS), n); depths: reads the measured wear depths in it, as
     (len(DEPTH_COLUMNS), n).
     """
 
     store: Store
+    table: ChannelTable | None = None
     rows: int = 0
     last_revolution: int = 0
     last_time_s: float = 0.0
@@ -209,11 +213,16 @@ def _resume(request: OpenRequest) -> Opened:
     store = reopen_test(request.path)
     try:
         with open_test(request.path) as reader:
+            table = reader.plan.table
+            gone = missing_channels(table, request.calibration.table)
+            if gone:
+                raise UnusableInput(f"{request.path}: {gone}")
             rows = store.revolutions
             if rows == 0:
-                return Opened(store)
+                return Opened(store, table)
             return Opened(
                 store,
+                table,
                 rows=rows,
                 last_revolution=int(reader.column("revolution")[rows - 1]),
                 last_time_s=float(reader.column("time")[rows - 1]),
@@ -225,6 +234,21 @@ def _resume(request: OpenRequest) -> Opened:
     except BaseException:
         store.close()
         raise
+
+
+def missing_channels(kept: ChannelTable, measured: ChannelTable) -> str:
+    """Return why a rig cannot go on with a file, by what each keeps and measures; empty: it can."""
+    gone = [
+        one.name
+        for one in kept.channels
+        if one.name not in measured or measured[one.name].columns != one.columns
+    ]
+    if not gone:
+        return ""
+    return (
+        f"the file keeps {', '.join(gone)}, which this rig does not measure so; put"
+        f" [channels.{gone[0]}] of the test's rig file back, or begin a new test"
+    )
 
 
 def _history(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:

@@ -12,7 +12,7 @@ import msgspec
 import numpy as np
 
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES
-from rigapp.storage.structure.conventions import conventions
+from rigapp.storage.structure.conventions import conventions, detectors
 from rigapp.storage.structure.hdf import NOT_A_VARIABLE
 from rigapp.storage.structure.layout import (
     CALIBRATION,
@@ -70,8 +70,9 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata, name: str) ->
     ) as file:
         _build_root(file, metadata, name)
         _build_state(file, plan, metadata)
+        sources = detectors(plan.table)
         for stream in streams.values():
-            _build_stream(file, stream, "force_uncertainty" in metadata.calibration)
+            _build_stream(file, stream, sources, "force_uncertainty" in metadata.calibration)
         _build_curve_angle(file, plan)
         if plan.profiles:
             _build_profile_angle(file)
@@ -209,7 +210,9 @@ def _build_state(file: h5py.File, plan: FilePlan, metadata: TestMetadata) -> Non
         dataset[()] = first.get(name, b"" if dtype.startswith("S") else 0)
 
 
-def _build_stream(file: h5py.File, stream: FileStream, uncertain: bool) -> None:
+def _build_stream(
+    file: h5py.File, stream: FileStream, sources: Mapping[str, str], uncertain: bool
+) -> None:
     group = _group(file, stream.group, "NXcollection")
     if stream.counter:
         counter = placed_dataset(group, stream.counter, "<i8", (), "1", _COUNTERS[stream.counter])
@@ -225,7 +228,7 @@ def _build_stream(file: h5py.File, stream: FileStream, uncertain: bool) -> None:
     for one in stream.fields:
         if one is not first:
             _build_field(group, one, stream.capacity).dims[0].attach_scale(scale)
-        for name, value in conventions(stream, one, uncertain).items():
+        for name, value in conventions(stream, one, sources, uncertain).items():
             group[one.name].attrs[name] = value
     if stream.name in ("cycles", "unfinished"):
         group["count"].attrs["sample_dimension"] = "sample"

@@ -6,10 +6,12 @@ Times and flags as CF has them, and the detector that it comes from as NeXus has
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from rigapp.schema.channels import ChannelTable
 from rigapp.schema.messages import Flag
 from rigapp.storage.structure.layout import DETECTORS, FORCE_UNCERTAINTY, FileColumn, FileStream
 
@@ -25,24 +27,33 @@ _UTC_COLUMNS = frozenset({("revolutions", "host_time"), ("events", "time")})
 _MEASURED = frozenset({"revolutions", "samples", "unfinished_samples"})
 """Streams whose columns come from a detector."""
 
-_SOURCES = (
-    (re.compile(r"(raw_)?force(_|$)"), "load_cell"),
-    (re.compile(r"(raw_)?probe_"), "probes"),
-    (re.compile(r"angle$|speed|raw_count$"), "encoder"),
-)
-
+_OF_ENCODER = ("angle", "raw_count", "speed", "speed_max", "speed_min", "speed_rms")
 
 _FORCE = re.compile(r"force(?P<component>_[12])?(_(?P<statistic>max|min|mean|rms))?")
 
 
-def conventions(stream: FileStream, field: FileColumn, uncertain: bool = False) -> dict[str, Any]:
-    """Return further attributes of a column. uncertain: the file states that of its forces."""
+def detectors(table: ChannelTable) -> dict[str, str]:
+    """Return column -> the detector that it comes from: an instrument, or a free channel's own."""
+    found = dict.fromkeys(_OF_ENCODER, "encoder")
+    for one in table.channels:
+        names = (one.name, f"raw_{one.name}", *(column.name for column in one.columns))
+        found |= dict.fromkeys(names, one.instrument or one.name)
+    return found
+
+
+def conventions(
+    stream: FileStream, field: FileColumn, sources: Mapping[str, str], uncertain: bool = False
+) -> dict[str, Any]:
+    """Return further attributes of a column.
+
+    sources: ``detectors`` of the file. uncertain: it states the uncertainty of its forces.
+    """
     found: dict[str, Any] = {}
     if (stream.name, field.name) in _UTC_COLUMNS:
         found |= UTC
     if field.name == "quality":
         found |= _flags(field.dtype)
-    source = next((name for pattern, name in _SOURCES if pattern.match(field.name)), "")
+    source = sources.get(field.name)
     if source and stream.name in _MEASURED:
         found["detector"] = f"{DETECTORS}/{source}"
     if uncertain and stream.name in _MEASURED:

@@ -77,7 +77,9 @@ def name_and_unit(key: str) -> tuple[str, str]:
 
 def unit_suffix(unit: str) -> str:
     """Return a unit as the end of a column's name: ``_mV_per_V``, empty for "1"."""
-    return "" if unit in ("", "1") else "_" + unit.replace("/", "_per_").replace(" ", "")
+    if unit in ("", "1"):
+        return ""
+    return "_" + unit.replace("/", "_per_").replace(" ", "").replace("%", "percent")
 
 
 def iso_time(seconds: float) -> str:

@@ -1,0 +1,153 @@
+"""Slow channels: what a device tells now and then, as the newest value with its age.
+
+Each slow device has a thread of its own that asks it; what the drive tells comes from the answers
+that the engine polls anyway. Nothing here delays a revolution or ends a test: a device that is
+silent gives no value and a growing age, is warned of, and is opened again for as long as it takes.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from drivers.api import DeviceError, DeviceLost, DriveStatus, Identity, SlowRequest, SlowSource
+from rigapp.engine.threads import Worker
+from rigapp.schema.channels import Channel
+
+PERIOD_S = 1.0
+"""A device is asked once in so long: rooms and bushings take minutes to change by what such a
+device resolves, and a usual line takes 0.1 s for an answer."""
+
+SILENT_S = 10.0
+"""Without an answer for so long there is no value any more, and a warning: ten questions in a row
+are no passing disturbance of the line."""
+
+REOPEN_S = 5.0
+"""Between two attempts to open a device that was lost: a port that hangs takes some of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One value and the host time (s, monotonic) at which it was told."""
+
+    value: float
+    host_s: float
+
+
+NEVER = Reading(math.nan, -math.inf)
+
+
+class SlowDevice:
+    """A slow source with the thread that asks it.
+
+    on_death: told when the thread dies of an error that no driver should raise.
+    """
+
+    def __init__(
+        self,
+        source: SlowSource,
+        request: SlowRequest,
+        on_open: Callable[[Identity, Mapping[str, str | float | int]], None],
+        on_death: Callable[[Worker, BaseException], None],
+        silence_s: float,
+    ) -> None:
+        self.source = source
+        self.errors = 0
+        self.last_error = ""
+        self.answered_s = time.monotonic()
+        self.worker = Worker(f"ask {source.name}", self._step, on_death, silence_s)
+        self._request = request
+        self._on_open = on_open
+        self._open = False
+        self._readings: dict[str, Reading] = {}
+
+    @property
+    def answering(self) -> bool:
+        """Tell whether the device is open and has answered lately."""
+        return self._open and time.monotonic() - self.answered_s < SILENT_S
+
+    def reading(self, quantity: str) -> Reading:
+        """Return the newest reading of a quantity."""
+        return self._readings.get(quantity, NEVER)
+
+    def close(self) -> None:
+        """Release the device, after its thread has ended."""
+        self.source.close()
+
+    def _step(self) -> None:
+        try:
+            if not self._open:
+                identity = self.source.open()
+                self._on_open(identity, self.source.configure(self._request))
+                self._open = True
+            found = self.source.read()
+        except DeviceError as error:
+            self._failed(error)
+            return
+        now = time.monotonic()
+        self._readings = {name: Reading(float(value), now) for name, value in found.items()}
+        self.answered_s, self.last_error = now, ""
+        self.worker.pause(PERIOD_S)
+
+    def _failed(self, error: DeviceError) -> None:
+        self.errors += 1
+        self.last_error = error.sentence
+        if self._open and not isinstance(error, DeviceLost):
+            self.worker.pause(PERIOD_S)
+            return
+        self._open = False
+        self.source.close()
+        self.worker.pause(REOPEN_S)
+
+
+class SlowChannels:
+    """Tell the slow channels of a rig at any moment; any thread may ask.
+
+    drive: name of the drive; status: its newest status, None before the first. age_s: how long ago
+    a host time was, as a silence is judged.
+    """
+
+    def __init__(
+        self,
+        channels: Iterable[Channel],
+        devices: Iterable[SlowDevice],
+        drive: str,
+        status: Callable[[], DriveStatus | None],
+        age_s: Callable[[float], float],
+    ) -> None:
+        self.channels = tuple(channels)
+        self.devices = {one.source.name: one for one in devices}
+        self._drive = drive
+        self._status = status
+        self._age_s = age_s
+        self._since_s = time.monotonic()
+
+    def at(self, channel: Channel, host_s: float) -> tuple[float, float]:
+        """Return the value of a channel at a host time, NaN when it is too old, and its age, s."""
+        reading = self._reading(channel)
+        age_s = max(0.0, host_s - max(reading.host_s, self._since_s))
+        return (reading.value if age_s < SILENT_S else math.nan), age_s
+
+    def columns(self, host_time_ns: int) -> dict[str, float]:
+        """Return the columns of all of them at a host time, by name."""
+        found: dict[str, float] = {}
+        for one in self.channels:
+            found[one.name], found[f"{one.name}_age"] = self.at(one, host_time_ns * 1e-9)
+        return found
+
+    def silent(self) -> Iterator[tuple[SlowDevice, float]]:
+        """Yield the devices that have not answered for too long, with the seconds."""
+        for one in self.devices.values():
+            age_s = self._age_s(one.answered_s)
+            if age_s >= SILENT_S:
+                yield one, age_s
+
+    def _reading(self, channel: Channel) -> Reading:
+        if channel.device != self._drive:
+            return self.devices[channel.device].reading(channel.input)
+        status = self._status()
+        if status is None:
+            return NEVER
+        return Reading(float(getattr(status, channel.input)), status.host_time_ns * 1e-9)
