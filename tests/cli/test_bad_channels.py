@@ -59,7 +59,7 @@ def test_two_channels_cannot_share_a_column() -> None:
 @pytest.mark.parametrize(
     ("body", "words"),
     [
-        ('source = "drive.torque_Nm"', "tells current_A, supply_V, temperature_C"),
+        ('source = "drive.humidity_percent"', "tells current_A, supply_V, temperature_C"),
         (GOOD.replace("analog_5", "analog_99"), "channels.a.input = 'analog_99'"),
     ],
 )
