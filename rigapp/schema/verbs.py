@@ -50,9 +50,14 @@ class Start(msgspec.Struct, frozen=True):
 
 
 class File(msgspec.Struct, frozen=True):
-    """Name a file of a test; reason: why it may go on with what differs."""
+    """Name the file of a test."""
 
     file: Name
+
+
+class Resume(File, frozen=True):
+    """Name the file of a test to go on with; reason: why it may in spite of what differs."""
+
     reason: Words = ""
 
 
@@ -170,7 +175,7 @@ VERBS = {
         Verb("connect", Nothing, Lane.WORK, timeout_s=90.0),
         Verb("reconnect", Nothing, Lane.WORK, timeout_s=90.0),
         Verb("start", Start, Lane.WORK, timeout_s=120.0),
-        Verb("resume_file", File, Lane.WORK, timeout_s=120.0),
+        Verb("resume_file", Resume, Lane.WORK, timeout_s=120.0),
         Verb("examine_file", File, Lane.WORK, timeout_s=120.0),
         Verb("pause", Reason, Lane.WORK, urgent=True),
         Verb("resume", Nothing, Lane.WORK, timeout_s=30.0),

@@ -43,7 +43,7 @@ from rigapp.schema.messages import (
     Status,
 )
 from rigapp.schema.states import ACTIVE, Refused
-from rigapp.schema.verbs import VERBS, File, Hand, Nothing, Start
+from rigapp.schema.verbs import VERBS, Hand, Nothing, Resume, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import InCommand
 from rigapp.service.registry import (
@@ -398,7 +398,7 @@ class EngineHost:
         test = with_revolutions(read_test(Path(asked.test)), asked.revolutions)
         self.start(test, Path(asked.out), by.operator, resume=False)
 
-    def _resume_request(self, asked: File, by: Request) -> Reply | None:
+    def _resume_request(self, asked: Resume, by: Request) -> Reply | None:
         path = Path(asked.file)
         ended = end_whole_test(path)
         if ended is not None:

@@ -14,6 +14,8 @@ from rigapp.config.recipe import StopSection
 from rigapp.gui.testfile.fields import form_fields
 from rigapp.schema.columns import prediction_columns, revolution_columns
 from rigapp.schema.criteria import CRITERIA, Criterion, Sight
+from rigapp.schema.verbs import VERBS, Lane, Verb, Who
+from rigapp.service.bounds import asked_of
 from rigapp.twin.worker import TwinSetup, set_up
 
 ROOT = Path(__file__).parents[2]
@@ -68,3 +70,22 @@ def test_a_criterion_has_keys_columns_and_a_row_of_the_manual(criterion: Criteri
 def test_every_level_of_the_section_is_a_criterion() -> None:
     levels = {one.name for one in msgspec.structs.fields(StopSection) if one.default is None}
     assert levels == set(CRITERIA)
+
+
+@pytest.mark.parametrize("verb", VERBS.values(), ids=VERBS)
+def test_a_verb_and_its_arguments_stand_in_the_manual(verb: Verb) -> None:
+    manual = (ROOT / "docs" / "service.md").read_text(encoding="utf-8")
+    rows = [line.split("|") for line in manual.splitlines() if line.startswith("| `")]
+    row = next(cells for cells in rows if f"`{verb.name}`" in cells[1])
+    assert {f"`{name}`" for name in verb.record.__struct_fields__} <= set(
+        row[2].replace("(all without it)", "").replace(",", " ").split()
+    )
+
+
+@pytest.mark.parametrize("verb", VERBS.values(), ids=VERBS)
+def test_what_makes_safe_is_asked_by_anyone_with_anything(verb: Verb) -> None:
+    if verb.lane is Lane.SAFETY:
+        asked = asked_of(verb, {"reason": 7, "key": ["x"], "other": [[[]]]})
+        assert asked == verb.record()
+        assert verb.urgent
+    assert (verb.who is Who.ANYONE) or verb.name not in {"stop", "drive_off", "acknowledge"}
