@@ -13,53 +13,49 @@ thread         does
 
 from __future__ import annotations
 
-import threading
 import time
 from collections.abc import Callable, Mapping
 
 from drivers.api import (
     Block,
     DataOverrun,
+    DataSource,
     DeviceError,
-    DeviceLost,
-    DriveStatus,
     Identity,
     SlowRequest,
     SlowSource,
+    Spindle,
     StreamSetup,
 )
 from rigapp.engine.core import Core
 from rigapp.engine.devices import Devices
 from rigapp.engine.drive.driving import SpindleControl
 from rigapp.engine.drive.sequences import Do, Seen
-from rigapp.engine.judging import causes
+from rigapp.engine.judging.drivewatch import DriveWatch
 from rigapp.engine.judging.guard import Guard
 from rigapp.engine.judging.lateness import Lateness
+from rigapp.engine.judging.watches import Watches, slow_silent
 from rigapp.engine.processing import Processor
 from rigapp.engine.recording.devicelog import DeviceLog
+from rigapp.engine.samples.blockqueue import BlockQueue
 from rigapp.engine.samples.slow import SlowChannels, SlowDevice
-from rigapp.engine.supervisor import Supervisor
-from rigapp.engine.threads import BlockQueue, Worker
 from rigapp.engine.values.calibrate import Calibration
-from rigapp.schema.messages import FinishReason, RevolutionMeasured, RunState
-from rigapp.schema.states import ACTIVE, TURNING, Ending, Trigger
+from rigapp.process.threads import Worker
+from rigapp.schema.alarms import Cause, because
+from rigapp.schema.messages import RunState
+from rigapp.schema.states import ACTIVE, TURNING, Trigger
 
 SMALLEST_QUEUE = 16384
 
 ASLEEP_S = 0.5
 """The drive's thread looks more often; after a longer pause the whole program may have slept."""
 
-SILENT_SHARE = 0.6
-"""A drive that has not answered for this share of its watchdog's time ends the test: before the
-watchdog does, so that the log names the cause and not what follows from it."""
-
-SILENT_SHARE_SIMULATED = 2.0
-"""The same for a simulated drive: a loaded computer delays its answers, and its own watchdog, which
-counts only the time for which it could run, stops the spindle in any case."""
-
 
 class Connection:
-    """Open devices with their threads."""
+    """Open devices with their threads.
+
+    supervise: makes the supervising thread's look at this connection.
+    """
 
     def __init__(
         self,
@@ -67,14 +63,14 @@ class Connection:
         devices: Devices,
         setup: StreamSetup,
         calibration: Calibration,
-        on_measured: Callable[[RevolutionMeasured], None] | None,
+        supervise: Callable[[Connection], Callable[[], None]],
     ) -> None:
         self.core = core
         self.devices = devices
         self.setup = setup
         timing = core.timing
         self._simulated = simulated = core.rig.record.simulation is not None
-        self.guard = Guard(core, self, on_measured)
+        self.guard = Guard(core, self)
         self.processor = Processor(
             calibration, self.guard, lambda: core.limits.overload_N, real_time=not simulated
         )
@@ -96,9 +92,9 @@ class Connection:
         self._pending: Block | None = None
         self._in_hand_ns: int | None = None
         self._overrun = False
-        self._turning_blind_since: float | None = None
         self._drive_polled_s = 0.0
-        self._judging = threading.Lock()
+        self.drive_watch = DriveWatch(core, self, devices.drive_request.watchdog_timeout_s)
+        self.watches = Watches(core, self)
         self._unsupervised = False
         self._looked_s = self._awake_since = time.monotonic()
         self.lateness = Lateness(time.monotonic(), 0.0)
@@ -114,10 +110,19 @@ class Connection:
             lambda: self.control.status,
             self.age_s,
         )
-        self.supervisor = Supervisor(core, self)
         self._log = DeviceLog(lambda name, text: core.event("device", name, text))
-        self.supervise = Worker("supervise", self.supervisor.step, self._died, silence)
+        self.supervise = Worker("supervise", supervise(self), died, silence)
         self.workers = (self.reader, self.process, self.commit, self.drive, self.supervise)
+
+    @property
+    def source(self) -> DataSource:
+        """Return the source of the samples."""
+        return self.devices.source
+
+    @property
+    def spindle(self) -> Spindle:
+        """Return the drive."""
+        return self.devices.spindle
 
     # --- life ------------------------------------------------------------------------------------
 
@@ -140,7 +145,7 @@ class Connection:
 
         def died(worker: Worker, error: BaseException) -> None:
             sentence = f"{type(error).__name__}: {error}"
-            self.core.warn(causes.slow_silent(source.name, source.port, 0.0, sentence))
+            self.core.act_on(slow_silent(source, 0.0, sentence))
 
         return SlowDevice(source, request, opened, died, self.core.timing.silence)
 
@@ -194,11 +199,13 @@ class Connection:
                 block = self.devices.source.read(self.core.timing.read)
             except DataOverrun as error:
                 self._note(error)
-                self.core.warn(causes.device_overrun(error.device, error.sentence))
+                cause = because("device_overrun", device=error.device, sentence=error.sentence)
+                self.core.act_on(cause)
                 return
             except DeviceError as error:
                 self._note(error)
-                self._lost_device(error)
+                if not self.reader.halting:
+                    self.core.act_on(lost_device(error))
                 self.reader.halt()
                 return
             if block is None:
@@ -210,18 +217,12 @@ class Connection:
             self._pending = block
         else:
             self._overrun = True
-            self.core.warn(causes.overrun(block.device, self.queue.refused_blocks))
+            refused = self.queue.refused_blocks
+            self.core.act_on(because("overrun", device=block.device, blocks=refused))
 
     def _note(self, error: DeviceError) -> None:
         self.source_errors += 1
         self.last_source_error = error.sentence
-
-    def _lost_device(self, error: DeviceError) -> None:
-        if self.reader.halting:
-            return
-        cause = causes.device_lost(error.device, error.port, error.sentence)
-        sentence = f"{error.device} on {error.port}: {error.sentence}"
-        self.core.trip(Ending(FinishReason.DEVICE, sentence), cause)
 
     # --- process ---------------------------------------------------------------------------------
 
@@ -262,7 +263,7 @@ class Connection:
         stands = core.state not in TURNING
         if due and (stands or core.state is RunState.STOPPING or self.all_well()):
             self._drive_polled_s = now
-            self._watch_drive()
+            self.drive_watch.ask()
         do = control.step()
         self.follow(do)
         self._watch_the_supervisor()
@@ -283,10 +284,7 @@ class Connection:
             self._unsupervised = False
         elif not self._unsupervised:
             self._unsupervised = True
-            sentence = f"no sign of life for {supervise.silent_for():.1f} s"
-            text = f"The engine's thread {supervise.name!r} gives {sentence}."
-            cause = causes.thread_dead(supervise.name, sentence)
-            self.core.trip(Ending(FinishReason.INTERNAL, text), cause)
+            self.core.act_on(silent_thread(supervise))
 
     def all_well(self) -> bool:
         """Tell whether the drive's watchdog may be fed: threads well and data fresh."""
@@ -294,82 +292,8 @@ class Connection:
         age = self.age_s(self.received_s)
         return all(one.well for one in others) and age < self.core.limits.stale_data_s
 
-    def _watch_drive(self) -> None:
-        core, control = self.core, self.control
-        spindle = self.devices.spindle
-        with self._judging:
-            status = control.poll()
-            if status is not None:
-                self._judge_drive(status)
-                return
-        error = control.last_error
-        silent = self.age_s(control.answered_s)
-        watchdog_s = self.devices.drive_request.watchdog_timeout_s
-        simulated = core.rig.record.simulation is not None
-        share = SILENT_SHARE_SIMULATED if simulated else SILENT_SHARE
-        if isinstance(error, DeviceLost) or silent > share * watchdog_s:
-            sentence = error.sentence if error is not None else "it does not answer"
-            cause = causes.drive_silent(spindle.name, spindle.port, sentence)
-            text = f"{spindle.name} on {spindle.port}: {sentence}"
-            core.trip(Ending(FinishReason.DEVICE, text), cause)
-
-    def look_at_drive(self) -> None:
-        """Judge what the drive has said last, before anybody waits for the drive's thread."""
-        with self._judging:
-            if self.control.status is not None:
-                self._judge_drive(self.control.status)
-
-    def reset_drive(self) -> None:
-        """Acknowledge the drive's own faults, and judge what it says then; raise DeviceError."""
-        with self._judging:
-            self.control.reset_fault()
-            if self.control.status is not None:
-                self._judge_drive(self.control.status)
-
-    def _judge_drive(self, status: DriveStatus) -> None:
-        core, spindle = self.core, self.devices.spindle
-        core.alarms.clear("drive_silent")
-        rpm = status.speed_rev_per_s * 60.0
-        if status.emergency_stop:
-            cause = causes.emergency_stop(spindle.name)
-            core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
-        else:
-            core.alarms.clear("emergency_stop")
-        if status.faults:
-            cause = causes.drive_fault(spindle.name, ", ".join(status.faults))
-            core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
-        elif not status.emergency_stop:
-            core.alarms.clear("drive_fault")
-        if status.warnings:
-            core.warn(causes.drive_warning(spindle.name, ", ".join(status.warnings)))
-        else:
-            core.alarms.clear("drive_warning")
-        limit = core.limits.overspeed_rpm
-        if core.state in TURNING and abs(rpm) > limit and not self.swinging:
-            cause = causes.overspeed(rpm, limit, "drive")
-            core.trip(Ending(FinishReason.LIMIT, cause.cause, off=True), cause)
-        self._watch_encoder(rpm)
-
-    def _watch_encoder(self, rpm: float) -> None:
-        core, session = self.core, self.core.session
-        blind = (
-            session is not None
-            and core.state in (RunState.STARTING, RunState.RUNNING)
-            and abs(rpm) > max(1.0, 0.05 * session.target_rpm)
-            and self.processor.motion.standing(core.timing.standing)
-        )
-        now = time.monotonic()
-        if not blind:
-            self._turning_blind_since = None
-            core.alarms.clear("encoder_lost")
-        elif self._turning_blind_since is None:
-            self._turning_blind_since = now
-        elif now - self._turning_blind_since > 2 * core.timing.standing:
-            cause = causes.encoder_lost(rpm)
-            core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
-
     def follow(self, do: Do) -> None:
-        """Do what a stop or a pause asks for next."""
+        """Take note of what a step of a pause or a stop has come to."""
         core, control = self.core, self.control
         stop = control.stopping
         if stop is None:
@@ -378,8 +302,7 @@ class Connection:
                 where = f"at {angle:.1f} deg" if angle is not None else "at an unknown angle"
                 core.fire_if(Trigger.STANDING, f"paused {where}")
             elif do is Do.GIVE_UP:
-                cause = causes.pause_failed("The spindle did not come to rest for the pause.")
-                core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
+                core.act_on(because("pause_failed"))
             return
         if do is Do.STANDING:
             core.stood(stop.witnesses, stop.how)
@@ -395,9 +318,9 @@ class Connection:
 
     def pause(self, reason: str) -> None:
         """Begin to pause at the safe angle, when the state allows it."""
-        session = self.core.session
-        if session is not None and self.core.fire_if(Trigger.PAUSE, reason):
-            self.control.pause_at(session.test.record.run.pause_angle_deg)
+        test = self.core.test
+        if test is not None and self.core.fire_if(Trigger.PAUSE, reason):
+            self.control.pause_at(test.document.record.run.pause_angle_deg)
 
     # --- what the crank encoder shows -------------------------------------------------------------
 
@@ -407,12 +330,12 @@ class Connection:
 
         The spring can swing it faster than it ran. That follows from the stop, and is no alarm.
         """
-        session, control = self.core.session, self.control
+        test, control = self.core.test, self.control
         if control.power_cut:
             return True
-        if session is None or self.core.state is not RunState.STOPPING:
+        if test is None or self.core.state is not RunState.STOPPING:
             return False
-        return session.off or not control.answering
+        return test.off or not control.answering
 
     @property
     def backed_up(self) -> bool:
@@ -483,8 +406,17 @@ class Connection:
     def _died(self, worker: Worker, error: BaseException) -> None:
         """Bring the rig into a safe state: a thread has died."""
         sentence = f"{type(error).__name__}: {error}"
-        cause = causes.thread_dead(worker.name, sentence)
-        text = f"The engine's thread {worker.name!r} died ({sentence})."
-        self.core.trip(Ending(FinishReason.INTERNAL, text), cause)
+        self.core.act_on(because("thread", worker.name, sentence=sentence))
         if self.core.state in ACTIVE and worker is self.drive:
             self.control.stop_now(off=True)
+
+
+def lost_device(error: DeviceError) -> Cause:
+    """Return the alarm of a device that is gone."""
+    return because("device_lost", error.device, port=error.port, sentence=error.sentence)
+
+
+def silent_thread(worker: Worker) -> Cause:
+    """Return the alarm of a thread that hangs."""
+    sentence = f"no sign of life for {worker.silent_for():.1f} s"
+    return because("thread", worker.name, sentence=sentence)

@@ -8,22 +8,21 @@ from __future__ import annotations
 import logging
 import threading
 import time
-from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
-from pathlib import Path
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 
 import msgspec
 
 from rigapp.config.channels import channel_table
 from rigapp.config.loading import Document
-from rigapp.config.recipe import LimitsSection, TestFile
+from rigapp.config.recipe import LimitsSection
 from rigapp.config.rig import RigFile
+from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.drive.driving import SpindleControl
 from rigapp.engine.drive.timing import Timing
-from rigapp.engine.judging import causes
 from rigapp.engine.judging.alarms import AlarmBook
-from rigapp.engine.judging.causes import Cause
-from rigapp.engine.judging.testrun import TestRun
+from rigapp.engine.judging.testrun import Row
 from rigapp.engine.publish import (
     AlarmChanged,
     Committed,
@@ -31,7 +30,8 @@ from rigapp.engine.publish import (
     Publisher,
     StateChanged,
 )
-from rigapp.engine.recording.recorder import Recorder
+from rigapp.engine.recording.recorder import Recorder, cycle_message, measured_history
+from rigapp.schema.alarms import Cause, because, kind_of
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import (
@@ -39,7 +39,8 @@ from rigapp.schema.messages import (
     Ends,
     Event,
     FinishReason,
-    Prediction,
+    Flag,
+    RevolutionMeasured,
     RunState,
     Severity,
 )
@@ -56,56 +57,29 @@ CALM_COMMITS = 20
 TRIGGERS = frozenset({"limit", "note"})
 """Kinds of events around which whole cycles are kept, beside every alarm that rises."""
 
-NO_TRIGGERS = frozenset({"cycles_refused", "storage", "file_moved", "file_unsaved"})
-"""Alarms that tell nothing of the joint, but of the file."""
-
-
-@dataclass(slots=True, eq=False)
-class Session:
-    """One test under way, or the last one.
-
-    steady_from: ordinal of the first whole revolution at the set speed, None while it changes.
-    """
-
-    test: Document[TestFile]
-    path: Path
-    run: TestRun
-    recorder: Recorder
-    limits: LimitsSection
-    operator: str
-    started_at: float
-    deadline_s: float
-    steady_from: int | None = None
-    ending: Ending | None = None
-    fault_sentence: str = ""
-    off: bool = False
-    stopping_since: float = 0.0
-    stood: bool = False
-    finished: bool = False
-    outcome: Finished | None = None
-    prediction: Prediction | None = None
-    prediction_at: float = 0.0
-    committed: int = -1
-    cycles_refused: int = 0
-    triggers_refused: int = 0
-    finishing: threading.Lock = field(default_factory=threading.Lock)
-
-    @property
-    def target_rpm(self) -> float:
-        """Return the set speed."""
-        return self.test.record.run.speed_rpm
+UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
+"""Revolutions with one of these flags are no food for the prediction."""
 
 
 class Core:
-    """The shared heart of the engine; any thread may call it."""
+    """The shared heart of the engine; any thread may call it.
 
-    def __init__(self, rig: Document[RigFile], timing: Timing) -> None:
+    on_measured: told of every sound revolution; must return at once.
+    """
+
+    def __init__(
+        self,
+        rig: Document[RigFile],
+        timing: Timing,
+        on_measured: Callable[[RevolutionMeasured], None] | None,
+    ) -> None:
         self.rig = rig
         self.timing = timing
         self.alarms = AlarmBook(time.time, self._alarm_changed, time.monotonic)
         self.table = channel_table(rig.record)
         self.publisher = Publisher(len(self.table.names), len(prediction_columns()))
-        self.session: Session | None = None
+        self.test: ActiveTest | None = None
+        self._on_measured = on_measured
         self.control: SpindleControl | None = None
         self.anchor = (time.monotonic_ns(), time.time())
         self._no_limits = LimitsSection()
@@ -171,12 +145,12 @@ class Core:
     @property
     def revolution(self) -> int:
         """Return the number of the last revolution recorded."""
-        return self.session.run.number if self.session is not None else 0
+        return self.test.run.number if self.test is not None else 0
 
     @property
     def limits(self) -> LimitsSection:
         """Return the limits in force: those of the test, or the defaults without one."""
-        return self.session.limits if self.session is not None else self._no_limits
+        return self.test.limits if self.test is not None else self._no_limits
 
     def event(
         self,
@@ -205,35 +179,44 @@ class Core:
 
     def _write(self, event: Event) -> bool:
         _log(event)
-        session, kept = self.session, True
-        if session is not None:
+        test, kept = self.test, True
+        if test is not None:
             try:
-                kept = session.recorder.event(event)
+                kept = test.recorder.event(event)
                 if event.kind in TRIGGERS:
-                    session.recorder.trigger(critical=False)
+                    test.recorder.trigger(critical=False)
             except Exception as error:
                 self.storage_failed(error)
         self.publisher.event(event)
         return kept
 
-    def gap(self, text: str) -> None:
-        """Write an interruption of the data to the log, and count it."""
-        event = Event(time.time(), self.revolution, "gap", "engine", text, level="warning")
-        _log(event)
-        if self.session is not None:
-            self.session.recorder.gap(event)
-        self.publisher.event(event)
+    def note_limit(self, cause: Cause) -> None:
+        """Write a limit that is passed to the log, and do nothing else."""
+        level = cause.kind.severity.value
+        self.event("limit", "limits", cause.sentence, key=cause.key, level=level)
 
     def _alarm_changed(self, alarm: Alarm, change: AlarmChange, who: str) -> None:
         self.publisher.notice(AlarmChanged(alarm))
-        raised = change.what == "raised"
-        if raised and self.session is not None and alarm.key not in NO_TRIGGERS:
-            self.session.recorder.trigger(critical=alarm.severity is Severity.CRITICAL)
+        kind = kind_of(alarm.key)
+        if (
+            change.what == "raised"
+            and self.test is not None
+            and (kind is None or kind.keeps_cycles)
+        ):
+            self.test.recorder.trigger(critical=alarm.severity is Severity.CRITICAL)
         self._write(alarm_line(time.time(), self.revolution, who, alarm, change))
 
     def warn(self, cause: Cause) -> None:
         """Raise an alarm that does nothing else."""
         self.alarms.raise_alarm(cause, self.revolution)
+
+    def act_on(self, cause: Cause, off: bool = False) -> None:
+        """Raise an alarm and do what the table says of it; off: without power in any case."""
+        kind = cause.kind
+        if kind.stop is None:
+            self.warn(cause)
+        else:
+            self.trip(Ending(kind.stop, cause.sentence, off or kind.off), cause)
 
     # --- ending a test ---------------------------------------------------------------------------
 
@@ -242,20 +225,15 @@ class Core:
 
         Without a test, a fault leads to the state fault and the power is taken off.
         """
-        first, command = False, False
+        first = command = under_way = False
         announce: RunState | None = None
         with self._changed:
-            session = self.session
-            if self._state in ACTIVE and session is not None:
-                first = session.ending is None
+            test = self.test
+            if self._state in ACTIVE and test is not None:
+                under_way, first = True, test.ending is None
+                command = test.end(ending)
                 if first:
-                    session.ending = ending
-                    session.stopping_since = time.monotonic()
                     announce = self._set(transition(self._state, Trigger.STOP), ending.sentence)
-                elif session.ending is not None and ending.fault > session.ending.fault:
-                    session.fault_sentence = session.fault_sentence or ending.sentence
-                command = first or (ending.off and not session.off)
-                session.off |= ending.off
             elif (
                 ending.fault
                 and self._state is not RunState.FAULT
@@ -268,109 +246,139 @@ class Core:
         if first and cause is not None:
             self.alarms.claim_first_out(cause)
         if command and control is not None:
-            control.stop_now(off=ending.off or session is None or session.ending is None)
+            control.stop_now(off=ending.off or not under_way)
         if cause is not None:
-            self.alarms.raise_alarm(cause, self.revolution)
+            self.warn(cause)
         if announce is not None:
             self._announce(announce, ending.sentence)
         return first
 
     def storage_failed(self, error: BaseException) -> None:
         """End the test because its file cannot be written."""
-        session = self.session
-        name = str(session.path) if session is not None else "the file"
-        sentence = str(error) if name in str(error) else f"{name}: {error}"
-        if self.alarms.is_active("storage"):
-            return
-        self.trip(Ending(FinishReason.STORAGE, sentence), causes.storage_failed(sentence))
+        name = str(self.test.path) if self.test is not None else "the file"
+        if not self.alarms.is_active("storage"):
+            sentence = str(error) if name in str(error) else f"{name}: {error}"
+            self.act_on(because("storage", sentence=sentence))
 
     def stood(self, witnesses: str, how: str) -> None:
         """Take note that the spindle stands; the file can be finished."""
-        session = self.session
-        if session is None or session.stood:
-            return
-        self.event("stopped", "drive", f"the spindle stands {how}; seen by {witnesses}")
-        session.stood = True
+        if self.test is not None and not self.test.stood:
+            how = f"the spindle stands {how}; seen by {witnesses}"
+            self.event("stopped", "drive", how)
+            self.test.stood = True
 
     def will_not_stop(self, sentence: str) -> None:
         """Take note that the spindle could not be shown to stand."""
-        session = self.session
-        self.alarms.raise_alarm(causes.will_not_stop(sentence), self.revolution)
-        if session is None or session.stood:
-            return
-        session.fault_sentence = session.fault_sentence or sentence
-        session.stood = True
+        self.warn(because("will_not_stop", sentence=sentence))
+        if self.test is not None and not self.test.stood:
+            self.test.fault_sentence = self.test.fault_sentence or sentence
+            self.test.stood = True
 
     # --- the file --------------------------------------------------------------------------------
 
-    def place(self) -> None:
-        """Put what waits in memory into the file, without making it safe."""
-        session = self.session
-        if session is None or session.finished:
+    @contextmanager
+    def _filing(self) -> Iterator[ActiveTest | None]:
+        """Give the test whose file is open, None without one; what fails there ends the test."""
+        test = self.test
+        if test is None or test.finished:
+            yield None
             return
         try:
-            session.recorder.place()
+            yield test
         except Exception as error:
-            if not session.finished:
+            if not test.finished:
                 self.storage_failed(error)
+
+    def record(self, row: Row) -> None:
+        """Store a judged revolution of the test under way, then publish it."""
+        stored = None
+        with self._filing() as test:
+            if test is not None:
+                self._store(test, row)
+            stored = test
+        if stored is None:
+            return
+        self.publisher.row(row.values, lambda: cycle_message(row.number, row.measured))
+        if self._on_measured is None or row.measured.revolution.flags & UNTRUE:
+            return
+        try:
+            self._on_measured(measured_history(row.number, row.measured))
+        except Exception as error:
+            self.event("twin", "engine", f"the prediction was not asked: {error}")
+            self._on_measured = None
+
+    def _store(self, test: ActiveTest, row: Row) -> None:
+        """Write a row, and the interruption of the data before it where there is one."""
+        revolution = row.measured.revolution
+        test.recorder.row(row.number, row.values, row.measured)
+        if revolution.flags & Flag.GAP_BEFORE:
+            lost = revolution.lost_samples
+            text = f"samples are missing before revolution {row.number}: {lost} lost"
+            event = Event(time.time(), row.number, "gap", "engine", text, level="warning")
+            _log(event)
+            test.recorder.gap(event)
+            self.publisher.event(event)
+
+    def place(self) -> None:
+        """Put what waits in memory into the file, without making it safe."""
+        with self._filing() as test:
+            if test is not None:
+                test.recorder.place()
 
     def commit(self) -> None:
         """Make the rows so far safe and announce them."""
-        session = self.session
-        if session is None or session.finished:
-            return
-        self.committing_since = time.monotonic()
-        try:
-            safe = session.recorder.commit()
-        except Exception as error:
-            if not session.finished:
-                self.storage_failed(error)
-            return
-        finally:
-            took, self.committing_since = time.monotonic() - self.committing_since, 0.0
-        self._look_at_disk(took)
-        if safe != session.committed:
-            session.committed = safe
-            self.publisher.notice(Committed(safe))
-        refused = session.recorder.cycles_refused
-        if refused != session.cycles_refused:
-            session.cycles_refused = refused
-            self.warn(causes.cycles_refused(refused))
-        triggers = session.recorder.triggers_refused
-        if triggers and not session.triggers_refused:
-            self.event(
-                "cycles",
-                "engine",
-                "the room for whole cycles around alarms, limits and notes is used up: from here "
-                "on only those of the schedule are kept, and those around critical alarms while "
-                "room lasts",
-            )
-        session.triggers_refused = triggers
+        with self._filing() as test:
+            if test is None:
+                return
+            self.committing_since = time.monotonic()
+            try:
+                safe = test.recorder.commit()
+            finally:
+                took, self.committing_since = time.monotonic() - self.committing_since, 0.0
+            self._look_at_disk(took)
+            self._tell_committed(test, safe)
+            refused = test.recorder.cycles_refused
+            if refused != test.cycles_refused:
+                test.cycles_refused = refused
+                self.warn(because("cycles_refused", number=refused))
+            triggers = test.recorder.triggers_refused
+            if triggers and not test.triggers_refused:
+                self.event(
+                    "cycles",
+                    "engine",
+                    "the room for whole cycles around alarms, limits and notes is used up: from "
+                    "here on only those of the schedule are kept, and those around critical alarms "
+                    "while room lasts",
+                )
+            test.triggers_refused = triggers
+
+    def _tell_committed(self, test: ActiveTest, rows: int) -> None:
+        if rows != test.committed:
+            test.committed = rows
+            self.publisher.notice(Committed(rows))
 
     def look_after_file(self) -> None:
         """Give the file of the test its name back when it was deleted, moved or replaced."""
-        session = self.session
-        if session is None or session.finished:
-            return
-        try:
-            found = session.recorder.look_after(lambda what: self.warn(causes.file_moved(what)))
-        except Exception as error:
-            if not session.finished:
-                self.storage_failed(error)
-            return
-        session.path = session.recorder.path
-        if found is not None and not found.saved:
-            self.warn(causes.file_unsaved(found.sentence))
-            return
-        self.alarms.clear("file_unsaved")
-        if found is not None:
-            self.warn(causes.file_moved(found.sentence))
-        self.alarms.clear("file_moved")
+        with self._filing() as test:
+            if test is None:
+                return
+            found = test.recorder.look_after(self._file_moved)
+            test.path = test.recorder.path
+            if found is not None and not found.saved:
+                self.warn(because("file_unsaved", sentence=found.sentence))
+                return
+            self.alarms.clear("file_unsaved")
+            if found is not None:
+                self._file_moved(found.sentence)
+            self.alarms.clear("file_moved")
+
+    def _file_moved(self, sentence: str) -> None:
+        self.warn(because("file_moved", sentence=sentence))
 
     def disk_slow(self, seconds: float) -> None:
         """Warn of a disk that takes long over a commit."""
         self._quick_commits = 0
-        self.warn(causes.disk_slow(seconds))
+        self.warn(because("disk_slow", seconds=seconds))
 
     def _look_at_disk(self, took: float) -> None:
         if took > SLOW_DISK_S:
@@ -384,52 +392,43 @@ class Core:
     @property
     def finish_due(self) -> bool:
         """Tell whether a test waits for its file to be finished."""
-        session = self.session
-        return session is not None and session.stood and not session.finished
+        return self.test is not None and self.test.stood and not self.test.finished
 
     def finish(self) -> None:
         """Finish the file of a test whose spindle stands, and reach stopped or fault."""
-        session = self.session
-        if session is None or not session.stood:
+        test = self.test
+        if test is None or not test.stood:
             return
-        with session.finishing:
-            if session.finished:
+        with test.finishing:
+            if test.finished:
                 return
-            ending = session.ending or Ending(FinishReason.INTERNAL, "the test ended by itself")
-            then = session.fault_sentence
+            ending = test.ending or Ending(FinishReason.INTERNAL, "the test ended by itself")
+            then = test.fault_sentence
             if then and then not in ending.sentence:
                 ending = replace(ending, sentence=f"{ending.sentence} Then: {then}")
             self.look_after_file()
-            ending = self._close_file(session, ending)
-            session.path = session.recorder.path
-            fault = ending.fault or bool(then)
-            sentence = ending.sentence
-            rows = session.recorder.committed
-            session.finished = True
-            if rows != session.committed:
-                session.committed = rows
-                self.publisher.notice(Committed(rows))
-            outcome = Finished(ending.code, sentence, ending.status, rows, str(session.path))
-            session.outcome = outcome
+            ending = self._close_file(test.recorder, ending)
+            test.path = test.recorder.path
+            fault, rows = ending.fault or bool(then), test.recorder.committed
+            test.finished = True
+            self._tell_committed(test, rows)
+            outcome = Finished(ending.code, ending.sentence, ending.status, rows, str(test.path))
+            test.outcome = outcome
         self.settle()
         self.fault_code = ending.code
-        self.fire_if(Trigger.FAILED if fault else Trigger.ENDED, sentence)
+        self.fire_if(Trigger.FAILED if fault else Trigger.ENDED, ending.sentence)
         self.publisher.notice(outcome)
 
-    def _close_file(self, session: Session, ending: Ending) -> Ending:
-        recorder = session.recorder
-        if ending.code is FinishReason.STORAGE:
-            try:
-                recorder.finish(ending.status, ending.code.value, ending.sentence)
-            except Exception:
-                recorder.abandon()
-            return ending
+    def _close_file(self, recorder: Recorder, ending: Ending) -> Ending:
+        """Finish a file and return how the test has ended: by the file when it cannot be."""
         try:
             recorder.finish(ending.status, ending.code.value, ending.sentence)
         except Exception as error:
             recorder.abandon()
+            if ending.code is FinishReason.STORAGE:
+                return ending
             sentence = f"{ending.sentence} The file could not be finished: {error}"
-            self.alarms.raise_alarm(causes.storage_failed(sentence), self.revolution)
+            self.warn(because("storage", sentence=sentence))
             return Ending(FinishReason.STORAGE, sentence)
         return ending
 

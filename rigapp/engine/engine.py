@@ -22,21 +22,22 @@ from rigapp.config.loading import Document
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.engine.connection import Connection
+from rigapp.engine.connection import Connection, lost_device
 from rigapp.engine.core import Core
 from rigapp.engine.devices import LoadDriver, make_devices
 from rigapp.engine.drive.driving import Ramp
 from rigapp.engine.drive.timing import Timing
-from rigapp.engine.judging import causes
 from rigapp.engine.judging.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
 from rigapp.engine.publish import Finished, NoticeStream, Subscription
 from rigapp.engine.recording.store import OpenStore, open_file
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
-from rigapp.engine.starting import check_overload, check_start, open_session, start_deadline_s
-from rigapp.engine.threads import Turn
+from rigapp.engine.starting import check_overload, check_start, open_test, start_deadline_s
+from rigapp.engine.supervisor import Supervisor
 from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
+from rigapp.process.threads import OneAtATime
+from rigapp.schema.alarms import because
 from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange
 from rigapp.schema.messages import (
     Ends,
@@ -105,13 +106,12 @@ class Engine:
         records: Mapping[str, str] | None = None,
     ) -> None:
         self._records = dict(records or {})
-        self._core = Core(rig, timing or Timing())
+        self._core = Core(rig, timing or Timing(), on_measured)
         self._ports = dict(ports or {})
         self._load = load
         self._open_store = open_store
-        self._on_measured = on_measured
         self._connection: Connection | None = None
-        self._command = Turn(COMMAND_WAIT_S)
+        self._command = OneAtATime(COMMAND_WAIT_S)
         self._operator = ""
 
     # --- connection ------------------------------------------------------------------------------
@@ -136,11 +136,10 @@ class Engine:
             except BaseException as error:
                 self._core.fire_if(Trigger.FAILED, str(error))
                 if isinstance(error, DeviceError):
-                    cause = causes.device_lost(error.device, error.port, error.sentence)
-                    self._core.warn(cause)
+                    self._core.warn(lost_device(error))
                 raise
             self._core.fire_if(Trigger.CONNECTED)
-            self._connection.look_at_drive()
+            self._connection.drive_watch.look()
             self._refuse_in_fault()
 
     def _refuse_in_fault(self) -> None:
@@ -167,7 +166,9 @@ class Engine:
         setup = devices.open()
         try:
             calibration = calibration_of(core.rig.record, setup)
-            connection = Connection(core, devices, setup, calibration, self._on_measured)
+            connection = Connection(
+                core, devices, setup, calibration, lambda it: Supervisor(core, it).step
+            )
             # What the new connection does not see again is over.
             core.alarms.clear_ended_by(Ends.TEST, Ends.CONNECTION, Ends.SEEN)
             connection.start()
@@ -184,7 +185,7 @@ class Engine:
         hanging = connection.close()
         self._core.control = None
         for name in hanging:
-            self._core.warn(causes.thread_dead(name, "it does not end"))
+            self._core.warn(because("thread", name, sentence="it does not end"))
 
     def shutdown(self, timeout_s: float = 60.0) -> None:
         """Stop a test under way, finish its file, release the devices. Safe to call twice."""
@@ -244,7 +245,7 @@ class Engine:
         self._operator = operator
         monitor = check_start(core, connection, test)
         rest = signals_at_rest(core, connection)
-        session = open_session(
+        active = open_test(
             core,
             connection,
             test,
@@ -256,17 +257,17 @@ class Engine:
             resume=resume,
             rest=rest,
         )
-        core.publisher.restart(session.recorder.rows)
-        core.session = session
+        core.publisher.restart(active.recorder.rows)
+        core.test = active
         run = test.record.run
         connection.control.arm(Ramp(run.speed_rpm, run.acceleration_rpm_per_s))
         try:
             core.fire(Trigger.START, f"started by {operator}" if operator else "")
         except Refused as error:
-            session.finished = True
+            active.finished = True
             sentence = f"The test did not start: {core.reason or error}"
-            session.recorder.finish("fault", core.fault_code.value, sentence)
-            session.outcome = Finished(core.fault_code, sentence, "fault", 0, str(path))
+            active.recorder.finish("fault", core.fault_code.value, sentence)
+            active.outcome = Finished(core.fault_code, sentence, "fault", 0, str(path))
             raise
         for remark in remarks:
             core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
@@ -291,10 +292,10 @@ class Engine:
         with self._command:
             core, connection = self._core, self._connection
             transition(core.state, Trigger.RESUME)
-            session = core.session
+            active = core.test
             assert connection is not None
-            assert session is not None
-            session.deadline_s = start_deadline_s(core, connection, session.test.record)
+            assert active is not None
+            active.deadline_s = start_deadline_s(core, connection, active.document.record)
             self._note_command("resume", operator, "")
             core.fire(Trigger.RESUME)
             try:
@@ -329,15 +330,15 @@ class Engine:
         what = "switched the drive off" if off else "stopped the test"
         sentence = f"{who} {what}" + (f": {reason.strip()}" if reason.strip() else ".")
         sentence = sentence[0].upper() + sentence[1:]
-        session = self._core.session
-        waits = session is not None and session.finishing.acquire(blocking=False)
+        active = self._core.test
+        waits = active is not None and active.finishing.acquire(blocking=False)
         # The drive first: the log may have to wait for the disk. The file is not finished before.
         try:
             self._core.trip(Ending(FinishReason.OPERATOR, sentence, off=off))
             self._note_command("drive_off" if off else "stop", operator, reason)
         finally:
-            if session is not None and waits:
-                session.finishing.release()
+            if active is not None and waits:
+                active.finishing.release()
 
     def reset(self, operator: str = "") -> None:
         """Take latched alarms off the list; from stopped or fault, go back to ready.
@@ -370,7 +371,7 @@ class Engine:
         if status is None or not (status.faults or status.emergency_stop):
             return
         try:
-            connection.reset_drive()
+            connection.drive_watch.reset()
         except DeviceError as error:
             raise Refused(f"the drive keeps its fault: {error.sentence}") from error
 
@@ -400,7 +401,7 @@ class Engine:
 
     def service_failed(self, sentence: str) -> None:
         """Warn that viewers cannot be served."""
-        self._core.warn(causes.service_failed(sentence))
+        self._core.act_on(because("service", sentence=sentence))
 
     def set_limit(self, name: str, value: float, operator: str = "", reason: str = "") -> None:
         """Change a limit of the test under way; the change is logged with before and after.
@@ -409,18 +410,18 @@ class Engine:
         of the test, for example ``force_max.critical_above``. Raises Refused, UnusableInput.
         """
         with self._command:
-            session = self._core.session
-            if session is None or self._core.state not in ACTIVE:
+            active = self._core.test
+            if active is None or self._core.state not in ACTIVE:
                 raise Refused("limits are changed in the test file while no test is under way")
-            before, limits = changed_limits(session.limits, name, value, self._core.table)
-            if limits.overspeed_rpm <= session.target_rpm:
+            before, limits = changed_limits(active.limits, name, value, self._core.table)
+            if limits.overspeed_rpm <= active.target_rpm:
                 raise UnusableInput(
                     f"overspeed_rpm = {limits.overspeed_rpm:g} must be above the set speed "
-                    f"{session.target_rpm:g} rpm"
+                    f"{active.target_rpm:g} rpm"
                 )
             check_overload(self._core.rig.record, limits.overload_N)
-            session.run.monitor.replace(limits.rule)
-            session.limits = limits
+            active.run.monitor.replace(limits.rule)
+            active.limits = limits
             why = f": {reason.strip()}" if reason.strip() else ""
             self._core.event(
                 LIMIT_CHANGED,
@@ -439,10 +440,10 @@ class Engine:
         or the disk has no room for them.
         """
         with self._command:
-            core, session = self._core, self._core.session
-            if session is None or core.state not in EXTENDABLE or session.run.complete:
+            core, active = self._core, self._core.test
+            if active is None or core.state not in EXTENDABLE or active.run.complete:
                 raise Refused("the number of revolutions is changed while a test runs or is paused")
-            run = session.run
+            run = active.run
             wrong = refusal("run.revolutions", revolutions)
             if wrong:
                 raise UnusableInput(wrong)
@@ -452,7 +453,7 @@ class Engine:
                 f" {run.number + 1}",
             )
             before = run.planned
-            session.recorder.extend(revolutions)
+            active.recorder.extend(revolutions)
             run.planned = revolutions
             why = f": {reason.strip()}" if reason.strip() else ""
             text = f"the test shall end after {revolutions} revolutions{why}"
@@ -531,8 +532,8 @@ class Engine:
     @property
     def outcome(self) -> Finished | None:
         """Return how the last test ended, None before one has."""
-        session = self._core.session
-        return session.outcome if session is not None else None
+        active = self._core.test
+        return active.outcome if active is not None else None
 
     def status(self) -> Status:
         """Return everything a header shows, at this moment."""
@@ -574,16 +575,16 @@ class Engine:
 
     def submit_prediction(self, prediction: Prediction) -> None:
         """Take a prediction of the twin: store it, judge it by the rules, publish it."""
-        core, session = self._core, self._core.session
-        if session is None or core.state not in ACTIVE:
+        core, active = self._core, self._core.test
+        if active is None or core.state not in ACTIVE:
             return
         try:
-            values = session.recorder.prediction(prediction)
+            values = active.recorder.prediction(prediction)
         except Exception as error:
             core.storage_failed(error)
             return
-        session.prediction = prediction
-        session.prediction_at = time.monotonic()
+        active.prediction = prediction
+        active.prediction_at = time.monotonic()
         core.publisher.prediction(values, prediction)
         if self._connection is not None:
-            self._connection.guard.predicted(session, values)
+            self._connection.guard.predicted(active, values)

@@ -13,8 +13,9 @@ from rigapp.config.loading import Document
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
+from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
-from rigapp.engine.core import Core, Session
+from rigapp.engine.core import Core
 from rigapp.engine.judging.criteria import StopMonitor
 from rigapp.engine.judging.limits import RuleMonitor
 from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
@@ -84,7 +85,7 @@ def check_overload(rig: RigFile, overload_N: float, where: str = "") -> None:
         )
 
 
-def open_session(
+def open_test(
     core: Core,
     connection: Connection,
     test: Document[TestFile],
@@ -96,8 +97,8 @@ def open_session(
     operator: str,
     resume: bool,
     rest: RestSignals | None,
-) -> Session:
-    """Make the file of a test, or reopen it, and return the session; raise UnusableInput."""
+) -> ActiveTest:
+    """Make the file of a test, or reopen it; raise UnusableInput."""
     run = test.record.run
     calibration = connection.processor.calibration
     opened = open_store(
@@ -122,8 +123,8 @@ def open_session(
     gap_s = max(0.0, time.time() - opened.last_host_time) if opened.rows else 0.0
     offset_s = opened.last_time_s + gap_s
     stops = _stop_monitor(test.record, opened, offset_s, path)
-    return Session(
-        test=test,
+    return ActiveTest(
+        document=test,
         path=path,
         run=TestRun(
             calibration=calibration,

@@ -6,16 +6,12 @@ import threading
 import time
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING
 
+from rigapp.engine.connection import Connection, silent_thread
 from rigapp.engine.core import SLOW_DISK_S, Core
-from rigapp.engine.judging import causes
-from rigapp.engine.judging.watches import Watches
-from rigapp.schema.messages import FinishReason, RunState
-from rigapp.schema.states import ACTIVE, Ending
-
-if TYPE_CHECKING:
-    from rigapp.engine.connection import Connection
+from rigapp.schema.alarms import because
+from rigapp.schema.messages import RunState
+from rigapp.schema.states import ACTIVE
 
 ANCHOR_S = 60.0
 FILE_S = 1.0
@@ -40,7 +36,6 @@ class Supervisor:
         self._silent: set[str] = set()
         self._anchored_s = self._file_seen_s = time.monotonic()
         self._slow_since: float | None = None
-        self._watches = Watches(core, connection)
         self._waited_s = 0.0
 
     def step(self) -> None:
@@ -48,7 +43,7 @@ class Supervisor:
         self._connection.lateness.tick(time.monotonic(), time.thread_time(), self._waited_s)
         self._look_at_threads()
         self._look_at_data()
-        self._watches.look()
+        self._connection.watches.look()
         self._look_at_start()
         self._look_at_stop()
         self._look_at_clock()
@@ -80,11 +75,7 @@ class Supervisor:
             self._silent.add(worker.name)
             if worker.error is not None:
                 continue  # the dying thread has told itself
-            sentence = f"no sign of life for {worker.silent_for():.1f} s"
-            text = f"The engine's thread {worker.name!r} gives {sentence}."
-            ending = Ending(FinishReason.INTERNAL, text)
-            cause = causes.thread_dead(worker.name, sentence)
-            self._help(f"trip {worker.name}", partial(self._core.trip, ending, cause))
+            self._help(f"trip {worker.name}", partial(self._core.act_on, silent_thread(worker)))
 
     def _look_at_data(self) -> None:
         core, connection = self._core, self._connection
@@ -94,31 +85,26 @@ class Supervisor:
             return
         if connection.reader.ended or connection.backed_up or core.alarms.is_active("stale_data"):
             return
-        source = connection.devices.source
-        cause = causes.stale_data(source.name, source.port, age)
-        core.trip(Ending(FinishReason.DEVICE, cause.cause, off=True), cause)
+        name, port = connection.source.name, connection.source.port
+        core.act_on(because("stale_data", device=name, port=port, age_s=age))
 
     def _look_at_start(self) -> None:
-        core, session = self._core, self._core.session
-        if session is None or core.state is not RunState.STARTING:
+        core, test = self._core, self._core.test
+        if test is None or core.state is not RunState.STARTING:
             self._look_at_speed()
             return
         self._slow_since = None
-        if time.monotonic() > session.deadline_s:
+        if time.monotonic() > test.deadline_s:
             rpm = self._connection.processor.motion.speed_rpm()
-            cause = causes.start_failed(
-                f"The crank turns at {rpm:.1f} rpm instead of {session.target_rpm:g} rpm "
-                "after the time granted for the start."
-            )
-            core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
+            core.act_on(because("start_failed", speed_rpm=rpm, target_rpm=test.target_rpm))
 
     def _look_at_speed(self) -> None:
-        core, session, connection = self._core, self._core.session, self._connection
+        core, test, connection = self._core, self._core.test, self._connection
         rpm = connection.processor.motion.speed_rpm(0.2)
         if (
-            session is None
+            test is None
             or core.state is not RunState.RUNNING
-            or abs(rpm - session.target_rpm) <= SPEED_LOST * session.target_rpm
+            or abs(rpm - test.target_rpm) <= SPEED_LOST * test.target_rpm
         ):
             self._slow_since = None
             return
@@ -126,24 +112,23 @@ class Supervisor:
         if self._slow_since is None:
             self._slow_since = now
         elif now - self._slow_since > SPEED_LOST_S * connection.slow():
-            cause = causes.speed_lost(rpm, session.target_rpm)
-            core.trip(Ending(FinishReason.DEVICE, cause.cause), cause)
+            core.act_on(because("speed_lost", speed_rpm=rpm, target_rpm=test.target_rpm))
 
     def _look_at_stop(self) -> None:
         core, connection, timing = self._core, self._connection, self._core.timing
-        session = core.session
+        test = core.test
         if core.state not in ACTIVE and core.alarms.is_active("will_not_stop"):
             if connection.control.seen().stands:
                 core.alarms.clear("will_not_stop")
             return
-        if session is None or core.state is not RunState.STOPPING:
+        if test is None or core.state is not RunState.STOPPING:
             return
-        if not connection.drive.well and not session.stood:
+        if not connection.drive.well and not test.stood:
             self._help("stop", self._stop_in_place_of_the_drive_thread)
-        run = session.test.record.run
+        run = test.document.record.run
         ramp = 1.5 * run.speed_rpm / run.acceleration_rpm_per_s * connection.slow()
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
-        if not session.stood and time.monotonic() - session.stopping_since > longest:
+        if not test.stood and time.monotonic() - test.stopping_since > longest:
             core.will_not_stop("The stop was commanded, but the drive could not be asked.")
         if core.finish_due and not connection.commit.well:
             self._help("finish", core.finish)
@@ -156,8 +141,8 @@ class Supervisor:
             if not connection.control.quiet:
                 connection.control.poll()
             connection.follow(connection.control.step())
-            session = self._core.session
-            if session is None or session.stood:
+            test = self._core.test
+            if test is None or test.stood:
                 return
             connection.supervise.pause(0.02)
 

@@ -8,8 +8,9 @@ import time
 from typing import Any
 
 from drivers.api import DataSource, LineCounters, SlowSource, Spindle
+from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
-from rigapp.engine.core import Core, Session
+from rigapp.engine.core import Core
 from rigapp.engine.judging.limits import least_margin, margin_to
 from rigapp.engine.recovery import Situation, recovery
 from rigapp.engine.values.uncertainty import stated_uncertainty
@@ -35,12 +36,12 @@ RIG_FILE = "rig file"
 
 def build_status(core: Core, connection: Connection | None, operator: str) -> Status:
     """Return the status."""
-    session = core.session
+    active = core.test
     rig = core.rig.record
     simulation = rig.simulation
-    margin, margin_name = _margin(core, connection, session)
+    margin, margin_name = _margin(core, connection, active)
     speed = connection.processor.motion.speed_rpm() if connection is not None else 0.0
-    prediction = session.prediction if session is not None else None
+    prediction = active.prediction if active is not None else None
     predicted = {}
     if prediction is not None:
         predicted = by_name(prediction_columns(), as_array(prediction.values, "<f8"))
@@ -48,16 +49,16 @@ def build_status(core: Core, connection: Connection | None, operator: str) -> St
         state=core.state,
         reason=core.reason,
         rig=rig.name,
-        test=session.test.record.title if session is not None else "",
-        file=str(session.path) if session is not None else "",
+        test=active.document.record.title if active is not None else "",
+        file=str(active.path) if active is not None else "",
         revolution=core.revolution,
-        planned=session.run.planned if session is not None else 0,
-        committed=max(0, session.committed) if session is not None else 0,
-        first_revolution=session.run.first if session is not None else 0,
-        target_rpm=session.target_rpm if session is not None else 0.0,
+        planned=active.run.planned if active is not None else 0,
+        committed=max(0, active.committed) if active is not None else 0,
+        first_revolution=active.run.first if active is not None else 0,
+        target_rpm=active.target_rpm if active is not None else 0.0,
         speed_rpm=speed,
-        started_at=session.started_at if session is not None else 0.0,
-        expected_end_at=_expected_end(core, connection, session),
+        started_at=active.started_at if active is not None else 0.0,
+        expected_end_at=_expected_end(core, connection, active),
         data_age_s=connection.data_age_s() if connection is not None else math.inf,
         host_time=time.time(),
         simulated=simulation is not None,
@@ -66,8 +67,8 @@ def build_status(core: Core, connection: Connection | None, operator: str) -> St
         worst_margin=margin_name,
         twin_revolution=prediction.revolution if prediction is not None else 0,
         twin_age_s=(
-            time.monotonic() - session.prediction_at
-            if session is not None and prediction is not None
+            time.monotonic() - active.prediction_at
+            if active is not None and prediction is not None
             else math.inf
         ),
         residual_rms_N=predicted.get("residual_rms", math.nan),
@@ -83,9 +84,9 @@ def build_status(core: Core, connection: Connection | None, operator: str) -> St
 
 def next_step(core: Core, connection: Connection | None) -> Recovery:
     """Return what leads from here back to work."""
-    session = core.session
-    outcome = session.outcome if session is not None else None
-    left = session is not None and session.run.number < session.run.planned
+    active = core.test
+    outcome = active.outcome if active is not None else None
+    left = active is not None and active.run.number < active.run.planned
     resumable = outcome is not None and outcome.revolutions > 0 and outcome.status != "complete"
     return recovery(
         Situation(
@@ -100,19 +101,19 @@ def next_step(core: Core, connection: Connection | None) -> Recovery:
 
 
 def _margin(
-    core: Core, connection: Connection | None, session: Session | None
+    core: Core, connection: Connection | None, active: ActiveTest | None
 ) -> tuple[float, str]:
     """Return the least distance to a limit in percent, and which; of what is judged now alone.
 
     Revolutions are judged at the set speed, the age of the data while a test is open.
     """
-    if session is None or connection is None or core.state not in ACTIVE:
+    if active is None or connection is None or core.state not in ACTIVE:
         return NO_MARGIN, ""
-    limits, judged = session.limits, session.run.judged
+    limits, judged = active.limits, active.run.judged
     margin = margin_to(limits.stale_data_s, connection.data_age_s(), "stale data")
     if core.state is RunState.RUNNING and judged is not None:
         values = judged.named
-        margin = min(margin, least_margin(session.run.monitor, limits, values))
+        margin = min(margin, least_margin(active.run.monitor, limits, values))
     return margin if math.isfinite(margin[0]) else (NO_MARGIN, "")
 
 
@@ -125,20 +126,20 @@ def _simulated_speed(core: Core, connection: Connection | None) -> float:
     return simulation.speed if isinstance(simulation.speed, float) else 0.0
 
 
-def _expected_end(core: Core, connection: Connection | None, session: Session | None) -> float:
-    if session is None or connection is None or core.state not in ACTIVE:
+def _expected_end(core: Core, connection: Connection | None, active: ActiveTest | None) -> float:
+    if active is None or connection is None or core.state not in ACTIVE:
         return 0.0
     pace = 1.0
     if core.rig.record.simulation is not None:
         pace = max(connection.processor.motion.pace(), 1e-3)
-    return time.time() + _seconds_left(session) / pace
+    return time.time() + _seconds_left(active) / pace
 
 
-def _seconds_left(session: Session) -> float:
+def _seconds_left(active: ActiveTest) -> float:
     """Return the test's own time to its last revolution or to its planned hours."""
-    run, stop = session.run, session.test.record.stop
+    run, stop = active.run, active.document.record.stop
     now_s = run.newest.named["time"] if run.newest is not None else run.time_offset_s
-    left = [(run.planned - run.number) * 60.0 / session.target_rpm]
+    left = [(run.planned - run.number) * 60.0 / active.target_rpm]
     if stop.elapsed_time_h is not None:
         left.append(3600.0 * stop.elapsed_time_h - now_s)
     if stop.running_time_h is not None:

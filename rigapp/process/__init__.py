@@ -1,4 +1,4 @@
-"""What every process of the program needs: its end, its log, what others left behind, its own time.
+"""What every process of the program needs: its end, its threads and log, its own time.
 
-Any package of rigapp may enter; this one imports none of them.
+Any package of rigapp may enter; this one imports none of them but schema and the errors of config.
 """

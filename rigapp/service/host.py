@@ -29,9 +29,9 @@ from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, Remark
 from rigapp.engine.publish import Finished
 from rigapp.engine.starting import check_fit
-from rigapp.engine.threads import Turn
 from rigapp.process.ending import Background, asked_to_end, finish_in_time
 from rigapp.process.logs import beside, in_file
+from rigapp.process.threads import OneAtATime
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
     FinishReason,
@@ -126,7 +126,7 @@ class EngineHost:
         self._subscription = self.engine.subscribe()
         self.notices = self.engine.watch()
         self._log = ExitStack()
-        self._starting = Turn(START_WAIT_S)
+        self._starting = OneAtATime(START_WAIT_S)
         self._cancelled = ""
         self.ended = threading.Event()
         self._behind = Behind()

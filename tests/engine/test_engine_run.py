@@ -434,7 +434,7 @@ def test_the_least_margin_is_of_what_is_judged_now(rig: MemoryRig) -> None:
 def test_a_ramp_is_no_judged_revolution(rig: MemoryRig) -> None:
     rig.start(a_test(LONG))
     recorded(rig, 5)
-    session = rig.engine._core.session
+    session = rig.engine._core.test
     assert session is not None
     assert int(rig.store.column("quality")[0]) & Flag.RAMP
     eventually(lambda: session.run.judged is not None)

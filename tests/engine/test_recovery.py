@@ -248,7 +248,7 @@ def test_what_forbids_to_turn_is_said_by_connect_and_start(
     [
         ("lost", "daq on memory: .*reconnect", FinishReason.DEVICE),
         ("silent", "daq on memory has sent no samples.*reconnect", FinishReason.DEVICE),
-        ("broken", "thread 'read daq' died .ValueError: a defect.", FinishReason.INTERNAL),
+        ("broken", "thread read daq failed: ValueError: a defect", FinishReason.INTERNAL),
     ],
 )
 def test_a_fault_that_comes_during_the_start_is_its_refusal(

@@ -13,7 +13,6 @@ from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 
 from rigapp.config.loading import parse_test
-from rigapp.engine.judging import causes
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.pyramid import Pyramid
@@ -23,6 +22,7 @@ from rigapp.gui.plots.palette import LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.replay.alarms import RecordedAlarms
 from rigapp.replay.client import ReplayClient
+from rigapp.schema.alarms import because, exceeded
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Alarm, Event, Flag, RunState, Severity
 from rigapp.storage.reading.oldlog import translated
@@ -147,13 +147,15 @@ def test_alarms_are_as_the_engine_listed_them(
     snapshots: dict[int, tuple[Alarm, ...]] = {}
 
     def story(book: AlarmBook, now: list[int]) -> None:
-        rule = causes.rule("force_max", Severity.WARNING, 160.0, 150.0, True, "warn")
-        trip = causes.overload(400.0, 380.0)
+        rule = exceeded("force_max", Severity.WARNING, 160.0, 150.0, True, "warn")
+        trip = because("overload", force_N=400.0, limit_N=380.0)
         steps: list[Callable[[], object]] = [
             lambda: book.raise_alarm(rule, now[0]),
             lambda: book.acknowledge(rule.key, "Ann"),
             lambda: book.clear(rule.key),
-            lambda: book.raise_alarm(causes.lost_samples("daq", 3), now[0]),
+            lambda: book.raise_alarm(
+                because("lost_samples", sentence="3 samples of daq were lost in all."), now[0]
+            ),
             lambda: book.shelve("lost_samples", "known", 3600.0, "Ann"),
             lambda: book.raise_alarm(trip, now[0]),
             lambda: book.clear(trip.key),

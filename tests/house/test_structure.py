@@ -81,7 +81,6 @@ NOT_YET = {
     "Session",
     "Step",
     "Stepwise",
-    "Turn",
     "Verdict",
 }
 """Names that are to be told apart."""

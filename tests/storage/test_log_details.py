@@ -9,9 +9,8 @@ import h5py
 import pytest
 from storage_samples import PLAN, new_test, write
 
-from rigapp.engine.judging import causes
 from rigapp.engine.judging.alarms import AlarmBook
-from rigapp.engine.judging.criteria import Met
+from rigapp.schema.alarms import because, exceeded
 from rigapp.schema.loglines import (
     AlarmChange,
     LimitChange,
@@ -35,13 +34,25 @@ def lines() -> list[Event]:
         found.append(alarm_line(float(len(found)), len(found), who, alarm, change))
 
     book = AlarmBook(lambda: 0.0, changed)
-    rule = causes.rule("force_max", Severity.CRITICAL, 160.0, 150.0, True, "stop")
-    lost = causes.device_lost("daq", "/dev/ttyACM0", "no answer: the cable. Look at it: now.")
-    blind = causes.criterion_blind("wear_depth_um")
-    met = causes.criterion(Met("force_N", "met.", planned=False))
-    broken = causes.input_fault("daq", "COM1", "saturated", "input 1", "analog_1")
-    speed = causes.speed_lost(3.0, 30.0)
-    for one in (causes.lost_samples("daq", 3), speed, lost, rule, blind, met, broken):
+    rule = exceeded("force_max", Severity.CRITICAL, 160.0, 150.0, True, "stop")
+    lost = because(
+        "device_lost", "daq", port="/dev/ttyACM0", sentence="no answer: the cable. Look at it: now."
+    )
+    blind = because("blind", "wear_depth_um", name="wear depth")
+    met = because("stop", "force_N", name="force", sentence="met.")
+    broken = because(
+        "input:saturated", "analog_1", device="daq", port="COM1", words="input 1 (analog_1)"
+    )
+    speed = because("speed_lost", speed_rpm=3.0, target_rpm=30.0)
+    for one in (
+        because("lost_samples", sentence="3 samples of daq were lost in all."),
+        speed,
+        lost,
+        rule,
+        blind,
+        met,
+        broken,
+    ):
         book.raise_alarm(one, 7)
         book.acknowledge(one.key, "Ann")
         book.clear(one.key)

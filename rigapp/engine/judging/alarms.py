@@ -13,7 +13,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from rigapp.engine.judging.causes import Cause
+from rigapp.schema.alarms import Cause
 from rigapp.schema.loglines import AlarmChange, What
 from rigapp.schema.messages import Alarm, Ends, Severity
 from rigapp.schema.states import Refused
@@ -39,24 +39,24 @@ class _Entry:
             return "shelved"
         if self.active:
             return "acknowledged" if self.acknowledged else "unacknowledged"
-        return "latched" if self.cause.latched else "returned"
+        return "latched" if self.cause.kind.latched else "returned"
 
     def alarm(self, now: float) -> Alarm:
-        cause = self.cause
+        cause, kind = self.cause, self.cause.kind
         return Alarm(
             key=cause.key,
-            severity=cause.severity,
+            severity=kind.severity,
             title=cause.title,
-            cause=cause.cause,
-            consequence=cause.consequence,
-            action=cause.action,
+            cause=cause.sentence,
+            consequence=kind.consequence,
+            action=kind.action,
             raised_at=self.raised_at,
             revolution=self.revolution,
             active=self.active,
             acknowledged=self.acknowledged,
             first_out=self.first_out,
             state=self.state(now),
-            ends=cause.ends,
+            ends=kind.ends,
         )
 
 
@@ -88,7 +88,7 @@ class AlarmBook:
         What ends a test commands the drive first and raises its alarm then.
         """
         with self._lock:
-            if cause.severity is Severity.CRITICAL and not self._first_out_given:
+            if cause.kind.latched and not self._first_out_given:
                 self._first_out_given = True
                 self._claimed = cause.key
 
@@ -101,7 +101,7 @@ class AlarmBook:
                 entry.cause = cause
                 return False
             free = not self._first_out_given or self._claimed == cause.key
-            first = cause.severity is Severity.CRITICAL and free
+            first = cause.kind.latched and free
             self._first_out_given |= first
             self._claimed = "" if first else self._claimed
             fresh = _Entry(cause, self._clock(), revolution, first)
@@ -122,14 +122,14 @@ class AlarmBook:
                 return
             entry.active = False
             alarm = entry.alarm(now)
-            if entry.acknowledged and not entry.cause.latched and entry.shelved_until <= now:
+            if entry.acknowledged and not entry.cause.kind.latched and entry.shelved_until <= now:
                 del self._entries[key]
         self._tell("cleared", alarm, "engine")
 
     def clear_ended_by(self, *ends: Ends) -> None:
         """Take note of what ends every condition of these kinds."""
         with self._lock:
-            keys = [key for key, one in self._entries.items() if one.cause.ends in ends]
+            keys = [key for key, one in self._entries.items() if one.cause.kind.ends in ends]
         for key in keys:
             self.clear(key)
 
@@ -140,7 +140,7 @@ class AlarmBook:
             entry = self._find(key)
             entry.acknowledged = True
             alarm = entry.alarm(now)
-            if not entry.active and not entry.cause.latched:
+            if not entry.active and not entry.cause.kind.latched:
                 del self._entries[key]
         self._tell("acknowledged", alarm, operator)
         return alarm
@@ -176,7 +176,7 @@ class AlarmBook:
             ]
             for key, entry in over:
                 entry.shelved_until = 0.0
-                if entry.acknowledged and not entry.active and not entry.cause.latched:
+                if entry.acknowledged and not entry.active and not entry.cause.kind.latched:
                     del self._entries[key]
             self._shelved = any(entry.shelved_until > 0.0 for entry in self._entries.values())
             back = [entry.alarm(now) for _, entry in over]
@@ -191,12 +191,11 @@ class AlarmBook:
         now = self._elapsed()
         with self._lock:
             for entry in self._entries.values():
-                if entry.cause.severity is not Severity.CRITICAL:
-                    continue
-                if entry.active:
-                    raise Refused(f'"{entry.cause.title}" is still active: {entry.cause.action}')
-                if not entry.acknowledged:
-                    raise Refused(f'"{entry.cause.title}" is not acknowledged; do that first')
+                title, kind = entry.cause.title, entry.cause.kind
+                if kind.latched and entry.active:
+                    raise Refused(f'"{title}" is still active: {kind.action}')
+                if kind.latched and not entry.acknowledged:
+                    raise Refused(f'"{title}" is not acknowledged; do that first')
             gone = [entry.alarm(now) for entry in self._entries.values() if not entry.active]
             self._entries = {k: e for k, e in self._entries.items() if e.active}
             self._first_out_given = False
@@ -209,7 +208,7 @@ class AlarmBook:
         now = self._elapsed()
         with self._lock:
             for entry in self._entries.values():
-                if entry.cause.severity is Severity.CRITICAL:
+                if entry.cause.kind.latched:
                     return entry.alarm(now)
         return None
 

@@ -11,6 +11,7 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import Action, LimitRule, LimitsSection
 from rigapp.config.rules import ALWAYS, BOUNDS, check_rules, limit_refusal
+from rigapp.schema.alarms import Cause, exceeded
 from rigapp.schema.channels import ChannelTable
 from rigapp.schema.messages import Severity
 
@@ -26,6 +27,13 @@ class Verdict:
     limit: float
     active: bool
     action: Action
+
+    @property
+    def cause(self) -> Cause:
+        """Return the alarm that it raises or ends."""
+        return exceeded(
+            self.quantity, self.severity, self.value, self.limit, self.above, self.action
+        )
 
 
 @dataclass(slots=True)

@@ -53,3 +53,27 @@ class SpeedComparison:
             self.agreed, self.differed = self.agreed + 1, 0
         self.decided = max(self.agreed, self.differed) >= ANSWERS
         return self.decided and self.differed > 0
+
+
+def wrong_sense(encoder_back: bool, drive_back: bool, directions: tuple[int, int]) -> str:
+    """Return what to do when encoder or drive show the crank turning backwards.
+
+    directions: present values of encoder.direction and spindle.direction.
+    """
+    encoder, spindle = directions
+    if encoder_back and drive_back:
+        return (
+            "Encoder and drive show the crank turning backwards, though forwards was commanded: "
+            "check the motor's leads, and A and B of the drive's encoder."
+        )
+    if encoder_back:
+        return (
+            "The encoder shows the crank turning backwards, while the drive turns forwards. If the "
+            "crank turned counter-clockwise, exchange A and B of the crank encoder or set "
+            f"encoder.direction = {-encoder} in the rig file; if it did not, set "
+            f"spindle.direction = {-spindle}."
+        )
+    return (
+        "The drive reports that it turns backwards, while the encoder shows forwards: exchange "
+        "A and B of the drive's own encoder."
+    )

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from drivers.api import DeviceError, DeviceLost, DriveStatus, Identity, SlowRequest, SlowSource
-from rigapp.engine.threads import Worker
+from rigapp.process.threads import Worker
 from rigapp.schema.channels import Channel
 
 PERIOD_S = 1.0

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 import msgspec
 
-from rigapp.engine.judging.causes import KINDS, Kind
+from rigapp.schema.alarms import KINDS, Kind
 from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.loglines import (
     ALARM,
@@ -43,8 +43,8 @@ _WHAT: Mapping[str, What] = {
 }
 _CRITERIA = {one.title: name for name, one in CRITERIA.items()}
 _TITLES = [
-    (re.compile(re.escape(kind.title).replace(r"\{\}", "(.+)")), key, kind)
-    for key, kind in sorted(KINDS.items(), key=lambda one: "{}" in one[1].title)
+    (re.compile(re.sub(r"\\\{\w*\\\}", "(.+)", re.escape(kind.title))), key, kind)
+    for key, kind in sorted(KINDS.items(), key=lambda one: "{" in one[1].title)
 ]
 """How a title looks, and of what kind it is; the whole ones first."""
 
@@ -100,14 +100,14 @@ def _kind(title: str, cause: str, first_out: bool) -> tuple[str, Severity, Kind]
         severity = Severity.CRITICAL if " critical limit" in cause else Severity.WARNING
         key = f"rule:{rule['quantity']}:{severity.value}:{rule['side']}"
         action = "Look at the trend of this quantity."
-        return key, severity, Kind(severity, title, NOT_RECORDED, action, Ends.TEST)
+        return key, severity, Kind(severity, title, cause, NOT_RECORDED, action, Ends.TEST)
     for pattern, key, kind in _TITLES:
         match = pattern.fullmatch(title)
         if match is not None:
             names = (_CRITERIA.get(one, one) for one in match.groups())
             return ":".join((key, *names)), kind.severity, kind
     severity = Severity.CRITICAL if first_out else Severity.WARNING
-    return title, severity, Kind(severity, title, NOT_RECORDED, NOT_RECORDED)
+    return title, severity, Kind(severity, title, cause, NOT_RECORDED, NOT_RECORDED)
 
 
 def _limit(event: Event) -> Event:

@@ -1,13 +1,11 @@
-"""Threads with a name, a heartbeat and a death that cannot pass unseen; queues with a bound."""
+"""Threads with a name, a heartbeat and a death that cannot pass unseen; commands in their turn."""
 
 from __future__ import annotations
 
 import threading
 import time
-from collections import deque
 from collections.abc import Callable
 
-from drivers.api import Block
 from rigapp.schema.states import Refused
 
 
@@ -91,7 +89,7 @@ class Worker:
             self.ended = True
 
 
-class Turn:
+class OneAtATime:
     """Let one command after the other in, none for longer than it can be waited for."""
 
     def __init__(self, wait_s: float) -> None:
@@ -111,58 +109,3 @@ class Turn:
 
     def __exit__(self, *_: object) -> None:
         self._lock.release()
-
-
-class BlockQueue:
-    """Hand Blocks from the reader to the processing thread, bounded by samples.
-
-    Policy when full: ``wait=False`` (a real device) refuses the newest block, which shows as a gap;
-    ``wait=True`` (a simulated rig, whose time waits for us) makes the reader wait.
-    """
-
-    def __init__(self, samples: int, wait: bool) -> None:
-        self.limit = samples
-        self._wait = wait
-        self._blocks: deque[Block] = deque()
-        self._samples = 0
-        self._condition = threading.Condition()
-        self.refused_blocks = 0
-
-    def put(self, block: Block, timeout_s: float) -> bool:
-        """Add a block; False when it was refused because the queue is full."""
-        size = block.values.shape[1]
-        with self._condition:
-            if self._wait:
-                self._condition.wait_for(lambda: self._room(size), timeout_s)
-            if not self._room(size):
-                self.refused_blocks += 1
-                return False
-            self._blocks.append(block)
-            self._samples += size
-            self._condition.notify_all()
-        return True
-
-    def get(self, timeout_s: float) -> Block | None:
-        """Return the oldest block, or None when none came in time."""
-        with self._condition:
-            self._condition.wait_for(lambda: bool(self._blocks), timeout_s)
-            if not self._blocks:
-                return None
-            block = self._blocks.popleft()
-            self._samples -= block.values.shape[1]
-            self._condition.notify_all()
-        return block
-
-    @property
-    def samples(self) -> int:
-        """Return the samples waiting."""
-        return self._samples
-
-    @property
-    def oldest_ns(self) -> int | None:
-        """Return the host time of the oldest block waiting, None when none waits."""
-        with self._condition:
-            return self._blocks[0].host_time_ns if self._blocks else None
-
-    def _room(self, size: int) -> bool:
-        return not self._blocks or self._samples + size <= self.limit

@@ -1,0 +1,198 @@
+"""What those who judge see of the run and of the rig, and the few things they may do to them.
+
+``JudgedRun`` is what all threads share, ``JudgedRig`` the devices as they are connected now; no
+more of the engine is needed to judge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Protocol
+
+from drivers.api import DataSource, Spindle
+from rigapp.config.loading import Document
+from rigapp.config.recipe import LimitsSection
+from rigapp.config.rig import RigFile
+from rigapp.engine.drive.driving import SpindleControl
+from rigapp.engine.drive.timing import Timing
+from rigapp.engine.judging.alarms import AlarmBook
+from rigapp.engine.judging.testrun import Row, TestRun
+from rigapp.engine.samples.assembler import Assembler
+from rigapp.engine.samples.motion import MotionWindow
+from rigapp.engine.samples.slow import SlowChannels
+from rigapp.engine.values.calibrate import Calibration
+from rigapp.schema.alarms import Cause
+from rigapp.schema.channels import ChannelTable
+from rigapp.schema.messages import RunState
+from rigapp.schema.states import Ending, Trigger
+
+
+class OpenTest(Protocol):
+    """The test under way, or the last one.
+
+    steady_from: ordinal of the first whole revolution at the set speed, None while it changes.
+    """
+
+    steady_from: int | None
+
+    @property
+    def run(self) -> TestRun:
+        """Return what numbers and judges its revolutions."""
+        ...
+
+    @property
+    def target_rpm(self) -> float:
+        """Return the set speed."""
+        ...
+
+    @property
+    def rows(self) -> int:
+        """Return the rows recorded."""
+        ...
+
+    @property
+    def stood(self) -> bool:
+        """Tell whether the spindle was seen to stand at its end."""
+        ...
+
+    def begin(self, sample: int) -> None:
+        """Take note of the device sample at which its time starts."""
+        ...
+
+
+class JudgedRun(Protocol):
+    """The state of the run, its limits and alarms, and what follows from a judgement."""
+
+    @property
+    def rig(self) -> Document[RigFile]:
+        """Return the rig file."""
+        ...
+
+    @property
+    def table(self) -> ChannelTable:
+        """Return the channels and columns of the rig."""
+        ...
+
+    @property
+    def timing(self) -> Timing:
+        """Return the time-outs."""
+        ...
+
+    @property
+    def alarms(self) -> AlarmBook:
+        """Return the alarm list."""
+        ...
+
+    @property
+    def state(self) -> RunState:
+        """Return the present state."""
+        ...
+
+    @property
+    def limits(self) -> LimitsSection:
+        """Return the limits in force."""
+        ...
+
+    @property
+    def test(self) -> OpenTest | None:
+        """Return the test under way, or the last one."""
+        ...
+
+    def warn(self, cause: Cause) -> None:
+        """Raise an alarm that does nothing else."""
+        ...
+
+    def act_on(self, cause: Cause, off: bool = False) -> None:
+        """Raise an alarm and do what the table says of it; off: without power in any case."""
+        ...
+
+    def trip(self, ending: Ending, cause: Cause | None = None) -> bool:
+        """End the test under way; the drive is commanded before this returns."""
+        ...
+
+    def fire_if(self, trigger: Trigger, reason: str = "", only: Iterable[RunState] = ()) -> bool:
+        """Carry out a transition when it is possible (and the state is one of ``only``)."""
+        ...
+
+    def note_limit(self, cause: Cause) -> None:
+        """Write a limit that is passed to the log, and do nothing else."""
+        ...
+
+    def record(self, row: Row) -> None:
+        """Store a judged revolution of the test under way, then publish it."""
+        ...
+
+
+class JudgedSamples(Protocol):
+    """What the samples have come to so far."""
+
+    @property
+    def assembler(self) -> Assembler:
+        """Return what cuts them into revolutions."""
+        ...
+
+    @property
+    def motion(self) -> MotionWindow:
+        """Return how the crank moves."""
+        ...
+
+    @property
+    def calibration(self) -> Calibration:
+        """Return the calibration in use."""
+        ...
+
+    @property
+    def next_sample(self) -> int:
+        """Return the device sample that is expected next."""
+        ...
+
+    @property
+    def saturated_until(self) -> int:
+        """Return the device sample behind the last block with a saturated one."""
+        ...
+
+
+class JudgedRig(Protocol):
+    """The devices of a rig and what they show."""
+
+    @property
+    def source(self) -> DataSource:
+        """Return the source of the samples."""
+        ...
+
+    @property
+    def spindle(self) -> Spindle:
+        """Return the drive."""
+        ...
+
+    @property
+    def control(self) -> SpindleControl:
+        """Return what commands the drive, with what it has said."""
+        ...
+
+    @property
+    def processor(self) -> JudgedSamples:
+        """Return what the samples have come to."""
+        ...
+
+    @property
+    def slow_channels(self) -> SlowChannels:
+        """Return what slow devices tell."""
+        ...
+
+    @property
+    def swinging(self) -> bool:
+        """Tell whether the crank may turn as it likes: its power is off, or was asked to be."""
+        ...
+
+    def pause(self, reason: str) -> None:
+        """Begin to pause at the safe angle, when the state allows it."""
+        ...
+
+    def queue_age_s(self) -> float:
+        """Return the age of the oldest samples that are not processed yet."""
+        ...
+
+    def age_s(self, since_s: float) -> float:
+        """Return how long ago a host time was, as a silence is judged."""
+        ...

@@ -1,0 +1,97 @@
+"""The alarms that the engine can raise: ``alarms.toml`` says all that is to be known of each.
+
+What sees a cause raises it by its key, with what its words name:
+``because("overload", force_N=..., limit_N=...)``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+
+from rigapp.schema.messages import Ends, FinishReason, Severity
+
+
+class Kind(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Say what all alarms of a kind share; the head of ``alarms.toml`` tells the fields."""
+
+    severity: Severity
+    title: str
+    sentence: str
+    consequence: str
+    action: str
+    ends: Ends = Ends.SEEN
+    stop: FinishReason | None = None
+    off: bool = False
+    keeps_cycles: bool = True
+
+    @property
+    def latched(self) -> bool:
+        """Tell whether its alarms stay on the list until they are reset."""
+        return self.severity is Severity.CRITICAL
+
+
+@dataclass(frozen=True, slots=True)
+class Cause:
+    """One alarm as it is raised: its kind, key, title and the sentence that names the culprit."""
+
+    kind: Kind
+    key: str
+    title: str
+    sentence: str
+
+
+KINDS: Mapping[str, Kind] = msgspec.toml.decode(
+    Path(__file__).with_suffix(".toml").read_bytes(), type=dict[str, Kind]
+)
+"""Every kind by its key. The rules of a test file make kinds of their own, ``rule:...``."""
+
+RULE_ACTIONS: Mapping[str, tuple[str, FinishReason | None]] = {
+    "none": ("Nothing was done.", None),
+    "warn": ("The test goes on.", None),
+    "pause": ("The test pauses at the safe angle.", None),
+    "stop": ("The test was stopped.", FinishReason.LIMIT),
+    "drive_off": ("The drive was switched off.", FinishReason.LIMIT),
+}
+"""Action of a rule -> what it leads to, and the reason with which it ends the test."""
+
+
+def because(kind: str, what: str = "", /, **values: object) -> Cause:
+    """Return an alarm of a kind; what: which of its alarms, values: what its words name."""
+    shared = KINDS[kind]
+    title = shared.title.format(what, **values)
+    return Cause(shared, key_of(kind, what), title, shared.sentence.format(what, **values))
+
+
+def kind_of(key: str) -> Kind | None:
+    """Return the kind of an alarm by its key; None for a rule's."""
+    while key and key not in KINDS:
+        key = key.rpartition(":")[0]
+    return KINDS.get(key)
+
+
+def key_of(kind: str, what: str = "") -> str:
+    """Return the key of the alarm of a kind about something."""
+    return f"{kind}:{what}" if what else kind
+
+
+def exceeded(
+    quantity: str, severity: Severity, value: float, limit: float, above: bool, action: str
+) -> Cause:
+    """Return the alarm of a level of a rule that is exceeded."""
+    side = "above" if above else "below"
+    consequence, stop = RULE_ACTIONS[action]
+    kind = Kind(
+        severity,
+        title=f"{quantity} {side} limit",
+        sentence=f"{quantity} is {value:.6g}, {side} the {severity.value} limit {limit:.6g}.",
+        consequence=consequence,
+        action="Look at the trend of this quantity; acknowledge, or change the limit with reason.",
+        ends=Ends.TEST,
+        stop=stop,
+        off=action == "drive_off",
+    )
+    return Cause(kind, f"rule:{quantity}:{severity.value}:{side}", kind.title, kind.sentence)

@@ -1,0 +1,82 @@
+"""Every alarm that is raised is in the table, with all that its words name, and every entry is."""
+
+from __future__ import annotations
+
+import ast
+import string
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from rigapp.schema.alarms import KINDS, because, exceeded, key_of, kind_of
+from rigapp.schema.messages import Ends, Severity
+
+SOURCES = sorted((Path(__file__).parents[2] / "rigapp").rglob("*.py"))
+
+
+def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
+    """Yield every call of the program of a function or method with one of these names."""
+    for path in SOURCES:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call):
+                name = getattr(node.func, "id", getattr(node.func, "attr", ""))
+                if name in names:
+                    yield f"{path.name}:{node.lineno}", node
+
+
+def keys_of(argument: ast.expr) -> set[str]:
+    """Return the literal keys that an argument can have."""
+    return {
+        one.value
+        for one in ast.walk(argument)
+        if isinstance(one, ast.Constant) and isinstance(one.value, str)
+    }
+
+
+def named(key: str) -> set[str]:
+    """Return what the words of a kind name beside WHAT."""
+    words = KINDS[key].title + KINDS[key].sentence
+    return {name for _, name, _, _ in string.Formatter().parse(words) if name}
+
+
+def test_what_is_raised_is_in_the_table_with_all_that_its_words_name() -> None:
+    raised: set[str] = set()
+    for where, call in calls("because"):
+        given = {one.arg for one in call.keywords}
+        for key in keys_of(call.args[0]):
+            raised.add(key)
+            assert key in KINDS, where
+            assert named(key) <= given, f"{where}: {key} needs {named(key)}"
+    later = {"input:broken", "input:suspect", "input:before", "input", "input:saturated"}
+    assert raised | later == set(KINDS), "raised nowhere, or by a key that is no literal"
+
+
+def test_what_is_cleared_or_asked_for_is_in_the_table() -> None:
+    for where, call in calls("clear", "is_active"):
+        of_alarms = getattr(getattr(call.func, "value", None), "attr", "") == "alarms"
+        if of_alarms and isinstance(call.args[0], ast.Constant):
+            assert kind_of(str(call.args[0].value)) is not None, where
+
+
+@pytest.mark.parametrize("key", sorted(KINDS))
+def test_every_kind_can_be_raised_told_and_found_again_by_its_key(key: str) -> None:
+    values = dict.fromkeys(named(key), 1.0)
+    cause = because(key, "it", **values)
+    assert cause.key == key_of(key, "it")
+    assert kind_of(cause.key) is KINDS[key]
+    for words in (cause.title, cause.sentence, cause.kind.consequence, cause.kind.action):
+        assert words
+        assert "{" not in words
+    kind = cause.kind
+    assert (kind.stop is not None) <= kind.latched, "what ends a test is critical"
+    assert kind.off <= (kind.stop is not None)
+    assert "switched off" not in kind.consequence or kind.off
+
+
+def test_a_rule_has_a_kind_of_its_own() -> None:
+    cause = exceeded("force_max", Severity.CRITICAL, 160.0, 150.0, True, "drive_off")
+    assert kind_of(cause.key) is None
+    assert (cause.key, cause.kind.ends) == ("rule:force_max:critical:above", Ends.TEST)
+    assert cause.kind.off
+    assert cause.sentence == "force_max is 160, above the critical limit 150."
