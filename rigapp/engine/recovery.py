@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Final
 
-from rigapp.schema.messages import Alarm, Ends, Recovery, RunState, Severity, Step
+from rigapp.schema.messages import Alarm, Ends, Recovery, Remedy, RunState, Severity
 
 WAITING: Final = {
     RunState.CONNECTING: "Wait: the devices are being connected.",
@@ -51,7 +51,7 @@ def recovery(now: Situation) -> Recovery:
     if now.state in WAITING:
         return Recovery(sentence=WAITING[now.state])
     if now.state is RunState.PAUSED:
-        return Recovery(Step.GO_ON, "resume", "Resume the paused test.", (Step.GO_ON,))
+        return Recovery(Remedy.GO_ON, "resume", "Resume the paused test.", (Remedy.GO_ON,))
     if now.state not in AT_REST:
         return Recovery()
     lost = now.critical(Ends.CONNECTION)
@@ -60,23 +60,23 @@ def recovery(now: Situation) -> Recovery:
     listed = now.critical()
     fresh = [one for one in listed if not one.acknowledged]
     needed = {
-        Step.CAUSE: bool(lost or seen or drive),
-        Step.CONNECT: bool(lost) or not now.connected,
-        Step.ACKNOWLEDGE: bool(fresh),
-        Step.RESET: bool(listed) or now.state is RunState.FAULT,
-        Step.GO_ON: True,
+        Remedy.CAUSE: bool(lost or seen or drive),
+        Remedy.CONNECT: bool(lost) or not now.connected,
+        Remedy.ACKNOWLEDGE: bool(fresh),
+        Remedy.RESET: bool(listed) or now.state is RunState.FAULT,
+        Remedy.GO_ON: True,
     }
     left = tuple(step for step, wanted in needed.items() if wanted)
     # What only a new connection or the drive's reset can end is not waited for.
-    watched = bool(seen) and not needed[Step.CONNECT]
-    step = next(one for one in left if one is not Step.CAUSE or watched)
-    if step is Step.GO_ON and now.not_yet:
+    watched = bool(seen) and not needed[Remedy.CONNECT]
+    step = next(one for one in left if one is not Remedy.CAUSE or watched)
+    if step is Remedy.GO_ON and now.not_yet:
         return Recovery(sentence=f"Wait: {now.not_yet}.", left=left)
     about = {
-        Step.CAUSE: seen,
-        Step.CONNECT: lost,
-        Step.ACKNOWLEDGE: fresh,
-        Step.RESET: drive or _first_out_first(listed),
+        Remedy.CAUSE: seen,
+        Remedy.CONNECT: lost,
+        Remedy.ACKNOWLEDGE: fresh,
+        Remedy.RESET: drive or _first_out_first(listed),
     }.get(step, [])
     return Recovery(
         step=step,
@@ -91,25 +91,25 @@ def _first_out_first(alarms: Iterable[Alarm]) -> list[Alarm]:
     return sorted(alarms, key=lambda one: not one.first_out)
 
 
-def _verb(step: Step, now: Situation) -> str:
-    if step is Step.CAUSE:
+def _verb(step: Remedy, now: Situation) -> str:
+    if step is Remedy.CAUSE:
         return ""
-    if step is Step.GO_ON:
+    if step is Remedy.GO_ON:
         return "resume_file" if now.unfinished else "start"
     return step.value
 
 
-def _sentence(step: Step, about: Sequence[Alarm], now: Situation) -> str:
-    if step is Step.GO_ON:
+def _sentence(step: Remedy, about: Sequence[Alarm], now: Situation) -> str:
+    if step is Remedy.GO_ON:
         if now.unfinished:
             name = PurePath(now.unfinished).name
             return f"Go on with the test in {name}, or start another one."
         return "Start a test."
-    if step is Step.ACKNOWLEDGE:
+    if step is Remedy.ACKNOWLEDGE:
         more = f" and {len(about) - 1} more" if len(about) > 1 else ""
         return f'Acknowledge "{about[0].title}"{more}: say that you have seen it.'
     if about and about[0].active and about[0].ends is not Ends.TEST:
         return about[0].action
-    if step is Step.CONNECT:
+    if step is Remedy.CONNECT:
         return "Remove the cause, then connect the devices." if now.reason else "Connect."
     return "Reset: the deliberate step before another start. Nothing moves."

@@ -111,8 +111,8 @@ class LookedAfter(msgspec.Struct, frozen=True):
     saved: bool
 
 
-class Step(enum.StrEnum):
-    """The steps from a fault back to a running test, in their order."""
+class Remedy(enum.StrEnum):
+    """What leads from a fault back to a running test, step by step in this order."""
 
     CAUSE = "cause"
     CONNECT = "connect"
@@ -130,10 +130,10 @@ class Recovery(msgspec.Struct, frozen=True):
     cause: key of the alarm that it is about, empty when there is none.
     """
 
-    step: Step = Step.NONE
+    step: Remedy = Remedy.NONE
     verb: str = ""
     sentence: str = ""
-    left: tuple[Step, ...] = ()
+    left: tuple[Remedy, ...] = ()
     cause: str = ""
 
 

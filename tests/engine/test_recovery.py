@@ -17,7 +17,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
 from rigapp.engine.recording.store import Opened, OpenRequest
 from rigapp.engine.recovery import AT_REST, WAITING, Situation, recovery
-from rigapp.schema.messages import Alarm, Ends, FinishReason, RunState, Severity, Step
+from rigapp.schema.messages import Alarm, Ends, FinishReason, Remedy, RunState, Severity
 from rigapp.schema.states import ACTIVE, ENDED, InFault, Refused
 
 LONG = 1_000_000
@@ -144,12 +144,12 @@ def test_a_step_is_named_in_every_situation() -> None:
         elif state in AT_REST:
             assert told.step in told.left
             assert told.sentence
-            assert told.left[-1] is Step.GO_ON
-            assert (told.verb == "") == (told.step is Step.CAUSE)
+            assert told.left[-1] is Remedy.GO_ON
+            assert (told.verb == "") == (told.step is Remedy.CAUSE)
             if not alarms and connected:
-                assert told.step is (Step.RESET if state is RunState.FAULT else Step.GO_ON)
+                assert told.step is (Remedy.RESET if state is RunState.FAULT else Remedy.GO_ON)
             if alarms and connected:
-                assert told.step is not Step.GO_ON
+                assert told.step is not Remedy.GO_ON
         else:
             assert told.verb == ("resume" if state is RunState.PAUSED else "")
 
@@ -164,14 +164,14 @@ def follow(bench: Bench) -> list[str]:
     }
     made: list[str] = []
     while True:
-        eventually(lambda: engine.status().recovery.step is not Step.NONE, 20.0)
+        eventually(lambda: engine.status().recovery.step is not Remedy.NONE, 20.0)
         told = engine.status().recovery
-        if told.step is Step.GO_ON:
+        if told.step is Remedy.GO_ON:
             return made
         made.append(told.step.value)
         assert len(made) <= STEPS_AT_MOST, f"no way out: {made}, {engine.status()}"
-        if told.step is Step.CAUSE:
-            eventually(lambda: engine.status().recovery.step is not Step.CAUSE, 20.0)
+        if told.step is Remedy.CAUSE:
+            eventually(lambda: engine.status().recovery.step is not Remedy.CAUSE, 20.0)
         else:
             with contextlib.suppress(Refused, DeviceFault):  # the drive waits for its reset
                 verbs[told.verb]()
@@ -193,7 +193,7 @@ def leads_out(deeds: list[str]) -> list[str]:
         if engine.state is RunState.STOPPED:
             engine.reset("Ada")
         assert engine.state is RunState.READY
-        assert engine.status().recovery.step is Step.GO_ON
+        assert engine.status().recovery.step is Remedy.GO_ON
         bench.rig.start(a_test(2))
         engine.wait(ENDED, 60.0)
         assert engine.outcome is not None

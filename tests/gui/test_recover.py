@@ -17,7 +17,7 @@ from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.window.recover import KEY, RecoverPanel
 from rigapp.gui.window.window import MainWindow
-from rigapp.schema.messages import Alarm, Ends, Recovery, Reply, RunState, Severity, Step
+from rigapp.schema.messages import Alarm, Ends, Recovery, Remedy, Reply, RunState, Severity
 from rigapp.schema.states import ENDED
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
@@ -42,10 +42,10 @@ LOST = Alarm(
     ends=Ends.CONNECTION,
 )
 CONNECT = Recovery(
-    Step.CONNECT, "connect", LOST.action,
-    (Step.CAUSE, Step.CONNECT, Step.ACKNOWLEDGE, Step.RESET, Step.GO_ON), LOST.key,
+    Remedy.CONNECT, "connect", LOST.action,
+    (Remedy.CAUSE, Remedy.CONNECT, Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.GO_ON), LOST.key,
 )  # fmt: skip
-GO_ON = Recovery(Step.GO_ON, "resume_file", "Go on with the test in a.h5.", (Step.GO_ON,))
+GO_ON = Recovery(Remedy.GO_ON, "resume_file", "Go on with the test in a.h5.", (Remedy.GO_ON,))
 
 
 def test_the_panel_marks_the_next_step_and_asks_for_it(
@@ -61,7 +61,8 @@ def test_the_panel_marks_the_next_step_and_asks_for_it(
     assert not panel.isHidden()
     marks = {step: label.text()[0] for step, label in panel.steps.items()}
     assert marks == {
-        Step.CAUSE: "○", Step.CONNECT: "▶", Step.ACKNOWLEDGE: "○", Step.RESET: "○", Step.GO_ON: "○",
+        Remedy.CAUSE: "○", Remedy.CONNECT: "▶", Remedy.ACKNOWLEDGE: "○", Remedy.RESET: "○",
+        Remedy.GO_ON: "○",
     }  # fmt: skip
     assert panel.cause.text() == LOST.cause
     assert panel.next.text() == LOST.action
@@ -70,7 +71,7 @@ def test_the_panel_marks_the_next_step_and_asks_for_it(
     assert asked == [("connect", {})]
     panel.dress(DARK)
     panel.take_status(make_status(state=RunState.READY, file="a.h5", recovery=GO_ON))
-    assert {label.text()[0] for step, label in panel.steps.items() if step is not Step.GO_ON} == {
+    assert {label.text()[0] for step, label in panel.steps.items() if step is not Remedy.GO_ON} == {
         "✔"
     }
     assert panel.other.isVisibleTo(panel)
@@ -85,7 +86,9 @@ def test_the_panel_marks_the_next_step_and_asks_for_it(
 def test_start_is_closed_with_the_next_step_as_its_reason(
     window: MainWindow, engine: Any, attach: Callable[[], None]
 ) -> None:
-    reset = Recovery(Step.RESET, "reset", "Reset: nothing moves.", (Step.RESET, Step.GO_ON), "x")
+    reset = Recovery(
+        Remedy.RESET, "reset", "Reset: nothing moves.", (Remedy.RESET, Remedy.GO_ON), "x"
+    )
     engine.say(state=RunState.READY, alarms=(LOST,), recovery=reset)
     attach()
     start = window.controls.buttons["start"]
@@ -127,7 +130,7 @@ class Operator:
         self.window.activateWindow()
         self._qtbot.keyClick(self.window, key)
 
-    def sees_step(self, step: Step) -> None:
+    def sees_step(self, step: Remedy) -> None:
         panel = self.window.recover
         self.see(lambda: panel.steps[step].text().startswith("▶") and panel.button.isEnabled())
 
@@ -166,19 +169,19 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
         hands.see(lambda: window.recover.isVisible())
         assert "daq" in window.recover.cause.text()
         file = hands.status.file
-        hands.sees_step(Step.CONNECT)
+        hands.sees_step(Remedy.CONNECT)
         hands.press(Qt.Key.Key_F10)  # the cable is still out
         hands.see(lambda: "refused" in window.controls.answer.text())
-        hands.sees_step(Step.CONNECT)
+        hands.sees_step(Remedy.CONNECT)
         hands.click(window.tabs.panels["faults"].end)
         hands.see(lambda: "clear fault: done" in window.controls.answer.text())
         hands.click(window.recover.button)
-        hands.sees_step(Step.ACKNOWLEDGE)
+        hands.sees_step(Remedy.ACKNOWLEDGE)
         assert hands.status.state is RunState.READY
         hands.press(Qt.Key.Key_F10)
-        hands.sees_step(Step.RESET)
+        hands.sees_step(Remedy.RESET)
         hands.click(window.recover.button)
-        hands.sees_step(Step.GO_ON)
+        hands.sees_step(Remedy.GO_ON)
         before = hands.status.revolution
         hands.click(window.recover.button)
         hands.sees_state(RunState.RUNNING)

@@ -79,7 +79,6 @@ NOT_YET = {
     "Reply",
     "Saved",
     "Session",
-    "Step",
     "Stepwise",
     "Verdict",
 }

@@ -12,7 +12,7 @@ from stories import RIG, recipe, until
 
 from rigapp.config.loading import read_rig
 from rigapp.gui.panels.faults import FaultChoice, fault_choices
-from rigapp.schema.messages import FinishReason, Request, RunState, Step
+from rigapp.schema.messages import FinishReason, Remedy, Request, RunState
 from rigapp.schema.states import ACTIVE, ENDED
 from rigapp.service.host import EngineHost, read_test
 
@@ -50,15 +50,15 @@ def recovers(host: EngineHost, choice: FaultChoice, folder: Path) -> None:
         ask(host, "stop")
         engine.wait(ENDED, 60.0)
     steps: list[str] = []
-    while engine.state is not RunState.READY or engine.status().recovery.step is not Step.GO_ON:
-        until(lambda: engine.status().recovery.step is not Step.NONE, f"a step after {steps}")
+    while engine.state is not RunState.READY or engine.status().recovery.step is not Remedy.GO_ON:
+        until(lambda: engine.status().recovery.step is not Remedy.NONE, f"a step after {steps}")
         told = engine.status().recovery
         steps.append(told.step.value)
         assert len(steps) <= STEPS_AT_MOST, (steps, engine.status())
-        if told.step is Step.CAUSE:
-            until(lambda: engine.status().recovery.step is not Step.CAUSE, "the cause goes")
+        if told.step is Remedy.CAUSE:
+            until(lambda: engine.status().recovery.step is not Remedy.CAUSE, "the cause goes")
         else:
-            ask(host, "reset" if told.step is Step.GO_ON else told.verb)
+            ask(host, "reset" if told.step is Remedy.GO_ON else told.verb)
             time.sleep(0.05)
     assert not ask(host, "resume_file", file=str(folder / "t.h5"), reason="the fault is mended")
     until(lambda: engine.state is RunState.RUNNING, "the test runs again")

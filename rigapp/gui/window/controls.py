@@ -17,7 +17,7 @@ from rigapp.gui.plots.palette import Theme
 from rigapp.gui.widgets.build import button, column, edit, filled, named, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.command import CommandLine
-from rigapp.schema.messages import NOTE_CHARACTERS, Reply, RunState, Status, Step
+from rigapp.schema.messages import NOTE_CHARACTERS, Remedy, Reply, RunState, Status
 from rigapp.schema.states import ACTIVE
 
 Send = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
@@ -139,7 +139,7 @@ class ControlRow(QWidget):
         """Tell whether a command means something now; what the engine names as next always does."""
         if status.recovery.verb == command.verb:
             return True
-        in_the_way = command.verb == "start" and Step.RESET in status.recovery.left
+        in_the_way = command.verb == "start" and Remedy.RESET in status.recovery.left
         return status.state in command.states and not in_the_way
 
     def act(self, verb: str) -> None:

@@ -13,17 +13,17 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel
 
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.widgets.build import button, named, prose, row
-from rigapp.schema.messages import Alarm, RunState, Severity, Status, Step
+from rigapp.schema.messages import Alarm, Remedy, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
 KEY: Final = "F10"
 
 STEPS: Final = {
-    Step.CAUSE: "Remove the cause",
-    Step.CONNECT: "Connect",
-    Step.ACKNOWLEDGE: "Acknowledge",
-    Step.RESET: "Reset",
-    Step.GO_ON: "Go on",
+    Remedy.CAUSE: "Remove the cause",
+    Remedy.CONNECT: "Connect",
+    Remedy.ACKNOWLEDGE: "Acknowledge",
+    Remedy.RESET: "Reset",
+    Remedy.GO_ON: "Go on",
 }
 """The steps in their order, as the panel names them."""
 
@@ -136,7 +136,7 @@ class RecoverPanel(QFrame):
         worst = _worst(status)
         if worst is not None:
             self._why = worst.cause
-        self._frame(recovered=told.step is Step.GO_ON)
+        self._frame(recovered=told.step is Remedy.GO_ON)
         self.cause.setText(self._why or status.reason)
         self.next.setText(told.sentence)
         for number, (step, label) in enumerate(self.steps.items(), 1):
@@ -146,13 +146,13 @@ class RecoverPanel(QFrame):
             label.setStyleSheet(self._step_style(now=now, left=mark == "○"))
             label.setAccessibleDescription("next" if now else "to do" if mark == "○" else "done")
         text = BUTTONS.get(told.verb, "Waiting for the cause to go")
-        if told.step is Step.NONE:
+        if told.step is Remedy.NONE:
             text = "Wait"
         self.button.setText(f"{text}  {KEY}")
         self.button.setEnabled(bool(told.verb) and not self._asked)
         self.button.setToolTip(told.sentence)
         self.other.setVisible(told.verb == "resume_file")
-        self.away.setVisible(told.step is Step.GO_ON)
+        self.away.setVisible(told.step is Remedy.GO_ON)
 
     def _frame(self, *, recovered: bool) -> None:
         theme = self._theme
