@@ -21,8 +21,8 @@ Array = NDArray[np.float64]
 X1, Y1, PHI1, X2, Y2, PHI2, X3, Y3, PHI3, ALPHA = range(10)
 """Places of the unknowns in q (paper, Eq. 5; alpha follows for the imperfect joint)."""
 
-MOST_ITERATIONS = 30
-TOLERANCE = 1e-14
+MOST_ITERATIONS = 30  # Newton takes 5 from its start; 30 means that it does not converge
+TOLERANCE = 1e-14  # of the unknowns: rounding, so that the reference adds no error of its own
 
 System = Callable[[Array, Array], tuple[Array, Array, Array]]
 """From q and qd, (n, unknowns) each: constraint values, Jacobian, (Phi_q qd)_q qd."""

@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 SETTLING = 5
 """Revolutions before the first that counts."""
 
-MOST_BATCHES = 20
+MOST_BATCHES = 20  # batch means need 10 to 30: fewer scatter, more are too short to be independent
 
 
 @dataclass(frozen=True, slots=True)

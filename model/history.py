@@ -17,15 +17,15 @@ from model.history_kernel import evaluate, inverse, normal_equations
 
 Array = NDArray[np.float64]
 
-HARMONICS = 12
-FEWEST_SAMPLES = 8
-MOST_BLOCKS = 2048
+HARMONICS = 12  # ripple falls with k^3: the 13th is 2000 times below the first
+FEWEST_SAMPLES = 8  # a trend has three unknowns, and must be told from noise
+MOST_BLOCKS = 2048  # 170 to a period of the 12th harmonic; more cost time and tell nothing
 RIPPLE_PRIOR = 0.05
 """Expected amplitude (rad) of the first harmonic; harmonic k is expected to be k^3 times less."""
 SIGNIFICANT = 6.0
 """Harmonics with less than this many times the variance of a coefficient are noise (5 % odds)."""
-TREND_SIGNIFICANT = 4.0
-OUTLIER = 10.0
+TREND_SIGNIFICANT = 4.0  # standard deviations: 6e-5 odds that noise looks like a run-up
+OUTLIER = 10.0  # median residuals: nearly 7 standard deviations of normal noise
 RESOLVED, FINEST_COUNT, WHOLE = 1e-9, 1e-5, 0.01
 """Angles (rad) that are told apart, the finest encoder count, and how nearly whole counts are."""
 COUNTING_SPAN, COUNTING_DEVIATION = 1.85, 0.34

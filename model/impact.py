@@ -21,11 +21,12 @@ from model.impact_system import ClearanceSystem, ContactState, settled_state
 
 Array = NDArray[np.float64]
 
-MOST_STEPS = 20_000_000
-MOST_IMPACTS = 100_000
+MOST_STEPS = 20_000_000  # ends a motion that no step suits, in minutes
+MOST_IMPACTS = 100_000  # 800 revolutions at 120 impacts: as many as one call may want
 STEPS_AT_ONCE = 20_000
 """Steps between two looks at whether the caller still waits."""
 
+# A longer step could fly past a touch, or over what rises and falls within one contact.
 LONGEST_FLIGHT_TURN, LONGEST_FLIGHT_S = float(np.deg2rad(1.0)), 1e-3
 LONGEST_CONTACT_TURN, LONGEST_CONTACT_S = float(np.deg2rad(5.0)), 1e-2
 SHORTEST_PART = 1e-17

@@ -17,7 +17,7 @@ from model.parameters import Joint, Material, Mechanism
 
 Array = NDArray[np.float64]
 Location = Literal["crank", "wrist"]
-NODES = 360
+NODES = 360  # of the worn surface: one a degree
 
 
 @dataclass(frozen=True, slots=True)

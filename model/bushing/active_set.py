@@ -15,7 +15,7 @@ CARRIED = 0
 NOT_SETTLED = 1
 ONE_SIDED = 2
 
-_LIMIT = 200
+_LIMIT = 200  # bounds the single changes that come after _PATIENCE
 # After so many iterations the set changes one node at a time, which cannot cycle.
 _PATIENCE = 30
 

@@ -25,7 +25,7 @@ from model.bushing.active_set import (
 from model.bushing.linear import factorise, invert, substitute
 from model.compiled import njit
 
-_LIMIT = 40
+_LIMIT = 40  # sweeps; 5 to 10 settle as a rule, some of the single changes after _PATIENCE
 # After so many sweeps each position changes its set one node at a time.
 _PATIENCE = 25
 # A weak force at the edge of what strong ones wore may roll on for long; when the wear has stayed

@@ -20,7 +20,7 @@ from model.wear.plan import SAMPLING_COVERAGE
 
 Array = NDArray[np.float64]
 
-SAMPLES = 720
+SAMPLES = 720  # without impacts forces are as smooth as the angle: half a degree
 # With impacts no revolution is like the next: many are taken, sampled densely, since impacts are
 # short.
 SAMPLES_WITH_IMPACTS = 3600

@@ -26,7 +26,7 @@ LoadsAt = Callable[[Front, float], CycleLoads]
 EARLY_TOLERANCE = 5.0
 # No step is made smaller than this part of the cycles done by then.
 SMALLEST_PART = 0.15
-_RUNS = (1, 2, 4)
+_RUNS = (1, 2, 4)  # two extrapolations need three runs
 
 
 @dataclass(frozen=True, slots=True)

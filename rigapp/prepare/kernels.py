@@ -25,7 +25,7 @@ COMPILERS = ("numba", "model.compiled")
 NO_KERNELS = ("model.compiled", "rigapp.prepare.kernels")
 """Modules that only handle those of others."""
 
-WORTH_TELLING_S = 1.0
+WORTH_TELLING_S = 1.0  # what is loaded from the cache takes less
 CACHED = (".nbi", ".nbc")
 
 

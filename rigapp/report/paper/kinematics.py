@@ -13,7 +13,7 @@ from rigapp.report.paper.chapter import Chapter, largest_difference
 if TYPE_CHECKING:
     from model.parameters import Mechanism, Parameters
 
-POINTS = 360
+POINTS = 360  # one a degree
 GAPS_MM = (0.0, 0.1, 0.25, 0.5, 1.0)
 MM = 1e-3
 COLOURS = ("#000000", "#0072B2", "#009E73", "#E69F00", "#D55E00", "#CC79A7")

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from model.parameters import Parameters
     from model.wear.life import Life
 
-CYCLES = 21_377
-TOLERANCE = 1e-3
+CYCLES = 21_377  # of the paper's test
+TOLERANCE = 1e-3  # far below what paper and test differ by
 AREA_MM2, SIMULATED_MASS_G, SIMULATED_DEPTH_MM = 5.5175, 0.1589, 0.4524
 MEASURED_MASS_G, MEASURED_DEPTH_MM = 0.1714, 0.4850
 CLEARANCES_MM = np.linspace(0.2, 1.2, 51)

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from model.wear.life import Life
 
 Tell = Callable[[float], None]
-CYCLES = 23_000
-TOLERANCE = 1e-3
+CYCLES = 23_000  # as far as the paper's Figs 13 and 15 go
+TOLERANCE = 1e-3  # a line's width of the figures
 # The same again, coarser: what differs is what a difference of two lives is known to.
 COARSER = 3e-3
 KINDS = {

@@ -32,8 +32,8 @@ from rigapp.schema.messages import Event
 PANELS = 4
 """Channels in one picture of free ones: five would not fit on a page with their words."""
 
-BURSTS_SHOWN = 40
-TOLD = 20
+BURSTS_SHOWN = 40  # a page of them
+TOLD = 20  # half a page; its heading counts the rest
 
 RESIDUALS = {
     "residual_rms": "residual of |F|, RMS",

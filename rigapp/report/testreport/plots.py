@@ -19,7 +19,7 @@ from rigapp.report.testreport.wording import THIN, number, quantity, symbol, tit
 from rigapp.schema.channels import Channel
 
 WIDTH_IN = 7.2
-DPI = 200
+DPI = 200  # of a printed page at arm's length
 TITLE_IN, AXIS_IN = 0.25, 0.4
 PANEL_IN, BETWEEN_IN = 1.1, 0.3
 COLOURS = {
@@ -37,7 +37,7 @@ MODEL = "#D55E00"
 DRIVEN = "#CC79A7"
 GAP = "#E69F00"
 MODEL_LINE: Mapping[str, Any] = {"color": MODEL, "ls": (0, (4, 2)), "lw": 1.1}
-GAPS_SHOWN = 40
+GAPS_SHOWN = 40  # more would hide the curves
 BAND_WORDS = "Shaded: the expanded uncertainty of a force by the calibration."
 POSITION_WORDS = "Shaded: the expanded uncertainty of a position by the calibration."
 SHORT = {

@@ -15,7 +15,7 @@ import struct
 import sys
 from pathlib import Path
 
-LOCK_OFFSET = 1 << 62
+LOCK_OFFSET = 1 << 62  # beyond any data
 _FLOCK = "hhqqi0q"
 _OFD = sys.platform == "linux" and hasattr(fcntl, "F_OFD_SETLK")
 

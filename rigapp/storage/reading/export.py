@@ -17,10 +17,10 @@ from rigapp.storage.filesystem.folder import move_into_place
 from rigapp.storage.reading.reader import StoredCycle, TestReader, open_test
 from rigapp.storage.structure.metadata import unit_suffix
 
-ROWS_AT_A_TIME = 65536
-SAMPLES_AT_A_TIME = 1 << 18
+ROWS_AT_A_TIME = 65536  # 18 MB of the columns of every rig
+SAMPLES_AT_A_TIME = 1 << 18  # 16 MB of the columns of every rig
 FORMATS = (".csv", ".parquet")
-FEWEST_POINTS = 8
+FEWEST_POINTS = 8  # fewer say nothing of a revolution
 
 Table = dict[str, NDArray[Any]]
 Progress = Callable[[int, int], None]

@@ -38,8 +38,8 @@ from rigapp.storage.structure.layout import (
 )
 from rigapp.storage.structure.metadata import TestMetadata, iso_time, name_and_unit, versions
 
-PAGE = 4096
-METADATA_BLOCK = 1 << 18
+PAGE = 4096  # the disk's and the memory's page: no two datasets share one
+METADATA_BLOCK = 1 << 18  # most of the structure lies together, at the head of the file
 
 _SIGNALS = {
     "/entry/revolutions": ("force_max", "Statistics of every revolution", ("revolution",)),

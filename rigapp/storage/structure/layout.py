@@ -45,9 +45,9 @@ FORCE_UNCERTAINTY = "/entry/calibration/force_uncertainty"
 START_TIME = "/entry/start_time"
 END_TIME = "/entry/end_time"
 
-ROW_MULTIPLE = 512
-SPARE_REVOLUTIONS = 1000
-SAMPLE_RESERVE = 1.1
+ROW_MULTIPLE = 512  # rows of 8 bytes fill whole pages
+SPARE_REVOLUTIONS = 1000  # a short test can be extended as well
+SAMPLE_RESERVE = 1.1  # revolutions differ; what is over is given back at the end
 
 STATE_FIELDS: dict[str, tuple[str, str]] = {
     "status": ("S16", "running, complete, stopped or fault"),

@@ -13,8 +13,8 @@ from rigapp.storage.structure.build import scale_label
 from rigapp.storage.structure.hdf import is_bare, open_for_reading
 from rigapp.storage.structure.layout import COMPRESSED, FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE
 
-CHUNK_BYTES = 1 << 18
-PIECE_BYTES = 1 << 24
+CHUNK_BYTES = 1 << 18  # compresses well, and one cycle does not open many of them
+PIECE_BYTES = 1 << 24  # memory that a copy takes, whatever the file
 _SCALE_ATTRIBUTES = frozenset(
     ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
 )

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 from rigapp.storage.filesystem.disk import Disk
 
-SOFT_LIMIT = 4 << 20
-HARD_LIMIT = 64 << 20
+SOFT_LIMIT = 4 << 20  # 10 s of whole cycles at 120 rpm: so long may a disk sync
+HARD_LIMIT = 64 << 20  # three minutes of it: a disk that is so late is too slow
 
 
 class Backlog:

@@ -15,7 +15,7 @@ from rigapp.storage.writing.backlog import Backlog
 
 Float = NDArray[np.float64]
 Offsets = dict[str, int]
-GROWTH_ROWS = 4096
+GROWTH_ROWS = 4096  # reserved at once, so that asking the disk is rare
 
 
 class Room:

@@ -38,8 +38,8 @@ from rigapp.storage.writing.keeper import Keeper
 from rigapp.storage.writing.scalars import COUNTERS, FINAL_STATUSES, Counts, Scalars
 from rigapp.storage.writing.streams import RecordPlacer, Room, RowBuffer
 
-ROWS_BUFFERED = 256
-EVENTS_KEPT_BACK = 64
+ROWS_BUFFERED = 256  # 72 kB in one piece; a commit takes what is there before
+EVENTS_KEPT_BACK = 64  # rows for alarms and the end of the test, whoever filled the log
 
 
 def create_test(path: str | os.PathLike[str], plan: FilePlan, metadata: TestMetadata) -> TestWriter:
