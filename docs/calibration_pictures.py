@@ -61,7 +61,7 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
 
 
 def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
-    from rigapp.calibrating.live_calibration import Rig
+    from rigapp.calibrating.session import Rig
     from rigapp.gui.plots.palette import LIGHT
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
@@ -71,47 +71,47 @@ def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: A
     wizard = CalibrationWizard(line, mine, LIGHT, folder, settings)
     wizard.resize(1040, 820)
     wizard.show()
-    bench = wizard.bench
+    live = wizard.live
 
     def pump(until: Callable[[], bool], what: str) -> None:
         _pump(wizard, line, application, until, what)
 
     wizard.next()
-    bench.lend_a_hand()
+    live.lend_a_hand()
     pump(wizard.angle.isComplete, "the angle")
     wizard.next()
-    bench.goes_ahead = True
-    pump(lambda: len(bench.session.procedure.taken) > LOAD_CELL_READINGS, "half of the readings")
-    bench.goes_ahead = False
+    live.goes_ahead = True
+    pump(lambda: len(live.session.procedure.taken) > LOAD_CELL_READINGS, "half of the readings")
+    live.goes_ahead = False
     pump(lambda: wizard.readings.record.isEnabled(), "a steady reading")
     _grab(wizard, application, images / "calibration-reading.png")
-    bench.goes_ahead = True
+    live.goes_ahead = True
     pump(wizard.readings.isComplete, "all readings")
     wizard.next()
-    pump(lambda: bench.outcome is not None, "the verdict")
+    pump(lambda: live.outcome is not None, "the verdict")
     _grab(wizard, application, images / "calibration-result.png", RESULT_HEIGHT)
     wizard.reject()
 
 
 def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
-    from rigapp.calibrating.live_calibration import Rig
+    from rigapp.calibrating.session import Rig
     from rigapp.gui.plots.palette import LIGHT
-    from rigapp.gui.wizard.probe_wizard import ProbeWizard
+    from rigapp.gui.wizard.wizard import CalibrationWizard
 
     mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
-    wizard = ProbeWizard(line, mine, LIGHT, folder, "both")
+    wizard = CalibrationWizard(line, mine, LIGHT, folder, subject="probes", which="both")
     wizard.resize(1040, 820)
     wizard.show()
-    bench = wizard.bench
+    live = wizard.live
 
     def pump(until: Callable[[], bool], what: str) -> None:
         _pump(wizard, line, application, until, what)
 
     pump(lambda: wizard.plan.reach.value() > LEAST_REACH_UM, "the probes' range")
     wizard.next()
-    bench.goes_ahead = True
-    pump(lambda: len(bench.session.procedure.taken) > PROBE_READINGS, "some of the steps")
-    bench.goes_ahead = False
+    live.goes_ahead = True
+    pump(lambda: len(live.session.procedure.taken) > PROBE_READINGS, "some of the steps")
+    live.goes_ahead = False
     pump(lambda: wizard.readings.record.isEnabled(), "a steady reading")
     _grab(wizard, application, images / "calibration-probes.png")
     wizard.reject()
@@ -121,8 +121,8 @@ def _pump(wizard: Any, line: Line, application: Any, until: Callable[[], bool], 
     deadline = time.monotonic() + WITHIN_S
     while not until():
         if time.monotonic() > deadline:
-            raise TimeoutError(f"{what} did not come in {WITHIN_S:g} s: {wizard.bench.readiness}")
-        wizard.bench.tick()
+            raise TimeoutError(f"{what} did not come in {WITHIN_S:g} s: {wizard.live.readiness}")
+        wizard.live.tick()
         line.worker.deliver()
         application.processEvents()
         time.sleep(0.005)

@@ -331,54 +331,43 @@ def model_paper(
     return write_paper(to, file, time_limit_s)
 
 
+TableOption = Annotated[
+    Path | None, typer.Option("--readings", help="CSV of readings as taken; or --rig.")
+]
+LiveOption = Annotated[Path | None, typer.Option("--rig", help="Rig file: take the readings live.")]
 SettingsOption = Annotated[Path, typer.Option("--settings", help="Settings file (TOML).")]
 RecordOption = Annotated[Path, _file("--to", "Record to make; never overwritten.")]
+JournalOption = Annotated[
+    Path | None, _file("--journal", "Where events are kept; taken up if there.")
+]
+PractiseOption = Annotated[
+    bool, typer.Option("--practise", help="Simulated rig: simulated hands do the work.")
+]
 
 
 @calibrate_app.command("load-cell")
 def calibrate_load_cell(
     settings: SettingsOption,
     to: RecordOption,
-    readings: Annotated[
-        Path | None, typer.Option("--readings", help="CSV of readings as taken; or --rig.")
-    ] = None,
+    readings: TableOption = None,
     json: JsonOption = False,
-    rig: Annotated[
-        Path | None, typer.Option("--rig", help="Rig file: take the readings live.")
-    ] = None,
+    rig: LiveOption = None,
     plan: Annotated[str, typer.Option("--plan", help="daily, routine or full.")] = "routine",
     weights: Annotated[
         str, typer.Option("--weights", help="Pieces in kg; 5x8: eight pieces of 5 kg.")
     ] = "5x8,2,2,1,0.5",
-    journal: Annotated[
-        Path | None,
-        _file("--journal", "Where events are kept; taken up if there."),
-    ] = None,
-    practise: Annotated[
-        bool, typer.Option("--practise", help="Simulated rig: simulated hands do the work.")
-    ] = False,
-) -> None:
+    journal: JournalOption = None,
+    practise: PractiseOption = False,
+) -> int:
     """Calibrate the load cell from a CSV of readings or live; a bad fit is refused, not saved."""
-    if (readings is None) == (rig is None):
-        raise UnusableInput("give --readings (a CSV) or --rig (live readings), one of the two.")
-    if readings is not None:
-        from rigapp.commands.calibrate import calibrate_cell
+    from rigapp.commands.calibrate import calibrate_table
+    from rigapp.commands.live_terminal import calibrate_live, load_cell_as_told
 
-        raise typer.Exit(calibrate_cell(readings, settings, to, as_json=json))
-    from rigapp.commands.live_terminal import calibrate_live
-
-    assert rig is not None
-    raise typer.Exit(
-        calibrate_live(
-            rig,
-            settings,
-            to,
-            plan=plan,
-            weights=weights,
-            journal=journal,
-            practise=practise,
-            as_json=json,
-        )
+    if rig is None:
+        return calibrate_table("load cell", readings, settings, to, as_json=json)
+    told = load_cell_as_told(readings, plan, weights)
+    return calibrate_live(
+        "load cell", rig, settings, to, told, journal=journal, practise=practise, as_json=json
     )
 
 
@@ -386,13 +375,9 @@ def calibrate_load_cell(
 def calibrate_probes(
     settings: SettingsOption,
     to: RecordOption,
-    readings: Annotated[
-        Path | None, typer.Option("--readings", help="CSV of readings as taken; or --rig.")
-    ] = None,
+    readings: TableOption = None,
     json: JsonOption = False,
-    rig: Annotated[
-        Path | None, typer.Option("--rig", help="Rig file: take the readings live.")
-    ] = None,
+    rig: LiveOption = None,
     probe: Annotated[
         str, typer.Option("--probe", help="1, 2, or both with their alignment.")
     ] = "1",
@@ -404,37 +389,18 @@ def calibrate_probes(
         float | None,
         typer.Option("--reach-um", help="Largest position; else 80 % of the probe's range."),
     ] = None,
-    journal: Annotated[
-        Path | None,
-        _file("--journal", "Where events are kept; taken up if there."),
-    ] = None,
-    practise: Annotated[
-        bool, typer.Option("--practise", help="Simulated rig: simulated hands do the work.")
-    ] = False,
-) -> None:
+    journal: JournalOption = None,
+    practise: PractiseOption = False,
+) -> int:
     """Calibrate probes by micrometer steps, from a CSV or live; a bad fit is refused, not saved."""
-    if (readings is None) == (rig is None):
-        raise UnusableInput("give --readings (a CSV) or --rig (live readings), one of the two.")
-    if readings is not None:
-        from rigapp.commands.probes import calibrate_probes as from_table
+    from rigapp.commands.calibrate import calibrate_table
+    from rigapp.commands.live_terminal import calibrate_live, probes_as_told
 
-        raise typer.Exit(from_table(readings, settings, to, probe=probe, as_json=json))
-    from rigapp.commands.probes import calibrate_probes_live
-
-    assert rig is not None
-    raise typer.Exit(
-        calibrate_probes_live(
-            rig,
-            settings,
-            to,
-            probe=probe,
-            plan=plan,
-            positions=positions,
-            reach_um=reach_um,
-            journal=journal,
-            practise=practise,
-            as_json=json,
-        )
+    if rig is None:
+        return calibrate_table("probes", readings, settings, to, which=probe, as_json=json)
+    told = probes_as_told(readings, probe, plan, reach_um, positions)
+    return calibrate_live(
+        "probes", rig, settings, to, told, journal=journal, practise=practise, as_json=json
     )
 
 
@@ -460,22 +426,20 @@ def calibrate_run_out(
     revolutions: Annotated[int, typer.Option("--revolutions", help="Of each roll.")] = 12,
     orders: Annotated[int, typer.Option("--orders", help="Fourier orders of the map.")] = 8,
     json: JsonOption = False,
-) -> None:
+) -> int:
     """Map the pin's run-out by a slow roll of the spindle; a bad roll is refused, not saved."""
-    from rigapp.commands.run_out import calibrate_run_out as make
+    from rigapp.commands.spindle_runs import calibrate_run_out as make
 
-    raise typer.Exit(
-        make(
-            rig,
-            recorded or [],
-            to,
-            settings=settings,
-            test=test,
-            rpm=rpm,
-            revolutions=revolutions,
-            orders=orders,
-            as_json=json,
-        )
+    return make(
+        rig,
+        recorded or [],
+        to,
+        settings=settings,
+        test=test,
+        rpm=rpm,
+        revolutions=revolutions,
+        orders=orders,
+        as_json=json,
     )
 
 
@@ -501,22 +465,20 @@ def calibrate_running_check(
         Path | None, typer.Option("--settings", help="Settings file of a calibration: paperwork.")
     ] = None,
     json: JsonOption = False,
-) -> None:
+) -> int:
     """Turn the pin alone: does the cell show its known inertia, - m r w^2 in force_1?"""
-    from rigapp.commands.running_check import check_running
+    from rigapp.commands.spindle_runs import check_running
 
-    raise typer.Exit(
-        check_running(
-            rig,
-            to,
-            speeds=speeds,
-            revolutions=revolutions,
-            mass_kg=mass_kg,
-            radius_mm=radius_mm,
-            follower_off=follower_off,
-            settings=settings,
-            as_json=json,
-        )
+    return check_running(
+        rig,
+        to,
+        speeds=speeds,
+        revolutions=revolutions,
+        mass_kg=mass_kg,
+        radius_mm=radius_mm,
+        follower_off=follower_off,
+        settings=settings,
+        as_json=json,
     )
 
 
@@ -533,22 +495,22 @@ def calibrate_history(
         str | None, typer.Option("--rig-name", help="Only this rig; else that of the last check.")
     ] = None,
     json: JsonOption = False,
-) -> None:
+) -> int:
     """Show the daily checks and their control charts; status 1 when a rule asks for action."""
     from rigapp.commands.calibrate import show_history
 
-    raise typer.Exit(show_history(store, to, rig, as_json=json))
+    return show_history(store, to, rig, as_json=json)
 
 
 @calibrate_app.command("certificate")
 def calibrate_certificate(
     record: Annotated[Path, typer.Argument(help="Calibration record.")],
     to: Annotated[Path, _file("--to", "FILE.pdf or FILE.html")],
-) -> None:
+) -> int:
     """Write the certificate of a record, the same bytes each time."""
     from rigapp.commands.calibrate import certify
 
-    raise typer.Exit(certify(record, to))
+    return certify(record, to)
 
 
 @app.command()

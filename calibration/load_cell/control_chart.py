@@ -23,7 +23,7 @@ RANGE_FACTOR = 1.128
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class ChartFinding:
     """What a rule found. at: place of the last value (from 0); action: or only attention."""
 
     code: str
@@ -45,7 +45,7 @@ class Chart:
     expanded: float | None
     centre: float | None
     sigma: float | None
-    findings: tuple[Finding, ...]
+    findings: tuple[ChartFinding, ...]
 
     @property
     def limits(self) -> tuple[float, float] | None:
@@ -65,12 +65,12 @@ def chart(
     rule is told when it ends there.
     """
     array = np.asarray(values, np.float64)
-    findings: list[Finding] = []
+    findings: list[ChartFinding] = []
     centre = sigma = None
     last = len(array) - 1
     if last >= 0 and expanded is not None and abs(array[last] - promised) > expanded:
         findings.append(
-            Finding(
+            ChartFinding(
                 "beyond_uncertainty",
                 f"The last check is {array[last] - promised:+.5f} off what the calibration says,"
                 f" more than its uncertainty of {expanded:.5f}: calibrate again.",
@@ -88,14 +88,14 @@ def chart(
     return Chart(array, promised, expanded, centre, sigma, tuple(findings))
 
 
-def _rules(z: Array) -> list[Finding]:
+def _rules(z: Array) -> list[ChartFinding]:
     """Judge values in standard deviations from the centre, by the first rule that holds."""
     last = len(z) - 1
     side = float(np.sign(z[-1]))
     above = "above" if side > 0 else "below"
     if abs(z[-1]) > 3.0:
         return [
-            Finding(
+            ChartFinding(
                 "beyond_limits",
                 f"The last check lies {abs(z[-1]):.1f} standard deviations {above} the mean of all"
                 " before: repeat it; if it stays, look for the cause before testing.",
@@ -105,7 +105,7 @@ def _rules(z: Array) -> list[Finding]:
         ]
     if len(z) >= 8 and np.all(side * z[-8:] > 0.0):
         return [
-            Finding(
+            ChartFinding(
                 "shift",
                 f"Eight checks in a row lie {above} the mean: the cell has shifted; plan a new"
                 " calibration.",
@@ -116,7 +116,7 @@ def _rules(z: Array) -> list[Finding]:
     for code, window, count, bound in (("two_of_three", 3, 2, 2.0), ("four_of_five", 5, 4, 1.0)):
         if len(z) >= window and np.count_nonzero(side * z[-window:] > bound) >= count:
             return [
-                Finding(
+                ChartFinding(
                     code,
                     f"{count} of the last {window} checks lie more than {bound:g} standard"
                     f" deviation{'s' if bound > 1 else ''} {above} the mean: something begins to"
@@ -128,13 +128,13 @@ def _rules(z: Array) -> list[Finding]:
     return []
 
 
-def _trend(values: Array) -> list[Finding]:
+def _trend(values: Array) -> list[ChartFinding]:
     steps = np.diff(values[-7:])
     if len(steps) < 6 or not (np.all(steps > 0.0) or np.all(steps < 0.0)):
         return []
     way = "rose" if steps[0] > 0.0 else "fell"
     return [
-        Finding(
+        ChartFinding(
             "trend",
             f"The value {way} seven checks in a row, by {abs(float(steps.sum())):.5f} in all: the"
             " cell drifts; plan a new calibration.",

@@ -14,7 +14,7 @@ class PiecesError(ValueError):
 
 
 @dataclass(frozen=True, slots=True)
-class Change:
+class WeightChange:
     """Tell what to do at the hanger: masses (kg) to add and to take off, and what hangs then."""
 
     add: tuple[float, ...]
@@ -29,7 +29,7 @@ class Change:
 
 def next_change(
     target: float, hanging: Sequence[float], available: Sequence[float], tolerance: float = 0.05
-) -> Change:
+) -> WeightChange:
     """Return the change at the hanger that brings the load nearest to ``target`` (kg).
 
     available: every piece of the set, those that hang included. Pieces that hang stay where that
@@ -43,17 +43,17 @@ def next_change(
     if target >= present - tolerance:
         more = _nearest(target - present, rest)
         if abs(sum(more) + present - target) <= tolerance:
-            return Change(more, (), _sorted((*kept, *more)))
+            return WeightChange(more, (), _sorted((*kept, *more)))
     fewer = _nearest(target, kept)
     if abs(sum(fewer) - target) <= tolerance:
-        return Change((), _without(kept, fewer), _sorted(fewer))
+        return WeightChange((), _without(kept, fewer), _sorted(fewer))
     fresh = _nearest(target, available)
     if abs(sum(fresh) - target) > tolerance:
         raise PiecesError(
             f"the weights cannot make {target:g} kg; the nearest is {sum(fresh):g} kg of"
             f" {sum(available):g} kg in all"
         )
-    return Change(_beyond(fresh, kept), _beyond(kept, fresh), _sorted(fresh))
+    return WeightChange(_beyond(fresh, kept), _beyond(kept, fresh), _sorted(fresh))
 
 
 def possible_loads(heaviest: float, steps: int, available: Sequence[float]) -> tuple[float, ...]:

@@ -28,8 +28,14 @@ class PlanKind(enum.StrEnum):
     FULL = "full"
 
 
+PRELOAD_WAIT = 60.0
+"""Seconds that a preload hangs: ISO 376 wants 1 to 1.5 minutes."""
+HANDLING = 25.0
+"""Seconds that a technician needs to change a load, for the estimate of the time left."""
+
+
 @dataclass(frozen=True, slots=True)
-class Step:
+class LoadCellStep:
     """One step: what to do, where (angle in rad), with which load (kg), and how long to wait (s).
 
     series and number name the reading in the record; falling: the load is reached by taking off.
@@ -43,9 +49,19 @@ class Step:
     wait: float = 0.0
     falling: bool = False
 
+    @property
+    def set_up(self) -> float | None:
+        """Return the pin angle to which the pin is turned for the step, rad."""
+        return None if self.kind is StepKind.ANGLE_REFERENCE else self.angle
+
+    @property
+    def effort(self) -> float:
+        """Return the seconds that the step takes a technician."""
+        return self.wait + HANDLING
+
 
 @dataclass(frozen=True, slots=True)
-class Shape:
+class PlanSize:
     """The size of a plan: angles, loads up, preloads, waiting time (s), descending series."""
 
     angles: int
@@ -55,46 +71,50 @@ class Shape:
     descending: bool
 
 
-SHAPES = {
-    PlanKind.DAILY: Shape(angles=4, loads=1, preloads=0, settle=10.0, descending=False),
-    PlanKind.ROUTINE: Shape(angles=4, loads=5, preloads=1, settle=30.0, descending=True),
-    PlanKind.FULL: Shape(angles=12, loads=10, preloads=3, settle=30.0, descending=True),
+SIZES = {
+    PlanKind.DAILY: PlanSize(angles=4, loads=1, preloads=0, settle=10.0, descending=False),
+    PlanKind.ROUTINE: PlanSize(angles=4, loads=5, preloads=1, settle=30.0, descending=True),
+    PlanKind.FULL: PlanSize(angles=12, loads=10, preloads=3, settle=30.0, descending=True),
 }
-PRELOAD_WAIT = 60.0
-HANDLING = 25.0
-"""Seconds that a technician needs to change a load, for the estimate of the time left."""
+"""Full is what ISO 376 asks (three preloads, loads up and down, 30 s), at angles of 30 degrees;
+routine, what tells all coefficients in an hour; daily, what tells a change of the cell."""
 
 
-def make_plan(kind: PlanKind, heaviest: float, pieces: Sequence[float]) -> tuple[Step, ...]:
-    """Return the steps of a plan up to ``heaviest`` (kg) with the laboratory's pieces (kg).
+@dataclass(frozen=True, slots=True)
+class LoadCellPlan:
+    """What is taken: how much, the heaviest load (kg), the laboratory's pieces (kg)."""
 
-    Angle reference first; at each angle: preloads to the maximum and back, zero, rising loads,
-    falling loads, zero. The loads are those that the pieces can make.
-    """
-    shape = SHAPES[kind]
-    loads = possible_loads(heaviest, shape.loads, pieces)
-    steps = [Step(StepKind.ANGLE_REFERENCE)]
-    for place in range(shape.angles):
-        angle = float(2.0 * np.pi * place / shape.angles)
-        steps.append(Step(StepKind.TURN, angle=angle))
-        for _ in range(shape.preloads):
-            steps.append(Step(StepKind.PRELOAD, mass=loads[-1], angle=angle, wait=PRELOAD_WAIT))
-            steps.append(Step(StepKind.PRELOAD, angle=angle, wait=shape.settle))
-        steps += _series(str(place + 1), angle, loads, shape)
-    return tuple(steps)
+    kind: PlanKind
+    heaviest: float
+    pieces: tuple[float, ...]
+
+    def steps(self) -> tuple[LoadCellStep, ...]:
+        """Return the steps.
+
+        Angle reference first; at each angle: preloads to the maximum and back, zero, rising loads,
+        falling loads, zero. The loads are those that the pieces can make.
+        """
+        size = SIZES[self.kind]
+        loads = possible_loads(self.heaviest, size.loads, self.pieces)
+        steps = [LoadCellStep(StepKind.ANGLE_REFERENCE)]
+        for place in range(size.angles):
+            angle = float(2.0 * np.pi * place / size.angles)
+            steps.append(LoadCellStep(StepKind.TURN, angle=angle))
+            for _ in range(size.preloads):
+                for mass, wait in ((loads[-1], PRELOAD_WAIT), (0.0, size.settle)):
+                    steps.append(LoadCellStep(StepKind.PRELOAD, mass=mass, angle=angle, wait=wait))
+            steps += _series(str(place + 1), angle, loads, size)
+        return tuple(steps)
 
 
-def _series(series: str, angle: float, loads: Sequence[float], shape: Shape) -> list[Step]:
+def _series(
+    series: str, angle: float, loads: Sequence[float], size: PlanSize
+) -> list[LoadCellStep]:
     rising = [0.0, *loads]
     masses = [(mass, False) for mass in rising]
-    back = rising[-2::-1] if shape.descending else [0.0]
+    back = rising[-2::-1] if size.descending else [0.0]
     masses += [(mass, True) for mass in back]
     return [
-        Step(StepKind.READING, series, number, mass, angle, shape.settle, falling)
+        LoadCellStep(StepKind.READING, series, number, mass, angle, size.settle, falling)
         for number, (mass, falling) in enumerate(masses, 1)
     ]
-
-
-def time_needed(steps: Sequence[Step]) -> float:
-    """Return the seconds that the steps take a technician."""
-    return sum(step.wait + HANDLING for step in steps)

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from calibration.probes.positions import Line, falling, positions, robust_line
+from calibration.probes.positions import RobustLine, falling, positions, robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
@@ -85,7 +85,7 @@ def _motion(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Proble
         )
 
 
-def checks(readings: ProbeReadings, settings: ProbeSettings, line: Line) -> Iterator[Problem]:
+def checks(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -> Iterator[Problem]:
     """Yield what is wrong with the steps, the cause first; its consequences are left out."""
     found = list(_scale(readings, settings, line)) or [
         *_saturation(readings, settings),
@@ -110,7 +110,7 @@ def checks(readings: ProbeReadings, settings: ProbeSettings, line: Line) -> Iter
         )
 
 
-def _scale(readings: ProbeReadings, settings: ProbeSettings, line: Line) -> Iterator[Problem]:
+def _scale(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -> Iterator[Problem]:
     """Yield what is wrong with all positions alike: unit, direction, sensitivity."""
     span, found = float(np.ptp(readings.position)), 1e6 / line.slope
     expected = settings.nominal
@@ -170,7 +170,7 @@ def _rough(values: tuple[float, ...]) -> NDArray[np.bool_]:
     return np.asarray(np.abs(array * 1e3 - np.round(array * 1e3)) > 1e-6)
 
 
-def _monotonic(readings: ProbeReadings, line: Line) -> Iterator[Problem]:
+def _monotonic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
     for first, second in pairwise(range(len(line.residual))):
         step = readings.position[second] - readings.position[first]
         seen = (readings.signal[second] - readings.signal[first]) / line.slope
@@ -184,7 +184,7 @@ def _monotonic(readings: ProbeReadings, line: Line) -> Iterator[Problem]:
             return
 
 
-def _systematic(readings: ProbeReadings, line: Line) -> Iterator[Problem]:
+def _systematic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
     """Yield backlash, drift, curvature and a moving other probe: what all readings show a little.
 
     Backlash is a step at the turning point, drift a ramp over the order taken, curvature a parabola

@@ -20,7 +20,7 @@ WRONG_POSITION = 0.01
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Line:
+class RobustLine:
     """A robust straight line through readings: slope (V/m), residual (V, n), noise (V)."""
 
     slope: float
@@ -29,7 +29,7 @@ class Line:
     noise: float
 
 
-def robust_line(position: Array, signal: Array) -> Line:
+def robust_line(position: Array, signal: Array) -> RobustLine:
     """Fit a line that a few wrong readings do not bend (iteratively reweighted least squares)."""
     weights = np.ones(len(position))
     slope, intercept, noise = 0.0, 0.0, 0.0
@@ -39,10 +39,10 @@ def robust_line(position: Array, signal: Array) -> Line:
         noise = max(1.4826 * float(np.median(np.abs(residual))), 1e-9)
         weights = np.minimum(1.0, 2.0 * noise / np.maximum(np.abs(residual), 1e-30)) ** 2
     residual = signal - intercept - slope * position
-    return Line(float(slope), float(intercept), residual, noise)
+    return RobustLine(float(slope), float(intercept), residual, noise)
 
 
-def positions(readings: ProbeReadings, line: Line) -> Iterator[Problem]:
+def positions(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
     """Yield a wrong, a skipped or a repeated position, or a wrong probe moved at one step."""
     um = 1e6 * line.residual / line.slope
     span = 1e6 * float(np.ptp(readings.position))

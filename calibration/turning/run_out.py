@@ -48,7 +48,7 @@ class RunOutError(ValueError):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Turn:
+class SlowRevolution:
     """One whole slow revolution. angle (n,) crank angle, rad; probes (2, n), m; saturated.
 
     elastic (2, n): how elasticity moves the pin under the force, as the probes see it, m; or None.
@@ -67,7 +67,7 @@ class Roll:
 
     label: str
     speed: float
-    turns: tuple[Turn, ...]
+    turns: tuple[SlowRevolution, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -185,7 +185,7 @@ def _basis(angle: Array, orders: int) -> Array:
     return basis
 
 
-def _develop(roll: int, turn: Turn, orders: int) -> Harmonics:
+def _develop(roll: int, turn: SlowRevolution, orders: int) -> Harmonics:
     """Return the orders of one revolution by least squares, its mean and its drift left out.
 
     The angles need not be evenly spaced; a straight drift over the turn (temperature) is fitted as

@@ -3,38 +3,23 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
-from rigapp.calibrating.daily_history import COLUMNS, NAMES, History, verdict_lines, when
-from rigapp.config.errors import UnusableInput
+from rigapp.calibrating.certificates.parts import write_page
+from rigapp.calibrating.daily_history import COLUMNS, NAMES, DailyHistory, verdict_lines, when
 from rigapp.report.page.manuscript import Figure, Manuscript, Section, Table, Text
 
 BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#666666"
 
 
-def write_chart(found: History, to: Path) -> None:
+def write_chart(found: DailyHistory, to: Path) -> None:
     """Write the charts as .png, .html or .pdf; raise UnusableInput."""
-    from rigapp.report.page.html import as_html
-    from rigapp.report.page.pdf import as_pdf
-
-    writers = {".png": draw, ".html": _page(as_html), ".pdf": _page(as_pdf)}
-    writer = writers.get(to.suffix.lower())
-    if writer is None:
-        raise UnusableInput(f"{to}: a chart is .png, .html or .pdf; name it so.")
-    try:
-        to.write_bytes(writer(found))
-    except OSError as error:
-        raise UnusableInput(f"{to}: cannot be written ({error}).") from error
+    write_page(to, "chart", lambda: document(found), {".png": lambda: draw(found)})
 
 
-def _page(writer: Callable[[Manuscript], bytes]) -> Callable[[History], bytes]:
-    return lambda found: writer(document(found))
-
-
-def document(found: History) -> Manuscript:
+def document(found: DailyHistory) -> Manuscript:
     """Compose the page: verdict, charts, table."""
     rows = tuple(
         (
@@ -61,7 +46,7 @@ def document(found: History) -> Manuscript:
     )
 
 
-def draw(found: History) -> bytes:
+def draw(found: DailyHistory) -> bytes:
     """Return the charts as PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure as Canvas

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from calibration.load_cell.control_chart import Chart, Finding, chart
+from calibration.load_cell.control_chart import Chart, ChartFinding, chart
 from calibration.load_cell.daily import DailyCheck
 from rigapp.calibrating.journal import Journal
 from rigapp.config.errors import UnusableInput
@@ -23,7 +23,7 @@ PROMISED = {"sensitivity_ratio": 1.0, "cross_talk_ratio": 0.0}
 
 
 @dataclass(frozen=True, slots=True)
-class History:
+class DailyHistory:
     """The checks of the calibration in use, oldest first, and their charts by column."""
 
     entries: tuple[Mapping[str, Any], ...]
@@ -31,7 +31,7 @@ class History:
     charts: Mapping[str, Chart]
 
     @property
-    def findings(self) -> tuple[tuple[str, Finding], ...]:
+    def findings(self) -> tuple[tuple[str, ChartFinding], ...]:
         """Return (name of the chart, finding)."""
         return tuple(
             (NAMES[name], one) for name, found in self.charts.items() for one in found.findings
@@ -88,7 +88,7 @@ def append_check(store: Path, entry: Mapping[str, Any]) -> None:
         journal.close()
 
 
-def read_history(store: Path, rig: str | None = None) -> History:
+def read_history(store: Path, rig: str | None = None) -> DailyHistory:
     """Read a store and judge the checks since the last change of the calibration.
 
     rig: only of this rig; None for the one of the last check. Raises UnusableInput.
@@ -112,7 +112,7 @@ def read_history(store: Path, rig: str | None = None) -> History:
     while present > 0 and mine[present - 1]["calibration"] == used:
         present -= 1
     entries = tuple(mine[present:])
-    return History(entries, present, {name: _chart(entries, name) for name in COLUMNS})
+    return DailyHistory(entries, present, {name: _chart(entries, name) for name in COLUMNS})
 
 
 def _chart(entries: Sequence[Mapping[str, Any]], name: str) -> Chart:
@@ -143,7 +143,7 @@ def _fingerprint(calibration: Mapping[str, Any]) -> str:
     return _digest(calibration)[:12]
 
 
-def history_result(found: History) -> dict[str, Any]:
+def history_result(found: DailyHistory) -> dict[str, Any]:
     """Return what ``--json`` prints."""
     return {
         "in_control": found.in_control,
@@ -169,7 +169,7 @@ def history_result(found: History) -> dict[str, Any]:
     }
 
 
-def history_lines(found: History, most: int = 20) -> list[str]:
+def history_lines(found: DailyHistory, most: int = 20) -> list[str]:
     """Return the newest checks as a table, and what the charts say."""
     return [
         "when (UTC)         sensitivity  cross-talk   largest N  verdict  operator",
@@ -183,7 +183,7 @@ def history_lines(found: History, most: int = 20) -> list[str]:
     ]
 
 
-def verdict_lines(found: History) -> list[str]:
+def verdict_lines(found: DailyHistory) -> list[str]:
     """Return what the charts say, in sentences."""
     count = len(found.entries)
     lines = [f"{name}: {one.sentence}" for name, one in found.findings]

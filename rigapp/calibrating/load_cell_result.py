@@ -9,6 +9,7 @@ import numpy as np
 from calibration.load_cell.calibrate import LoadCellCalibration
 from calibration.load_cell.settings import LoadCellSettings
 from rigapp.calibrating.records import problems_of
+from rigapp.calibrating.session import NumberTable, Outcome
 
 
 def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> dict[str, Any]:
@@ -63,22 +64,32 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
     }
 
 
-def cell_lines(found: LoadCellCalibration, settings: LoadCellSettings) -> list[str]:
-    """Return the result in words and numbers, a line each."""
+def load_cell_outcome(found: LoadCellCalibration, settings: LoadCellSettings) -> Outcome:
+    """Return a calibration as it is shown, printed and kept."""
+    result = load_cell_result(found, settings)
     if found.fit is None or found.budget is None or found.expanded_line is None:
-        return [found.classification]
+        return Outcome("load cell", result, (found.classification,))
     unit = settings.cell.signal_unit
-    rows = [
-        "    " + "  ".join(f"{value:12.5f}" for value in row) for row in found.fit.matrix.tolist()
-    ]
+    rows = found.fit.matrix.tolist()
     zero = ", ".join(f"{value:.6f}" for value in found.fit.zero)
     constant, slope = found.expanded_line
-    return [
+    lines = (
         f"Force on the pin = matrix (signal - zero), pin frame; matrix in N per {unit}:",
-        *rows,
+        *("    " + "  ".join(f"{value:12.5f}" for value in row) for row in rows),
         f"Zero: {zero} {unit}.  Model: {found.terms}.",
         f"Residual standard deviation: {found.fit.residual_std:.3f} N.",
         f"Expanded uncertainty at {found.budget.force:g} N: {found.budget.expanded:.2f} N"
         f" (k = {found.budget.coverage_factor:.2f}); U(F) = {constant:.2f} N + {slope:.5f} F.",
         found.classification,
-    ]
+    )
+    table = NumberTable(
+        ("", f"Signal 1 (N per {unit})", f"Signal 2 (N per {unit})", f"Zero ({unit})"),
+        tuple(
+            (f"Axis {axis}", *(f"{one:.4f}" for one in row), f"{at_rest:.6f}")
+            for axis, (row, at_rest) in enumerate(
+                zip(rows, found.fit.zero.tolist(), strict=True), 1
+            )
+        ),
+        in_lines=4,
+    )
+    return Outcome("load cell", result, lines, table)

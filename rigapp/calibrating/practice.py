@@ -1,24 +1,19 @@
-"""Simulated hands: what they do at a step, and the mistakes that they can be told to make."""
+"""Simulated hands, on a simulated rig: what they do at a step, and the mistakes to practise.
+
+A simulated rig has no technician; the engine's verb ``hand`` turns its pin, hangs its weights and
+sets its micrometers. A practice says which of them a step asks for.
+"""
 
 from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from calibration.load_cell.plans import StepKind
-from calibration.load_cell.procedure import Procedure
-
-
-class Mistake(enum.StrEnum):
-    """A mistake to practise, in the operator's words."""
-
-    NONE = "none"
-    WRONG_WEIGHT = "a wrong weight hangs"
-    SWAPPED_CABLE = "the two plugs are exchanged"
-    SWINGING = "the weight swings"
+from calibration.probes.procedure import ProbeProcedure, ProbeStepKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,57 +28,156 @@ def _hand(what: str, **details: Any) -> Action:
     return Action("hand", {"what": what, "details": details})
 
 
-def preparation() -> tuple[Action, ...]:
-    """Return what makes the simulated rig ready: follower off, once past the encoder's index."""
-    turns = (90.0, 180.0, 270.0, 359.0, 0.0)
-    return (_hand("take_off_follower"), *(_hand("turn_pin", angle_deg=at) for at in turns))
+Actions = tuple[Action, ...]
 
 
-def tidy_up() -> tuple[Action, ...]:
-    """Return what puts the simulated rig together again and ends planted mistakes."""
-    return (*mistake_actions(Mistake.NONE), _hand("put_on_follower"))
+@dataclass(frozen=True, slots=True)
+class Practice:
+    """How a calibration is practised.
 
-
-def mistake_actions(mistake: Mistake) -> tuple[Action, ...]:
-    """Return what begins a mistake at the rig and ends all others.
-
-    A wrong weight is a matter of what is hung, see ``step_actions``.
+    mistakes: to be planted, the first of them none. prepare, tidy_up: what makes the rig ready, and
+    puts it together again. plant: what begins a mistake at the rig and ends all others. act
+    (session, mistake, since): what the hands do for the step under way, ``since``: the step at
+    which the mistake began.
     """
+
+    mistakes: type[enum.StrEnum]
+    prepare: Actions
+    tidy_up: Actions
+    plant: Callable[[Any], Actions]
+    act: Callable[[Any, Any, int], Actions]
+
+
+# --- weights --------------------------------------------------------------------------------------
+
+
+class WeighingMistake(enum.StrEnum):
+    """A mistake with weights to practise, in the operator's words."""
+
+    NONE = "none"
+    WRONG_WEIGHT = "a wrong weight hangs"
+    SWAPPED_CABLE = "the two plugs are exchanged"
+    SWINGING = "the weight swings"
+
+
+_FAULTS = {
+    WeighingMistake.SWAPPED_CABLE: "swapped_bridges",
+    WeighingMistake.SWINGING: "swinging_weight",
+}
+ONCE_ROUND = (90.0, 180.0, 270.0, 359.0, 0.0)
+"""Angles (degrees) that lead the pin once past the encoder's index."""
+BARE_PIN: Actions = (
+    _hand("take_off_follower"),
+    *(_hand("turn_pin", angle_deg=at) for at in ONCE_ROUND),
+)
+"""What makes the simulated rig ready: follower off, once past the encoder's index."""
+
+
+def _plant_fault(mistake: WeighingMistake) -> Actions:
+    """Begin a mistake at the rig; a wrong weight is a matter of what is hung."""
     ends = tuple(Action("clear_fault", {"kind": kind}) for kind in _FAULTS.values())
     kind = _FAULTS.get(mistake)
     return (*ends, Action("inject_fault", {"kind": kind})) if kind else ends
 
 
-_FAULTS = {Mistake.SWAPPED_CABLE: "swapped_bridges", Mistake.SWINGING: "swinging_weight"}
-
-
-def step_actions(
-    procedure: Procedure, mistake: Mistake, gravity: float, hanger: float
-) -> tuple[Action, ...]:
-    """Return what the hands do for the step under way.
-
-    A wrong weight: the last piece is another one of the set, or a kilogram too much.
-    """
+def _weigh(session: Any, mistake: WeighingMistake, since: int) -> Actions:
+    """Turn the pin, hang weights. A wrong weight: half a piece less, or a kilogram too much."""
+    procedure, settings = session.procedure, session.settings
     if procedure.done:
         return ()
     step = procedure.step
     if step.kind is StepKind.ANGLE_REFERENCE:
         return (_hand("turn_pin", angle_deg=0.0),)
+    gravity = settings.place.gravity
     if step.kind is StepKind.TURN:
-        degrees = math.degrees(step.angle)
-        return (_weigh(0.0, gravity), _hand("turn_pin", angle_deg=degrees))
-    mass = procedure.change.mass if step.mass > 0.0 else 0.0
-    if mass > 0.0:
-        if mistake is Mistake.WRONG_WEIGHT:
-            mass = _wrong(mass, procedure.change.hanging)
-        mass += hanger
-    return (_weigh(mass, gravity),)
+        turn = _hand("turn_pin", angle_deg=math.degrees(step.angle))
+        return (_hand("hang_weight", mass_kg=0.0, gravity_m_s2=gravity), turn)
+    mass = 0.0
+    if step.mass > 0.0:
+        mass = procedure.change.mass + settings.weights.hanger_mass
+        if mistake is WeighingMistake.WRONG_WEIGHT:
+            mass += _wrong_by(procedure.change.hanging)
+    return (_hand("hang_weight", mass_kg=mass, gravity_m_s2=gravity),)
 
 
-def _weigh(mass: float, gravity: float) -> Action:
-    return _hand("hang_weight", mass_kg=mass, gravity_m_s2=gravity)
-
-
-def _wrong(mass: float, hanging: Sequence[float]) -> float:
+def _wrong_by(hanging: Sequence[float]) -> float:
     smallest = min(hanging)
-    return mass - 0.5 * smallest if smallest >= 2.0 else mass + 1.0
+    return -0.5 * smallest if smallest >= 2.0 else 1.0
+
+
+LOAD_CELL_PRACTICE = Practice(
+    WeighingMistake,
+    prepare=BARE_PIN,
+    tidy_up=(*_plant_fault(WeighingMistake.NONE), _hand("put_on_follower")),
+    plant=_plant_fault,
+    act=_weigh,
+)
+
+
+# --- micrometers ----------------------------------------------------------------------------------
+
+BACKLASH_UM = 15.0
+DRIFT_UM = 1.0
+TOO_FAR = 2.5
+"""Mistakes of the size that a technician makes: each is surely named by the checks."""
+
+
+class MicrometerMistake(enum.StrEnum):
+    """A mistake at the micrometer to practise, in the operator's words."""
+
+    NONE = "none"
+    WRONG_POSITION = "the micrometer is set wrong once"
+    SKIPPED = "a position is skipped"
+    OTHER_WAY = "the micrometer is turned the other way"
+    BACKLASH = "positions are approached from the wrong side"
+    OTHER_PROBE = "the target stands before the other probe"
+    TOO_FAR = "the micrometer is turned too far"
+    DRIFT = "something slips slowly"
+
+
+def _set(*positions_um: float) -> Actions:
+    return tuple(
+        _hand("set_micrometer", probe=number, position_um=position)
+        for number, position in enumerate(positions_um, 1)
+    )
+
+
+def _turn_micrometer(session: Any, mistake: MicrometerMistake, since: int) -> Actions:
+    procedure: ProbeProcedure = session.procedure
+    if procedure.done:
+        return ()
+    step = procedure.step
+    if step.kind is ProbeStepKind.MOUNT:
+        return _set(0.0, 0.0)
+    at = _with_mistake(procedure, mistake, 1e6 * step.position, since)
+    first = (step.probe == 1) is not (mistake is MicrometerMistake.OTHER_PROBE)
+    return _set(at, 0.0) if first else _set(0.0, at)
+
+
+def _with_mistake(
+    procedure: ProbeProcedure, mistake: MicrometerMistake, wanted: float, since: int
+) -> float:
+    step, here = procedure.step, procedure.position
+    size = 1e6 * procedure.plan.step_size
+    if mistake is MicrometerMistake.WRONG_POSITION and here == since:
+        return wanted + 0.3 * size
+    if mistake is MicrometerMistake.SKIPPED:
+        return wanted + (-size if step.falling else size)
+    if mistake is MicrometerMistake.OTHER_WAY:
+        return -wanted
+    if mistake is MicrometerMistake.BACKLASH and step.falling:
+        return wanted + BACKLASH_UM
+    if mistake is MicrometerMistake.TOO_FAR:
+        return TOO_FAR * wanted
+    if mistake is MicrometerMistake.DRIFT:
+        return wanted + DRIFT_UM * (here - since)
+    return wanted
+
+
+PROBE_PRACTICE = Practice(
+    MicrometerMistake,
+    prepare=(_hand("take_off_follower"), *_set(0.0, 0.0)),
+    tidy_up=(*_set(0.0, 0.0), _hand("put_on_follower")),
+    plant=lambda _: (),
+    act=_turn_micrometer,
+)

@@ -16,6 +16,8 @@ from calibration.records import seal
 from rigapp.config.calibration_settings import LoadCellFile, ProbeFile, RunOutFile
 from rigapp.config.errors import UnusableInput
 
+CalibrationFile = LoadCellFile | ProbeFile | RunOutFile
+
 
 def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
     """Return problems as plain values."""
@@ -34,7 +36,7 @@ def keep_record(
     to: Path,
     kind: str,
     readings: str,
-    settings: LoadCellFile | ProbeFile | RunOutFile,
+    settings: CalibrationFile,
     result: Mapping[str, Any],
     taken: Mapping[str, Any] | None = None,
 ) -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import calendar
+import math
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -12,57 +13,86 @@ from typing import Any
 import msgspec
 
 from calibration.records import Record, RecordError, unseal
-from rigapp.calibrating.probe_records_in_use import probe_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.reading import read_bytes
-from rigapp.config.rig import RigFile
+from rigapp.config.rig import LoadCellSection, ProbesSection, RigFile
+
+Rig = Document[RigFile]
 
 
 @dataclass(frozen=True, slots=True)
 class RigRecords:
-    """A rig with the numbers of its records. texts: section -> the record as stored, sealed.
+    """A rig with the numbers of its records. texts: label -> the record as stored, sealed.
 
-    blocking: section -> why the record forbids a start (expired), empty when none does.
+    blocking: label -> why the record forbids a start (expired), empty when none does.
     """
 
-    rig: Document[RigFile]
+    rig: Rig
     texts: Mapping[str, str] = field(default_factory=dict)
     blocking: Mapping[str, str] = field(default_factory=dict)
     remarks: Mapping[str, str] = field(default_factory=dict)
 
 
-def with_records(rig: Document[RigFile], now: float | None = None) -> RigRecords:
-    """Read the records that ``load_cell.calibration`` and ``probes.calibration`` name.
+@dataclass(frozen=True, slots=True)
+class RecordPlace:
+    """Where a rig file names records, and what they replace in it.
+
+    kinds: of records that may stand there; a list of names allows the first only. use (rig,
+    section, records): the section with the records' numbers, and a label of each record.
+    """
+
+    section: str
+    key: str
+    kinds: tuple[str, ...]
+    use: Callable[[Rig, Any, Sequence[Record]], tuple[Any, Sequence[str]]]
+
+    def alone(self, kind: str) -> bool:
+        """Tell whether one record of a kind says all, and not one of a list."""
+        return len(self.kinds) == 1 or kind != self.kinds[0]
+
+
+def with_records(rig: Rig, now: float | None = None) -> RigRecords:
+    """Read the records that a rig file names (``PLACES``).
 
     Paths are relative to the rig file. Raises UnusableInput for a record that is missing, changed
     after it was made, or of something else.
     """
-    load_cell, probes = rig.record.load_cell, rig.record.probes
     texts: dict[str, str] = {}
     blocking: dict[str, str] = {}
     remarks: dict[str, str] = {}
     moment = time.time() if now is None else now
-    if load_cell.calibration:
-        text, record = _read(rig, "load_cell.calibration", load_cell.calibration, ("load cell",))
-        texts["load_cell"] = text
-        load_cell = _load_cell(rig, record)
-        against = _faults(rig, record, moment)
-        _judge("load_cell", record, load_cell.calibration_override, against, blocking, remarks)
-    if probes.calibration or probes.run_out:
-        found = probe_records(rig, lambda section, name, kinds: _read(rig, section, name, kinds))
-        probes = found.probes
-        for section, text, record, override in found.records:
-            texts[section] = text
-            against = _faults(rig, record, moment)
-            _judge(section, record, override, against, blocking, remarks)
-    record_file = msgspec.structs.replace(rig.record, load_cell=load_cell, probes=probes)
-    return RigRecords(Document(rig.path, rig.text, record_file), texts, blocking, remarks)
+    used = rig.record
+    for place in PLACES:
+        section = getattr(used, place.section)
+        names = getattr(section, place.key)
+        if not names:
+            continue
+        one = isinstance(names, str)
+        allowed = place.kinds if one else place.kinds[:1]
+        key = f"{place.section}.{place.key}"
+        found = [_read(rig, key, name, allowed) for name in ((names,) if one else names)]
+        with_numbers, labels = place.use(rig, section, [record for _, record in found])
+        used = msgspec.structs.replace(used, **{place.section: with_numbers})
+        override = getattr(section, f"{place.key}_override")
+        for label, (text, record) in zip(labels, found * len(labels), strict=False):
+            texts[label] = text
+            against = " and ".join(_faults(rig, record, moment))
+            if not against:
+                remarks[label] = f"record {record.number}, due {str(record.content['due_at'])[:10]}"
+            elif override.strip():
+                remarks[label] = (
+                    f"record {record.number} {against}, used all the same: {override.strip()}"
+                )
+            else:
+                blocking[label] = (
+                    f"the calibration record {record.number} of {label} {against};"
+                    f" calibrate again, or write calibration_override with the reason"
+                )
+    return RigRecords(Document(rig.path, rig.text, used), texts, blocking, remarks)
 
 
-def _read(
-    rig: Document[RigFile], key: str, name: str, kinds: tuple[str, ...]
-) -> tuple[str, Record]:
+def _read(rig: Rig, key: str, name: str, kinds: tuple[str, ...]) -> tuple[str, Record]:
     path = Path(name)
     if not path.is_absolute():
         path = rig.path.parent / path
@@ -81,25 +111,7 @@ def _read(
     return data.decode(), record
 
 
-def _load_cell(rig: Document[RigFile], record: Record) -> Any:
-    result = record.content["result"]
-    unit = record.content["settings"]["cell"]["signal_unit"]
-    if unit != "mV/V":
-        raise UnusableInput(
-            f"{rig.path}: the record {record.number} is in N per {unit}; the rig measures mV/V."
-        )
-    line = result["uncertainty_line_N"]
-    quadratic = result.get("quadratic_unit_per_N2")
-    return msgspec.structs.replace(
-        rig.record.load_cell,
-        matrix_N_per_mV_per_V=tuple(tuple(row) for row in result["matrix_N_per_unit"]),
-        zero_mV_per_V=tuple(result["zero"]),
-        quadratic_mV_per_V_per_N2=None if quadratic is None else tuple(map(tuple, quadratic)),
-        uncertainty_N=(line["constant_N"], line["per_N"]),
-    )
-
-
-def _faults(rig: Document[RigFile], record: Record, now: float) -> list[str]:
+def _faults(rig: Rig, record: Record, now: float) -> list[str]:
     """Return what stands against the use of a record: it has expired, or it is foreign.
 
     Foreign: taken on another rig, on a simulated one for a real one or the reverse, or of a load
@@ -118,32 +130,94 @@ def _faults(rig: Document[RigFile], record: Record, now: float) -> list[str]:
     if simulated is not None and bool(simulated) is not (here.simulation is not None):
         kinds = ("a real rig", "a simulated rig")
         found.append(f"was taken on {kinds[bool(simulated)]}, this is {kinds[not simulated]}")
-    if record.kind == "load cell":
-        full = content["settings"]["cell"].get("full_scale_N")
-        if full is not None and abs(full / here.load_cell.full_scale_N - 1.0) > 1e-6:
-            found.append(
-                f"is of a load cell of {full:g} N, the rig file says"
-                f" {here.load_cell.full_scale_N:g} N"
-            )
+    full = content["settings"].get("cell", {}).get("full_scale_N")
+    if full is not None and abs(full / here.load_cell.full_scale_N - 1.0) > 1e-6:
+        found.append(
+            f"is of a load cell of {full:g} N, the rig file says {here.load_cell.full_scale_N:g} N"
+        )
     return found
 
 
-def _judge(
-    section: str,
-    record: Record,
-    override: str,
-    against: Sequence[str],
-    blocking: dict[str, str],
-    remarks: dict[str, str],
-) -> None:
-    """Block a start for what stands against a record, unless a reason overrides it."""
-    words = " and ".join(against)
-    if not against:
-        remarks[section] = f"record {record.number}, due {str(record.content['due_at'])[:10]}"
-    elif override.strip():
-        remarks[section] = f"record {record.number} {words}, used all the same: {override.strip()}"
-    else:
-        blocking[section] = (
-            f"the calibration record {record.number} of {section} {words};"
-            f" calibrate again, or write calibration_override with the reason"
+# --- what the records of a place replace ----------------------------------------------------------
+
+
+def _load_cell(
+    rig: Rig, section: LoadCellSection, records: Sequence[Record]
+) -> tuple[LoadCellSection, Sequence[str]]:
+    (record,) = records
+    result = record.content["result"]
+    unit = record.content["settings"]["cell"]["signal_unit"]
+    if unit != "mV/V":
+        raise UnusableInput(
+            f"{rig.path}: the record {record.number} is in N per {unit}; the rig measures mV/V."
         )
+    line = result["uncertainty_line_N"]
+    quadratic = result.get("quadratic_unit_per_N2")
+    used = msgspec.structs.replace(
+        section,
+        matrix_N_per_mV_per_V=_pairs(result["matrix_N_per_unit"]),
+        zero_mV_per_V=tuple(result["zero"]),
+        quadratic_mV_per_V_per_N2=None if quadratic is None else _pairs(quadratic),
+        uncertainty_N=(line["constant_N"], line["per_N"]),
+    )
+    return used, ("load_cell",)
+
+
+def _probes(
+    rig: Rig, section: ProbesSection, records: Sequence[Record]
+) -> tuple[ProbesSection, Sequence[str]]:
+    """One record of a pair, one of each probe, or one of both alike."""
+    first, second = records[0], records[-1]
+    pair = first.kind == "probe pair"
+    results = [one.content["result"] for one in (first, second)]
+    if pair:
+        results = first.content["result"]["probes"]
+    both = list(zip(results, (first, second), strict=True))
+    stated = [result.get("expanded_uncertainty_um") for result in results]
+    known = all(isinstance(one, int | float) for one in stated)
+    used = msgspec.structs.replace(
+        section,
+        sensitivity_um_per_V=tuple(_number(rig, r, n, "sensitivity_um_per_V") for r, n in both),
+        offset_V=tuple(_number(rig, r, n, "offset_V") for r, n in both),
+        uncertainty_um=tuple(map(float, stated)) if known else section.uncertainty_um,
+    )
+    if not pair:
+        return used, ("probe_1", "probe_2")
+    matrix = _pairs(first.content["result"]["alignment"]["matrix"])
+    return msgspec.structs.replace(used, alignment=matrix), ("probes",)
+
+
+def _run_out(
+    rig: Rig, section: ProbesSection, records: Sequence[Record]
+) -> tuple[ProbesSection, Sequence[str]]:
+    """Take the map; its uncertainty and the probes' add as squares.
+
+    The probes' own systematic part is in both, so that the sum is rather too large than too small.
+    """
+    result = records[0].content["result"]
+    stated, of_map = section.uncertainty_um, result["expanded_uncertainties_um"]
+    used = msgspec.structs.replace(
+        section,
+        run_out_cos_um=_pairs(result["cos_um"]),
+        run_out_sin_um=_pairs(result["sin_um"]),
+        uncertainty_um=None if stated is None else tuple(map(math.hypot, stated, of_map)),
+    )
+    return used, ("run_out",)
+
+
+def _pairs(rows: Sequence[Sequence[float]]) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(row) for row in rows)
+
+
+def _number(rig: Rig, result: Mapping[str, Any], record: Record, key: str) -> float:
+    value = result.get(key)
+    if not isinstance(value, int | float):
+        raise UnusableInput(f"{rig.path}: the record {record.number} has no {key}.")
+    return float(value)
+
+
+LOAD_CELL = RecordPlace("load_cell", "calibration", ("load cell",), _load_cell)
+PROBES = RecordPlace("probes", "calibration", ("probe", "probe pair"), _probes)
+RUN_OUT = RecordPlace("probes", "run_out", ("run-out map",), _run_out)
+PLACES = (LOAD_CELL, PROBES, RUN_OUT)
+"""Where a rig file names records, in the order in which they are put to use."""

@@ -6,15 +6,15 @@ import os
 import time
 from pathlib import Path
 
-from rigapp.calibrating.records_in_use import with_records
+from rigapp.calibrating.records_in_use import LOAD_CELL, RecordPlace, with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
 
 
-def name_record(rig: Path, record: Path, section: str = "load_cell") -> Path:
-    """Let ``[section] calibration`` of a rig file name a record; return the copy of the old file.
+def name_record(rig: Path, record: Path, place: RecordPlace = LOAD_CELL) -> Path:
+    """Let a place of a rig file name a record; return the copy of the old file.
 
-    The name is relative to the rig file. A calibration_override goes: its reason was the former
+    The name is relative to the rig file. An override of the place goes: its reason was the former
     record's. Everything else stays, comments included. Nothing is changed when the rig would not be
     usable with the record. Raises UnusableInput.
     """
@@ -22,9 +22,9 @@ def name_record(rig: Path, record: Path, section: str = "load_cell") -> Path:
 
     before = read_rig(rig)
     document = tomlkit.parse(before.text)
-    table = document[section]
-    table["calibration"] = os.path.relpath(record.resolve(), rig.resolve().parent)
-    table.pop("calibration_override", None)
+    table = document[place.section]
+    table[place.key] = os.path.relpath(record.resolve(), rig.resolve().parent)
+    table.pop(f"{place.key}_override", None)
     text = tomlkit.dumps(document)
     with_records(Document(rig, text, parse_rig(text, str(rig))))
     copy = _copy(rig, before.text)

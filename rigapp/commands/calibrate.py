@@ -1,63 +1,67 @@
-"""`rigapp calibrate`: fit recorded readings, judge them, keep an immutable record."""
+"""`rigapp calibrate` from tables of readings, and what is printed of every calibration."""
 
 from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
-from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.load_cell.readings import parse_load_cell
 from calibration.taking.readings import ReadingsError
 from rigapp.calibrating.daily_history import history_lines, history_result, read_history
-from rigapp.calibrating.load_cell_result import cell_lines, load_cell_result
 from rigapp.calibrating.records import keep_record, refuse_existing
-from rigapp.config.calibration_settings import (
-    read_load_cell_settings,
-)
+from rigapp.calibrating.session import Outcome
+from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_document
 from rigapp.config.reading import read_text
 
+ONE_SOURCE = "give --readings (a CSV) or --rig (live readings), one of the two."
 
-def calibrate_cell(readings: Path, settings: Path, to: Path, *, as_json: bool) -> int:
-    """Fit load-cell readings; keep a record when they are good; return the exit status."""
-    given, meaning = read_load_cell_settings(settings)
+
+def calibrate_table(
+    name: str, readings: Path | None, settings: Path, to: Path, *, which: str = "", as_json: bool
+) -> int:
+    """Fit a table of readings; keep a record when they are good; return the exit status.
+
+    name: of the subject; which: of several things of it (see the subject's ``fit``).
+    """
+    subject = SUBJECTS[name]
+    if readings is None or subject.fit is None:
+        raise UnusableInput(ONE_SOURCE)
+    given = read_document(settings, subject.settings).record
     text = read_text(readings)
+    refuse_existing(to)
     try:
-        taken = parse_load_cell(text)
+        outcome = subject.fit(text, given, str(settings), which)
     except ReadingsError as error:
         raise UnusableInput(f"{readings}: {error}.") from error
-    refuse_existing(to)
-    found = calibrate_load_cell(taken, meaning)
-    result = load_cell_result(found, meaning)
-    if found.accepted:
-        keep_record(to, "load cell", text, given, result)
-    say_result(result, to, as_json=as_json, lines=cell_lines(found, meaning))
-    return 0 if found.accepted else 1
+    if outcome.accepted:
+        keep_record(to, outcome.kind, text, given, outcome.result)
+    return say_outcome(outcome, to, as_json=as_json)
 
 
-def say_result(result: Mapping[str, Any], to: Path, *, as_json: bool, lines: Sequence[str]) -> None:
-    """Print a result and its problems; the numbers of one that is refused are kept back."""
+def say_outcome(outcome: Outcome, to: Path, *, as_json: bool) -> int:
+    """Print an outcome and its problems; return the exit status.
+
+    The numbers of a calibration that is refused are kept back; what a check showed is told.
+    """
     if as_json:
-        print(json.dumps(result))
-    elif result["accepted"]:
-        for line in lines:
-            print(line)
-    for problem in result["problems"]:
-        if not as_json:
-            mark = "" if problem["blocks"] else "note: "
-            print(f"rigapp: {mark}{problem['sentence']}", file=sys.stderr)
-    if not result["accepted"]:
+        print(json.dumps(outcome.result))
+    elif outcome.accepted or outcome.told_always:
+        print("".join(f"{line}\n" for line in outcome.lines), end="")
+    for problem in () if as_json else outcome.result["problems"]:
+        mark = "" if problem["blocks"] else "note: "
+        print(f"rigapp: {mark}{problem['sentence']}", file=sys.stderr)
+    if not outcome.accepted:
         print("rigapp: the calibration is refused, nothing was saved.", file=sys.stderr)
     elif not as_json:
         print(f"The record is {to}.")
+    return 0 if outcome.accepted else 1
 
 
 def certify(record: Path, to: Path) -> int:
     """Write the certificate of a record as PDF or HTML; return the exit status."""
-    from rigapp.calibrating.certificates.certificate import write_certificate
+    from rigapp.calibrating.certificate import write_certificate
 
     write_certificate(record, to)
     print(f"The certificate is {to}.")

@@ -9,6 +9,7 @@ from typing import Any
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.config.recipe import TestFile
 from rigapp.process.ending import ending_as_interrupt
 from rigapp.schema.messages import Reply, Request
 
@@ -16,10 +17,13 @@ Ask = Callable[[str, dict[str, Any]], Any]
 
 
 @contextmanager
-def engine_line(rig: Path, operator: str = "", *, own: bool = False) -> Iterator[Ask]:
+def engine_line(
+    rig: Path, operator: str = "", *, own: bool = False, test: TestFile | None = None
+) -> Iterator[Ask]:
     """Yield a function that asks the rig's engine; what is refused raises UnusableInput.
 
-    own: host an engine here even if another one runs (simulated rigs).
+    own: host an engine here even if another one runs (simulated rigs). test: whose mechanism a rig
+    that is simulated here has; the packaged one without.
     """
     from rigapp.service.client import Client
     from rigapp.service.host import EngineHost
@@ -38,7 +42,7 @@ def engine_line(rig: Path, operator: str = "", *, own: bool = False) -> Iterator
     with ending_as_interrupt():
         host = EngineHost(document, parse_speed(None, document))
         try:
-            host.connect()
+            host.connect(test)
             yield lambda verb, arguments: _result(host.handle(Request(verb, arguments, operator)))
         finally:
             host.close()

@@ -1,47 +1,76 @@
-"""`rigapp calibrate load-cell` with live readings: the terminal's face of ``LiveSession``."""
+"""`rigapp calibrate` with live readings, step by step: the terminal's face of a ``LiveSession``."""
 
 from __future__ import annotations
 
+import json
 import math
 import os
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any, Protocol
 
-from calibration.load_cell.live import Readiness, Window
-from calibration.load_cell.plans import PlanKind, StepKind
-from calibration.load_cell.procedure import ProcedureError
-from rigapp.calibrating.daily_history import STORE, History, history_result, verdict_lines
-from rigapp.calibrating.live_calibration import (
-    PLANS,
-    LiveSession,
-    Outcome,
-    Rig,
-    Wish,
-    parse_pieces,
-    window_of,
-)
-from rigapp.calibrating.load_cell_result import cell_lines
-from rigapp.calibrating.practice import Mistake, preparation, step_actions, tidy_up
+from calibration.probes.procedure import ProbePlan
+from calibration.taking.procedure import ProcedureError
+from calibration.taking.signals import LISTEN_S
+from rigapp.calibrating.daily_history import STORE, history_result, verdict_lines
+from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan
+from rigapp.calibrating.practice import Actions
+from rigapp.calibrating.probe_session import probe_plan, usual_reach_um
 from rigapp.calibrating.records import refuse_existing
-from rigapp.commands.calibrate import say_result
+from rigapp.calibrating.session import LiveSession, Outcome, Rig
+from rigapp.calibrating.subjects import SUBJECTS
+from rigapp.commands.calibrate import ONE_SOURCE, say_outcome
 from rigapp.commands.engine_line import Ask, engine_line
-from rigapp.commands.terminal_parts import LISTEN_S, act, ask_rejection, take_all, wait_ready
-from rigapp.config.calibration_settings import read_load_cell_settings
+from rigapp.config.calibration_settings import ProbeFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_rig
+from rigapp.config.loading import read_document, read_rig
+from rigapp.config.rig import RigFile
+
+PATIENCE_S = 60.0
+"""A weight that still swings after a minute needs a hand to steady it."""
+LOOK_EVERY_S = 0.03
+
+AnySession = LiveSession[Any, Any, Any, Any]
+Say = Callable[[str], None]
+Read = Callable[[str], str]
+
+
+class Helper(Protocol):
+    """Whoever does at the rig what a step asks, in place of the operator."""
+
+    def do(self, session: AnySession) -> None:
+        """Do what the step under way asks."""
+        ...
+
+
+class SimulatedHands:
+    """Let the hands of a simulated rig do what a practice says."""
+
+    def __init__(self, session: AnySession, ask: Ask) -> None:
+        """Take the calibration whose practice it is, and the engine."""
+        self._session, self._ask = session, ask
+        self.practice = session.practice
+
+    def do(self, session: AnySession) -> None:
+        """Do what the step under way asks."""
+        self.carry_out(self.practice.act(session, next(iter(self.practice.mistakes)), 0))
+
+    def carry_out(self, actions: Actions) -> None:
+        """Do something; the session is told the device time of each change."""
+        rate = float(self._ask("signals", {"window_s": LISTEN_S})["sample_rate_Hz"])
+        for action in actions:
+            result = self._ask(action.verb, dict(action.arguments))
+            after = float(result["after_sample"]) if isinstance(result, dict) else 0.0
+            self._session.changed_at(after / rate)
 
 
 class Terminal:
     """Ask the operator step by step; ``read`` is ``input`` or a script."""
 
     def __init__(
-        self,
-        session: LiveSession,
-        ask: Ask,
-        read: Callable[[str], str],
-        say: Callable[[str], None],
-        hands: Hands | None = None,
+        self, session: AnySession, ask: Ask, read: Read, say: Say, hands: Helper | None = None
     ) -> None:
         """Take the session, the engine and, for a practice, the simulated hands."""
         self._session, self._ask = session, ask
@@ -49,61 +78,75 @@ class Terminal:
 
     def run(self) -> bool:
         """Take every step; return False when the operator closes it to take it up again."""
-        session = self._session
-        return take_all(lambda: session.procedure, self._step, self._say)
+        while not (procedure := self._session.procedure).done:
+            self._say(f"\n[{procedure.progress}] {procedure.instruction}")
+            try:
+                if not self._step():
+                    return False
+            except ProcedureError as error:
+                self._say(f"  {error}")
+        return True
+
+    def listen(self) -> Any:
+        """Return the newest window."""
+        return self._session.window_of(self._ask("signals", {"window_s": LISTEN_S}))
 
     def _step(self) -> bool:
+        session = self._session
+        at = None
         if self._hands is not None:
-            self._hands.do(self._session)
-            self._take(self._wait_ready())
-            return True
-        answer = self._read("Enter records, r rejects, q closes: ").strip().lower()
-        if answer == "q":
-            return False
-        if answer == "r":
-            self._reject()
-        elif answer == "":
-            self._take(self._wait_ready())
+            self._hands.do(session)
         else:
-            self._say("  Enter, r or q.")
+            answer = self._read(session.prompt).strip().lower()
+            if answer == "q":
+                return False
+            if answer == "r":
+                self._reject()
+                return True
+            at = session.typed(answer)
+        window = self._wait_ready()
+        if isinstance(session, LoadCellSession) and session.reference_is_due:
+            self._reference(session, window.angle)
+            return True
+        found, before = session.look(window), len(session.procedure.taken)
+        session.take(window, at)
+        if len(session.procedure.taken) > before:
+            self._say(f"  recorded: {session.recorded(found)}")
         return True
 
     def _reject(self) -> None:
-        taken = self._session.procedure.taken
-        standing = [
-            f"{number}: {one.mass:g} kg at {math.degrees(one.angle):.1f} degrees"
-            for number, one in enumerate(taken, 1)
-            if not one.rejected
-        ]
-        ask_rejection(standing, self._session.reject, self._read, self._say)
+        """List the readings that stand, ask which does not count and why, reject it."""
+        session = self._session
+        for number, one in enumerate(session.procedure.taken, 1):
+            if not one.rejected:
+                self._say(f"  {number}: {session.describe(one)}")
+        word = self._read("  number of the reading: ").strip()
+        if not word.isdigit():
+            raise ProcedureError("That is not a number; nothing was rejected.")
+        session.reject(int(word) - 1, self._read("  reason: "))
 
-    def _wait_ready(self) -> Window:
+    def _wait_ready(self) -> Any:
         """Return a window that is ready; raise ProcedureError when none comes in time."""
-        session = self._session
+        deadline = time.monotonic() + PATIENCE_S
+        said = ""
+        while True:
+            window = self.listen()
+            found = self._session.look(window)
+            if found.ready:
+                return window
+            words = found.words.partition(";")[0]
+            if words != said and self._hands is None:
+                self._say(f"  {found.words} …")
+            said = words
+            if time.monotonic() > deadline + found.left:
+                raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {found.words}")
+            time.sleep(LOOK_EVERY_S)
 
-        def listen() -> tuple[Window, Readiness]:
-            window = window_of(self._ask("signals", {"window_s": LISTEN_S}))
-            return window, session.look(window)
-
-        return wait_ready(listen, self._say if self._hands is None else lambda _: None)
-
-    def _take(self, window: Window) -> None:
-        session = self._session
-        kind = session.procedure.step.kind
-        if kind is StepKind.ANGLE_REFERENCE:
-            self._reference(window)
-            return
-        found = session.look(window)
-        session.take(window)
-        if kind is StepKind.READING:
-            self._say(f"  {_recorded(found, session.given.cell.signal_unit)}")
-
-    def _reference(self, window: Window) -> None:
-        assert window.angle is not None
-        shown = window.angle
+    def _reference(self, session: LoadCellSession, shown: float) -> None:
+        """Enter the angle reference; the operator may turn the level end for end."""
+        uncertainty = math.radians(session.given.angle.standard_uncertainty_deg)
         if self._hands is not None:
-            uncertainty = math.radians(self._session.given.angle.standard_uncertainty_deg)
-            self._session.reference(shown, uncertainty)
+            session.reference(shown, uncertainty)
             return
         first = self._angle("  angle with the crank level", shown)
         word = self._read(
@@ -111,13 +154,10 @@ class Terminal:
             " without: "
         )
         if word.strip().lower() == "s":
-            uncertainty = math.radians(self._session.given.angle.standard_uncertainty_deg)
-            self._session.reference(first, uncertainty)
+            session.reference(first, uncertainty)
             return
-        window = self._wait_ready()
-        assert window.angle is not None
-        second = self._angle("  angle with the level turned", window.angle)
-        found = self._session.reference_reversed(first, second)
+        second = self._angle("  angle with the level turned", self._wait_ready().angle)
+        found = session.reference_reversed(first, second)
         assert found.level_error is not None
         self._say(f"  The level itself is off by {math.degrees(found.level_error):+.2f} degrees.")
 
@@ -129,118 +169,100 @@ class Terminal:
             raise ProcedureError(f"{word!r} is not a number of degrees") from error
 
 
-def _recorded(found: Readiness, unit: str) -> str:
-    one, two = found.steadiness.mean
-    return (
-        f"recorded: {one:.5f}, {two:.5f} {unit}"
-        f" (the calibration in use makes {found.felt:.1f} N of it)"
-    )
-
-
-class Hands:
-    """Let the simulated hands do what the step asks, with a mistake where one is wanted."""
-
-    def __init__(self, ask: Ask, mistake: Mistake = Mistake.NONE, at: int = 8) -> None:
-        """Take the engine; the mistake is made at the step number ``at`` only."""
-        self._ask, self._mistake, self._at = ask, mistake, at
-
-    def prepare(self) -> None:
-        """Take the follower off and find the index."""
-        for action in preparation():
-            act(self._ask, action)
-
-    def tidy_up(self) -> None:
-        """Put the follower on."""
-        for action in tidy_up():
-            act(self._ask, action)
-
-    def do(self, session: LiveSession) -> None:
-        """Do what the step under way asks."""
-        settings, procedure = session.settings, session.procedure
-        mistake = self._mistake if procedure.position == self._at else Mistake.NONE
-        view = self._ask("signals", {"window_s": LISTEN_S})
-        for action in step_actions(
-            procedure, mistake, settings.place.gravity, settings.weights.hanger_mass
-        ):
-            after = act(self._ask, action)
-            session.changed_at(after / view["sample_rate_Hz"])
-
-
-def calibrate_live(
-    rig: Path,
-    settings: Path,
-    to: Path,
-    *,
-    plan: str,
-    weights: str,
-    journal: Path | None,
-    practise: bool,
-    as_json: bool,
-    read: Callable[[str], str] = input,
-) -> int:
-    """Take the readings on the terminal and keep a record when they are good; the exit status."""
-    given, meaning = read_load_cell_settings(settings)
-    document = read_rig(rig)
-    if plan not in PLANS:
-        raise UnusableInput(f"--plan {plan}: choose {', '.join(PLANS)}.")
-    simulated = document.record.simulation is not None
-    if practise and not simulated:
-        raise UnusableInput(f"--practise: {rig} is not simulated; simulated hands move nothing.")
-    refuse_existing(to)
-    wish = Wish(PLANS[plan], parse_pieces(weights))
-    where = journal or to.with_name(f"{to.name}.journal")
-    operator = given.paperwork.operator or os.environ.get("USER", "")
-    session = LiveSession(
-        given,
-        meaning,
-        Rig(document.record.name, simulated, operator, rig),
-        where,
-        wish,
-        keep_waiting_times=not practise,
-    )
+def sayer(as_json: bool) -> Say:
+    """Return what tells the operator how it goes: on standard error where JSON is printed."""
 
     def say(text: str) -> None:
         print(text, file=sys.stderr if as_json else sys.stdout, flush=True)
 
+    return say
+
+
+Told = Callable[[Any, RigFile], Any]
+"""What the operator wants: settings and rig file -> plan; raises UnusableInput."""
+
+
+def load_cell_as_told(readings: Path | None, plan: str, weights: str) -> Told:
+    """Return the plan of a load-cell calibration, as the options of the command tell it."""
+    if readings is not None:
+        raise UnusableInput(ONE_SOURCE)
+    return lambda given, rig: load_cell_plan(plan, weights, load_cell_meaning(given, "settings"))
+
+
+def probes_as_told(
+    readings: Path | None, probe: str, plan: str, reach_um: float | None, positions: int
+) -> Told:
+    """Return the plan of a probe calibration, as the options of the command tell it."""
+    if readings is not None:
+        raise UnusableInput(ONE_SOURCE)
+
+    def wanted(given: ProbeFile, rig: RigFile) -> ProbePlan:
+        reach = reach_um
+        if reach is None:
+            sensitivity = rig.probes.sensitivity_um_per_V
+            reach = usual_reach_um(sensitivity, given.probe.range_V, max(positions, 2))
+        return probe_plan(probe, plan, reach, positions)
+
+    return wanted
+
+
+def calibrate_live(
+    name: str,
+    rig: Path,
+    settings: Path,
+    to: Path,
+    told: Told,
+    *,
+    journal: Path | None,
+    practise: bool,
+    as_json: bool,
+    read: Read = input,
+) -> int:
+    """Take the readings on the terminal and keep a record when they are good; the exit status."""
+    subject = SUBJECTS[name]
+    assert subject.session is not None
+    given = read_document(settings, subject.settings).record
+    document = read_rig(rig)
+    simulated = document.record.simulation is not None
+    if practise and not simulated:
+        raise UnusableInput(f"--practise: {rig} is not simulated; simulated hands move nothing.")
+    wanted = told(given, document.record)
+    refuse_existing(to)
+    where = journal or to.with_name(f"{to.name}.journal")
+    operator = given.paperwork.operator or os.environ.get("USER", "")
+    here = Rig(document.record.name, simulated, operator, rig)
+    session = subject.session(given, here, where, wanted, keep_waiting_times=not practise)
+    say = sayer(as_json)
     try:
         with engine_line(rig, operator, own=practise) as ask:
-            hands = Hands(ask) if practise else None
+            hands = SimulatedHands(session, ask) if practise else None
             if hands is not None:
-                hands.prepare()
-            if not Terminal(session, ask, read, say, hands).run():
+                hands.carry_out(session.practice.prepare)
+            terminal = Terminal(session, ask, read, say, hands)
+            if not terminal.run():
                 say(f"Closed. Take it up again with the same command; the journal is {where}.")
                 return 1
-            session.look(window_of(ask("signals", {"window_s": LISTEN_S})))
+            session.look(terminal.listen())
             if hands is not None:
-                hands.tidy_up()
-        return _conclude(session, to, as_json=as_json, say=say)
+                hands.carry_out(session.practice.tidy_up)
+        outcome = session.judge()
+        if outcome.check is not None:
+            return _keep_check(session, outcome, to.parent / STORE, as_json=as_json, say=say)
+        if outcome.accepted:
+            outcome = session.save(outcome, to)
+        return say_outcome(outcome, to, as_json=as_json)
     finally:
         session.close()
 
 
-def _conclude(session: LiveSession, to: Path, *, as_json: bool, say: Callable[[str], None]) -> int:
-    outcome = session.judge()
-    if session.procedure.kind is PlanKind.DAILY:
-        history = session.keep_check(outcome, to.parent / STORE)
-        return _say_check(outcome, history, as_json=as_json, say=say)
-    assert outcome.calibration is not None
-    lines = cell_lines(outcome.calibration, outcome.settings)
-    if outcome.accepted:
-        outcome = session.save(outcome, to)
-    say_result(outcome.result, to, as_json=as_json, lines=lines)
-    return 0 if outcome.accepted else 1
-
-
-def _say_check(
-    outcome: Outcome, history: History, *, as_json: bool, say: Callable[[str], None]
+def _keep_check(
+    session: AnySession, outcome: Outcome, store: Path, *, as_json: bool, say: Say
 ) -> int:
+    assert isinstance(session, LoadCellSession)
+    history = session.keep_check(outcome, store)
     if as_json:
-        import json
-
         print(json.dumps({**outcome.result, "history": history_result(history)}))
-    assert outcome.check is not None
-    say(outcome.check.sentence)
-    for line in verdict_lines(history):
+    for line in (*outcome.lines, *verdict_lines(history)):
         say(line)
     say(f"It is kept in {STORE}; 'rigapp calibrate history' draws the chart.")
     return 0 if outcome.accepted else 1

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rigapp.commands.calibrate import calibrate_cell
+from rigapp.commands.calibrate import calibrate_table
 from rigapp.config.errors import UnusableInput
 from tests.calibration.simulated_cell import Cell, take
 from tests.calibration.test_commands import SETTINGS, as_csv
@@ -31,9 +31,9 @@ def test_an_odd_number_is_refused_in_words(
     files = (tmp_path / "readings.csv", tmp_path / "settings.toml", tmp_path / "record.json")
     if number in UNREADABLE:
         with pytest.raises(UnusableInput, match=r"readings\.csv: line"):
-            calibrate_cell(*files, as_json=True)
+            calibrate_table("load cell", *files, as_json=True)
         return
-    status = calibrate_cell(*files, as_json=True)
+    status = calibrate_table("load cell", *files, as_json=True)
     result = json.loads(capsys.readouterr().out)
     assert (status == 0) is result["accepted"] is files[2].exists()
     assert result["accepted"] or result["problems"]

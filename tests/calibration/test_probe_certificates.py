@@ -13,11 +13,11 @@ from calibration.probes.calibrate import calibrate_probe
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.records import Record, unseal
-from calibration.turning.run_out import Roll, Turn, evaluate, make_map
-from rigapp.calibrating.certificates.certificate import certificate_of
-from rigapp.calibrating.probe_results import pair_result, probe_result
+from calibration.turning.run_out import Roll, SlowRevolution, evaluate, make_map
+from rigapp.calibrating.certificate import certificate_of
+from rigapp.calibrating.probe_result import pair_result, probe_result
 from rigapp.calibrating.records import keep_record
-from rigapp.commands.run_out import harmonics_csv, run_out_lines, run_out_result
+from rigapp.calibrating.run_out import harmonics_csv, run_out_lines, run_out_result
 from rigapp.config.calibration_settings import PinSection, ProbeFile, ProbeSection, RunOutFile
 from rigapp.report.page.html import as_html
 from rigapp.report.page.pdf import as_pdf
@@ -58,7 +58,7 @@ def run_out(folder: Path, speeds: tuple[float, ...], elastic: Any = None) -> Rec
     rolls = []
     for speed in speeds:
         turns = tuple(
-            Turn(i, ANGLE, evaluate(np.array([[3e-6, 0.0], [0.0, 3e-6]]), ANGLE)
+            SlowRevolution(i, ANGLE, evaluate(np.array([[3e-6, 0.0], [0.0, 3e-6]]), ANGLE)
                  + rng.normal(0.0, 1e-7, (2, 120)), elastic=elastic)
             for i in range(10)
         )  # fmt: skip

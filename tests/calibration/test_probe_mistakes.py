@@ -9,7 +9,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calibration.load_cell.procedure import ProcedureError
 from calibration.probes.alignment import align, calibrate_pair
 from calibration.probes.calibrate import calibrate_probe
 from calibration.probes.procedure import (
@@ -22,6 +21,7 @@ from calibration.probes.procedure import (
 )
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
+from calibration.taking.procedure import ProcedureError
 
 SETTINGS = ProbeSettings("probe", 10.0, 0.5e-6, nominal=100e-6)
 SENSITIVITY = (101e-6, 98.5e-6)
@@ -265,7 +265,7 @@ def test_procedure_is_taken_up_from_its_events_after_every_one() -> None:
 
 def test_rejected_series_is_mounted_and_taken_again() -> None:
     whole = calibration(honest, (1, 2), runs=1, positions=5)
-    with pytest.raises(ProcedureError, match="needs a reason"):
+    with pytest.raises(ProcedureError, match="with a reason"):
         whole.reject(0, " ")
     again = whole.reject(2, "bumped into\nthe table")
     assert again.step.kind is ProbeStepKind.MOUNT

@@ -8,10 +8,9 @@ from pathlib import Path
 import pytest
 
 from calibration.records import seal, unseal
-from rigapp.commands.run_out import calibrate_run_out, speeds_of
-from rigapp.commands.slow_roll import roll_text, take_roll
+from rigapp.commands.spindle_runs import calibrate_run_out, roll_test, speeds_of, take_rolls
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import parse_test, read_rig
+from rigapp.config.loading import read_rig
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"
@@ -62,22 +61,22 @@ def test_live_roll_makes_a_record_and_its_file_makes_it_again(
 
 def test_roll_keeps_mechanism_and_guards_of_a_test() -> None:
     rig = read_rig(RIG).record
-    roll = parse_test(roll_text(rig, EXAMPLES / "quick.toml", 4.0, 12, "E. Sample"), "roll")
+    roll = roll_test(rig, EXAMPLES / "quick.toml", 4.0, 12, "E. Sample")
     assert roll.run.speed_rpm == 4.0
     assert roll.run.revolutions == 14
     assert roll.cycles.every_revolutions == 1
     assert not roll.prediction.enabled
     assert roll.limits.overload_N == 380.0
     assert roll.limits.overspeed_rpm == 22.0
-    plain = parse_test(roll_text(rig, None, 4.0, 12, ""), "roll")
+    plain = roll_test(rig, None, 4.0, 12, "")
     assert plain.limits.overload_N <= 380.0
 
 
 @pytest.mark.parametrize("text", ["fast", "", "3,3", "0.1", "60"])
 def test_speeds_that_are_no_slow_roll_are_refused(text: str) -> None:
     with pytest.raises(UnusableInput, match="--rpm"):
-        speeds_of(text)
-    assert speeds_of("3, 6") == [3.0, 6.0]
+        speeds_of("--rpm", text, 0.5, 15.0, 1)
+    assert speeds_of("--rpm", "3, 6", 0.5, 15.0, 1) == [3.0, 6.0]
 
 
 def test_rig_and_files_together_are_refused(tmp_path: Path) -> None:
@@ -107,5 +106,5 @@ def test_expired_map_is_to_be_taken_out_before_the_roll(tmp_path: Path) -> None:
     rig = tmp_path / "rig.toml"
     rig.write_text(RIG.read_text().replace("[probes]\n", '[probes]\nrun_out = "old.json"\n'))
     with pytest.raises(UnusableInput, match="take run_out out of"):
-        take_roll(rig, None, 3.0, 5, tmp_path / "map.json", "", print)
+        take_rolls(rig, None, [3.0], 5, tmp_path / "map.json", "", print)
     assert not list(tmp_path.glob("map*"))

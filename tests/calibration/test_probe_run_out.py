@@ -9,7 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calibration.turning.run_out import Roll, RunOutError, Turn, evaluate, make_map, spread_at
+from calibration.turning.run_out import (
+    Roll,
+    RunOutError,
+    SlowRevolution,
+    evaluate,
+    make_map,
+    spread_at,
+)
 from rigapp.config.loading import read_rig
 from rigapp.config.parameters import to_parameters
 from rigapp.simulation import layout
@@ -40,7 +47,7 @@ def roll(
             coefficients = coefficients + moved
         probes = evaluate(coefficients, angle) + rng.normal(0.0, 0.2e-6, (2, 600))
         probes += np.array([[30e-6], [-400e-6]]) + 1e-7 * rng.normal() * angle
-        made.append(Turn(number, angle, probes))
+        made.append(SlowRevolution(number, angle, probes))
     return Roll(f"{speed / RPM:g} rpm", speed, tuple(made))
 
 
@@ -111,7 +118,8 @@ def test_each_mistake_has_its_name() -> None:
     )
     assert codes(dead) == ["probe_dead"]
     few = replace(
-        good, turns=tuple(Turn(t.number, t.angle[:20], t.probes[:, :20]) for t in good.turns)
+        good,
+        turns=tuple(SlowRevolution(t.number, t.angle[:20], t.probes[:, :20]) for t in good.turns),
     )
     assert codes(few) == ["too_few_samples"]
     loose = np.array([[150e-6, 0.0, 0.0, 0.0], [0.0] * 4])
@@ -144,7 +152,7 @@ def rolling(rpm: float, turns: int, wear: float) -> tuple[Plant, Roll, list[np.n
     for number in range(1, turns + 1):
         rows = (angle >= 2.0 * math.pi * number) & (angle < 2.0 * math.pi * (number + 1))
         probes = scale * np.array([samples.probe_1[rows], samples.probe_2[rows]])
-        made.append(Turn(number, angle[rows], probes))
+        made.append(SlowRevolution(number, angle[rows], probes))
         forces.append(np.array([samples.truth.force_e1_N[rows], samples.truth.force_n1_N[rows]]))
     return plant, Roll(f"{rpm:g} rpm", rpm * RPM, tuple(made)), forces
 

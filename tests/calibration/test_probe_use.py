@@ -14,10 +14,10 @@ from calibration.probes.alignment import calibrate_pair
 from calibration.probes.procedure import ProbePlan, begin_probes
 from calibration.probes.settings import ProbeSettings
 from calibration.records import seal
-from calibration.turning.run_out import Turn, evaluate
+from calibration.turning.run_out import SlowRevolution, evaluate
 from drivers.api import Block
 from rigapp.calibrating.records_in_use import with_records
-from rigapp.commands.run_out import _as_read, _with_elastic
+from rigapp.calibrating.run_out import _as_read, _with_elastic
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig
 from rigapp.config.rig import RigFile
@@ -200,7 +200,10 @@ def test_file_tells_what_was_applied_and_a_roll_takes_it_back() -> None:
 
 def test_elastic_motion_is_told_as_the_probes_read_it() -> None:
     angle = np.linspace(0.0, 2.0 * math.pi, 60, endpoint=False)
-    turn, force = Turn(1, angle, np.zeros((2, 60))), np.array([-60.0 - 20.0 * np.cos(angle)] * 2)
+    turn, force = (
+        SlowRevolution(1, angle, np.zeros((2, 60))),
+        np.array([-60.0 - 20.0 * np.cos(angle)] * 2),
+    )
     roll = Path("roll.h5")
     plain = _with_elastic([turn], [force], packaged_parameters(), {}, roll)[0].elastic
     aligned = {"alignment": MATRIX}

@@ -11,16 +11,17 @@ from hypothesis import strategies as st
 
 from calibration.load_cell.calibrate import calibrate_load_cell
 from calibration.load_cell.pieces import PiecesError, next_change, possible_loads
-from calibration.load_cell.plans import PlanKind, StepKind, make_plan, time_needed
-from calibration.load_cell.procedure import Procedure, ProcedureError, begin, take_up
+from calibration.load_cell.plans import LoadCellPlan, PlanKind, StepKind
+from calibration.load_cell.procedure import LoadCellProcedure, begin, take_up
 from calibration.load_cell.weights import force_per_mass, pin_force
+from calibration.taking.procedure import ProcedureError, time_needed
 from calibration.taking.stability import judge
 from tests.calibration.simulated_cell import SETTINGS, Cell
 
 SET = (5.0,) * 8 + (2.0, 2.0, 1.0, 0.5)
 
 
-def hand(procedure: Procedure, cell: Cell, rng: np.random.Generator) -> Procedure:
+def hand(procedure: LoadCellProcedure, cell: Cell, rng: np.random.Generator) -> LoadCellProcedure:
     """Do the present step as a technician would."""
     step = procedure.step
     if step.kind is StepKind.ANGLE_REFERENCE:
@@ -36,21 +37,21 @@ def hand(procedure: Procedure, cell: Cell, rng: np.random.Generator) -> Procedur
     return procedure.record(angle, signal, 1e-4, 1000.0 + procedure.position)
 
 
-def finish(procedure: Procedure, seed: int = 3) -> Procedure:
+def finish(procedure: LoadCellProcedure, seed: int = 3) -> LoadCellProcedure:
     rng = np.random.default_rng(seed)
     while not procedure.done:
         procedure = hand(procedure, Cell(), rng)
     return procedure
 
 
-def journal(procedure: Procedure) -> list[dict[str, object]]:
+def journal(procedure: LoadCellProcedure) -> list[dict[str, object]]:
     """Return the events as they come back from a file."""
     return [json.loads(json.dumps(event)) for event in procedure.events]
 
 
 @pytest.mark.parametrize("kind", list(PlanKind))
 def test_plan_is_carried_out_to_a_calibration(kind: PlanKind) -> None:
-    done = finish(begin(kind, 40.0, SET))
+    done = finish(begin(LoadCellPlan(kind, 40.0, SET)))
     assert "All readings" in done.instruction
     readings = done.readings()
     assert len(np.unique(np.round(readings.angle, 3))) == {"daily check": 4}.get(
@@ -63,17 +64,17 @@ def test_plan_is_carried_out_to_a_calibration(kind: PlanKind) -> None:
 
 def test_sizes_of_the_plans() -> None:
     def count(kind: PlanKind) -> int:
-        return sum(s.kind is StepKind.READING for s in make_plan(kind, 40.0, SET))
+        return sum(s.kind is StepKind.READING for s in LoadCellPlan(kind, 40.0, SET).steps())
 
     assert count(PlanKind.FULL) == 12 * 21
     assert count(PlanKind.ROUTINE) == 4 * 11
     assert count(PlanKind.DAILY) == 4 * 3
-    assert 20 < time_needed(make_plan(PlanKind.ROUTINE, 40.0, SET)) / 60.0 < 60
+    assert 20 < time_needed(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET).steps()) / 60.0 < 60
 
 
 def test_it_is_taken_up_where_it_was_left() -> None:
     rng = np.random.default_rng(1)
-    whole = begin(PlanKind.ROUTINE, 40.0, SET)
+    whole = begin(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
     for _ in range(17):
         whole = hand(whole, Cell(), rng)
     again = take_up(journal(whole))
@@ -83,7 +84,7 @@ def test_it_is_taken_up_where_it_was_left() -> None:
 
 def test_rejected_reading_stays_and_its_series_is_taken_again() -> None:
     rng = np.random.default_rng(1)
-    procedure = begin(PlanKind.ROUTINE, 40.0, SET)
+    procedure = begin(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
     while len(procedure.taken) < 5:
         procedure = hand(procedure, Cell(), rng)
     with pytest.raises(ProcedureError, match="reason"):
@@ -101,7 +102,7 @@ def test_rejected_reading_stays_and_its_series_is_taken_again() -> None:
 
 
 def test_wrong_event_is_refused_in_words() -> None:
-    procedure = begin(PlanKind.ROUTINE, 40.0, SET)
+    procedure = begin(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
     with pytest.raises(ProcedureError, match="angle reference"):
         procedure.record(0.0, (0.0, 0.0), 0.0, 0.0)
     procedure = procedure.reference(0.0, 0.001)
@@ -124,7 +125,7 @@ def test_spoilt_journal_is_refused(events: list[dict[str, object]]) -> None:
 @given(st.lists(st.sampled_from(["do", "reject", "reload"]), max_size=60))
 def test_any_sequence_keeps_every_reading(actions: list[str]) -> None:
     rng = np.random.default_rng(0)
-    procedure = begin(PlanKind.ROUTINE, 40.0, SET)
+    procedure = begin(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
     for action in actions:
         before = len(procedure.taken)
         if action == "reload":

@@ -71,8 +71,9 @@ def test_error_of_coarse_steps_in_a_mean_against_simulation() -> None:
 def test_simulated_rig_passes_with_its_pin_and_not_with_another(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from rigapp.calibrating.certificates.certificate import write_certificate
-    from rigapp.commands.running_check import check_running, read_run
+    from rigapp.calibrating.certificate import write_certificate
+    from rigapp.calibrating.running_check import read_run
+    from rigapp.commands.spindle_runs import check_running
 
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
     text = RIG.read_text().replace(

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rigapp.calibrating.live_calibration import Rig
+from rigapp.calibrating.session import Rig
 from rigapp.schema.messages import Reply
 
 TRUE_MATRIX = np.array([[201.0, 3.0], [2.0, 198.0]])

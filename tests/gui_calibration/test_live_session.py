@@ -4,37 +4,41 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from calibration.load_cell.live import Verdict
-from calibration.load_cell.plans import PlanKind, StepKind
-from calibration.load_cell.procedure import ProcedureError, take_up
+from calibration.load_cell.plans import StepKind
+from calibration.load_cell.procedure import take_up
 from calibration.records import unseal
+from calibration.taking.procedure import ProcedureError
+from calibration.taking.signals import SignalState
 from rigapp.calibrating.journal import Journal
-from rigapp.calibrating.live_calibration import LiveSession, Rig, Wish, parse_pieces, window_of
-from rigapp.calibrating.practice import Mistake
-from rigapp.commands.live_terminal import LISTEN_S, Hands, Terminal
-from rigapp.config.calibration_settings import read_load_cell_settings
+from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan, parse_pieces
+from rigapp.calibrating.practice import WeighingMistake
+from rigapp.calibrating.session import Rig
+from rigapp.commands.live_terminal import LISTEN_S, SimulatedHands, Terminal
+from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
-
-PIECES = parse_pieces("5x8, 2, 2, 1, 0.5")
+from rigapp.config.loading import read_document
+from tests.gui_calibration.clumsy import ClumsyHands
 
 
 def begin(
-    path: Path, settings: Path, rig: Rig, plan: PlanKind = PlanKind.ROUTINE, **more: Any
-) -> LiveSession:
-    given, meaning = read_load_cell_settings(settings)
+    path: Path, settings: Path, rig: Rig, plan: str = "routine", **more: Any
+) -> LoadCellSession:
+    given = read_document(settings, LoadCellFile).record
+    wanted = load_cell_plan(plan, "5x8, 2, 2, 1, 0.5", load_cell_meaning(given, "settings"))
     more.setdefault("keep_waiting_times", False)
-    return LiveSession(given, meaning, rig, path, Wish(plan, PIECES), **more)
+    return LoadCellSession(given, rig, path, wanted, **more)
 
 
-def finish(session: LiveSession, scripted: Any, hands: Hands | None = None) -> None:
+def finish(session: LoadCellSession, scripted: Any, hands: SimulatedHands | None = None) -> None:
     said: list[str] = []
-    hands = hands or Hands(scripted.ask)
+    hands = hands or SimulatedHands(session, scripted.ask)
     assert Terminal(session, scripted.ask, lambda _: "", said.append, hands).run()
 
 
@@ -59,15 +63,23 @@ def test_whole_calibration_finds_the_hidden_matrix(
 
 @pytest.mark.parametrize(
     ("mistake", "code"),
-    [(Mistake.WRONG_WEIGHT, "wrong_weight"), (Mistake.SWAPPED_CABLE, "axes_swapped")],
+    [
+        (WeighingMistake.WRONG_WEIGHT, "wrong_weight"),
+        (WeighingMistake.SWAPPED_CABLE, "axes_swapped"),
+    ],
 )
 def test_planted_mistake_is_named_and_nothing_is_saved(
-    mistake: Mistake, code: str, scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
+    mistake: WeighingMistake,
+    code: str,
+    scripted: Any,
+    settings_file: Path,
+    simulated: Rig,
+    tmp_path: Path,
 ) -> None:
     session = begin(tmp_path / "c.journal", settings_file, simulated)
-    if mistake is Mistake.SWAPPED_CABLE:
+    if mistake is WeighingMistake.SWAPPED_CABLE:
         scripted.faults.add("swapped_bridges")
-    finish(session, scripted, Hands(scripted.ask, mistake, at=8))
+    finish(session, scripted, ClumsyHands(session, scripted.ask, mistake, 8, only=True))
     outcome = session.judge()
     assert not outcome.accepted
     assert code in {one["code"] for one in outcome.result["problems"]}
@@ -80,17 +92,17 @@ def test_swinging_weight_is_never_recorded(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
     session = begin(tmp_path / "c.journal", settings_file, simulated)
-    session.look(window_of(scripted.ask("signals", {})))
+    session.look(session.window_of(scripted.ask("signals", {})))
     session.reference(0.0, 0.001)
-    hands = Hands(scripted.ask)
+    hands = SimulatedHands(session, scripted.ask)
     while session.procedure.step.mass < 10.0 or session.procedure.step.kind is not StepKind.READING:
         hands.do(session)
-        session.take(window_of(scripted.ask("signals", {})))
+        session.take(session.window_of(scripted.ask("signals", {})))
     hands.do(session)
     scripted.faults.add("swinging_weight")
-    window = window_of(scripted.ask("signals", {"window_s": LISTEN_S}))
+    window = session.window_of(scripted.ask("signals", {"window_s": LISTEN_S}))
     found = session.look(window)
-    assert found.verdict is Verdict.MOVING
+    assert found.state is SignalState.MOVING
     assert "swinging" in found.words
     before = len(session.procedure.taken)
     with pytest.raises(ProcedureError, match="swinging"):
@@ -102,15 +114,15 @@ def test_waiting_time_is_kept(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
     path = tmp_path / "c.journal"
-    session = begin(path, settings_file, simulated, PlanKind.DAILY, keep_waiting_times=True)
-    session.look(window_of(scripted.ask("signals", {})))
+    session = begin(path, settings_file, simulated, "daily", keep_waiting_times=True)
+    session.look(session.window_of(scripted.ask("signals", {})))
     session.reference(0.0, 0.001)
-    session.take(window_of(scripted.ask("signals", {})))
-    first = session.look(window_of(scripted.ask("signals", {})))
+    session.take(session.window_of(scripted.ask("signals", {})))
+    first = session.look(session.window_of(scripted.ask("signals", {})))
     assert not first.ready
     assert "s of the waiting time are left" in first.words
     scripted.now += 7.0
-    assert session.look(window_of(scripted.ask("signals", {}))).ready
+    assert session.look(session.window_of(scripted.ask("signals", {}))).ready
 
 
 def test_angle_must_be_known_and_near(
@@ -118,15 +130,15 @@ def test_angle_must_be_known_and_near(
 ) -> None:
     session = begin(tmp_path / "c.journal", settings_file, simulated)
     scripted.angle_deg = None
-    assert "index" in session.look(window_of(scripted.ask("signals", {}))).words
+    assert "index" in session.look(session.window_of(scripted.ask("signals", {}))).words
     scripted.angle_deg = 1.0
-    session.look(window_of(scripted.ask("signals", {})))
+    session.look(session.window_of(scripted.ask("signals", {})))
     with pytest.raises(ProcedureError, match="index_angle_deg"):
         session.reference(math.radians(270.0), 0.001)
     session.reference(math.radians(0.4), 0.001)
     assert session.procedure.angle_offset == pytest.approx(math.radians(-0.4))
     scripted.angle_deg = 40.0
-    found = session.look(window_of(scripted.ask("signals", {})))
+    found = session.look(session.window_of(scripted.ask("signals", {})))
     assert "turn the pin to 0" in found.words
     assert not found.ready
 
@@ -144,16 +156,16 @@ def test_closed_and_taken_up_again(
     session.close()
     with path.open("ab") as stream:
         stream.write(b'{"event": "record", "ang')
-    given, meaning = read_load_cell_settings(settings_file)
-    again = LiveSession(given, meaning, simulated, path, None)
+    given = read_document(settings_file, LoadCellFile).record
+    again = LoadCellSession(given, simulated, path, None)
     assert again.procedure.position == before.position
     assert again.procedure.taken == before.taken
     assert path.read_bytes().endswith(b"\n")
     with pytest.raises(UnusableInput, match="another calibration"):
-        LiveSession(given, meaning, simulated, path, None)
+        LoadCellSession(given, simulated, path, None)
     again.close()
     with pytest.raises(UnusableInput, match="this is"):
-        LiveSession(given, meaning, Rig("Other", False), path, None)
+        LoadCellSession(given, Rig("Other", False), path, None)
 
 
 def test_journal_that_was_never_used_leaves_nothing(
@@ -168,12 +180,12 @@ def test_every_event_is_in_the_journal_at_once(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
     path = tmp_path / "c.journal"
-    session = begin(path, settings_file, simulated, PlanKind.DAILY)
-    session.look(window_of(scripted.ask("signals", {})))
+    session = begin(path, settings_file, simulated, "daily")
+    session.look(session.window_of(scripted.ask("signals", {})))
     session.reference(0.0, 0.001)
     for _ in range(4):
-        Hands(scripted.ask).do(session)
-        session.take(window_of(scripted.ask("signals", {})))
+        SimulatedHands(session, scripted.ask).do(session)
+        session.take(session.window_of(scripted.ask("signals", {})))
         kinds = [json.loads(line)["event"] for line in path.read_text().splitlines()]
         assert kinds == [event["event"] for event in session.procedure.events]
 
@@ -183,7 +195,11 @@ def test_series_with_a_wrong_weight_is_repeated_at_the_end(
 ) -> None:
     path = tmp_path / "c.journal"
     session = begin(path, settings_file, simulated)
-    finish(session, scripted, Hands(scripted.ask, Mistake.WRONG_WEIGHT, at=8))
+    finish(
+        session,
+        scripted,
+        ClumsyHands(session, scripted.ask, WeighingMistake.WRONG_WEIGHT, 8, only=True),
+    )
     assert not session.judge().accepted
     wrong = next(i for i, one in enumerate(session.procedure.taken) if one.step == 8)
     session.reject(wrong, "5 kg instead of 2 kg hung")
@@ -201,14 +217,15 @@ def test_series_with_a_wrong_weight_is_repeated_at_the_end(
 def test_daily_check_passes_and_fails(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
-    session = begin(tmp_path / "d.journal", settings_file, simulated, PlanKind.DAILY)
+    session = begin(tmp_path / "d.journal", settings_file, simulated, "daily")
     finish(session, scripted)
     outcome = session.judge()
     # The hidden matrix has 1.5 % cross-talk that the calibration in use (200 N per mV/V) has not.
     assert outcome.check is not None
     assert not outcome.accepted
     assert outcome.check.largest == pytest.approx(0.0145 * 400.0, rel=0.2)
-    session._in_use = (np.array([[201.0, 3.0], [2.0, 198.0]]), np.zeros(2))
+    matrix = np.array([[201.0, 3.0], [2.0, 198.0]])
+    session.newest = replace(session.newest, matrix=matrix, zero=np.zeros(2))
     assert session.judge().accepted
 
 
@@ -222,7 +239,8 @@ def test_level_turned_end_for_end_goes_into_record_and_budget(
     assert any("off by +0.20 degrees" in text for text in said)
     procedure = take_up(session.journal.read())
     assert np.degrees(procedure.angle_offset) == pytest.approx(-0.1)
-    given, settings = session._final_settings()
+    given = session.used_settings()
+    settings = load_cell_meaning(given, "settings")
     assert given.angle.level_readings_deg == pytest.approx((0.3, 359.9))
     assert np.degrees(settings.angle_uncertainty) == pytest.approx(0.02 / np.sqrt(2.0))
 

@@ -14,16 +14,17 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWizard
 
 from calibration.records import unseal
-from rigapp.calibrating.live_calibration import Rig
-from rigapp.calibrating.live_probes import LiveProbeSession, plan_of
-from rigapp.calibrating.probe_practice import ProbeMistake
-from rigapp.commands.probes import ProbeHands, ProbeTerminal
+from rigapp.calibrating.practice import MicrometerMistake
+from rigapp.calibrating.probe_session import ProbeSession, probe_plan
+from rigapp.calibrating.session import Rig
+from rigapp.commands.live_terminal import Terminal
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.plots.palette import LIGHT
 from rigapp.gui.wizard.chooser import CalibrationChooser
-from rigapp.gui.wizard.probe_wizard import ProbeWizard
+from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Reply
+from tests.gui_calibration.clumsy import ClumsyHands
 
 SENSITIVITY = np.array([101.0, 98.5])
 OFFSET = np.array([0.12, -0.31])
@@ -92,36 +93,36 @@ def probes() -> ScriptedProbes:
 
 
 @pytest.fixture
-def wizard(qtbot: Any, probes: ScriptedProbes, tmp_path: Path) -> Iterator[ProbeWizard]:
-    wizard = ProbeWizard(probes.line, RIG, LIGHT, tmp_path, "both")
-    wizard.bench._timer.stop()
+def wizard(qtbot: Any, probes: ScriptedProbes, tmp_path: Path) -> Iterator[CalibrationWizard]:
+    wizard = CalibrationWizard(probes.line, RIG, LIGHT, tmp_path, subject="probes", which="both")
+    wizard.live._timer.stop()
     qtbot.addWidget(wizard)
     wizard.show()
-    wizard.bench.tick()
+    wizard.live.tick()
     yield wizard
     wizard.reject()
 
 
-def go_ahead(wizard: ProbeWizard) -> None:
-    wizard.bench.goes_ahead = True
+def go_ahead(wizard: CalibrationWizard) -> None:
+    wizard.live.goes_ahead = True
     for _ in range(600):
-        wizard.bench.tick()
+        wizard.live.tick()
         if wizard.readings.isComplete():
-            wizard.bench.goes_ahead = False
+            wizard.live.goes_ahead = False
             return
-    pytest.fail(f"not finished: {wizard.bench.readiness} {wizard.readings.problem.text()}")
+    pytest.fail(f"not finished: {wizard.live.readiness} {wizard.readings.problem.text()}")
 
 
-def judged(wizard: ProbeWizard, qtbot: Any) -> None:
+def judged(wizard: CalibrationWizard, qtbot: Any) -> None:
     def ready() -> bool:
-        wizard.bench.tick()
-        return wizard.bench.outcome is not None
+        wizard.live.tick()
+        return wizard.live.outcome is not None
 
     qtbot.waitUntil(ready, timeout=PATIENCE_MS)
 
 
 def test_whole_wizard_finds_both_probes_and_how_they_stand(
-    wizard: ProbeWizard, qtbot: Any, probes: ScriptedProbes
+    wizard: CalibrationWizard, qtbot: Any, probes: ScriptedProbes
 ) -> None:
     # 80 % of the range with the sensitivity in use: steps of 160 um.
     assert wizard.plan.reach.value() == pytest.approx(800.0)
@@ -140,7 +141,7 @@ def test_whole_wizard_finds_both_probes_and_how_they_stand(
     assert "Probe 1 stands +1.50 degrees" in wizard.result_page.words.text()
     qtbot.keyClick(wizard.button(NEXT), Qt.Key.Key_Space)
     assert wizard.currentPage() is wizard.certificate
-    saved = wizard.bench.outcome.saved
+    saved = wizard.live.outcome.saved
     record = unseal(saved.read_bytes())
     assert record.kind == "probe pair"
     result = record.content["result"]
@@ -152,7 +153,7 @@ def test_whole_wizard_finds_both_probes_and_how_they_stand(
     qtbot.keyClick(wizard.certificate.html, Qt.Key.Key_Space)
 
     def written() -> bool:
-        wizard.bench.tick()
+        wizard.live.tick()
         return "The certificate is" in wizard.certificate.words.text()
 
     qtbot.waitUntil(written, timeout=PATIENCE_MS)
@@ -161,12 +162,12 @@ def test_whole_wizard_finds_both_probes_and_how_they_stand(
     assert not probes.off
 
 
-def test_mistake_is_refused_rejected_and_put_right(wizard: ProbeWizard, qtbot: Any) -> None:
+def test_mistake_is_refused_rejected_and_put_right(wizard: CalibrationWizard, qtbot: Any) -> None:
     wizard.plan.plan.setCurrentIndex(0)
     wizard.plan.probe.setCurrentIndex(0)
     wizard.next()
     combo = wizard.readings.hands.mistake
-    combo.setCurrentIndex(list(ProbeMistake).index(ProbeMistake.BACKLASH))
+    combo.setCurrentIndex(list(MicrometerMistake).index(MicrometerMistake.BACKLASH))
     go_ahead(wizard)
     wizard.next()
     judged(wizard, qtbot)
@@ -191,47 +192,47 @@ def test_mistake_is_refused_rejected_and_put_right(wizard: ProbeWizard, qtbot: A
 
 
 def test_typed_position_is_recorded_and_a_moving_one_is_not(
-    wizard: ProbeWizard, qtbot: Any, probes: ScriptedProbes
+    wizard: CalibrationWizard, qtbot: Any, probes: ScriptedProbes
 ) -> None:
     wizard.plan.probe.setCurrentIndex(0)
     wizard.next()
-    bench, page = wizard.bench, wizard.readings
-    bench.lend_a_hand()
-    bench.tick()
+    live, page = wizard.live, wizard.readings
+    live.lend_a_hand()
+    live.tick()
     qtbot.keyClick(page.record, Qt.Key.Key_Space)
     assert "back to -880 µm" in page.instruction.text()
     probes.shakes = 0.2
-    bench.tick()
+    live.tick()
     assert page.stability.word.text() == "NOT STEADY"
     assert not page.record.isEnabled()
     probes.shakes, probes.stands = 0.0, False
-    bench.tick()
+    live.tick()
     assert "crank turns" in page.stability.why.text()
     probes.stands = True
     probes.micrometers[0] = -790.0
-    bench.tick()
+    live.tick()
     assert page.stability.word.text() == "STEADY"
     page.shown.setFocus()
     page.shown.selectAll()
     qtbot.keyClicks(page.shown, "-790")
     qtbot.keyClick(page.record, Qt.Key.Key_Space)
     assert page.table.item(0, 2).text() == "-790.0"
-    assert bench.session.procedure.taken[0].position == pytest.approx(-790e-6)
+    assert live.session.procedure.taken[0].position == pytest.approx(-790e-6)
 
 
 def test_closed_wizard_is_taken_up_again(
-    wizard: ProbeWizard, qtbot: Any, probes: ScriptedProbes, tmp_path: Path
+    wizard: CalibrationWizard, qtbot: Any, probes: ScriptedProbes, tmp_path: Path
 ) -> None:
     wizard.plan.plan.setCurrentIndex(0)
     wizard.next()
-    wizard.bench.goes_ahead = True
+    wizard.live.goes_ahead = True
     for _ in range(40):
-        wizard.bench.tick()
-    taken = len(wizard.bench.session.procedure.taken)
+        wizard.live.tick()
+    taken = len(wizard.live.session.procedure.taken)
     assert taken > 3
     wizard.reject()
-    again = ProbeWizard(probes.line, RIG, LIGHT, tmp_path, "1")
-    again.bench._timer.stop()
+    again = CalibrationWizard(probes.line, RIG, LIGHT, tmp_path, subject="probes", which="1")
+    again.live._timer.stop()
     qtbot.addWidget(again)
     again.show()
     assert again.plan.begin.count() == 2
@@ -239,11 +240,11 @@ def test_closed_wizard_is_taken_up_again(
     again.next()
     assert again.readings.table.rowCount() == taken
     go_ahead(again)
-    assert again.bench.session.procedure.plan.probes == (1, 2)
+    assert again.live.session.procedure.plan.probes == (1, 2)
     again.reject()
 
 
-def test_every_field_has_a_name_that_is_read_aloud(wizard: ProbeWizard) -> None:
+def test_every_field_has_a_name_that_is_read_aloud(wizard: CalibrationWizard) -> None:
     from PySide6.QtWidgets import QAbstractButton, QComboBox, QLineEdit, QSpinBox, QTableWidget
 
     for kind in (QAbstractButton, QComboBox, QLineEdit, QSpinBox, QTableWidget):
@@ -267,9 +268,9 @@ def test_chooser_tells_what_was_chosen_by_key(qtbot: Any) -> None:
 # --- the terminal's face ----------------------------------------------------------------------
 
 
-def session(folder: Path, probe: str = "1", name: str = "probe.journal") -> LiveProbeSession:
-    plan = plan_of(probe, "routine", None, 5, 800.0)
-    return LiveProbeSession(ProbeFile(schema=1), RIG, folder / name, plan, keep_waiting_times=False)
+def session(folder: Path, probe: str = "1", name: str = "probe.journal") -> ProbeSession:
+    plan = probe_plan(probe, "routine", 800.0, 5)
+    return ProbeSession(ProbeFile(schema=1), RIG, folder / name, plan, keep_waiting_times=False)
 
 
 def test_terminal_takes_closes_takes_up_and_rejects(probes: ScriptedProbes, tmp_path: Path) -> None:
@@ -283,7 +284,7 @@ def test_terminal_takes_closes_takes_up_and_rejects(probes: ScriptedProbes, tmp_
         return next(answers)
 
     live = session(tmp_path)
-    assert not ProbeTerminal(live, probes.ask, read, said.append).run()
+    assert not Terminal(live, probes.ask, read, said.append).run()
     live.close()
     assert any("Enter, a position in um" in line for line in said)
     assert [one.rejected for one in live.procedure.taken] == [
@@ -293,7 +294,7 @@ def test_terminal_takes_closes_takes_up_and_rejects(probes: ScriptedProbes, tmp_
     assert live.procedure.taken[1].position == pytest.approx(-350e-6)
     live = session(tmp_path)
     answers = iter([""] * 9)
-    assert ProbeTerminal(live, probes.ask, read, said.append).run()
+    assert Terminal(live, probes.ask, read, said.append).run()
     outcome = live.judge()
     assert outcome.accepted, outcome.result["problems"]
     assert "# rejected (bumped): 1.1,1,-800.0" in live.readings_csv()
@@ -307,26 +308,30 @@ def test_terminal_takes_closes_takes_up_and_rejects(probes: ScriptedProbes, tmp_
 @pytest.mark.parametrize(
     ("mistake", "code"),
     [
-        (ProbeMistake.WRONG_POSITION, "wrong_position"),
-        (ProbeMistake.SKIPPED, "skipped_step"),
-        (ProbeMistake.OTHER_WAY, "direction_reversed"),
-        (ProbeMistake.BACKLASH, "backlash"),
-        (ProbeMistake.OTHER_PROBE, "wrong_probe"),
-        (ProbeMistake.TOO_FAR, "wrong_sensitivity"),
-        (ProbeMistake.DRIFT, "drift"),
+        (MicrometerMistake.WRONG_POSITION, "wrong_position"),
+        (MicrometerMistake.SKIPPED, "skipped_step"),
+        (MicrometerMistake.OTHER_WAY, "direction_reversed"),
+        (MicrometerMistake.BACKLASH, "backlash"),
+        (MicrometerMistake.OTHER_PROBE, "wrong_probe"),
+        (MicrometerMistake.TOO_FAR, "wrong_sensitivity"),
+        (MicrometerMistake.DRIFT, "drift"),
     ],
 )
 def test_practised_mistakes_are_named(
-    probes: ScriptedProbes, tmp_path: Path, mistake: ProbeMistake, code: str
+    probes: ScriptedProbes, tmp_path: Path, mistake: MicrometerMistake, code: str
 ) -> None:
-    plan = plan_of("1", "routine", 800.0, 11, 800.0)
-    live = LiveProbeSession(
+    plan = probe_plan("1", "routine", 800.0, 11)
+    live = ProbeSession(
         ProbeFile(schema=1), RIG, tmp_path / "one.journal", plan, keep_waiting_times=False
     )
-    at_once = mistake in (ProbeMistake.OTHER_WAY, ProbeMistake.OTHER_PROBE, ProbeMistake.TOO_FAR)
-    hands = ProbeHands(probes.ask, mistake, 1 if at_once else 5)
-    hands.prepare()
-    assert ProbeTerminal(live, probes.ask, lambda _: "", lambda _: None, hands).run()
+    at_once = mistake in (
+        MicrometerMistake.OTHER_WAY,
+        MicrometerMistake.OTHER_PROBE,
+        MicrometerMistake.TOO_FAR,
+    )
+    hands = ClumsyHands(live, probes.ask, mistake, 1 if at_once else 5)
+    hands.carry_out(live.practice.prepare)
+    assert Terminal(live, probes.ask, lambda _: "", lambda _: None, hands).run()
     outcome = live.judge()
     assert not outcome.accepted
     assert [one["code"] for one in outcome.result["problems"] if one["blocks"]] == [code]
@@ -337,14 +342,14 @@ def test_practised_mistakes_are_named(
 
 def test_foreign_journal_and_impossible_plan_are_refused(tmp_path: Path) -> None:
     live = session(tmp_path)
-    live._adopt(live.procedure.mounted())
+    live.adopt(live.procedure.mounted())
     live.close()
     other = Rig("Another rig", False, "E. Sample")
     with pytest.raises(UnusableInput, match="these readings come from the rig 'Scripted rig'"):
-        LiveProbeSession(ProbeFile(schema=1), other, tmp_path / "probe.journal", None)
+        ProbeSession(ProbeFile(schema=1), other, tmp_path / "probe.journal", None)
     with pytest.raises(UnusableInput, match="choose 1, 2, both"):
-        plan_of("3", "full", None, 11, 800.0)
+        probe_plan("3", "full", 800.0, 11)
     with pytest.raises(UnusableInput, match="choose routine, full"):
-        plan_of("1", "fast", None, 11, 800.0)
+        probe_plan("1", "fast", 800.0, 11)
     with pytest.raises(UnusableInput, match="5 to 101"):
-        plan_of("1", "full", None, 2, 800.0)
+        probe_plan("1", "full", 800.0, 2)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from calibration.records import unseal
-from rigapp.calibrating.live_calibration import Rig
+from rigapp.calibrating.session import Rig
 from rigapp.commands.run import run_test
 from rigapp.config.loading import read_rig
 from rigapp.gui.data.tasks import TaskWorker
@@ -63,9 +63,9 @@ def pump(wizard: CalibrationWizard, line: HostLine, until: Any, what: str, withi
     deadline = time.monotonic() + within
     while not until():
         assert time.monotonic() < deadline, (
-            f"{what} did not come: {wizard.readings.problem.text()} {wizard.bench.readiness}"
+            f"{what} did not come: {wizard.readings.problem.text()} {wizard.live.readiness}"
         )
-        wizard.bench.tick()
+        wizard.live.tick()
         line.worker.deliver()
         time.sleep(0.005)
 
@@ -84,31 +84,31 @@ def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_te
     wizard = CalibrationWizard(line, rig, LIGHT, tmp_path, settings)
     qtbot.addWidget(wizard)
     wizard.show()
-    bench = wizard.bench
+    live = wizard.live
     wizard.next()
-    bench.lend_a_hand()
+    live.lend_a_hand()
     pump(wizard, line, wizard.angle.isComplete, "the angle", WITHIN_S)
     wizard.next()
     assert wizard.currentPage() is wizard.readings
-    bench.goes_ahead = True
-    pump(wizard, line, lambda: bench.session.procedure.position > 43, "series 3", WITHIN_S)
+    live.goes_ahead = True
+    pump(wizard, line, lambda: live.session.procedure.position > 43, "series 3", WITHIN_S)
     # The plugs of the two bridges are exchanged at the last pin angle.
     wizard.readings.hands.mistake.setCurrentIndex(2)
     pump(wizard, line, wizard.readings.isComplete, "the end", WITHIN_S)
     wizard.next()
-    pump(wizard, line, lambda: bench.outcome is not None, "the verdict", WITHIN_S)
+    pump(wizard, line, lambda: live.outcome is not None, "the verdict", WITHIN_S)
     assert wizard.result_page.verdict.text() == "✗ Refused"
     assert not list(tmp_path.glob("*.json"))
     # The plugs are put right and the last series is taken again.
     wizard.back()
     wizard.readings.hands.mistake.setCurrentIndex(0)
-    assert bench.reject(len(bench.session.procedure.taken) - 1, "plugs exchanged")
+    assert live.reject(len(live.session.procedure.taken) - 1, "plugs exchanged")
     pump(wizard, line, wizard.readings.isComplete, "series 4 again", WITHIN_S)
     wizard.next()
-    pump(wizard, line, lambda: bench.outcome is not None, "the verdict", WITHIN_S)
+    pump(wizard, line, lambda: live.outcome is not None, "the verdict", WITHIN_S)
     assert wizard.result_page.verdict.text() == "✓ Accepted", wizard.result_page.problems.text()
     wizard.next()
-    record = unseal(bench.outcome.saved.read_bytes())
+    record = unseal(live.outcome.saved.read_bytes())
     result = record.content["result"]
     x = plant_section(read_rig(EXAMPLE).record).cross_talk_percent / 100.0
     truth = np.array([[1.0, x], [x, 1.0]]) @ np.diag([200.0, 200.0])
@@ -126,12 +126,12 @@ def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_te
     page = wizard.certificate
     page.pdf.click()
     pump(wizard, line, lambda: "certificate is" in page.words.text(), "certificate", WITHIN_S)
-    assert bench.outcome.saved.with_suffix(".pdf").read_bytes().startswith(b"%PDF")
+    assert live.outcome.saved.with_suffix(".pdf").read_bytes().startswith(b"%PDF")
     # The rig file names the record after a question, and a test with it tells the plant's forces.
     page.use.click()
     assert not read_rig(file).record.load_cell.calibration
     page.use.click()
-    assert read_rig(file).record.load_cell.calibration == bench.outcome.saved.name
+    assert read_rig(file).record.load_cell.calibration == live.outcome.saved.name
     wizard.accept()
     pump(wizard, line, lambda: not wizard.isVisible(), "the end", WITHIN_S)
     measured, at_plant = forces_of_a_test(file, tmp_path, monkeypatch)

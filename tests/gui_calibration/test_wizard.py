@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from calibration.load_cell.plans import StepKind
-from rigapp.calibrating.practice import Mistake
+from rigapp.calibrating.practice import WeighingMistake
 from rigapp.gui.wizard.plan_page import NEW
 
 NEXT, COMMIT, BACK = (
@@ -33,34 +33,34 @@ NEXT, COMMIT, BACK = (
 
 def to_readings(wizard: Any) -> None:
     wizard.next()
-    wizard.bench.tick()
+    wizard.live.tick()
     wizard.next()
     assert wizard.currentPage() is wizard.readings
 
 
 def go_ahead(wizard: Any, until: Any) -> None:
-    wizard.bench.goes_ahead = True
+    wizard.live.goes_ahead = True
     for _ in range(400):
-        wizard.bench.tick()
+        wizard.live.tick()
         if until():
-            wizard.bench.goes_ahead = False
+            wizard.live.goes_ahead = False
             return
-    pytest.fail(f"not reached: {wizard.bench.readiness}")
+    pytest.fail(f"not reached: {wizard.live.readiness}")
 
 
 def done(wizard: Any) -> bool:
-    return bool(wizard.bench.session.procedure.done)
+    return bool(wizard.live.session.procedure.done)
 
 
 def loaded(wizard: Any) -> bool:
-    step = wizard.bench.session.procedure.step
+    step = wizard.live.session.procedure.step
     return step.kind is StepKind.READING and step.mass > 20.0
 
 
 def judged(wizard: Any, qtbot: Any) -> None:
     def ready() -> bool:
-        wizard.bench.tick()
-        return wizard.bench.outcome is not None
+        wizard.live.tick()
+        return wizard.live.outcome is not None
 
     qtbot.waitUntil(ready, timeout=PATIENCE_MS)
 
@@ -70,15 +70,15 @@ def test_level_is_turned_end_for_end(wizard: Any, scripted: Any) -> None:
     wizard.next()
     page = wizard.angle
     for _ in range(3):
-        wizard.bench.tick()
+        wizard.live.tick()
     assert page.turn.isEnabled()
     page.turn.click()
     scripted.angle_deg = 359.9
-    wizard.bench.tick()
+    wizard.live.tick()
     assert "mean +0.10" in page.first.text()
     assert "off by +0.20" in page.first.text()
     wizard.next()
-    procedure = wizard.bench.session.procedure
+    procedure = wizard.live.session.procedure
     assert math.degrees(procedure.angle_offset) == pytest.approx(-0.1, abs=1e-6)
     assert math.degrees(procedure.angle_uncertainty) == pytest.approx(0.02 / math.sqrt(2.0))
 
@@ -93,7 +93,7 @@ def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path:
         judged(wizard, qtbot)
 
         def charted() -> bool:
-            wizard.bench.tick()
+            wizard.live.tick()
             return page.chart.isVisible()
 
         qtbot.waitUntil(charted, timeout=PATIENCE_MS)
@@ -119,13 +119,13 @@ def test_whole_wizard_to_the_certificate(wizard: Any, qtbot: Any, tmp_path: Path
     assert "Not classifiable" in page.words.text()
     wizard.next()
     assert wizard.currentPage() is wizard.certificate
-    record = wizard.bench.outcome.saved
+    record = wizard.live.outcome.saved
     assert record is not None
     assert record.exists()
     qtbot.keyClick(wizard.certificate.html, Qt.Key.Key_Space)
 
     def written() -> bool:
-        wizard.bench.tick()
+        wizard.live.tick()
         return "The certificate is" in wizard.certificate.words.text()
 
     qtbot.waitUntil(written, timeout=PATIENCE_MS)
@@ -136,13 +136,13 @@ def test_record_is_disabled_until_steady_and_counts_by_keyboard(
     wizard: Any, qtbot: Any, scripted: Any
 ) -> None:
     to_readings(wizard)
-    page, bench = wizard.readings, wizard.bench
-    bench.tick()
+    page, live = wizard.readings, wizard.live
+    live.tick()
     qtbot.keyClick(page.record, Qt.Key.Key_Space)
     go_ahead(wizard, lambda: loaded(wizard))
     scripted.faults.add("swinging_weight")
-    bench.lend_a_hand()
-    bench.tick()
+    live.lend_a_hand()
+    live.tick()
     assert not page.record.isEnabled()
     assert page.stability.word.text() == "NOT STEADY"
     assert "swinging" in page.stability.why.text()
@@ -150,7 +150,7 @@ def test_record_is_disabled_until_steady_and_counts_by_keyboard(
     qtbot.keyClick(page.record, Qt.Key.Key_Space)
     assert page.table.rowCount() == before
     scripted.faults.clear()
-    bench.tick()
+    live.tick()
     assert page.stability.word.text() == "STEADY"
     qtbot.keyClick(page.record, Qt.Key.Key_Space)
     assert page.table.rowCount() == before + 1
@@ -158,13 +158,13 @@ def test_record_is_disabled_until_steady_and_counts_by_keyboard(
 
 def test_wrong_weight_is_refused_rejected_and_repeated(wizard: Any, qtbot: Any) -> None:
     to_readings(wizard)
-    bench = wizard.bench
+    live = wizard.live
     go_ahead(wizard, lambda: loaded(wizard))
     wizard.readings.hands.mistake.setCurrentIndex(1)
-    assert bench.mistake is Mistake.WRONG_WEIGHT
-    count = len(bench.session.procedure.taken)
-    bench._done_for = (-1, -1)
-    go_ahead(wizard, lambda: len(bench.session.procedure.taken) > count)
+    assert live.mistake is WeighingMistake.WRONG_WEIGHT
+    count = len(live.session.procedure.taken)
+    live._done_for = (-1, -1)
+    go_ahead(wizard, lambda: len(live.session.procedure.taken) > count)
     wizard.readings.hands.mistake.setCurrentIndex(0)
     go_ahead(wizard, lambda: done(wizard))
     wizard.next()
@@ -191,12 +191,12 @@ def test_escape_keeps_the_readings_and_they_are_taken_up(
     wizard: Any, qtbot: Any, tmp_path: Path
 ) -> None:
     to_readings(wizard)
-    bench = wizard.bench
-    go_ahead(wizard, lambda: len(bench.session.procedure.taken) >= 3)
-    taken = bench.session.procedure.taken
+    live = wizard.live
+    go_ahead(wizard, lambda: len(live.session.procedure.taken) >= 3)
+    taken = live.session.procedure.taken
     qtbot.keyClick(wizard, Qt.Key.Key_Escape)
     assert not wizard.isVisible()
-    assert bench.session is None
+    assert live.session is None
     wizard.restart()
     wizard.show()
     assert wizard.plan.begin.itemText(0) == NEW
@@ -204,7 +204,7 @@ def test_escape_keeps_the_readings_and_they_are_taken_up(
     wizard.next()
     wizard.next()
     assert wizard.currentPage() is wizard.readings
-    assert bench.session.procedure.taken == taken
+    assert live.session.procedure.taken == taken
     assert wizard.readings.table.rowCount() == len(taken)
 
 
@@ -213,7 +213,7 @@ def test_typed_value_counts_without_leaving_the_field(wizard: Any, qtbot: Any) -
     box.lineEdit().selectAll()
     qtbot.keyClicks(box, "0.25")
     wizard.next()
-    assert wizard.bench.session.settings.weights.hanger_mass == pytest.approx(0.25)
+    assert wizard.live.session.settings.weights.hanger_mass == pytest.approx(0.25)
 
 
 def test_wrong_weights_are_said_on_the_page(wizard: Any) -> None:
@@ -226,11 +226,11 @@ def test_wrong_weights_are_said_on_the_page(wizard: Any) -> None:
 def test_angle_page_waits_for_the_encoder(wizard: Any, scripted: Any) -> None:
     scripted.angle_deg = None
     wizard.next()
-    wizard.bench.tick()
+    wizard.live.tick()
     assert not wizard.button(COMMIT).isEnabled()
     assert "index" in wizard.angle.stability.why.text()
     scripted.angle_deg = 359.6
-    wizard.bench.tick()
+    wizard.live.tick()
     assert wizard.button(COMMIT).isEnabled()
     assert wizard.angle.shown.value() == pytest.approx(-0.4)
 
@@ -238,7 +238,7 @@ def test_angle_page_waits_for_the_encoder(wizard: Any, scripted: Any) -> None:
 def test_engine_that_refuses_is_said_on_the_page(wizard: Any, scripted: Any) -> None:
     wizard.next()
     scripted.refuses = "A test is under way."
-    wizard.bench.tick()
+    wizard.live.tick()
     assert wizard.angle.problem.text() == "A test is under way."
     assert not wizard.button(COMMIT).isEnabled()
 

@@ -64,22 +64,13 @@ SAME_NAME = dict.fromkeys(
 
 
 NOT_YET = {
-    "Channel",
-    "Kind",
     "Wire",
-    "Finding",
     "Guard",
-    "Hands",
-    "History",
-    "Line",
     "Motion",
     "Pace",
     "Plan",
     "Refused",
     "Reply",
-    "Saved",
-    "Session",
-    "Stepwise",
     "Verdict",
 }
 """Names that are to be told apart."""

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
 from calibration.probes.alignment import split_pair
 from calibration.probes.readings import ProbeReadings, parse_probe
-from rigapp.calibrating.certificates.plots import scatter
+from rigapp.calibrating.certificates.parts import MICROMETRE, Content, Parts, scatter
 from rigapp.report.page.manuscript import Figure, Row, Table
 
-Content = Mapping[str, Any]
-MICROMETRE = "µm"
+
+def probe_parts(content: Content) -> Parts:
+    """Return statements, tables and figures of a record."""
+    tables = [_conditions(content), *_tables(content)]
+    return Parts(_statements(content), tables, _figures(content))
 
 
-def probe_conditions(content: Content) -> Table:
+def _conditions(content: Content) -> Table:
     """Return micrometer, range and geometry."""
     probe = content["settings"]["probe"]
     rows: list[Row] = [
@@ -51,7 +51,7 @@ def _how_taken(taken: Content) -> str:
     return words + ("; SIMULATED rig, for practice" if taken["simulated"] else "")
 
 
-def probe_statements(content: Content) -> list[str]:
+def _statements(content: Content) -> list[str]:
     """Return method, uncertainty and what they do not cover."""
     result = content["result"]
     pair = "probes" in result
@@ -78,7 +78,7 @@ def probe_statements(content: Content) -> list[str]:
     return texts
 
 
-def probe_tables(content: Content) -> list[Table]:
+def _tables(content: Content) -> list[Table]:
     """Return the line and the budget of each probe, the alignment, and the readings."""
     result = content["result"]
     readings = parse_probe(content["readings_csv"])
@@ -157,7 +157,7 @@ def _readings_table(readings: ProbeReadings, result: Content, name: str) -> Tabl
     return Table(f"{name}Readings", tuple(rows), header)
 
 
-def probe_figures(content: Content) -> list[Figure]:
+def _figures(content: Content) -> list[Figure]:
     """Return the residuals over the position."""
     result = content["result"]
     readings = parse_probe(content["readings_csv"])

@@ -5,19 +5,21 @@ from __future__ import annotations
 import csv
 import io
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
-from rigapp.calibrating.certificates.plots import bands
+from rigapp.calibrating.certificates.parts import MICROMETRE, Content, Parts, bands
 from rigapp.report.page.manuscript import Figure, Table
 
-Content = Mapping[str, Any]
-MICROMETRE = "µm"
+
+def run_out_parts(content: Content) -> Parts:
+    """Return statements, tables and figures of a record."""
+    tables = [_conditions(content), *_tables(content)]
+    return Parts(_statements(content), tables, _figures(content), "Map")
 
 
-def run_out_conditions(content: Content) -> Table:
+def _conditions(content: Content) -> Table:
     """Return the rolls: file, revolutions, speed, digest of the samples."""
     rows = tuple(
         (
@@ -31,7 +33,7 @@ def run_out_conditions(content: Content) -> Table:
     return Table("Slow rolls", rows, ("file", "speed", "revolutions used", "samples' digest"))
 
 
-def run_out_statements(content: Content) -> list[str]:
+def _statements(content: Content) -> list[str]:
     """Return method, uncertainty and what a slow roll cannot tell."""
     result = content["result"]
     orders = content["taken"]["orders"]
@@ -72,7 +74,7 @@ def run_out_statements(content: Content) -> list[str]:
     return texts
 
 
-def run_out_tables(content: Content) -> list[Table]:
+def _tables(content: Content) -> list[Table]:
     """Return the orders with their uncertainty, and what the rolls showed."""
     result = content["result"]
     spread = [np.sqrt(np.diag(np.array(one))) for one in result["covariance_um2"]]
@@ -130,7 +132,7 @@ def _turns_table(content: Content) -> Table:
     return Table("First order of every revolution: size, angle of its maximum", rows, header)
 
 
-def run_out_figures(content: Content) -> list[Figure]:
+def _figures(content: Content) -> list[Figure]:
     """Return the map with its uncertainty over the crank angle."""
     result = content["result"]
     curves = np.array(result["map_um"]).T

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import numpy as np
 
-from rigapp.calibrating.certificates.plots import scatter
+from rigapp.calibrating.certificates.parts import Content, Parts, scatter
 from rigapp.report.page.manuscript import Figure, Row, Table
 
 
-def running_statements(content: Mapping[str, Any]) -> list[str]:
+def running_parts(content: Content) -> Parts:
+    """Return statements, tables and figures of a record."""
+    return Parts(_statements(content), _tables(content), _figures(content), "Forces")
+
+
+def _statements(content: Content) -> list[str]:
     """Say what was done and what came out."""
     return [
         "Method: the pin turned without the follower at several speeds; the change of the mean"
@@ -22,7 +24,7 @@ def running_statements(content: Mapping[str, Any]) -> list[str]:
     ]
 
 
-def running_tables(content: Mapping[str, Any]) -> list[Table]:
+def _tables(content: Content) -> list[Table]:
     """Return the speeds, and the mass times radius."""
     result = content["result"]
     rows: tuple[Row, ...] = tuple(
@@ -51,7 +53,7 @@ def running_tables(content: Mapping[str, Any]) -> list[Table]:
     ]
 
 
-def running_figures(content: Mapping[str, Any]) -> list[Figure]:
+def _figures(content: Content) -> list[Figure]:
     """Show every revolution's force against the speed."""
     lines = content["readings_csv"].splitlines()[1:]
     table = np.array([[float(word) for word in line.split(",")[1:]] for line in lines])

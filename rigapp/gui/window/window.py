@@ -39,7 +39,6 @@ from rigapp.schema.states import ACTIVE
 
 if TYPE_CHECKING:
     from rigapp.gui.wizard.chooser import CalibrationChooser
-    from rigapp.gui.wizard.probe_wizard import ProbeWizard
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
 log = logging.getLogger(__name__)
@@ -83,7 +82,7 @@ class MainWindow(QMainWindow):
         self._discard = False
         self._results_folder = results_folder
         self._rig_file = rig
-        self._calibration: CalibrationWizard | ProbeWizard | None = None
+        self._calibration: CalibrationWizard | None = None
         self._chooser: CalibrationChooser | None = None
         self.theme = theme
         self.watchdog = Watchdog(self)
@@ -225,8 +224,8 @@ class MainWindow(QMainWindow):
 
     def calibrate_what(self, which: str) -> None:
         """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
-        from rigapp.calibrating.live_calibration import Rig
-        from rigapp.gui.wizard.probe_wizard import ProbeWizard
+        from rigapp.calibrating.session import Rig
+        from rigapp.gui.wizard.chooser import CHOICES
         from rigapp.gui.wizard.wizard import CalibrationWizard
 
         status = self._may_calibrate()
@@ -235,10 +234,10 @@ class MainWindow(QMainWindow):
         operator = status.operator or getuser()
         rig = Rig(status.rig, status.simulated, operator, self._rig_file)
         line, folder = self._connection.request, self._results_folder
-        if which == "load cell":
-            self._calibration = CalibrationWizard(line, rig, self.theme, folder, parent=self)
-        else:
-            self._calibration = ProbeWizard(line, rig, self.theme, folder, which, parent=self)
+        subject = CHOICES[which].subject
+        self._calibration = CalibrationWizard(
+            line, rig, self.theme, folder, parent=self, subject=subject, which=which
+        )
         self._front(self._calibration)
 
     def _may_calibrate(self) -> Status | None:
@@ -419,5 +418,4 @@ class MainWindow(QMainWindow):
 
 
 def _load_wizards() -> None:
-    for name in ("wizard", "probe_wizard"):
-        importlib.import_module(f"rigapp.gui.wizard.{name}")
+    importlib.import_module("rigapp.gui.wizard.wizard")

@@ -1,1 +1,1 @@
-"""The calibration wizard: a face of ``rigapp.calibrating.live_calibration``."""
+"""The calibration wizard: the window's face of ``rigapp.calibrating``, one page a question."""

@@ -7,11 +7,9 @@ import math
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QPushButton, QVBoxLayout, QWizardPage
 
-from calibration.load_cell.plans import StepKind
-from rigapp.calibrating.practice import Mistake
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.wizard.bench import Bench
 from rigapp.gui.wizard.hands_panel import HandsPanel
+from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import Stability, field, larger, named, number, prose
 
 TURN = "&Keep this angle; I turn the level end for end"
@@ -21,9 +19,9 @@ AGAIN = "&Forget the first angle"
 class AnglePage(QWizardPage):
     """Enter the encoder's angle while the crank is level."""
 
-    def __init__(self, bench: Bench, theme: Theme) -> None:
+    def __init__(self, live: LiveCalibration, theme: Theme) -> None:
         super().__init__()
-        self._bench = bench
+        self._live = live
         self.setTitle("Angle reference")
         self.setSubTitle(
             "0.2 degrees of a common angle error turn every force by as much, and no reading shows"
@@ -56,7 +54,7 @@ class AnglePage(QWizardPage):
         self.first = prose("angle_first", "The first angle")
         self._first_deg: float | None = None
         self.problem = prose("angle_problem", "What is wrong on this page")
-        self.hands = HandsPanel(bench, Mistake)
+        self.hands = HandsPanel(live)
         form = QFormLayout()
         form.addRow(self.follow)
         field(form, "&Encoder shows", self.shown)
@@ -75,15 +73,15 @@ class AnglePage(QWizardPage):
         self.turn.clicked.connect(self._keep_first)
         self.follow.toggled.connect(self._follow)
         self._follow(True)
-        bench.looked.connect(self._look)
-        bench.said.connect(self.problem.setText)
+        live.looked.connect(self._look)
+        live.said.connect(self.problem.setText)
 
     def initializePage(self) -> None:
         """Show the uncertainty of the settings."""
-        session = self._bench.session
+        session = self._live.session
         if session is not None:
             self.uncertainty.setValue(session.given.angle.standard_uncertainty_deg)
-        self.hands.setVisible(self._bench.rig.simulated)
+        self.hands.setVisible(self._live.rig.simulated)
         self._forget_first()
         self._look()
 
@@ -108,7 +106,7 @@ class AnglePage(QWizardPage):
         if self._first_deg is None:
             self.first.setText("")
             return
-        session, second = self._bench.session, self.shown.value()
+        session, second = self._live.session, self.shown.value()
         assert session is not None
         setting = session.given.angle.setting_standard_uncertainty_deg
         mean, own = 0.5 * (self._first_deg + second), 0.5 * (self._first_deg - second)
@@ -120,12 +118,12 @@ class AnglePage(QWizardPage):
 
     def isComplete(self) -> bool:
         """Tell whether the crank stands at a known angle, or the reference was taken already."""
-        bench = self._bench
-        if bench.session is None:
+        live = self._live
+        if live.session is None:
             return False
         if not self._due():
             return True
-        return bench.readiness is not None and bench.readiness.ready and not bench.hands_busy
+        return live.readiness is not None and live.readiness.ready and not live.hands_busy
 
     def validatePage(self) -> bool:
         """Take the reference, unless the journal holds it already."""
@@ -133,32 +131,27 @@ class AnglePage(QWizardPage):
             box.interpretText()
         if not self._due():
             return True
-        if self._first_deg is not None:
-            return self._bench.reference_reversed(
-                math.radians(self._first_deg), math.radians(self.shown.value())
-            )
-        return self._bench.reference(
-            math.radians(self.shown.value()), math.radians(self.uncertainty.value())
-        )
+        shown, first = math.radians(self.shown.value()), self._first_deg
+        if first is not None:
+            one = math.radians(first)
+            return self._live.attempt(lambda session: session.reference_reversed(one, shown))
+        uncertainty = math.radians(self.uncertainty.value())
+        return self._live.attempt(lambda session: session.reference(shown, uncertainty))
 
     def _due(self) -> bool:
-        session = self._bench.session
-        return (
-            session is not None
-            and not session.procedure.done
-            and session.procedure.step.kind is StepKind.ANGLE_REFERENCE
-        )
+        session = self._live.session
+        return session is not None and bool(session.reference_is_due)
 
     def _follow(self, on: bool) -> None:
         self.shown.setEnabled(not on)
         self._look()
 
     def _look(self) -> None:
-        bench = self._bench
-        window = bench.window
-        self.stability.show_readiness(bench.readiness, "no signals from the engine")
+        live = self._live
+        window = live.window
+        self.stability.show_readiness(live.readiness, "no signals from the engine")
         self.turn.setEnabled(self._due() and self.isComplete())
-        if not self._due() and bench.session is not None:
+        if not self._due() and live.session is not None:
             self.live.setText("The angle reference has been taken already.")
         elif window is None or window.angle is None:
             self.live.setText("The encoder's angle is not known yet.")

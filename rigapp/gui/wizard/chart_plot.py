@@ -6,7 +6,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
-from rigapp.calibrating.daily_history import History, verdict_lines
+from rigapp.calibrating.daily_history import DailyHistory, verdict_lines
 from rigapp.gui.plots.palette import Theme, line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.wizard.parts import prose
@@ -35,7 +35,7 @@ class ChartPlot(QWidget):
         column.addWidget(self.plot, 1)
         column.addWidget(self.words)
 
-    def show_history(self, found: History) -> None:
+    def show_history(self, found: DailyHistory) -> None:
         """Show the checks, the limits, and the sentences."""
         one = found.charts["sensitivity_ratio"]
         self._line.setData(np.arange(1.0, len(one.values) + 1.0), one.values)

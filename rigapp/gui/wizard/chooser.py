@@ -2,17 +2,32 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from rigapp.gui.wizard.parts import larger, named
 
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One thing to choose: its name with an access key, how it is done, and the subject it is."""
+
+    text: str
+    words: str
+    subject: str
+
+
 CHOICES = {
-    "load cell": ("&Load cell", "with weights, at several pin angles"),
-    "1": ("Probe &1", "with a micrometer along the follower"),
-    "2": ("Probe &2", "with a micrometer across the follower"),
-    "both": ("&Both probes", "with a micrometer stage; finds how the probes stand as well"),
+    "load cell": Choice("&Load cell", "with weights, at several pin angles", "load cell"),
+    "1": Choice("Probe &1", "with a micrometer along the follower", "probes"),
+    "2": Choice("Probe &2", "with a micrometer across the follower", "probes"),
+    "both": Choice(
+        "&Both probes", "with a micrometer stage; finds how the probes stand as well", "probes"
+    ),
 }
+"""What is chosen: the subject, or which of several things of it."""
 
 
 class CalibrationChooser(QDialog):
@@ -30,9 +45,10 @@ class CalibrationChooser(QDialog):
         column = QVBoxLayout(self)
         column.addWidget(heading)
         self.buttons = {}
-        for key, (text, words) in CHOICES.items():
-            button = QPushButton(f"{text}: {words}")
-            named(button, f"choose_{key.replace(' ', '_')}", f"{text.replace('&', '')}: {words}")
+        for key, choice in CHOICES.items():
+            text = f"{choice.text}: {choice.words}"
+            button = QPushButton(text)
+            named(button, f"choose_{key.replace(' ', '_')}", text.replace("&", ""))
             button.setMinimumHeight(2 * button.fontMetrics().height())
             button.setStyleSheet("text-align: left; padding-left: 1em; padding-right: 1em;")
             button.clicked.connect(lambda _=False, which=key: self._choose(which))

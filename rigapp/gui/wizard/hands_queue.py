@@ -10,7 +10,7 @@ from rigapp.calibrating.practice import Action
 from rigapp.schema.messages import Reply
 
 
-class Line(Protocol):
+class AskLater(Protocol):
     """Ask the engine; the handler is called later on the screen's thread."""
 
     def __call__(
@@ -24,7 +24,7 @@ class HandsQueue:
     """Send actions to the engine, each after the answer to the one before; a failure drops all."""
 
     def __init__(
-        self, line: Line, acted: Callable[[float], None], failed: Callable[[str], None]
+        self, line: AskLater, acted: Callable[[float], None], failed: Callable[[str], None]
     ) -> None:
         """Take the engine; ``acted`` is told the first device sample after an action."""
         self._line, self._acted, self._failed = line, acted, failed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import (
+    QComboBox,
     QDoubleSpinBox,
     QFormLayout,
     QHBoxLayout,
@@ -18,8 +20,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from calibration.load_cell.live import Readiness, Verdict
-from rigapp.calibrating.live_calibration import LiveSession
+from calibration.taking.signals import Readiness, SignalState
+from rigapp.calibrating.session import ResidualsSoFar
 from rigapp.gui.plots.palette import Theme, line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 
@@ -51,6 +53,16 @@ def number(low: float, high: float, decimals: int, step: float, unit: str) -> QD
     return box
 
 
+def choice(words: Mapping[str, str], name: str, spoken: str, at: int) -> QComboBox:
+    """Return a box to choose from, by word, with the one ``at`` a place chosen."""
+    box = QComboBox()
+    for key, text in words.items():
+        box.addItem(text, key)
+    box.setCurrentIndex(at)
+    named(box, name, spoken)
+    return box
+
+
 def prose(name: str, spoken: str = "") -> QLabel:
     """Return a label for sentences: plain text, wrapped, can be selected."""
     label = QLabel()
@@ -77,14 +89,14 @@ class Sign(QWidget):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self._verdict = Verdict.WAITING
+        self._state = SignalState.WAITING
         side = 2 * QFontMetrics(self.font()).height()
         self.setFixedSize(QSize(side, side))
 
-    def show_verdict(self, verdict: Verdict) -> None:
+    def show_state(self, state: SignalState) -> None:
         """Show a state."""
-        if verdict is not self._verdict:
-            self._verdict = verdict
+        if state is not self._state:
+            self._state = state
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -96,10 +108,10 @@ class Sign(QWidget):
         painter.setPen(pen)
         side = float(self.width())
         box = QRectF(0.18 * side, 0.18 * side, 0.64 * side, 0.64 * side)
-        if self._verdict is Verdict.STEADY:
+        if self._state is SignalState.STEADY:
             painter.setBrush(QColor(self._theme.highlight))
             painter.drawRect(box)
-        elif self._verdict is Verdict.MOVING:
+        elif self._state is SignalState.MOVING:
             across = np.linspace(0.1, 0.9, 25)
             points = [
                 QPointF(x * side, side * (0.5 + 0.28 * np.sin(4.0 * np.pi * x))) for x in across
@@ -112,7 +124,11 @@ class Sign(QWidget):
         painter.end()
 
 
-WORDS = {Verdict.WAITING: "WAIT", Verdict.MOVING: "NOT STEADY", Verdict.STEADY: "STEADY"}
+WORDS = {
+    SignalState.WAITING: "WAIT",
+    SignalState.MOVING: "NOT STEADY",
+    SignalState.STEADY: "STEADY",
+}
 
 
 class Stability(QWidget):
@@ -137,17 +153,17 @@ class Stability(QWidget):
 
     def show_readiness(self, readiness: Readiness | None, otherwise: str) -> None:
         """Show a judgement; ``otherwise`` is said when there is none."""
-        verdict = readiness.verdict if readiness is not None else Verdict.WAITING
+        state = readiness.state if readiness is not None else SignalState.WAITING
         words = readiness.words if readiness is not None else otherwise
-        self.sign.show_verdict(verdict)
-        self.word.setText(WORDS[verdict])
+        self.sign.show_state(state)
+        self.word.setText(WORDS[state])
         self.why.setText("" if words == "steady" else words)
-        self.setAccessibleDescription(f"{WORDS[verdict]}: {words}")
+        self.setAccessibleDescription(f"{WORDS[state]}: {words}")
 
 
 @dataclass(frozen=True, slots=True)
-class ScatterNames:
-    """Names of a residual plot: stem of the widgets' names, read aloud, unit, lower axis."""
+class PlotNames:
+    """Of a residual plot: stem of the widgets' names, read aloud, unit, lower axis."""
 
     stem: str
     spoken: str
@@ -155,69 +171,47 @@ class ScatterNames:
     bottom: str
 
 
-def residual_scatter(
-    on: QWidget, theme: Theme, names: ScatterNames, roles: tuple[str, str]
-) -> tuple[QuietPlot, list[pg.ScatterPlotItem], QLabel]:
-    """Lay a residual plot with words below out on a widget: circles for one role, then triangles.
-
-    Return the plot, the points of the two roles, and the label for the words.
-    """
-    plot = QuietPlot(f"{names.stem}_plot", names.spoken, theme)
-    plot.label("left", f"Residual ({names.unit})")
-    plot.label("bottom", names.bottom)
-    plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-    plot.guide(0.0, horizontal=True, theme=theme)
-    points = []
-    for role, symbol in zip(roles, ("o", "t"), strict=True):
-        colour = theme.curves[role]
-        item = pg.ScatterPlotItem(size=8, symbol=symbol, pen=line_pen(colour), brush=colour)
-        plot.addItem(item)
-        points.append(item)
-    words = prose(f"{names.stem}_words", "Residuals in words")
-    column = QVBoxLayout(on)
-    column.setContentsMargins(0, 0, 0, 0)
-    column.addWidget(plot, 1)
-    column.addWidget(words)
-    return plot, points, words
-
-
 class ResidualPlot(QWidget):
-    """Show what each reading differs from a fit of all readings so far, N, in the order taken."""
+    """Show what the readings so far differ from their own fit: circles, then triangles."""
 
-    def __init__(self, theme: Theme) -> None:
+    def __init__(self, theme: Theme, names: PlotNames) -> None:
+        """Make the plot with words below."""
         super().__init__()
-        self.plot, self._points, self.words = residual_scatter(
-            self,
-            theme,
-            ScatterNames("residual", "Residuals of the readings so far, N", "N", "Reading"),
-            ("first", "second"),
-        )
-        self.clear()
+        self.plot = QuietPlot(f"{names.stem}_plot", names.spoken, theme)
+        self.plot.label("left", f"Residual ({names.unit})")
+        self.plot.label("bottom", names.bottom)
+        self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.plot.guide(0.0, horizontal=True, theme=theme)
+        self._points = []
+        for role, symbol in (("first", "o"), ("second", "t")):
+            colour = theme.curves[role]
+            item = pg.ScatterPlotItem(size=8, symbol=symbol, pen=line_pen(colour), brush=colour)
+            self.plot.addItem(item)
+            self._points.append(item)
+        self.words = prose(f"{names.stem}_words", "Residuals in words")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.plot, 1)
+        column.addWidget(self.words)
 
-    def clear(self) -> None:
-        """Show nothing."""
-        for item in self._points:
-            item.setData([], [])
-        self.plot.setXRange(0.0, 12.0, padding=0.0)
-        self.plot.setYRange(-2.0, 2.0, padding=0.0)
-        self.words.setText("Residuals are shown when two pin angles are known.")
+    def show_residuals(self, found: ResidualsSoFar) -> None:
+        """Show what is left of the readings so far."""
+        for item, (x, residual) in zip(self._points, found.curves, strict=True):
+            item.setData(x, residual)
+        self.plot.setXRange(*found.span, padding=0.0)
+        self.plot.setYRange(-found.reach, found.reach, padding=0.0)
+        self.words.setText(found.words)
 
-    def show_session(self, session: LiveSession) -> None:
-        """Fit the readings so far and show what is left."""
-        found = session.preliminary()
-        if found is None:
-            self.clear()
-            return
-        residual = found[0].residual
-        count = np.arange(1, len(residual) + 1)
-        for axis, item in enumerate(self._points):
-            item.setData(count, residual[:, axis])
-        reach = max(2.0, 1.2 * float(np.abs(residual).max()))
-        self.plot.setXRange(0.0, max(12.0, len(count) + 1.0), padding=0.0)
-        self.plot.setYRange(-reach, reach, padding=0.0)
-        worst = int(np.abs(residual).max(axis=1).argmax())
-        last = ", ".join(f"{value:+.2f}" for value in residual[-1])
-        self.words.setText(
-            f"Circle: axis 1, triangle: axis 2. Last {last} N; largest"
-            f" {np.abs(residual[worst]).max():.2f} N at reading {worst + 1} of those that stand."
-        )
+
+def load_cell_plot(theme: Theme) -> ResidualPlot:
+    """Return the plot of the cell's residuals, N, in the order taken."""
+    spoken = "Residuals of the readings so far, N"
+    names = PlotNames("residual", spoken, "N", "Reading")
+    return ResidualPlot(theme, names)
+
+
+def probe_plot(theme: Theme) -> ResidualPlot:
+    """Return the plot of the probes' residuals, µm, over the position."""
+    spoken, bottom = "Residuals so far, micrometres", "Position (µm)"
+    names = PlotNames("probe_residual", spoken, "µm", bottom)
+    return ResidualPlot(theme, names)

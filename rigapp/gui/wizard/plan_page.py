@@ -1,73 +1,238 @@
-"""First page: which plan, which weights, where they hang; begin anew or take up."""
+"""First page: which plan, with what, for which item; begin anew or take up."""
 
 from __future__ import annotations
 
+import time
+from abc import abstractmethod
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import msgspec
 from PySide6.QtWidgets import (
+    QAbstractSpinBox,
     QComboBox,
+    QFileDialog,
     QFormLayout,
+    QHBoxLayout,
+    QLabel,
     QLineEdit,
     QPushButton,
+    QSpinBox,
     QVBoxLayout,
+    QWidget,
     QWizardPage,
 )
 
-from calibration.load_cell.plans import make_plan, time_needed
-from rigapp.calibrating.live_calibration import PLANS, Wish, heaviest_load, parse_pieces
+from calibration.load_cell.plans import LoadCellPlan
+from calibration.probes.procedure import FEWEST_POSITIONS, ProbePlan
+from calibration.taking.procedure import duration_words
+from rigapp.calibrating.load_cell_session import load_cell_plan
+from rigapp.calibrating.probe_session import PROBES, probe_plan, usual_reach_um
+from rigapp.calibrating.records import CalibrationFile
 from rigapp.config.calibration_settings import (
     CellSection,
     LoadCellFile,
+    ProbeFile,
     load_cell_meaning,
-    read_load_cell_settings,
 )
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.wizard.bench import Bench
-from rigapp.gui.wizard.parts import field, named, number, prose
-from rigapp.gui.wizard.plan_parts import (
-    choose_settings,
-    chosen_journal,
-    offer_journals,
-    settings_row,
-)
+from rigapp.config.loading import read_document
+from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.gui.wizard.parts import choice, field, named, number, prose
 
-WORDS = {
-    "daily": "Daily check: one weight at 4 pin angles",
-    "routine": "Routine: 4 pin angles, 5 loads up and down",
-    "full": "Full: 12 pin angles, 10 loads up and down",
-}
-ROUNDED_GRAVITY = 9.81
 NEW = "Begin a new calibration"
-JOURNALS = "calibration"
+MOST_POSITIONS = 41
+"""More than an operator takes at a window; the command line takes more."""
+ROUNDED_GRAVITY = 9.81
 
 
 class PlanPage(QWizardPage):
-    """Choose plan and weights, or a calibration to take up."""
+    """Choose plan and settings, or a calibration to take up; a subject adds its own fields."""
 
-    def __init__(self, bench: Bench, folder: Path, settings: Path | None) -> None:
+    def __init__(
+        self,
+        live: LiveCalibration,
+        folder: Path,
+        settings: Path | None,
+        given: CalibrationFile,
+        *,
+        stem: str,
+        journals: str,
+        plans: Mapping[str, str],
+        item: tuple[str, str],
+    ) -> None:
+        """Make what all plans have.
+
+        given: the settings without a file. stem: of the widgets' names; journals: of the files in
+        ``folder``; plans: word -> what it is; item: name of the widget's and read aloud, of what is
+        calibrated.
+        """
         super().__init__()
-        self._bench, self._folder = bench, folder
-        self._given = LoadCellFile(schema=1, cell=CellSection(name="Load cell"))
+        self._live, self._folder, self._journals = live, folder, journals
+        self._given: Any = given
+        self._stem = stem
+        self.begin = QComboBox()
+        named(self.begin, f"{stem}_begin", "Begin or take up")
+        self.settings = QLineEdit(str(settings) if settings is not None else "")
+        self.settings.setPlaceholderText("none: the fields below are enough")
+        named(self.settings, f"{stem}_settings", "Settings file of the calibration")
+        self.browse = QPushButton("Bro&wse…")
+        named(self.browse, f"{stem}_browse", "Choose a settings file")
+        self.item = QLineEdit()
+        named(self.item, f"{stem}_{item[0]}", item[1])
+        self.plan = choice(plans, f"{stem}_plan", "Plan", at=1)
+        self.operator = QLineEdit(live.rig.operator)
+        named(self.operator, f"{stem}_operator", "Operator")
+        self.summary = prose(f"{stem}_summary", "What this means")
+        self.problem = prose(
+            "plan_problem" if stem == "calibration" else f"{stem}_plan_problem",
+            "What is wrong on this page",
+        )
+        self.form = QFormLayout()
+        field(self.form, "&Begin or take up", self.begin)
+        row = QHBoxLayout()
+        row.addWidget(self.settings, 1)
+        row.addWidget(self.browse)
+        label = QLabel("&Settings file")
+        label.setBuddy(self.settings)
+        self.form.addRow(label, row)
+        column = QVBoxLayout(self)
+        column.addLayout(self.form)
+        column.addWidget(self.summary)
+        column.addStretch(1)
+        column.addWidget(self.problem)
+        self.begin.currentIndexChanged.connect(self.summarise)
+        self.plan.currentIndexChanged.connect(self.summarise)
+        self.settings.editingFinished.connect(self.read_settings)
+        self.browse.clicked.connect(self._browse)
+
+    def finish(self) -> None:
+        """Add the last row and take the settings; a subject has added its fields."""
+        field(self.form, "&Operator", self.operator)
+        self.show_settings()
+        self.read_settings()
+
+    # --- what a subject says ---------------------------------------------------------------------
+
+    @property
+    @abstractmethod
+    def of_the_plan(self) -> tuple[QWidget, ...]:
+        """Return the fields that a journal has decided already; the first is the likely culprit."""
+
+    @abstractmethod
+    def show_settings(self) -> None:
+        """Take the fields from the settings."""
+
+    @abstractmethod
+    def stated(self) -> Any:
+        """Return the settings with what the fields say, the operator aside."""
+
+    @abstractmethod
+    def wanted(self) -> Any:
+        """Return the plan that the fields say; raise UnusableInput or ValueError."""
+
+    @abstractmethod
+    def describe(self, plan: Any) -> str:
+        """Return what a plan means, in words."""
+
+    # --- the page --------------------------------------------------------------------------------
+
+    def initializePage(self) -> None:
+        """Offer a new calibration and every journal without a record, the newest first."""
+        self.begin.clear()
+        self.begin.addItem(NEW, None)
+        for path in sorted(self._folder.glob(f"{self._journals}-*.journal"), reverse=True):
+            if not path.with_suffix(".json").exists():
+                self.begin.addItem(f"Take up {path.stem}", str(path))
+        self.summarise()
+
+    def validatePage(self) -> bool:
+        """Begin or take up; what is wrong is said below, with the focus where it is."""
+        for box in self.findChildren(QAbstractSpinBox):
+            box.interpretText()
+        chosen = self.begin.currentData()
+        stamp = time.strftime("%Y%m%d-%H%M%S")
+        journal = Path(chosen) if chosen else self._folder / f"{self._journals}-{stamp}.journal"
+        try:
+            self._live.open(self.settings_now(), journal, None if chosen else self.wanted())
+        except UnusableInput as error:
+            self.problem.setText(str(error))
+            self.of_the_plan[0].setFocus()
+            return False
+        self.problem.clear()
+        return True
+
+    def settings_now(self) -> Any:
+        """Return the settings with what all fields say."""
+        given, replace = self.stated(), msgspec.structs.replace
+        paper = replace(given.paperwork, operator=self.operator.text().strip())
+        return replace(given, paperwork=paper)
+
+    def read_settings(self) -> None:
+        """Take the fields from the settings file, if one is named."""
+        name = self.settings.text().strip()
+        if name:
+            try:
+                self._given = read_document(Path(name), type(self._given)).record
+                self.show_settings()
+            except UnusableInput as error:
+                self.problem.setText(str(error))
+                return
+            self.problem.clear()
+            self.operator.setText(self._given.paperwork.operator or self.operator.text())
+        self.summarise()
+
+    def summarise(self) -> None:
+        """Say what the fields mean."""
+        anew = not self.begin.currentData()
+        for widget in (self.plan, *self.of_the_plan):
+            widget.setEnabled(anew)
+        if not anew:
+            self.summary.setText("The plan and all readings are those of the journal.")
+            return
+        try:
+            self.summary.setText(self.describe(self.wanted()))
+        except (UnusableInput, ValueError) as error:
+            self.summary.setText(str(error))
+
+    def _browse(self) -> None:
+        """Open the dialog for a settings file."""
+        dialog = QFileDialog(self, "Choose settings", filter="Settings (*.toml)")
+        dialog.setObjectName(f"choose_{self._stem}_settings")
+        dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+        dialog.setModal(False)
+        dialog.fileSelected.connect(self._chosen)
+        dialog.show()
+
+    def _chosen(self, name: str) -> None:
+        self.settings.setText(name)
+        self.read_settings()
+
+
+class LoadCellPlanPage(PlanPage):
+    """Choose plan, weights and the place where they hang."""
+
+    def __init__(self, live: LiveCalibration, folder: Path, settings: Path | None) -> None:
+        super().__init__(
+            live,
+            folder,
+            settings,
+            LoadCellFile(schema=1, cell=CellSection(name="Load cell")),
+            stem="calibration",
+            journals="calibration",
+            plans={
+                "daily": "Daily check: one weight at 4 pin angles",
+                "routine": "Routine: 4 pin angles, 5 loads up and down",
+                "full": "Full: 12 pin angles, 10 loads up and down",
+            },
+            item=("cell", "Name of the load cell"),
+        )
         self.setTitle("Plan and weights")
         self.setSubTitle(
             "Every reading is saved at once. You can close the wizard at any time and take the"
             " calibration up again."
         )
-        self.begin = QComboBox()
-        named(self.begin, "calibration_begin", "Begin or take up")
-        self.settings = QLineEdit(str(settings) if settings is not None else "")
-        self.settings.setPlaceholderText("none: the fields below are enough")
-        named(self.settings, "calibration_settings", "Settings file of the calibration")
-        self.browse = QPushButton("Bro&wse…")
-        named(self.browse, "calibration_browse", "Choose a settings file")
-        self.cell = QLineEdit(self._given.cell.name)
-        named(self.cell, "calibration_cell", "Name of the load cell")
-        self.plan = QComboBox()
-        for key, words in WORDS.items():
-            self.plan.addItem(words, key)
-        self.plan.setCurrentIndex(1)
-        named(self.plan, "calibration_plan", "Plan")
         self.weights = QLineEdit("5x8, 2, 2, 1, 0.5")
         named(self.weights, "calibration_weights", "Weights, kilograms; 5x8 are eight of 5 kg")
         self.hanger = number(0.0, 20.0, 4, 0.1, "kg")
@@ -75,123 +240,177 @@ class PlanPage(QWizardPage):
         self.gravity = number(9.76, 9.84, 5, 0.0001, "m/s²")
         self.gravity.setValue(ROUNDED_GRAVITY)
         named(self.gravity, "calibration_gravity", "Local gravity, metres per second squared")
-        self.operator = QLineEdit(bench.rig.operator)
-        named(self.operator, "calibration_operator", "Operator")
-        self.summary = prose("calibration_summary", "What this means")
-        self.problem = prose("plan_problem", "What is wrong on this page")
-        self._build()
-        self.read_settings()
+        for text, widget in (
+            ("&Load cell", self.item),
+            ("&Plan", self.plan),
+            ("W&eights (kg)", self.weights),
+            ("&Hanger", self.hanger),
+            ("Local &gravity", self.gravity),
+        ):
+            field(self.form, text, widget)
+        self.finish()
+        self.weights.textChanged.connect(self.summarise)
+        self.hanger.valueChanged.connect(self.summarise)
+        self.gravity.valueChanged.connect(self.summarise)
 
-    def _build(self) -> None:
-        form = QFormLayout()
-        field(form, "&Begin or take up", self.begin)
-        settings_row(form, self.settings, self.browse)
-        field(form, "&Load cell", self.cell)
-        field(form, "&Plan", self.plan)
-        field(form, "W&eights (kg)", self.weights)
-        field(form, "&Hanger", self.hanger)
-        field(form, "Local &gravity", self.gravity)
-        field(form, "&Operator", self.operator)
-        column = QVBoxLayout(self)
-        column.addLayout(form)
-        column.addWidget(self.summary)
-        column.addStretch(1)
-        column.addWidget(self.problem)
-        self.plan.currentIndexChanged.connect(self._summarise)
-        self.weights.textChanged.connect(self._summarise)
-        self.hanger.valueChanged.connect(self._summarise)
-        self.gravity.valueChanged.connect(self._summarise)
-        self.begin.currentIndexChanged.connect(self._summarise)
-        self.settings.editingFinished.connect(self.read_settings)
-        self.browse.clicked.connect(self._browse)
+    @property
+    def of_the_plan(self) -> tuple[QWidget, ...]:
+        """Return the weights."""
+        return (self.weights,)
 
-    def initializePage(self) -> None:
-        """Offer what can be taken up."""
-        offer_journals(self.begin, NEW, self._folder, JOURNALS)
-        self._summarise()
+    def show_settings(self) -> None:
+        """Take cell, hanger and gravity from the settings."""
+        self.item.setText(self._given.cell.name)
+        place = self._given.place
+        if place.gravity_m_s2 is not None or place.latitude_deg is not None:
+            meaning = load_cell_meaning(self._given, "settings")
+            self.hanger.setValue(meaning.weights.hanger_mass)
+            self.gravity.setValue(meaning.place.gravity)
 
-    def validatePage(self) -> bool:
-        """Begin or take up; what is wrong is said below, with the focus where it is."""
-        for box in (self.hanger, self.gravity):
-            box.interpretText()
-        try:
-            journal = chosen_journal(self.begin, self._folder, JOURNALS)
-            self._bench.open(self._settings(), journal, self._wish())
-        except UnusableInput as error:
-            self.problem.setText(str(error))
-            self.weights.setFocus()
-            return False
-        self.problem.clear()
-        return True
-
-    def read_settings(self) -> None:
-        """Take the fields from the settings file, if one is named."""
-        name = self.settings.text().strip()
-        if not name:
-            return
-        try:
-            self._given, meaning = read_load_cell_settings(Path(name))
-        except UnusableInput as error:
-            self.problem.setText(str(error))
-            return
-        self.problem.clear()
-        self.cell.setText(self._given.cell.name)
-        self.hanger.setValue(meaning.weights.hanger_mass)
-        self.gravity.setValue(meaning.place.gravity)
-        self.operator.setText(self._given.paperwork.operator or self.operator.text())
-        self._summarise()
-
-    def _settings(self) -> LoadCellFile:
+    def stated(self) -> LoadCellFile:
+        """Return the settings with cell, hanger and gravity."""
         given, replace = self._given, msgspec.structs.replace
         place = given.place
         if place.gravity_m_s2 is not None or place.latitude_deg is None:
             place = replace(place, gravity_m_s2=self.gravity.value())
-        return replace(
+        stated: LoadCellFile = replace(
             given,
-            cell=replace(given.cell, name=self.cell.text().strip() or "Load cell"),
+            cell=replace(given.cell, name=self.item.text().strip() or "Load cell"),
             weights=replace(given.weights, hanger_mass_kg=self.hanger.value()),
             place=place,
-            paperwork=replace(given.paperwork, operator=self.operator.text().strip()),
         )
+        return stated
 
-    def _wish(self) -> Wish | None:
-        if self.begin.currentData():
-            return None
-        return Wish(PLANS[self.plan.currentData()], parse_pieces(self.weights.text()))
+    def wanted(self) -> LoadCellPlan:
+        """Return the plan that the fields say."""
+        settings = load_cell_meaning(self.settings_now(), "settings")
+        return load_cell_plan(self.plan.currentData(), self.weights.text(), settings)
 
-    def _summarise(self) -> None:
-        anew = not self.begin.currentData()
-        for widget in (self.plan, self.weights):
-            widget.setEnabled(anew)
-        if not anew:
-            self.summary.setText("Plan, weights and all readings are those of the journal.")
-            return
-        try:
-            pieces = parse_pieces(self.weights.text())
-            settings = load_cell_meaning(self._settings(), "settings")
-            heaviest = heaviest_load(pieces, settings)
-            steps = make_plan(PLANS[self.plan.currentData()], heaviest, pieces)
-        except (UnusableInput, ValueError) as error:
-            self.summary.setText(str(error))
-            return
+    def describe(self, plan: LoadCellPlan) -> str:
+        """Return what a plan means, in words."""
+        steps = plan.steps()
         most = max(step.mass for step in steps)
         readings = sum(1 for step in steps if step.series)
-        hours, minutes = divmod(round(time_needed(steps) / 60.0), 60)
-        needed = f"{hours} h {minutes} min" if hours else f"{minutes} min"
         text = (
-            f"{len(pieces)} pieces, {sum(pieces):g} kg in all. The heaviest load is {most:g} kg;"
-            f" {readings} readings, about {needed}."
+            f"{len(plan.pieces)} pieces, {sum(plan.pieces):g} kg in all. The heaviest load is"
+            f" {most:g} kg; {readings} readings, about {duration_words(steps)}."
         )
-        if settings.gravity_stated and abs(self.gravity.value() - ROUNDED_GRAVITY) < 1e-6:
+        place = self.stated().place
+        stated = place.gravity_m_s2 is not None
+        if stated and abs(self.gravity.value() - ROUNDED_GRAVITY) < 1e-6:
             text += (
                 "\n9.81 m/s² is a rounded value, up to 0.3 % off: write the gravity of this place,"
                 " or name a settings file with latitude and height."
             )
-        self.summary.setText(text)
+        return text
 
-    def _browse(self) -> None:
-        choose_settings(self, "choose_calibration_settings", self._chosen)
 
-    def _chosen(self, name: str) -> None:
-        self.settings.setText(name)
-        self.read_settings()
+class ProbePlanPage(PlanPage):
+    """Choose probe, positions and how far they reach."""
+
+    def __init__(
+        self, live: LiveCalibration, folder: Path, settings: Path | None, probe: str
+    ) -> None:
+        super().__init__(
+            live,
+            folder,
+            settings,
+            ProbeFile(schema=1),
+            stem="probe",
+            journals="probes",
+            plans={"routine": "Routine: once up and down", "full": "Full: three times up and down"},
+            item=("name", "Name of the probe"),
+        )
+        self._reach_typed = False
+        self.setTitle("Probe and plan")
+        self.setSubTitle(
+            "A micrometer moves the target in equal steps, up and down; the voltage is read at each"
+            " step. Every reading is saved at once: close at any time and take it up again."
+        )
+        words = {
+            "1": "Probe 1, along the follower",
+            "2": "Probe 2, across the follower",
+            "both": "Both probes, and how they stand to each other",
+        }
+        self.probe = choice(words, "probe_which", "Which probe", at=list(PROBES).index(probe))
+        self.positions = QSpinBox()
+        self.positions.setRange(FEWEST_POSITIONS, MOST_POSITIONS)
+        self.positions.setValue(11)
+        self.positions.setMinimumHeight(24)
+        named(self.positions, "probe_positions", "Positions of a run")
+        self.reach = number(1.0, 10000.0, 1, 10.0, "µm")
+        named(self.reach, "probe_reach", "Largest position, micrometres")
+        self.micrometer = number(0.01, 100.0, 2, 0.1, "µm")
+        spoken = "Standard uncertainty of the micrometer, micrometres"
+        named(self.micrometer, "probe_micrometer", spoken)
+        for text, widget in (
+            ("&Calibrate", self.probe),
+            ("N&ame", self.item),
+            ("&Plan", self.plan),
+            ("Posi&tions of a run", self.positions),
+            ("From − to + th&is position", self.reach),
+            ("u of the &micrometer", self.micrometer),
+        ):
+            field(self.form, text, widget)
+        self.finish()
+        self.item.setText("Probe")
+        self.probe.currentIndexChanged.connect(self.summarise)
+        self.positions.valueChanged.connect(self._propose)
+        self.reach.valueChanged.connect(self.summarise)
+        self.reach.textChanged.connect(self._typed)
+        live.looked.connect(self._propose)
+
+    @property
+    def of_the_plan(self) -> tuple[QWidget, ...]:
+        """Return reach, probe and positions."""
+        return (self.reach, self.probe, self.positions)
+
+    def initializePage(self) -> None:
+        """Offer what can be taken up, and a reach."""
+        super().initializePage()
+        self._propose()
+
+    def show_settings(self) -> None:
+        """Take name and micrometer from the settings."""
+        self.item.setText(self._given.probe.name)
+        self.micrometer.setValue(self._given.probe.micrometer_standard_uncertainty_um)
+
+    def stated(self) -> ProbeFile:
+        """Return the settings with name and micrometer."""
+        probe = msgspec.structs.replace(
+            self._given.probe,
+            name=self.item.text().strip() or "Probe",
+            micrometer_standard_uncertainty_um=self.micrometer.value(),
+        )
+        stated: ProbeFile = msgspec.structs.replace(self._given, probe=probe)
+        return stated
+
+    def wanted(self) -> ProbePlan:
+        """Return the plan that the fields say."""
+        which, plan = self.probe.currentData(), self.plan.currentData()
+        return probe_plan(which, plan, self.reach.value(), self.positions.value())
+
+    def describe(self, plan: ProbePlan) -> str:
+        """Return what a plan means, in words."""
+        steps = plan.steps()
+        readings = sum(1 for step in steps if step.series)
+        text = (
+            f"Steps of {1e6 * plan.step_size:g} µm; {readings} readings, about"
+            f" {duration_words(steps)}."
+        )
+        if len(plan.probes) > 1:
+            text += " With both probes the stage moves along the follower first, then across it."
+        return text
+
+    def _typed(self) -> None:
+        self._reach_typed = self._reach_typed or self.reach.hasFocus()
+
+    def _propose(self) -> None:
+        """Propose 80 % of the range, once the engine has told the sensitivity in use."""
+        view = self._live.view
+        if self._reach_typed or self._live.session is not None:
+            return
+        if view is not None:
+            known, range_V = view["sensitivity_um_per_V"], self._given.probe.range_V
+            self.reach.setValue(usual_reach_um(known, range_V, self.positions.value()))
+        self.summarise()

@@ -1,87 +1,103 @@
-"""Third page: what to hang next, whether it is steady, record; all readings and what is left."""
+"""The pages on which readings are taken: with weights, and with a micrometer."""
 
 from __future__ import annotations
 
 import math
+from typing import Any
+
+from PySide6.QtWidgets import QFormLayout
 
 from calibration.load_cell.plans import StepKind
-from calibration.load_cell.procedure import Procedure
-from rigapp.calibrating.practice import Mistake
+from calibration.probes.procedure import ProbeStepKind
+from calibration.taking.signals import Readiness
 from rigapp.gui.plots.palette import Theme
-from rigapp.gui.wizard.bench import Bench
 from rigapp.gui.wizard.hands_panel import HandsPanel
-from rigapp.gui.wizard.parts import ResidualPlot
+from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.gui.wizard.parts import field, load_cell_plot, named, number, probe_plot
 from rigapp.gui.wizard.taking_page import RECORD, TakingPage, TakingWords
 
-WORDS = TakingWords(
+WEIGHING = TakingWords(
     prefix="",
     progress="calibration_progress",
     live="Signals now",
     reject="Reject the selected reading and repeat its series",
     reason="Rea&son",
     columns=("Series", "Step", "Mass (kg)", "Angle (deg)", "Signal 1", "Signal 2", "State"),
+    buttons={StepKind.TURN: "The pin is &turned", StepKind.PRELOAD: "The preload is d&one"},
 )
-BUTTON = {StepKind.TURN: "The pin is &turned", StepKind.PRELOAD: "The preload is d&one"}
+MEASURING = TakingWords(
+    prefix="probe_",
+    progress="probe_progress",
+    live="Voltages now",
+    reject="Reject the selected reading, repeat its series",
+    reason="Re&ason",
+    columns=("Series", "Step", "Position (µm)", "Probe 1 (V)", "Probe 2 (V)", "State"),
+    buttons={
+        ProbeStepKind.MOUNT: "The &target stands before the probe",
+        ProbeStepKind.READING: RECORD,
+    },
+)
 
 
-class ReadingsPage(TakingPage):
-    """Take all readings of the plan."""
+class LoadCellReadingsPage(TakingPage):
+    """What to hang next, whether it is steady, record; all readings and what is left."""
 
-    _bench: Bench
+    def __init__(self, live: LiveCalibration, theme: Theme) -> None:
+        super().__init__(live, theme, WEIGHING, load_cell_plot(theme))
+        self.lay_out(HandsPanel(live))
 
-    def __init__(self, bench: Bench, theme: Theme) -> None:
-        super().__init__(bench, theme, WORDS)
-        self.plot = ResidualPlot(theme)
-        self.hands = HandsPanel(bench, Mistake)
-        self.lay_out(self.plot, self.hands)
-        self.listen(bench.take, self._look, self._move)
-
-    def initializePage(self) -> None:
-        """Show what is there; Enter records."""
-        self.hands.setVisible(self._bench.rig.simulated)
-        self._move()
-        self._look()
-        self.record.setFocus()
-
-    def _move(self) -> None:
-        session = self._bench.session
-        if session is None:
-            return
-        procedure = session.procedure
-        record = None if procedure.done else BUTTON.get(procedure.step.kind, RECORD)
-        self.show_step(procedure, procedure.instruction, record)
-        for widget in (self.stability, self.record):
-            widget.setVisible(not procedure.done)
-        self.fill(procedure, lambda row: _cells(procedure, row))
-        self.plot.show_session(session)
-        self.completeChanged.emit()
-
-    def _look(self) -> None:
-        session = self._bench.session
-        if session is None or not self.isVisible():
-            return
-        readiness = self.show_readiness(session.procedure)
-        if readiness is None or math.isnan(readiness.felt):
-            self.live.setText("")
-            return
+    def live_words(self, readiness: Readiness) -> str:
+        """Return signals, the force that is felt and the one that should hang."""
+        session = self.live_calibration.session
         one, two = readiness.steadiness.mean
         unit = session.given.cell.signal_unit
         text = f"Signals {one:+.5f}, {two:+.5f} {unit}: the cell feels {readiness.felt:.1f} N"
-        expected = session.expected_force()
-        if not session.procedure.done and session.procedure.step.kind is not StepKind.TURN:
-            text += f"; what should hang weighs {expected:.1f} N"
-        self.live.setText(text + ".")
+        procedure = session.procedure
+        if not procedure.done and procedure.step.kind is not StepKind.TURN:
+            text += f"; what should hang weighs {session.expected_force():.1f} N"
+        return text + "."
+
+    def cells(self, reading: Any) -> tuple[str, ...]:
+        """Return mass and angle of a reading in words."""
+        return (f"{reading.mass:g}", f"{math.degrees(reading.angle):.1f}")
 
 
-def _cells(procedure: Procedure, row: int) -> tuple[str, ...]:
-    """Return series, step, mass, angle and signals of a reading in words."""
-    one = procedure.taken[row]
-    step = procedure.steps[one.step]
-    return (
-        step.series,
-        str(step.number),
-        f"{one.mass:g}",
-        f"{math.degrees(one.angle):.1f}",
-        f"{one.signal[0]:+.5f}",
-        f"{one.signal[1]:+.5f}",
-    )
+class ProbeReadingsPage(TakingPage):
+    """Where to turn the micrometer, whether it is steady, record."""
+
+    def __init__(self, live: LiveCalibration, theme: Theme) -> None:
+        super().__init__(live, theme, MEASURING, probe_plot(theme))
+        self.shown = number(-20000.0, 20000.0, 1, 1.0, "µm")
+        named(self.shown, "probe_shown", "Position that the micrometer shows, micrometres")
+        form = QFormLayout()
+        field(form, "Micrometer &shows", self.shown)
+        self.lay_out(HandsPanel(live, "probe_hands", "T&urn the micrometer"), form)
+
+    def read_off(self) -> float | None:
+        """Return what the micrometer shows, m."""
+        self.shown.interpretText()
+        return 1e-6 * self.shown.value()
+
+    def show_step(self) -> None:
+        """Show the step under way and offer its position."""
+        super().show_step()
+        procedure = self.live_calibration.session.procedure
+        reading = not procedure.done and procedure.step.kind is ProbeStepKind.READING
+        if not procedure.done:
+            self.shown.setValue(1e6 * procedure.step.position)
+        self.shown.setEnabled(reading)
+
+    def live_words(self, readiness: Readiness) -> str:
+        """Return the voltages and where the probe stands."""
+        procedure = self.live_calibration.session.procedure
+        if procedure.done:
+            return ""
+        one, two = readiness.steadiness.mean
+        return (
+            f"Probe 1 {one:+.4f} V, probe 2 {two:+.4f} V. By the calibration in use probe"
+            f" {procedure.step.probe} stands at {1e6 * readiness.felt:+.1f} µm."
+        )
+
+    def cells(self, reading: Any) -> tuple[str, ...]:
+        """Return the position of a reading in words."""
+        return (f"{1e6 * reading.position:.1f}",)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from abc import abstractmethod
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
-from PySide6.QtCore import Qt, SignalInstance
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFormLayout,
@@ -19,97 +21,25 @@ from PySide6.QtWidgets import (
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
-    QWidget,
     QWizardPage,
 )
 
-from calibration.load_cell.live import Readiness
-from rigapp.calibrating.live_calibration import Rig
+from calibration.taking.signals import Readiness
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.hands_panel import HandsPanel
-from rigapp.gui.wizard.parts import Stability, larger, named, prose
+from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.gui.wizard.parts import ResidualPlot, Stability, larger, named, prose
 
 RECORD = "&Record"
 
 
-class Plan(Protocol):
-    """What the page needs of a calibration in progress."""
-
-    @property
-    def done(self) -> bool:
-        """Tell whether every step has been taken."""
-        ...
-
-    @property
-    def progress(self) -> str:
-        """Return where the calibration stands."""
-        ...
-
-    @property
-    def steps(self) -> Sequence[Any]:
-        """Return all steps."""
-        ...
-
-    @property
-    def position(self) -> int:
-        """Return the number of the step to do now, from 0."""
-        ...
-
-    @property
-    def taken(self) -> Sequence[Any]:
-        """Return all readings, those rejected as well."""
-        ...
-
-
-class Session(Protocol):
-    """A calibration under way."""
-
-    @property
-    def procedure(self) -> Plan:
-        """Return its state."""
-        ...
-
-
-class TakingBench(Protocol):
-    """What the page needs of a bench."""
-
-    rig: Rig
-    readiness: Readiness | None
-    goes_ahead: bool
-
-    @property
-    def session(self) -> Session | None:
-        """Return the calibration under way."""
-        ...
-
-    @property
-    def hands_busy(self) -> bool:
-        """Tell whether the simulated hands are at work."""
-        ...
-
-    @property
-    def looked(self) -> SignalInstance:
-        """Tell after each look at the signals."""
-        ...
-
-    @property
-    def moved(self) -> SignalInstance:
-        """Tell after each step."""
-        ...
-
-    @property
-    def said(self) -> SignalInstance:
-        """Tell what stands against a step; empty when nothing does."""
-        ...
-
-    def reject(self, index: int, reason: str) -> bool:
-        """Reject a reading with a reason."""
-        ...
-
-
 @dataclass(frozen=True, slots=True)
 class TakingWords:
-    """Names and words of the page. prefix: of the widgets' names; columns: of the table."""
+    """Names and words of the page.
+
+    prefix: of the widgets' names; columns: of the table; buttons: kind of a step -> what the button
+    says, in place of ``RECORD``.
+    """
 
     prefix: str
     progress: str
@@ -117,16 +47,18 @@ class TakingWords:
     reject: str
     reason: str
     columns: tuple[str, ...]
+    buttons: Mapping[Any, str]
 
 
 class TakingPage(QWizardPage):
-    """Hold the widgets of a page for readings; a page for one sensor says what they show."""
+    """Take all readings of the plan; a subject says what the widgets show."""
 
-    _bench: TakingBench
-
-    def __init__(self, bench: TakingBench, theme: Theme, words: TakingWords) -> None:
+    def __init__(
+        self, live: LiveCalibration, theme: Theme, words: TakingWords, plot: ResidualPlot
+    ) -> None:
+        """Make the widgets; plot: of the residuals so far."""
         super().__init__()
-        self._bench, self._words = bench, words
+        self.live_calibration, self._words, self.plot = live, words, plot
         prefix = words.prefix
         self.setTitle("Readings")
         self.instruction = prose(f"{prefix}instruction", "What to do now")
@@ -150,12 +82,12 @@ class TakingPage(QWizardPage):
         self.reject_button = QPushButton("Re&ject and repeat its series")
         named(self.reject_button, f"{prefix}reject", words.reject)
 
-    def lay_out(self, plot: QWidget, hands: HandsPanel, form: QFormLayout | None = None) -> None:
+    def lay_out(self, hands: HandsPanel, form: QFormLayout | None = None) -> None:
         """Put all in its place; ``form``: what is entered before a reading is recorded."""
+        self.hands = hands
         left = QVBoxLayout()
-        left.addWidget(self.instruction)
-        left.addWidget(self.stability)
-        left.addWidget(self.live)
+        for widget in (self.instruction, self.stability, self.live):
+            left.addWidget(widget)
         if form is not None:
             left.addLayout(form)
         left.addWidget(self.record)
@@ -165,7 +97,7 @@ class TakingPage(QWizardPage):
         left.addWidget(self.progress)
         upper = QHBoxLayout()
         upper.addLayout(left, 1)
-        upper.addWidget(plot, 1)
+        upper.addWidget(self.plot, 1)
         why = QLabel(self._words.reason)
         why.setBuddy(self.reason)
         row = QHBoxLayout()
@@ -177,60 +109,86 @@ class TakingPage(QWizardPage):
         column.addWidget(self.table, 1)
         column.addLayout(row)
         column.addWidget(hands)
-
-    def listen(
-        self,
-        take: Callable[[], object],
-        look: Callable[[], None],
-        move: Callable[[], None],
-    ) -> None:
-        """Connect the widgets and the bench: take a reading, show the signals, show the step."""
-
-        def record() -> None:
-            take()
-            if self.record.isEnabled():
-                self.record.setFocus()
-
-        self.record.clicked.connect(record)
+        self.record.clicked.connect(self._record)
         self.reject_button.clicked.connect(self._reject)
         self.reason.textChanged.connect(self._enable)
         self.table.itemSelectionChanged.connect(self._enable)
-        self._bench.looked.connect(look)
-        self._bench.moved.connect(move)
-        self._bench.said.connect(self.problem.setText)
+        self.live_calibration.looked.connect(self._look)
+        self.live_calibration.moved.connect(self._move)
+        self.live_calibration.said.connect(self.problem.setText)
+
+    # --- what a subject says ---------------------------------------------------------------------
+
+    @abstractmethod
+    def live_words(self, readiness: Readiness) -> str:
+        """Return what the signals say now."""
+
+    @abstractmethod
+    def cells(self, reading: Any) -> tuple[str, ...]:
+        """Return what a reading was taken at, in words."""
+
+    def read_off(self) -> float | None:
+        """Return what the operator read off, SI; None where nothing is."""
+        return None
+
+    # --- the page --------------------------------------------------------------------------------
+
+    def initializePage(self) -> None:
+        """Show the step under way, with the focus where it records."""
+        self.hands.setVisible(self.live_calibration.rig.simulated)
+        self._move()
+        self._look()
+        self.record.setFocus()
 
     def isComplete(self) -> bool:
         """Tell whether all readings are taken."""
-        session = self._bench.session
-        return session is not None and session.procedure.done
+        session = self.live_calibration.session
+        return session is not None and bool(session.procedure.done)
 
-    def show_step(self, procedure: Plan, instruction: str, record: str | None) -> None:
-        """Show what to do and how far it is; ``record``: what the button says, unless done."""
-        self.instruction.setText(instruction)
-        self.left.setText(procedure.progress[:1].upper() + procedure.progress[1:])
+    def show_step(self) -> None:
+        """Show what to do and how far it is."""
+        procedure = self.live_calibration.session.procedure
+        self.instruction.setText(procedure.instruction.replace(" um", " µm"))
         self.progress.setRange(0, len(procedure.steps))
         self.progress.setValue(procedure.position)
-        if record is None:
+        for widget in (self.stability, self.record):
+            widget.setVisible(not procedure.done)
+        if procedure.done:
             self.left.setText("All steps are done.")
-        else:
-            self.record.setText(record)
-            self.record.setAccessibleName(record.replace("&", ""))
+            return
+        self.left.setText(procedure.progress[:1].upper() + procedure.progress[1:])
+        button = self._words.buttons.get(procedure.step.kind, RECORD)
+        self.record.setText(button)
+        self.record.setAccessibleName(button.replace("&", ""))
 
-    def show_readiness(self, procedure: Plan) -> Readiness | None:
-        """Show whether the signal is steady, offer to record then, keep the focus; return it."""
-        bench, readiness = self._bench, self._bench.readiness
+    def _move(self) -> None:
+        if self.live_calibration.session is None:
+            return
+        self.show_step()
+        self._fill()
+        self.plot.show_residuals(self.live_calibration.session.residuals())
+        self.completeChanged.emit()
+
+    def _look(self) -> None:
+        """Show whether the signal is steady, offer to record then, keep the focus."""
+        live = self.live_calibration
+        if live.session is None or not self.isVisible():
+            return
+        readiness = live.readiness
         self.stability.show_readiness(readiness, "no signals from the engine")
-        usable = readiness is not None and readiness.ready and not procedure.done
+        usable = readiness is not None and readiness.ready and not live.session.procedure.done
         had_focus = self.record.hasFocus()
-        self.record.setEnabled(usable and not bench.goes_ahead and not bench.hands_busy)
+        self.record.setEnabled(usable and not live.goes_ahead and not live.hands_busy)
         if had_focus and not self.record.isEnabled():
             self.setFocus()
         elif self.record.isEnabled() and self.focusWidget() in (None, self, self.record):
             self.record.setFocus()
-        return readiness
+        known = readiness is not None and not math.isnan(readiness.felt)
+        self.live.setText(self.live_words(readiness) if readiness is not None and known else "")
 
-    def fill(self, procedure: Plan, cells: Callable[[int], tuple[str, ...]]) -> None:
-        """Show all readings; ``cells``: the words of a reading before its state."""
+    def _fill(self) -> None:
+        """Show all readings."""
+        procedure = self.live_calibration.session.procedure
         taken, last = procedure.taken, len(self._words.columns) - 1
         self.table.setRowCount(len(taken))
         for row, one in enumerate(taken):
@@ -238,7 +196,10 @@ class TakingPage(QWizardPage):
             known = self.table.item(row, last)
             if known is not None and known.text() == state and row != len(taken) - 1:
                 continue
-            for place, text in enumerate((*cells(row), state)):
+            step = procedure.steps[one.step]
+            signals = (f"{signal:+.5f}" for signal in one.signal)
+            texts = (step.series, str(step.number), *self.cells(one), *signals, state)
+            for place, text in enumerate(texts):
                 item = QTableWidgetItem(text)
                 font = item.font()
                 font.setStrikeOut(bool(one.rejected) and place < last)
@@ -247,9 +208,14 @@ class TakingPage(QWizardPage):
         self.table.scrollToBottom()
         self._enable()
 
+    def _record(self) -> None:
+        self.live_calibration.take(self.read_off())
+        if self.record.isEnabled():
+            self.record.setFocus()
+
     def _reject(self) -> None:
         row = self.table.currentRow()
-        if row >= 0 and self._bench.reject(row, self.reason.text()):
+        if row >= 0 and self.live_calibration.reject(row, self.reason.text()):
             self.reason.clear()
             self.table.clearSelection()
 

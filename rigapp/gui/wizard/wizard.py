@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QWidget, QWizard
+from PySide6.QtWidgets import QWidget, QWizard, QWizardPage
 
-from rigapp.calibrating.live_calibration import Rig
+from rigapp.calibrating.session import Rig
+from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.angle_page import AnglePage
-from rigapp.gui.wizard.bench import Bench
-from rigapp.gui.wizard.hands_queue import Line
-from rigapp.gui.wizard.plan_page import PlanPage
-from rigapp.gui.wizard.readings_page import ReadingsPage
-from rigapp.gui.wizard.result_pages import CertificatePage, ResultPage
+from rigapp.gui.wizard.certificate_page import CertificatePage
+from rigapp.gui.wizard.hands_queue import AskLater
+from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.gui.wizard.parts import ResidualPlot, probe_plot
+from rigapp.gui.wizard.plan_page import LoadCellPlanPage, PlanPage, ProbePlanPage
+from rigapp.gui.wizard.readings_page import LoadCellReadingsPage, ProbeReadingsPage
+from rigapp.gui.wizard.result_page import ResultPage
+from rigapp.gui.wizard.taking_page import TakingPage
 
 BUTTONS = {
     QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
@@ -25,53 +31,88 @@ BUTTONS = {
 }
 
 
-def dress(wizard: QWizard, name: str, what: str) -> None:
-    """Give a wizard for the calibration of something its name, title and style."""
-    wizard.setObjectName(name)
-    wizard.setWindowTitle(f"Calibrate {what} – rigapp")
-    wizard.setAccessibleName(f"Calibration of {what}")
-    wizard.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
-    wizard.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
-    wizard.setModal(False)
+PlanMaker = Callable[[LiveCalibration, Path, Path | None, str], PlanPage]
 
 
-def name_buttons(wizard: QWizard) -> None:
-    """Give the buttons of a wizard their words and names."""
-    for which, (text, spoken) in BUTTONS.items():
-        wizard.setButtonText(which, text)
-        button = wizard.button(which)
-        button.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
-        button.setAccessibleName(spoken)
+@dataclass(frozen=True, slots=True)
+class SubjectPages:
+    """The pages of a subject of ``SUBJECTS``.
+
+    name: of the wizard; what: in its title; prefix: of the widgets' names. plan (calibration,
+    folder, settings file, which of several), readings, and angle if there is an angle reference;
+    plot: of the residuals beside the result, if there is one.
+    """
+
+    name: str
+    what: str
+    prefix: str
+    plan: PlanMaker
+    readings: Callable[[LiveCalibration, Theme], TakingPage]
+    angle: Callable[[LiveCalibration, Theme], AnglePage] | None = None
+    plot: Callable[[Theme], ResidualPlot] | None = None
+
+
+PAGES = {
+    "load cell": SubjectPages(
+        name="calibration_wizard",
+        what="the load cell",
+        prefix="",
+        plan=lambda live, folder, settings, _: LoadCellPlanPage(live, folder, settings),
+        readings=LoadCellReadingsPage,
+        angle=AnglePage,
+    ),
+    "probes": SubjectPages(
+        name="probe_wizard",
+        what="the probes",
+        prefix="probe_",
+        plan=ProbePlanPage,
+        readings=ProbeReadingsPage,
+        plot=probe_plot,
+    ),
+}
 
 
 class CalibrationWizard(QWizard):
-    """Guide through the calibration of the load cell. Closing loses no reading."""
+    """Guide through the calibration of a subject. Closing loses no reading."""
 
     def __init__(
         self,
-        line: Line,
+        line: AskLater,
         rig: Rig,
         theme: Theme,
         folder: Path,
         settings: Path | None = None,
         parent: QWidget | None = None,
+        *,
+        subject: str = "load cell",
+        which: str = "",
     ) -> None:
+        """Make the pages of a subject; which: of several things of it."""
         super().__init__(parent)
-        dress(self, "calibration_wizard", "the load cell")
-        self.bench = Bench(line, rig)
-        self.plan = PlanPage(self.bench, folder, settings)
-        self.angle = AnglePage(self.bench, theme)
-        self.readings = ReadingsPage(self.bench, theme)
-        self.result_page = ResultPage(self.bench, theme, folder)
-        self.certificate = CertificatePage(self.bench)
-        for page in (
-            self.plan,
-            self.angle,
-            self.readings,
-            self.result_page,
-            self.certificate,
-        ):
+        of, pages = SUBJECTS[subject], PAGES[subject]
+        assert of.session is not None
+        assert of.place is not None
+        self.setObjectName(pages.name)
+        self.setWindowTitle(f"Calibrate {pages.what} – rigapp")
+        self.setAccessibleName(f"Calibration of {pages.what}")
+        self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
+        self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
+        self.setModal(False)
+        self.live = LiveCalibration(line, rig, of.session)
+        self.plan = pages.plan(self.live, folder, settings, which)
+        self.angle = None if pages.angle is None else pages.angle(self.live, theme)
+        self.readings = pages.readings(self.live, theme)
+        plot = None if pages.plot is None else pages.plot(theme)
+        self.result_page = ResultPage(self.live, theme, folder, pages.prefix, plot)
+        self.certificate = CertificatePage(self.live, pages.prefix, of.place)
+        before: list[QWizardPage] = [self.plan] if self.angle is None else [self.plan, self.angle]
+        before[-1].setCommitPage(True)
+        for page in (*before, self.readings, self.result_page, self.certificate):
             self.addPage(page)
-        name_buttons(self)
-        self.finished.connect(lambda _: self.bench.close())
+        for button, (text, spoken) in BUTTONS.items():
+            self.setButtonText(button, text)
+            widget = self.button(button)
+            widget.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
+            widget.setAccessibleName(spoken)
+        self.finished.connect(lambda _: self.live.close())
         self.resize(QSize(1040, 820))

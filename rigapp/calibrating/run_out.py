@@ -1,11 +1,9 @@
-"""`rigapp calibrate run-out`: slow rolls, live or recorded, become the map of the pin's run-out."""
+"""The map of the pin's run-out: from the files of slow rolls to a record."""
 
 from __future__ import annotations
 
 import hashlib
 import math
-import os
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -18,53 +16,30 @@ from calibration.turning.run_out import (
     Roll,
     RunOutError,
     RunOutMap,
-    Turn,
+    SlowRevolution,
     evaluate,
     make_map,
     spread_at,
 )
-from rigapp.calibrating.probe_results import UM
-from rigapp.calibrating.records import keep_record, problems_of, refuse_existing
-from rigapp.commands.calibrate import say_result
-from rigapp.commands.slow_roll import take_roll
-from rigapp.config.calibration_settings import RunOutFile, read_run_out_settings
+from rigapp.calibrating.probe_result import UM
+from rigapp.calibrating.records import problems_of
+from rigapp.calibrating.session import Outcome
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import parse_test, read_rig
+from rigapp.config.loading import parse_test
 from rigapp.config.parameters import ParameterFile
 from rigapp.schema.messages import Flag
 
 Array = NDArray[np.float64]
 GRID_DEG = 5
-NEEDED = "live rolls need --rig, recorded ones --from FILE.h5"
+"""The record's picture of the map; its orders are what is applied."""
+RUN_OUT_COLUMNS = ("roll", "revolution", "probe", "order", "cos_um", "sin_um")
 
 
-def calibrate_run_out(
-    rig: Path | None,
-    recorded: Sequence[Path],
-    to: Path,
-    *,
-    settings: Path | None,
-    test: Path | None,
-    rpm: str,
-    revolutions: int,
-    orders: int,
-    as_json: bool,
-) -> int:
-    """Make the map from live rolls or from recorded ones; keep a record when it is good."""
-    if (rig is None) == (not recorded):
-        raise UnusableInput(f"give --rig or --from, one of the two: {NEEDED}.")
-    given = RunOutFile(schema=1) if settings is None else read_run_out_settings(settings)
-    refuse_existing(to)
-    files = list(recorded)
-    if rig is not None:
-        operator = given.paperwork.operator or os.environ.get("USER", "")
+def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[str, Any]]]:
+    """Make a map from the files of slow rolls: outcome, readings as CSV, what is told of each file.
 
-        def say(text: str) -> None:
-            print(text, file=sys.stderr if as_json else sys.stdout, flush=True)
-
-        files = [
-            take_roll(rig, test, speed, revolutions, to, operator, say) for speed in speeds_of(rpm)
-        ]
+    Raises UnusableInput for a file that tells no map.
+    """
     from rigapp.twin.elasticmotion import DOUBTS
 
     rolls = [read_roll(path) for path in files]
@@ -72,27 +47,12 @@ def calibrate_run_out(
         found = make_map([roll for roll, _ in rolls], orders, elastic_doubts=DOUBTS)
     except RunOutError as error:
         raise UnusableInput(f"run-out: {error}.") from error
-    result = run_out_result(found)
-    if found.accepted:
-        taken = {
-            "rig": read_rig(rig).record.name if rig is not None else "",
-            "files": [dict(facts) for _, facts in rolls],
-            "orders": orders,
-        }
-        keep_record(to, "run-out map", harmonics_csv(found), given, result, taken)
-    say_result(result, to, as_json=as_json, lines=run_out_lines(found))
-    return 0 if found.accepted else 1
+    return run_out_outcome(found), harmonics_csv(found), [facts for _, facts in rolls]
 
 
-def speeds_of(text: str) -> list[float]:
-    """Return the speeds (rpm) of a text such as ``3,6``; raise UnusableInput."""
-    try:
-        speeds = [float(word) for word in text.replace(";", ",").split(",") if word.strip()]
-    except ValueError as error:
-        raise UnusableInput(f"--rpm {text}: write speeds such as 3,6.") from error
-    if not speeds or len(set(speeds)) != len(speeds) or not all(0.5 <= one <= 15 for one in speeds):
-        raise UnusableInput(f"--rpm {text}: give different speeds from 0.5 to 15 rpm.")
-    return speeds
+def run_out_outcome(found: RunOutMap) -> Outcome:
+    """Return a map as it is shown, printed and kept."""
+    return Outcome("run-out map", run_out_result(found), tuple(run_out_lines(found)))
 
 
 def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
@@ -105,14 +65,9 @@ def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
     from rigapp.storage import open_test
 
     with open_test(path) as reader:
-        quality = dict(
-            zip(
-                reader.column("revolution").tolist(), reader.column("quality").tolist(), strict=True
-            )
-        )
-        speed = dict(
-            zip(reader.column("revolution").tolist(), reader.column("speed").tolist(), strict=True)
-        )
+        numbers = reader.column("revolution").tolist()
+        quality = dict(zip(numbers, reader.column("quality").tolist(), strict=True))
+        speed = dict(zip(numbers, reader.column("speed").tolist(), strict=True))
         probes = reader.calibration().get("probes", {})
         test = parse_test(reader.configuration()["test"], f"{path} (its test)", recorded=True)
         turns, forces, rpm = [], [], []
@@ -124,7 +79,8 @@ def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
             angle = np.radians(cycle.columns["angle"].astype(np.float64))
             shown = np.array([cycle.columns["probe_1"], cycle.columns["probe_2"]], np.float64)
             saturated = bool(quality[number] & int(Flag.SATURATED))
-            turns.append(Turn(number, angle, _as_read(shown, angle, probes) / UM, saturated))
+            read = _as_read(shown, angle, probes) / UM
+            turns.append(SlowRevolution(number, angle, read, saturated))
             forces.append(
                 np.array([cycle.columns["force_1"], cycle.columns["force_2"]], np.float64)
             )
@@ -143,12 +99,12 @@ def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
 
 
 def _with_elastic(
-    turns: Sequence[Turn],
+    turns: Sequence[SlowRevolution],
     forces: Sequence[Array],
     model: ParameterFile,
     probes: Mapping[str, Any],
     path: Path,
-) -> list[Turn]:
+) -> list[SlowRevolution]:
     """Return the revolutions with how their forces (2, n) each, N, move the pin elastically."""
     from model.errors import ModelError
     from rigapp.config.parameters import to_parameters
@@ -229,7 +185,7 @@ def _listed(values: Array | None) -> list[float] | None:
 
 def harmonics_csv(found: RunOutMap) -> str:
     """Return the orders of every revolution: the readings of the record."""
-    lines = ["roll,revolution,probe,order,cos_um,sin_um"]
+    lines = [",".join(RUN_OUT_COLUMNS)]
     for one in found.harmonics:
         for probe in range(2):
             pairs = (UM * one.coefficients[probe]).reshape(-1, 2)

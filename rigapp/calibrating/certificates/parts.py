@@ -1,16 +1,58 @@
-"""Plots of certificates: the same bytes each time."""
+"""What certificates are made of: their parts, plots and pages, the same bytes each time."""
 
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rigapp.report.page.manuscript import Figure
+from rigapp.config.errors import UnusableInput
+from rigapp.report.page.manuscript import Figure, Manuscript, Table
+
+Content = Mapping[str, Any]
+"""The content of a record, or a part of it."""
+MICROMETRE = "µm"
 
 STYLES = (("#0072B2", "o", "-"), ("#D55E00", "s", "--"))
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """What is particular in the certificate of a subject; heading: of its figures."""
+
+    statements: Sequence[str]
+    tables: Sequence[Table]
+    figures: Sequence[Figure]
+    heading: str = "Residuals"
+
+
+def write_page(
+    to: Path,
+    what: str,
+    document: Callable[[], Manuscript],
+    others: Mapping[str, Callable[[], bytes]] | None = None,
+) -> None:
+    """Write a document as its ending says, .pdf or .html, or as one of others; UnusableInput."""
+    from rigapp.report.page.html import as_html
+    from rigapp.report.page.pdf import as_pdf
+
+    writers: dict[str, Callable[[], bytes]] = {
+        **(others or {}),
+        ".html": lambda: as_html(document()),
+        ".pdf": lambda: as_pdf(document()),
+    }
+    writer = writers.get(to.suffix.lower())
+    if writer is None:
+        *first, last = writers
+        raise UnusableInput(f"{to}: a {what} is {', '.join(first)} or {last}; name it so.")
+    try:
+        to.write_bytes(writer())
+    except OSError as error:
+        raise UnusableInput(f"{to}: cannot be written ({error}).") from error
 
 
 def scatter(

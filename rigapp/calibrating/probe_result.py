@@ -10,6 +10,7 @@ import numpy as np
 from calibration.probes.alignment import Alignment, PairCalibration
 from calibration.probes.calibrate import ProbeCalibration
 from rigapp.calibrating.records import problems_of
+from rigapp.calibrating.session import Outcome
 
 UM = 1e6
 
@@ -98,3 +99,10 @@ def pair_lines(found: PairCalibration) -> list[str]:
         f"The angle between them is {90.0 + math.degrees(alignment.orthogonality):.2f} degrees"
         f" (u = {math.degrees(alignment.orthogonality_uncertainty):.2f}).",
     ]
+
+
+def probe_outcome(found: ProbeCalibration | PairCalibration) -> Outcome:
+    """Return a calibration of one probe or of both as it is shown, printed and kept."""
+    if isinstance(found, ProbeCalibration):
+        return Outcome("probe", probe_result(found), tuple(probe_lines(found)))
+    return Outcome("probe pair", pair_result(found), tuple(pair_lines(found)))

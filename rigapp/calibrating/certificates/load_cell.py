@@ -1,115 +1,21 @@
-"""The certificate of a calibration record: PDF or HTML, the same bytes each time.
-
-Everything comes from the record, nothing from the clock or the machine, so that anyone can make the
-certificate again and compare it byte for byte.
-"""
+"""What the certificate of a load cell says beside the identification."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
 from calibration.load_cell.readings import parse_load_cell
-from calibration.records import Record, RecordError, unseal
-from rigapp.calibrating.certificates.plots import scatter
-from rigapp.calibrating.certificates.probes import (
-    probe_conditions,
-    probe_figures,
-    probe_statements,
-    probe_tables,
-)
-from rigapp.calibrating.certificates.run_out import (
-    run_out_conditions,
-    run_out_figures,
-    run_out_statements,
-    run_out_tables,
-)
-from rigapp.calibrating.certificates.running_check import (
-    running_figures,
-    running_statements,
-    running_tables,
-)
-from rigapp.config.errors import UnusableInput
-from rigapp.report.page.manuscript import Figure, Manuscript, Row, Section, Table, Text
+from rigapp.calibrating.certificates.parts import Content, Parts, scatter
+from rigapp.report.page.manuscript import Figure, Row, Table
 
 
-def write_certificate(record: Path, to: Path) -> None:
-    """Write the certificate of a record as PDF or HTML; raise UnusableInput."""
-    from rigapp.report.page.html import as_html
-    from rigapp.report.page.pdf import as_pdf
-
-    writers = {".pdf": as_pdf, ".html": as_html}
-    writer = writers.get(to.suffix.lower())
-    if writer is None:
-        raise UnusableInput(f"{to}: a certificate is .pdf or .html; name it so.")
-    try:
-        sealed = unseal(record.read_bytes())
-    except FileNotFoundError as error:
-        raise UnusableInput(f"{record}: there is no such record; check the name.") from error
-    except (OSError, RecordError) as error:
-        raise UnusableInput(f"{record}: {error}.") from error
-    try:
-        to.write_bytes(writer(certificate_of(sealed)))
-    except OSError as error:
-        raise UnusableInput(f"{to}: cannot be written ({error}).") from error
-
-
-def certificate_of(record: Record) -> Manuscript:
-    """Compose the certificate of a record."""
-    content = record.content
-    texts, tables, figures = PARTS[record.kind](content)
-    return Manuscript(
-        title=f"Certificate of calibration: {_item(content)}",
-        footer=f"Certificate {record.number}",
-        sections=(
-            Section("", (*(Text(text) for text in texts), _identity(record), *tables)),
-            Section(PICTURES.get(record.kind, "Residuals"), tuple(figures)),
-        ),
-        closing=(
-            f"Number {record.number} is the beginning of the SHA-256 digest of the record, readings"
-            f" included. Made by {content['software']}."
-        ),
-    )
-
-
-Parts = tuple[list[str], list[Table], list[Figure]]
-"""Statements, tables, figures."""
-
-
-def _cell(content: Mapping[str, Any]) -> Parts:
+def load_cell_parts(content: Content) -> Parts:
+    """Return statements, tables and figures of a record."""
     tables = [_conditions(content), *_cell_tables(content), _readings_table(content)]
-    return _statements(content, content["result"]), tables, _cell_figures(content)
-
-
-def _probe(content: Mapping[str, Any]) -> Parts:
-    tables = [probe_conditions(content), *probe_tables(content)]
-    return probe_statements(content), tables, probe_figures(content)
-
-
-def _run_out(content: Mapping[str, Any]) -> Parts:
-    tables = [run_out_conditions(content), *run_out_tables(content)]
-    return run_out_statements(content), tables, run_out_figures(content)
-
-
-def _running(content: Mapping[str, Any]) -> Parts:
-    return running_statements(content), running_tables(content), running_figures(content)
-
-
-PARTS: Mapping[str, Callable[[Mapping[str, Any]], Parts]] = {
-    "load cell": _cell,
-    "probe": _probe,
-    "probe pair": _probe,
-    "run-out map": _run_out,
-    "running check": _running,
-}
-"""Kind of a record -> what its certificate says."""
-
-PICTURES = {"run-out map": "Map", "running check": "Forces"}
-"""Kind of a record -> heading of its figures, residuals without one."""
+    return Parts(_statements(content["result"]), tables, _cell_figures(content))
 
 
 def _level(shown: Sequence[float]) -> str:
@@ -119,42 +25,7 @@ def _level(shown: Sequence[float]) -> str:
     return f"; level turned end for end at {one:.3f} and {two:.3f} deg"
 
 
-def _item(content: Mapping[str, Any]) -> str:
-    settings = content["settings"]
-    item = next(settings[key] for key in ("cell", "probe", "pin") if key in settings)
-    return str(item["name"])
-
-
-def _joined(*texts: str) -> str:
-    return ", ".join(filter(None, texts)) or "not stated"
-
-
-def _identity(record: Record) -> Table:
-    content = record.content
-    paper = content["settings"]["paperwork"]
-    taken = content.get("taken") or {}
-    rows = [
-        ("Number", record.number),
-        ("Item", _item(content)),
-        ("Serial number", _joined(paper["serial_number"])),
-        ("Amplifier, cable", _joined(paper["amplifier"], paper["cable"])),
-        ("Excitation, range, filter", _joined(paper["excitation"])),
-        ("Laboratory, place", _joined(paper["laboratory"], paper["place"])),
-        ("Calibrated and issued", content["calibrated_at"]),
-        ("Due", content["due_at"]),
-        ("Standards used", _joined(paper["standards"])),
-        ("Operator", _joined(paper["operator"] or str(taken.get("operator") or ""))),
-        ("Reviewer", _joined(paper["reviewer"])),
-    ]
-    if taken.get("rig"):
-        simulated = ", SIMULATED: for practice" if taken.get("simulated") else ""
-        rows.append(("Taken on the rig", f"{taken['rig']}{simulated}"))
-    if paper["notes"]:
-        rows.append(("Deviations, remarks", paper["notes"]))
-    return Table("Identification", tuple(rows))
-
-
-def _conditions(content: Mapping[str, Any]) -> Table:
+def _conditions(content: Content) -> Table:
     settings = content["settings"]
     place = settings["place"]
     weights, angle = settings["weights"], settings["angle"]
@@ -185,7 +56,7 @@ def _conditions(content: Mapping[str, Any]) -> Table:
     return Table("Conditions", tuple(rows))
 
 
-def _statements(content: Mapping[str, Any], result: Mapping[str, Any]) -> list[str]:
+def _statements(result: Content) -> list[str]:
     factor = f"{result['coverage_factor']:.2f}"
     line = result["uncertainty_line_N"]
     return [
@@ -200,7 +71,7 @@ def _statements(content: Mapping[str, Any], result: Mapping[str, Any]) -> list[s
     ]
 
 
-def _cell_tables(content: Mapping[str, Any]) -> list[Table]:
+def _cell_tables(content: Content) -> list[Table]:
     result, unit = content["result"], content["settings"]["cell"]["signal_unit"]
     matrix = result["matrix_N_per_unit"]
     spread = result["matrix_standard_uncertainty_N_per_unit"]
@@ -251,7 +122,7 @@ def _cell_tables(content: Mapping[str, Any]) -> list[Table]:
     return [fit, *_quadratic(result, unit), zero, covariance, traits, budget]
 
 
-def _quadratic(result: Mapping[str, Any], unit: str) -> list[Table]:
+def _quadratic(result: Content, unit: str) -> list[Table]:
     quadratic = result.get("quadratic_unit_per_N2")
     if quadratic is None:
         return []
@@ -263,7 +134,7 @@ def _quadratic(result: Mapping[str, Any], unit: str) -> list[Table]:
     return [Table(title, tuple(rows), ("", "f1^2", "f1 f2", "f2^2"))]
 
 
-def _readings_table(content: Mapping[str, Any]) -> Table:
+def _readings_table(content: Content) -> Table:
     text, result = content["readings_csv"], content["result"]
     taken = parse_load_cell(text)
     cell_rows = [
@@ -278,7 +149,7 @@ def _readings_table(content: Mapping[str, Any]) -> Table:
     return Table("Readings", tuple(cell_rows), header)
 
 
-def _cell_figures(content: Mapping[str, Any]) -> list[Figure]:
+def _cell_figures(content: Content) -> list[Figure]:
     taken, result = parse_load_cell(content["readings_csv"]), content["result"]
     residual = np.array(result["residual_N"])
     load = np.hypot(*np.array(result["applied_N"]).T)

@@ -1,58 +1,57 @@
-"""What the probe wizard's pages share: session, newest window, simulated hands, work elsewhere."""
+"""The calibration under way, as the window's pages see it: session, newest window, background."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from calibration.load_cell.live import Readiness, Verdict
-from calibration.load_cell.procedure import ProcedureError
-from calibration.probes.live import ProbeWindow
-from calibration.probes.procedure import ProbePlan
-from rigapp.calibrating.live_calibration import Rig
-from rigapp.calibrating.live_probes import LiveProbeSession, ProbeOutcome
-from rigapp.calibrating.probe_practice import (
-    ProbeMistake,
-    probe_actions,
-    probe_preparation,
-    probe_tidy_up,
-)
-from rigapp.config.calibration_settings import ProbeFile
+from calibration.taking.procedure import ProcedureError
+from calibration.taking.signals import LISTEN_S, Readiness, SignalState
+from rigapp.calibrating.records import CalibrationFile
+from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.wizard.bench import LISTEN_S, LOOK_MS
-from rigapp.gui.wizard.hands_queue import HandsQueue, Line
+from rigapp.gui.wizard.hands_queue import AskLater, HandsQueue
 from rigapp.schema.messages import Reply
 
+LOOK_MS = 150
+"""Often enough for a hand that waits for a sign; the engine's answer holds the last seconds."""
+NOWHERE = (-1, -1)
+AnySession = LiveSession[Any, Any, Any, Any]
 
-class ProbeBench(QObject):
-    """Listen to the engine and hold the calibration under way; nothing here waits."""
+
+class LiveCalibration(QObject):
+    """Listen to the engine and hold the calibration under way; nothing here waits.
+
+    view: the engine's newest answer to ``signals``, None before there is one.
+    """
 
     looked = Signal()
     moved = Signal()
     said = Signal(str)
     judged = Signal()
 
-    def __init__(self, line: Line, rig: Rig) -> None:
+    def __init__(self, line: AskLater, rig: Rig, session_type: type[AnySession]) -> None:
+        """Take the engine, where the readings come from, and what is calibrated."""
         super().__init__()
-        self._line = line
-        self.rig = rig
-        self.session: LiveProbeSession | None = None
-        self.window: ProbeWindow | None = None
+        self._line, self._session_type = line, session_type
+        self.rig, self.practice = rig, session_type.practice
+        self.session: Any = None
+        self.view: Mapping[str, Any] | None = None
+        self.window: Any = None
         self.readiness: Readiness | None = None
-        self.outcome: ProbeOutcome | None = None
-        self.sensitivity_um_per_V: list[float] = []
-        self.rate_Hz = 1.0
-        self.mistake = ProbeMistake.NONE
+        self.outcome: Outcome | None = None
+        self.mistake: StrEnum = next(iter(self.practice.mistakes))
         self.goes_ahead = False
         self._since = 0
         self._asked = False
-        self._done_for = (-1, -1)
+        self._done_for = NOWHERE
         self._hands = HandsQueue(line, self._acted, self._failed)
-        self._worker = TaskWorker("probe-fit", bound=4)
+        self._worker = TaskWorker("calibration-fit", bound=4)
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_MS)
         self._timer.timeout.connect(self.tick)
@@ -60,14 +59,14 @@ class ProbeBench(QObject):
 
     # --- the session -----------------------------------------------------------------------------
 
-    def open(self, given: ProbeFile, journal: Path, plan: ProbePlan | None) -> None:
-        """Begin or take up a calibration; raise UnusableInput."""
+    def open(self, given: CalibrationFile, journal: Path, plan: Any) -> None:
+        """Begin a calibration, or take it up where there is no plan; raise UnusableInput."""
         self.close_session()
-        self.session = LiveProbeSession(
+        self.session = self._session_type(
             given, self.rig, journal, plan, keep_waiting_times=not self.rig.simulated
         )
         self.outcome = None
-        self._done_for = (-1, -1)
+        self._done_for = NOWHERE
         self.moved.emit()
 
     def close_session(self) -> None:
@@ -79,7 +78,7 @@ class ProbeBench(QObject):
     def close(self) -> None:
         """Stop listening, put the simulated rig together again; what was recorded stays."""
         self._timer.stop()
-        self._hands.tidy_up(probe_tidy_up())
+        self._hands.tidy_up(self.practice.tidy_up)
         self.close_session()
         self._worker.close()
 
@@ -94,11 +93,11 @@ class ProbeBench(QObject):
         self._asked = False
         if not reply.ok:
             self.window = self.readiness = None
-            self.said.emit(reply.sentence)
+            if self.session is not None:
+                self.said.emit(reply.sentence)
             self.looked.emit()
             return
-        self.rate_Hz = float(reply.result["sample_rate_Hz"])
-        self.sensitivity_um_per_V = list(reply.result["sensitivity_um_per_V"])
+        self.view = reply.result
         session = self.session
         if session is not None:
             self.window = session.window_of(reply.result)
@@ -109,33 +108,17 @@ class ProbeBench(QObject):
 
     # --- what the operator does ------------------------------------------------------------------
 
-    def take(self, position: float | None = None) -> bool:
-        """Take the step under way at a position (m); what stands against it is said."""
+    def take(self, at: float | None = None) -> bool:
+        """Take the step under way, at what was read off (SI); what stands against it is said."""
         window = self.window
-        if window is None:
-            return False
-        return self._try(lambda session: session.take(window, position))
+        return window is not None and self.attempt(lambda session: session.take(window, at))
 
     def reject(self, index: int, reason: str) -> bool:
         """Reject a reading with a reason."""
-        return self._try(lambda session: session.reject(index, reason))
+        return self.attempt(lambda session: session.reject(index, reason))
 
-    def judge(self) -> None:
-        """Fit and check off the screen's thread; ``judged`` tells when it is done."""
-        session = self.session
-        self.outcome = None
-        if session is not None:
-            self.run(session.judge, self._judged)
-
-    def run(self, work: Callable[[], Any], done: Callable[[Any], None]) -> None:
-        """Do work off the screen's thread; a failure is said."""
-        self._worker.submit(work, done, lambda error: self.said.emit(str(error)))
-
-    def _judged(self, outcome: ProbeOutcome) -> None:
-        self.outcome = outcome
-        self.judged.emit()
-
-    def _try(self, act: Callable[[LiveProbeSession], None]) -> bool:
+    def attempt(self, act: Callable[[Any], object]) -> bool:
+        """Do something with the session; what stands against it is said."""
         if self.session is None:
             return False
         try:
@@ -150,6 +133,20 @@ class ProbeBench(QObject):
         self.looked.emit()
         return True
 
+    def judge(self) -> None:
+        """Fit and check off the screen's thread; ``judged`` tells when it is done."""
+        self.outcome = None
+        if self.session is not None:
+            self.run(self.session.judge, self._judged)
+
+    def run(self, work: Callable[[], Any], done: Callable[[Any], None]) -> None:
+        """Do work off the screen's thread; a failure is said."""
+        self._worker.submit(work, done, lambda error: self.said.emit(str(error)))
+
+    def _judged(self, outcome: Outcome) -> None:
+        self.outcome = outcome
+        self.judged.emit()
+
     # --- simulated hands -------------------------------------------------------------------------
 
     @property
@@ -157,33 +154,35 @@ class ProbeBench(QObject):
         """Tell whether the simulated hands are at work."""
         return self._hands.busy
 
-    def plant(self, mistake: ProbeMistake) -> None:
+    def plant(self, mistake: StrEnum) -> None:
         """Let the simulated hands make a mistake from the step under way on."""
         self.mistake = mistake
         if self.session is not None:
             self._since = self.session.procedure.position
+        if self._hands.prepared:
+            self._hands.add(self.practice.plant(mistake))
 
     def lend_a_hand(self) -> None:
         """Let the simulated hands do what the step asks."""
-        session = self.session
-        if session is None or session.procedure.done:
+        if self.session is None or self.session.procedure.done:
             return
-        self._hands.prepare(probe_preparation())
-        self._hands.add(probe_actions(session.procedure, self.mistake, self._since))
+        self._hands.prepare((*self.practice.prepare, *self.practice.plant(self.mistake)))
+        self._hands.add(self.practice.act(self.session, self.mistake, self._since))
 
-    def _go_ahead(self, session: LiveProbeSession) -> None:
+    def _go_ahead(self, session: AnySession) -> None:
         if session.procedure.done:
             return
         here = (session.procedure.position, len(session.procedure.taken))
+        steady = self.readiness is not None and self.readiness.state is SignalState.STEADY
         if self._done_for != here:
             self._done_for = here
             self.lend_a_hand()
-        elif self.readiness is not None and self.readiness.verdict is Verdict.STEADY:
+        elif steady and not session.reference_is_due:
             self.take()
 
     def _acted(self, after_sample: float) -> None:
-        if self.session is not None:
-            self.session.changed_at(after_sample / self.rate_Hz)
+        if self.session is not None and self.view is not None:
+            self.session.changed_at(after_sample / float(self.view["sample_rate_Hz"]))
 
     def _failed(self, sentence: str) -> None:
         self.goes_ahead = False

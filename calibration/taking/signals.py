@@ -1,0 +1,125 @@
+"""Live readings: the signals of the last seconds, and whether the step under way can be taken."""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibration.taking.stability import Steadiness, judge
+
+Array = NDArray[np.float64]
+
+WINDOW_S = 3.0
+"""Signals are judged over so long: a weight that swings at 0.7 Hz shows two periods."""
+LISTEN_S = WINDOW_S + 1.0
+"""So much is asked for, since a mean may come late."""
+WHOLE_S = 0.9 * WINDOW_S - 0.1
+"""From so long on a window counts as whole: its ends are means of 50 ms, and one may be missing."""
+
+
+class SignalState(enum.StrEnum):
+    """How a window of signals looks: a word, for which a face chooses a shape."""
+
+    WAITING = "waiting"
+    MOVING = "moving"
+    STEADY = "steady"
+
+
+Judgement = tuple[SignalState, str]
+"""How it looks, and why, in words for the operator."""
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class SignalWindow:
+    """The signals of the last seconds. time (n,) s of the device; signal (n, 2) signal units.
+
+    stands: the crank does not turn. noise_share: 1 / sqrt(samples in each mean).
+    """
+
+    time: Array
+    signal: Array
+    stands: bool
+    noise_share: float
+
+    @property
+    def newest(self) -> float:
+        """Return the device time of the newest mean, NaN when there is none."""
+        return float(self.time[-1]) if len(self.time) else math.nan
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Readiness:
+    """Whether the step under way can be taken now, and why not in words for the operator.
+
+    felt: what the calibration in use makes of the signals, SI. left: of the waiting time, s.
+    """
+
+    state: SignalState
+    words: str
+    steadiness: Steadiness
+    felt: float
+    left: float
+
+    @property
+    def ready(self) -> bool:
+        """Tell whether the step can be taken."""
+        return self.state is SignalState.STEADY
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """What a step asks of the signals.
+
+    since: device time (s) of the last change; only what came after it counts. wait: seconds that
+    must pass after it. spread, slope: the most that steady signals spread, and change a second, in
+    signal units. first: what stands against it before any signal is looked at. set_up: the
+    judgement of a step at which nothing is read, None of one at which something is. felt: what the
+    calibration in use makes of a mean (2,). unsteady: what is said in place of how it moves.
+    """
+
+    since: float
+    wait: float
+    spread: float
+    slope: float
+    first: Judgement | None
+    set_up: Callable[[Steadiness], Judgement | None]
+    felt: Callable[[Array], float]
+    unsteady: str = ""
+
+
+def assess(window: SignalWindow, demand: Demand) -> Readiness:
+    """Judge a window for a step."""
+    fresh = window.time > demand.since
+    time, signal = window.time[fresh], window.signal[fresh]
+    found = judge(time, signal, demand.spread, demand.slope)
+    elapsed = window.newest - demand.since
+    left = max(0.0, demand.wait - elapsed) if math.isfinite(elapsed) else 0.0
+    state, words = _judgement(window, demand, found, left, time)
+    return Readiness(state, words, found, demand.felt(found.mean), left)
+
+
+def _judgement(
+    window: SignalWindow, demand: Demand, found: Steadiness, left: float, time: Array
+) -> Judgement:
+    if not len(window.time):
+        return SignalState.WAITING, "waiting for samples"
+    if demand.first is not None:
+        return demand.first
+    if len(time) < 2:
+        return SignalState.WAITING, "listening"
+    set_up = demand.set_up(found)
+    if set_up is not None:
+        return set_up
+    if time[-1] - time[0] < WHOLE_S:
+        return SignalState.WAITING, "listening"
+    if not found.steady:
+        numbers = bool(np.isfinite(found.mean).all())
+        return SignalState.MOVING, demand.unsteady if numbers and demand.unsteady else found.reason
+    if left > 0.0:
+        return SignalState.WAITING, f"steady; {math.ceil(left)} s of the waiting time are left"
+    return SignalState.STEADY, "steady"

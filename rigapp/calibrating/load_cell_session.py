@@ -1,0 +1,316 @@
+"""The load cell with live readings: weights at pin angles, the angle reference, the daily check."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from calibration.load_cell.calibrate import calibrate_load_cell
+from calibration.load_cell.daily import daily_check
+from calibration.load_cell.level import LevelError, LevelReading, reversed_level, single
+from calibration.load_cell.live import LoadCellWindow, assess_load
+from calibration.load_cell.plans import LoadCellPlan, LoadCellStep, PlanKind, StepKind
+from calibration.load_cell.plausible import check_settings
+from calibration.load_cell.procedure import LoadCellProcedure, WeighedReading, begin, take_up
+from calibration.load_cell.readings import LOAD_CELL_COLUMNS, LoadCellReadings, parse_load_cell
+from calibration.load_cell.settings import LoadCellSettings
+from calibration.load_cell.two_axis import Terms, fit
+from calibration.load_cell.weights import pin_force, weight_force
+from calibration.taking.procedure import Event, ProcedureError
+from calibration.taking.signals import Readiness
+from calibration.taking.stability import Steadiness
+from rigapp.calibrating.daily_history import DailyHistory, append_check, entry_of, read_history
+from rigapp.calibrating.load_cell_result import load_cell_outcome
+from rigapp.calibrating.practice import LOAD_CELL_PRACTICE
+from rigapp.calibrating.records_in_use import with_records
+from rigapp.calibrating.session import (
+    NO_CURVES,
+    LiveSession,
+    Outcome,
+    ResidualsSoFar,
+    two_signals,
+    window_times,
+)
+from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+from rigapp.schema.channels import LOAD_CELL
+
+PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
+SHARE_OF_FULL_SCALE = 0.99
+"""Of what the cell bears the heaviest load is left a hundredth below, for the pieces' tolerance."""
+LARGEST_OFFSET = math.radians(20.0)
+"""Further off than a coupling is set by eye: another flat, or a wrong index."""
+FEWEST_FOR_RESIDUALS = 4
+LEAST_REACH_N = 2.0
+"""The plot of the residuals shows at least so much: the resolution of the rig's own cell."""
+
+
+def parse_pieces(text: str) -> tuple[float, ...]:
+    """Return the pieces (kg) of a text such as ``5x8, 2x2, 1, 0.5``; raise UnusableInput.
+
+    ``MxN``: N pieces of M kg.
+    """
+    pieces: list[float] = []
+    for part in text.replace(";", ",").split(","):
+        word = part.strip().removesuffix("kg").strip()
+        if not word:
+            continue
+        mass, _, count = word.lower().replace("×", "x").replace("kg", "").partition("x")
+        try:
+            many, value = int(count.strip() or "1"), float(mass)
+        except ValueError as error:
+            raise UnusableInput(
+                f"weights: {part.strip()!r} is not a mass; write for example 5x8, 2, 2, 1, 0.5"
+                " (eight pieces of 5 kg and four others)."
+            ) from error
+        if not (1 <= many <= 64 and 0.0 < value <= 50.0):
+            raise UnusableInput(f"weights: {part.strip()!r}: give 1 to 64 pieces of up to 50 kg.")
+        pieces += [value] * many
+    if not pieces:
+        raise UnusableInput("weights: none are named; write for example 5x8, 2, 2, 1, 0.5.")
+    return tuple(sorted(pieces, reverse=True))
+
+
+def load_cell_plan(plan: str, weights: str, settings: LoadCellSettings) -> LoadCellPlan:
+    """Return the plan that words ask for, up to what the pieces make and the cell may bear.
+
+    Raises UnusableInput naming the word that is wrong.
+    """
+    if plan not in PLANS:
+        raise UnusableInput(f"--plan {plan}: choose {', '.join(PLANS)}.")
+    pieces = parse_pieces(weights)
+    limit = SHARE_OF_FULL_SCALE * settings.cell.full_scale / settings.place.gravity
+    heaviest = min(sum(pieces), limit - settings.weights.hanger_mass)
+    return LoadCellPlan(PLANS[plan], heaviest, pieces)
+
+
+class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPlan, LoadCellFile]):
+    """A dead-weight calibration, or a daily check, under way."""
+
+    columns = LOAD_CELL_COLUMNS
+    practice = LOAD_CELL_PRACTICE
+
+    @property
+    def settings(self) -> LoadCellSettings:
+        """Return the settings as the operator gave them, SI."""
+        return load_cell_meaning(self.given, "settings")
+
+    def check_settings(self) -> None:
+        """Raise UnusableInput for weights, gravity or air that cannot be."""
+        for problem in check_settings(self.settings):
+            if problem.blocks:
+                raise UnusableInput(f"settings: {problem.sentence}")
+
+    def begin(self, plan: LoadCellPlan) -> LoadCellProcedure:
+        """Begin a procedure; raise ValueError for a load that the pieces cannot make."""
+        return begin(plan)
+
+    def take_up(self, events: Sequence[Event]) -> LoadCellProcedure:
+        """Return the procedure that a journal tells; raise ProcedureError."""
+        return take_up(events)
+
+    def window_of(self, view: Mapping[str, Any]) -> LoadCellWindow:
+        """Return the window that the engine's answer to ``signals`` tells; SI, angle in rad."""
+        angle, quadratic = view["angle_deg"], view.get("quadratic")
+        return LoadCellWindow(
+            **window_times(view),
+            signal=two_signals(view, LOAD_CELL),
+            angle=None if angle is None else math.radians(angle),
+            matrix=np.array(view["matrix"], dtype=np.float64),
+            zero=np.array(view["zero"], dtype=np.float64),
+            quadratic=None if quadratic is None else np.array(quadratic, dtype=np.float64),
+        )
+
+    def assess(
+        self, window: LoadCellWindow, step: LoadCellStep, since: float, wait: float
+    ) -> Readiness:
+        """Judge a window for a step."""
+        return assess_load(window, step, self.settings.cell.resolution, since, wait)
+
+    def after(
+        self, window: LoadCellWindow, found: Steadiness, at: float | None
+    ) -> LoadCellProcedure:
+        """Return the procedure after the step under way."""
+        procedure, angle = self.procedure, window.angle
+        assert angle is not None
+        kind = procedure.step.kind
+        if kind is StepKind.TURN:
+            return procedure.turned(angle)
+        if kind is StepKind.PRELOAD:
+            return procedure.exercised()
+        if kind is StepKind.READING:
+            return procedure.record(angle, found.mean, found.spread, round(time.time(), 3))
+        raise ProcedureError("the angle reference is entered, not recorded")
+
+    # --- what a face shows -----------------------------------------------------------------------
+
+    @property
+    def reference_is_due(self) -> bool:
+        """Tell whether now the angle reference is to be entered."""
+        procedure = self.procedure
+        return not procedure.done and procedure.step.kind is StepKind.ANGLE_REFERENCE
+
+    def expected_force(self) -> float:
+        """Return the force (N) of what should hang at the present step."""
+        mass = 0.0 if self.procedure.done else self.procedure.step.mass
+        if mass > 0.0:
+            mass = self.procedure.change.mass
+        return float(weight_force(mass, self.settings.weights, self.settings.place))
+
+    def describe(self, reading: WeighedReading) -> str:
+        """Return mass and angle of a reading in words."""
+        return f"{reading.mass:g} kg at {math.degrees(reading.angle):.1f} degrees"
+
+    def recorded(self, found: Readiness) -> str:
+        """Return the signals in words."""
+        one, two = found.steadiness.mean
+        return (
+            f"{one:.5f}, {two:.5f} {self.given.cell.signal_unit}"
+            f" (the calibration in use makes {found.felt:.1f} N of it)"
+        )
+
+    def residuals(self) -> ResidualsSoFar:
+        """Return what each reading differs from a fit of all so far, N, in the order taken."""
+        readings = self.procedure.readings()
+        weight = weight_force(readings.mass, self.settings.weights, self.settings.place)
+        force = pin_force(weight, readings.angle, self.procedure.angle_offset or 0.0)
+        try:
+            if len(readings) < FEWEST_FOR_RESIDUALS:
+                raise np.linalg.LinAlgError("too few")
+            residual = fit(force, readings.signal, Terms()).residual
+        except np.linalg.LinAlgError:
+            words = "Residuals are shown when two pin angles are known."
+            return ResidualsSoFar(NO_CURVES, (0.0, 12.0), LEAST_REACH_N, words)
+        count = np.arange(1.0, len(residual) + 1.0)
+        largest = np.abs(residual).max(axis=1)
+        worst = int(largest.argmax())
+        last = ", ".join(f"{value:+.2f}" for value in residual[-1])
+        return ResidualsSoFar(
+            curves=((count, residual[:, 0]), (count, residual[:, 1])),
+            span=(0.0, max(12.0, len(count) + 1.0)),
+            reach=max(LEAST_REACH_N, 1.2 * float(largest[worst])),
+            words=f"Circle: axis 1, triangle: axis 2. Last {last} N; largest"
+            f" {largest[worst]:.2f} N at reading {worst + 1} of those that stand.",
+        )
+
+    # --- the angle reference ---------------------------------------------------------------------
+
+    def reference(self, shown: float, uncertainty: float) -> None:
+        """Take the angle reference: the encoder's angle (rad) while the crank is level.
+
+        Raises ProcedureError when it is so far from 0 that the crank was not level.
+        """
+        self._refer(single(shown, uncertainty), (shown,))
+
+    def reference_reversed(self, first: float, second: float) -> LevelReading:
+        """Take the angle reference with the level turned end for end between two angles (rad).
+
+        The level's own error cancels; what is left is the setting of the bubble. Raises
+        ProcedureError.
+        """
+        setting = math.radians(self.given.angle.setting_standard_uncertainty_deg)
+        try:
+            found = reversed_level(first, second, setting)
+        except LevelError as error:
+            raise ProcedureError(str(error)) from error
+        self._refer(found, (first, second))
+        return found
+
+    def _refer(self, found: LevelReading, shown: Sequence[float]) -> None:
+        if abs(found.angle) > LARGEST_OFFSET:
+            raise ProcedureError(
+                f"the encoder shows {math.degrees(found.angle):.1f} degrees with the crank level;"
+                " it should show about 0. Is it the right flat? Else correct"
+                " encoder.index_angle_deg in the rig file"
+            )
+        self.adopt(self.procedure.reference(-found.angle, found.uncertainty, shown))
+
+    # --- the end ---------------------------------------------------------------------------------
+
+    def fitted(self) -> Outcome:
+        """Fit and check all readings, or compare those of a daily check with what hung."""
+        settings = replace(
+            self.settings,
+            angle_offset=self.procedure.angle_offset or 0.0,
+            angle_uncertainty=self.procedure.angle_uncertainty or 0.0,
+        )
+        readings = parse_load_cell(self.readings_csv())
+        if self.procedure.plan.kind is PlanKind.DAILY:
+            return self._daily(readings, settings)
+        return load_cell_outcome(calibrate_load_cell(readings, settings), settings)
+
+    def _daily(self, readings: LoadCellReadings, settings: LoadCellSettings) -> Outcome:
+        used = self.newest
+        if used is None:
+            raise ProcedureError("the calibration in use is not known; is the engine running?")
+        check = daily_check(readings, settings, used.matrix, used.zero, used.quadratic)
+        result = {
+            "accepted": check.passed,
+            "problems": [],
+            "sentence": check.sentence,
+            "deviation_N": check.deviation.tolist(),
+            "sensitivity_ratio": check.sensitivity,
+            "cross_talk_ratio": check.cross_talk,
+            "zero_N": check.zero.tolist(),
+        }
+        return Outcome("daily check", result, (check.sentence,), check=check)
+
+    def keep_check(self, outcome: Outcome, store: Path) -> DailyHistory:
+        """Append a daily check to the store and return the history; raise UnusableInput.
+
+        Judged again without new readings it counts once.
+        """
+        used, file = self.newest, self.rig.file
+        if outcome.check is None or used is None:
+            raise UnusableInput("there is no daily check to keep.")
+        in_use = {
+            "matrix": used.matrix.tolist(),
+            "zero": used.zero.tolist(),
+            "quadratic": None if used.quadratic is None else used.quadratic.tolist(),
+        }
+        stated = None
+        if file is not None:
+            stated = with_records(read_rig(file)).rig.record.load_cell.uncertainty_N
+        entry = entry_of(
+            outcome.check,
+            rig=self.rig.name,
+            simulated=self.rig.simulated,
+            operator=self.rig.operator,
+            calibration=in_use,
+            uncertainty_N=stated,
+            source=f"{self.journal.path.name}:{len(self.procedure.events)}",
+        )
+        append_check(store, entry)
+        return read_history(store, self.rig.name)
+
+    def row(self, reading: WeighedReading) -> str:
+        """Return a reading as a line of the CSV."""
+        step = self.procedure.steps[reading.step]
+        return (
+            f"{step.series},{step.number},{reading.mass!r},{math.degrees(reading.angle)!r},"
+            f"{reading.signal[0]!r},{reading.signal[1]!r}"
+        )
+
+    def facts(self) -> dict[str, Any]:
+        """Return what the record tells of the plan."""
+        plan = self.procedure.plan
+        return {"plan": plan.kind.value, "pieces_kg": list(plan.pieces)}
+
+    def used_settings(self) -> LoadCellFile:
+        """Return the settings with the angle reference that was taken."""
+        procedure = self.procedure
+        angle = msgspec.structs.replace(
+            self.given.angle,
+            offset_deg=math.degrees(procedure.angle_offset or 0.0),
+            standard_uncertainty_deg=math.degrees(procedure.angle_uncertainty or 0.0),
+            level_readings_deg=tuple(math.degrees(one) for one in procedure.shown),
+        )
+        return msgspec.structs.replace(self.given, angle=angle)

@@ -1,0 +1,216 @@
+"""The probes with live readings: micrometer steps up and down, before one probe or both."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from calibration.probes.alignment import PairCalibration, calibrate_pair, split_pair
+from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
+from calibration.probes.live import ProbeWindow, assess_probe
+from calibration.probes.positions import robust_line
+from calibration.probes.procedure import (
+    MicrometerReading,
+    ProbePlan,
+    ProbeProcedure,
+    ProbeStep,
+    ProbeStepKind,
+    begin_probes,
+    take_up_probes,
+)
+from calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS, ProbeReadings, parse_probe
+from calibration.probes.settings import ProbeSettings
+from calibration.taking.procedure import Event, ProcedureError
+from calibration.taking.signals import Readiness
+from calibration.taking.stability import Steadiness
+from rigapp.calibrating.practice import PROBE_PRACTICE
+from rigapp.calibrating.probe_result import probe_outcome
+from rigapp.calibrating.session import (
+    NO_CURVES,
+    LiveSession,
+    Outcome,
+    ResidualsSoFar,
+    two_signals,
+    window_times,
+)
+from rigapp.config.calibration_settings import ProbeFile, probe_meaning
+from rigapp.config.errors import UnusableInput
+from rigapp.schema import channels
+
+PROBES = {"1": (1,), "2": (2,), "both": (1, 2)}
+PROBE_PLANS = {"routine": 1, "full": 3}
+"""Plan -> runs up and down."""
+
+SHARE_OF_RANGE = 0.8
+"""Of the probe's range that is calibrated: the rest is kept for where position 0 is set up."""
+ROUND_TO_UM = 5.0
+"""Steps of whole 5 um are easily set at a micrometer's scale."""
+FEWEST_FOR_RESIDUALS = 3
+LEAST_REACH_UM = 1.0
+"""The plot of the residuals shows at least so much: about a micrometer screw's own error."""
+
+
+def usual_reach_um(sensitivity_um_per_V: Sequence[float], range_V: float, positions: int) -> float:
+    """Return the largest position (um): 80 % of the range, in steps of whole 5 um."""
+    reach = SHARE_OF_RANGE * range_V * min(abs(one) for one in sensitivity_um_per_V)
+    step = 2.0 * reach / (positions - 1)
+    if step > 2.0 * ROUND_TO_UM:
+        step = math.floor(step / ROUND_TO_UM) * ROUND_TO_UM
+    return 0.5 * step * (positions - 1)
+
+
+def probe_plan(probe: str, plan: str, reach_um: float, positions: int) -> ProbePlan:
+    """Return the plan that words ask for; raise UnusableInput naming the one that is wrong."""
+    if probe not in PROBES:
+        raise UnusableInput(f"--probe {probe}: choose {', '.join(PROBES)}.")
+    if plan not in PROBE_PLANS:
+        raise UnusableInput(f"--plan {plan}: choose {', '.join(PROBE_PLANS)}.")
+    wanted = ProbePlan(PROBES[probe], 1e-6 * reach_um, positions, PROBE_PLANS[plan])
+    try:
+        wanted.steps()
+    except ProcedureError as error:
+        raise UnusableInput(f"the plan is not possible: {error}.") from error
+    return wanted
+
+
+def calibrate_probes(
+    readings: ProbeReadings, settings: Sequence[ProbeSettings]
+) -> ProbeCalibration | PairCalibration:
+    """Calibrate one probe, or both where settings of two are given (series 1.x and 2.x)."""
+    if len(settings) == 1:
+        return calibrate_probe(readings, settings[0])
+    return calibrate_pair(split_pair(readings), (settings[0], settings[1]))
+
+
+class ProbeSession(LiveSession[ProbeProcedure, ProbeWindow, ProbePlan, ProbeFile]):
+    """A calibration of one or both probes under way."""
+
+    columns = (*PROBE_COLUMNS, OTHER_COLUMN)
+    practice = PROBE_PRACTICE
+    prompt = (
+        "Enter records at this position (or type the micrometer's own um), r rejects, q closes: "
+    )
+
+    def begin(self, plan: ProbePlan) -> ProbeProcedure:
+        """Begin a procedure; raise ValueError for an impossible plan."""
+        return begin_probes(plan)
+
+    def take_up(self, events: Sequence[Event]) -> ProbeProcedure:
+        """Return the procedure that a journal tells; raise ProcedureError."""
+        return take_up_probes(events)
+
+    def window_of(self, view: Mapping[str, Any]) -> ProbeWindow:
+        """Return the window that the engine's answer to ``signals`` tells; SI."""
+        return ProbeWindow(
+            **window_times(view),
+            signal=two_signals(view, channels.PROBES),
+            sensitivity=1e-6 * np.array(view["sensitivity_um_per_V"], dtype=np.float64),
+            offset=np.array(view["probe_offset_V"], dtype=np.float64),
+            range_volts=self.given.probe.range_V,
+        )
+
+    def assess(self, window: ProbeWindow, step: ProbeStep, since: float, wait: float) -> Readiness:
+        """Judge a window for a step."""
+        return assess_probe(window, step, since, wait)
+
+    def after(self, window: ProbeWindow, found: Steadiness, at: float | None) -> ProbeProcedure:
+        """Return the procedure after the step under way; ``at``: what the micrometer shows, m."""
+        procedure, step = self.procedure, self.procedure.step
+        if step.kind is ProbeStepKind.MOUNT:
+            return procedure.mounted()
+        position = step.position if at is None else at
+        return procedure.record(position, found.mean, found.spread, round(time.time(), 3))
+
+    # --- what a face shows -----------------------------------------------------------------------
+
+    def typed(self, answer: str) -> float | None:
+        """Return the position (m) that the operator read off the micrometer."""
+        if not answer or self.procedure.step.kind is ProbeStepKind.MOUNT:
+            return None
+        try:
+            return 1e-6 * float(answer.removesuffix("um").replace(",", "."))
+        except ValueError as error:
+            raise ProcedureError("Enter, a position in um, r or q.") from error
+
+    def describe(self, reading: MicrometerReading) -> str:
+        """Return series and position of a reading in words."""
+        series = self.procedure.steps[reading.step].series
+        return f"series {series}, {1e6 * reading.position:g} um"
+
+    def recorded(self, found: Readiness) -> str:
+        """Return the voltage of the probe in words."""
+        reading = self.procedure.taken[-1]
+        own = reading.signal[self.procedure.steps[reading.step].probe - 1]
+        return f"{own:+.5f} V (the calibration in use makes {1e6 * found.felt:+.1f} um of it)"
+
+    def residuals(self) -> ResidualsSoFar:
+        """Return how far each reading lies from the line of all of its probe so far, um."""
+        reach = 1.1e6 * self.procedure.plan.reach
+        curves, last, worst = list(NO_CURVES), 0.0, (0.0, 0.0, 0)
+        for probe in self.procedure.plan.probes:
+            taken = self.procedure.readings(probe)
+            if len(np.unique(taken.position)) < FEWEST_FOR_RESIDUALS:
+                continue
+            line = robust_line(taken.position, taken.signal)
+            if line.slope == 0.0:
+                continue
+            position, um = 1e6 * taken.position, 1e6 * line.residual / line.slope
+            curves[probe - 1] = (position, um)
+            at, last = int(np.abs(um).argmax()), float(um[-1])
+            worst = max(worst, (float(um[at]), float(position[at]), probe), key=_size)
+        if not worst[2]:
+            words = "Residuals are shown from the third position on."
+            return ResidualsSoFar(NO_CURVES, (-reach, reach), LEAST_REACH_UM, words)
+        return ResidualsSoFar(
+            curves=(curves[0], curves[1]),
+            span=(-reach, reach),
+            reach=max(LEAST_REACH_UM, 1.2 * abs(worst[0])),
+            words=f"Circle: probe 1, triangle: probe 2. Last {last:+.2f} µm; largest"
+            f" {worst[0]:+.2f} µm at {worst[1]:g} µm of probe {worst[2]}.",
+        )
+
+    # --- the end ---------------------------------------------------------------------------------
+
+    def settings_of(self, probe: int) -> ProbeSettings:
+        """Return the settings of a probe; its expected sensitivity is that of the one in use."""
+        settings = probe_meaning(self.given)
+        if settings.nominal is None and self.newest is not None:
+            settings = replace(settings, nominal=float(self.newest.sensitivity[probe - 1]))
+        return settings
+
+    def fitted(self) -> Outcome:
+        """Fit and check all readings."""
+        settings = [self.settings_of(probe) for probe in self.procedure.plan.probes]
+        return probe_outcome(calibrate_probes(parse_probe(self.readings_csv()), settings))
+
+    def row(self, reading: MicrometerReading) -> str:
+        """Return a reading as a line of the CSV."""
+        step = self.procedure.steps[reading.step]
+        own, other = reading.signal[step.probe - 1], reading.signal[2 - step.probe]
+        return f"{step.series},{step.number},{1e6 * reading.position!r},{own!r},{other!r}"
+
+    def facts(self) -> dict[str, Any]:
+        """Return what the record tells of the plan."""
+        plan = self.procedure.plan
+        return {"probes": list(plan.probes), "positions": plan.positions, "runs": plan.runs}
+
+    def used_settings(self) -> ProbeFile:
+        """Return the settings with what was taken from the rig, so that the record is complete."""
+        probes = self.procedure.plan.probes
+        nominal = self.settings_of(probes[0]).nominal
+        if len(probes) > 1 or nominal is None:
+            return self.given
+        probe = msgspec.structs.replace(
+            self.given.probe, nominal_sensitivity_um_per_V=1e6 * nominal
+        )
+        return msgspec.structs.replace(self.given, probe=probe)
+
+
+def _size(place: tuple[float, float, int]) -> float:
+    return abs(place[0])

@@ -1,0 +1,118 @@
+"""The running check: from the files of its runs to a record."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from calibration.turning.running_check import Known, RunningCheck, SpeedRun, running_check
+from rigapp.calibrating.records import problems_of
+from rigapp.calibrating.session import Outcome
+from rigapp.config.errors import UnusableInput
+from rigapp.config.rig import RigFile
+from rigapp.schema.messages import Flag
+
+RUNNING_COLUMNS = ("run", "speed_rpm", "force_1_N", "force_2_N")
+STEADY_SHARE = 0.02
+"""A revolution within this share of its set speed counts; what a ramp adds is more."""
+MASS_UNCERTAINTY = 0.01
+"""Relative standard uncertainty of mass times radius: a pin weighed, its centre by its drawing."""
+FORCE_UNCERTAINTY = 0.005
+"""Relative standard uncertainty of a force where no record states one: a cell of class 0.5."""
+
+
+def check_of(files: Sequence[Path], speeds: Sequence[float], known: Known) -> tuple[Outcome, str]:
+    """Compare the runs at some speeds (rpm) with what is known: outcome, readings as CSV."""
+    runs = [read_run(path, speed) for path, speed in zip(files, speeds, strict=True)]
+    return running_outcome(running_check(runs, known), known), runs_csv(runs)
+
+
+def running_outcome(found: RunningCheck, known: Known) -> Outcome:
+    """Return a check as it is shown, printed and kept; what it shows is told always."""
+    lines = (*running_lines(found), found.sentence)
+    return Outcome("running check", running_result(found, known), lines, told_always=True)
+
+
+def known_term(rig: RigFile, mass_kg: float | None, radius_mm: float | None) -> Known:
+    """Return what is known of the pin and the cell; raise UnusableInput without a mass."""
+    cell = rig.load_cell
+    mass = cell.outboard_mass_kg if mass_kg is None else mass_kg
+    radius = cell.outboard_radius_mm if radius_mm is None else radius_mm
+    if not (mass > 0.0 and radius > 0.0):
+        raise UnusableInput(
+            "the mass of the pin outboard of its gauges is not known; write"
+            " load_cell.outboard_mass_kg and outboard_radius_mm, or give --mass-kg and --radius-mm."
+        )
+    per_force = FORCE_UNCERTAINTY if cell.uncertainty_N is None else cell.uncertainty_N[1] / 2.0
+    return Known(mass * radius * 1e-3, MASS_UNCERTAINTY, cell.resolution_N, per_force)
+
+
+def read_run(path: Path, rpm: float) -> SpeedRun:
+    """Return the revolutions of a test file at its steady speed."""
+    from rigapp.storage import open_test
+
+    with open_test(path) as reader:
+        summary = reader.summary()
+        if summary["status"] != "complete":
+            raise UnusableInput(
+                f"the run at {rpm:g} rpm was not completed: {summary['reason']} {path} holds it."
+            )
+        names = ("speed", "quality", "force_1_mean", "force_2_mean", "force_1_rms", "force_2_rms")
+        speed, quality, one, two, rms_1, rms_2 = (reader.column(name) for name in names)
+    good = (np.abs(speed / rpm - 1.0) < STEADY_SHARE) & (quality & int(Flag.PARTIAL) == 0)
+    force = np.column_stack((one, two))[good].astype(np.float64)
+    squares = np.column_stack((rms_1, rms_2))[good] ** 2 - force**2
+    spread = float(np.sqrt(np.maximum(squares, 0.0).mean(axis=0).min())) if len(force) else 0.0
+    return SpeedRun(speed[good].astype(np.float64) * math.pi / 30.0, force, spread)
+
+
+def runs_csv(runs: Sequence[SpeedRun]) -> str:
+    """Return every revolution that was used, as CSV."""
+    lines = [",".join(RUNNING_COLUMNS)]
+    for number, run in enumerate(runs, 1):
+        for speed, (one, two) in zip(run.speed, run.force, strict=True):
+            lines.append(
+                f"{number},{float(speed) * 30.0 / math.pi!r},{float(one)!r},{float(two)!r}"
+            )
+    return "\n".join(lines) + "\n"
+
+
+def running_result(found: RunningCheck, known: Known) -> dict[str, Any]:
+    """Return what ``--json`` prints and the record keeps, units in the keys."""
+    return {
+        "accepted": found.accepted,
+        "problems": problems_of(found.problems),
+        "sentence": found.sentence,
+        "known_mass_times_radius_kg_m": known.moment,
+        "measured_mass_times_radius_kg_m": found.moment,
+        "measured_expanded_uncertainty_kg_m": found.moment_expanded,
+        "coverage_factor": 2.0,
+        "speeds": [
+            {
+                "speed_rpm": one.speed * 30.0 / math.pi,
+                "known_N": list(one.known),
+                "measured_N": list(one.measured),
+                "expanded_uncertainty_N": one.expanded,
+                "agrees": one.agrees,
+            }
+            for one in found.comparisons
+        ],
+    }
+
+
+def running_lines(found: RunningCheck) -> list[str]:
+    """Return the speeds as lines of a table."""
+    if not found.comparisons:
+        return []
+    return [
+        "   rpm   known N   force_1 N   force_2 N   U (k = 2) N",
+        *(
+            f"{one.speed * 30.0 / math.pi:6.1f} {one.known[0]:+9.2f} {one.measured[0]:+11.2f}"
+            f" {one.measured[1]:+11.2f} {one.expanded:13.2f}"
+            for one in found.comparisons
+        ),
+    ]

@@ -1,0 +1,314 @@
+"""A calibration with live readings, without a face: signals in, journal and record out.
+
+The wizard and the terminal are thin faces of a ``LiveSession``: they show its instruction and its
+judgement of the newest window, and pass on what the operator decides. What is calibrated is said by
+a session of its own (``load_cell_session``, ``probe_session``).
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, ClassVar, Generic, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from calibration.load_cell.daily import DailyCheck
+from calibration.taking.procedure import Event, Procedure, ProcedureError
+from calibration.taking.signals import Readiness, SignalState, SignalWindow
+from calibration.taking.stability import Steadiness
+from rigapp.calibrating.journal import Journal
+from rigapp.calibrating.practice import Practice
+from rigapp.calibrating.records import CalibrationFile, keep_record, refuse_existing
+from rigapp.config.errors import UnusableInput
+from rigapp.schema.channels import BASE
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Rig:
+    """Where the readings come from: name of the rig, whether it is simulated, who calibrates.
+
+    file: the rig file, where it is known.
+    """
+
+    name: str
+    simulated: bool
+    operator: str = ""
+    file: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class NumberTable:
+    """Numbers of a result as a table. in_lines: how many of the result's lines say the same."""
+
+    columns: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    in_lines: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outcome:
+    """The end of a calibration, or of a daily check.
+
+    kind: of the record. result: as ``--json`` prints it and the record keeps it. lines: the same in
+    words and numbers. check: the daily check, which makes no record. saved: the record, if any.
+    """
+
+    kind: str
+    result: Mapping[str, Any]
+    lines: tuple[str, ...]
+    table: NumberTable | None = None
+    told_always: bool = False
+    check: DailyCheck | None = None
+    saved: Path | None = None
+
+    @property
+    def accepted(self) -> bool:
+        """Tell whether nothing stands against it."""
+        return bool(self.result["accepted"])
+
+    @property
+    def makes_record(self) -> bool:
+        """Tell whether it is to be saved as a record."""
+        return self.accepted and self.check is None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ResidualsSoFar:
+    """What the readings so far differ from their own fit, for a plot, and the same in words.
+
+    curves: of the two axes or probes, each (x, residual); span: the ends of the x axis; reach: of
+    the other one, either way; in the units of the plot.
+    """
+
+    curves: tuple[tuple[Array, Array], tuple[Array, Array]]
+    span: tuple[float, float]
+    reach: float
+    words: str
+
+
+NO_CURVES = ((np.empty(0), np.empty(0)), (np.empty(0), np.empty(0)))
+
+ProcedureType = TypeVar("ProcedureType", bound=Procedure[Any, Any])
+WindowType = TypeVar("WindowType", bound=SignalWindow)
+PlanType = TypeVar("PlanType")
+FileType = TypeVar("FileType", bound=CalibrationFile)
+
+
+class LiveSession(ABC, Generic[ProcedureType, WindowType, PlanType, FileType]):
+    """One calibration under way. Every event is in the journal before the state changes."""
+
+    columns: ClassVar[tuple[str, ...]]
+    practice: ClassVar[Practice]
+    prompt: ClassVar[str] = "Enter records, r rejects, q closes: "
+
+    def __init__(
+        self,
+        given: FileType,
+        rig: Rig,
+        journal: Path,
+        plan: PlanType | None,
+        *,
+        keep_waiting_times: bool = True,
+    ) -> None:
+        """Begin, or take up what the journal tells; raise UnusableInput.
+
+        plan: what to begin; None to take up only. A journal with events is taken up, and must have
+        come from the same rig.
+        """
+        self.given, self.rig = given, rig
+        self._patient = keep_waiting_times
+        self._since = math.nan
+        self.newest: WindowType | None = None
+        self.check_settings()
+        self.journal = Journal(journal)
+        try:
+            self.procedure = self._open(plan)
+        except (UnusableInput, ValueError) as error:
+            self.journal.close()
+            raise UnusableInput(f"{journal}: {error}") from error
+
+    def _open(self, plan: PlanType | None) -> ProcedureType:
+        events = self.journal.read()
+        if events:
+            first = events[0]
+            if (first.get("rig"), first.get("simulated")) != (self.rig.name, self.rig.simulated):
+                raise UnusableInput(
+                    f"these readings come from the rig {first.get('rig')!r}, this is"
+                    f" {self.rig.name!r}; name another journal."
+                )
+            return self.take_up(events)
+        if plan is None:
+            raise UnusableInput("there are no readings to take up; begin a calibration.")
+        procedure = self.begin(plan)
+        self._write({**procedure.events[0], **self._source()})
+        return procedure
+
+    def _source(self) -> dict[str, Any]:
+        rig = self.rig
+        return {"rig": rig.name, "simulated": rig.simulated, "operator": rig.operator}
+
+    # --- what is calibrated ----------------------------------------------------------------------
+
+    def check_settings(self) -> None:
+        """Raise UnusableInput for settings that no calibration could begin with."""
+        return
+
+    @abstractmethod
+    def begin(self, plan: PlanType) -> ProcedureType:
+        """Begin a procedure; raise ValueError for a plan that cannot be."""
+
+    @abstractmethod
+    def take_up(self, events: Sequence[Event]) -> ProcedureType:
+        """Return the procedure that a journal tells; raise ProcedureError."""
+
+    @abstractmethod
+    def window_of(self, view: Mapping[str, Any]) -> WindowType:
+        """Return the window that the engine's answer to ``signals`` tells; SI."""
+
+    @abstractmethod
+    def assess(self, window: WindowType, step: Any, since: float, wait: float) -> Readiness:
+        """Judge a window for a step."""
+
+    @abstractmethod
+    def after(self, window: WindowType, found: Steadiness, at: float | None) -> ProcedureType:
+        """Return the procedure after the step under way; ``at``: what the operator read off, SI."""
+
+    @abstractmethod
+    def row(self, reading: Any) -> str:
+        """Return a reading as a line of the CSV of this calibration."""
+
+    @abstractmethod
+    def used_settings(self) -> FileType:
+        """Return the settings with what was found while the readings were taken."""
+
+    @abstractmethod
+    def facts(self) -> dict[str, Any]:
+        """Return what the record tells of the plan."""
+
+    @abstractmethod
+    def fitted(self) -> Outcome:
+        """Fit and check all readings."""
+
+    # --- what a face shows -----------------------------------------------------------------------
+
+    @abstractmethod
+    def describe(self, reading: Any) -> str:
+        """Return what names a reading among the others, in words."""
+
+    @abstractmethod
+    def recorded(self, found: Readiness) -> str:
+        """Return what was recorded, in words; found before it was taken."""
+
+    @abstractmethod
+    def residuals(self) -> ResidualsSoFar:
+        """Fit the readings so far, for the plot."""
+
+    def typed(self, answer: str) -> float | None:
+        """Return what the operator read off, SI; raise ProcedureError for what is no answer."""
+        if answer:
+            raise ProcedureError("Enter, r or q.")
+        return None
+
+    @property
+    def reference_is_due(self) -> bool:
+        """Tell whether now an angle reference is to be entered, not a reading to be recorded."""
+        return False
+
+    def look(self, window: WindowType) -> Readiness:
+        """Judge the newest window for the step under way."""
+        newest, procedure = window.newest, self.procedure
+        if not procedure.done and not math.isnan(newest):
+            before = -math.inf if self.newest is None else self.newest.newest
+            if math.isnan(self._since) or newest < before:
+                self._since = newest
+        self.newest = window
+        if procedure.done:
+            readiness = self.assess(window, procedure.steps[-1], math.nan, 0.0)
+            return replace(readiness, state=SignalState.WAITING, words="all readings are taken")
+        wait = procedure.step.wait if self._patient else 0.0
+        return self.assess(window, procedure.step, self._since, wait)
+
+    def changed_at(self, time_s: float) -> None:
+        """Take note of the device time at which something was changed (a simulated hand knows)."""
+        self._since = time_s
+
+    # --- what the operator does ------------------------------------------------------------------
+
+    def take(self, window: WindowType, at: float | None = None) -> None:
+        """Take the step under way with a window that is ready; raise ProcedureError when not.
+
+        at: what the operator read off (a micrometer), SI; without it, the step's.
+        """
+        readiness = self.look(window)
+        if not readiness.ready:
+            raise ProcedureError(f"it cannot be recorded now: {readiness.words}")
+        self.adopt(self.after(window, readiness.steadiness, at))
+        self._since = window.newest
+
+    def reject(self, index: int, reason: str) -> None:
+        """Reject a reading (from 0) with a reason; its series is taken again."""
+        self.adopt(self.procedure.reject(index, reason))
+
+    def adopt(self, after: ProcedureType) -> None:
+        """Go on to the state after an event, once the event is in the journal."""
+        self._write(after.events[-1])
+        self.procedure = after
+
+    def close(self) -> None:
+        """Let the journal go; it can be taken up again. One in which nothing was done goes."""
+        if len(self.procedure.events) == 1:
+            self.journal.path.unlink(missing_ok=True)
+        self.journal.close()
+
+    # --- the end ---------------------------------------------------------------------------------
+
+    def judge(self) -> Outcome:
+        """Fit and check all readings; nothing is saved. Raises ProcedureError before the end."""
+        if not self.procedure.done:
+            raise ProcedureError(f"readings are missing: {self.procedure.progress}")
+        return self.fitted()
+
+    def save(self, outcome: Outcome, to: Path) -> Outcome:
+        """Seal an accepted outcome in a record; raise UnusableInput."""
+        if not outcome.makes_record:
+            raise UnusableInput("a calibration that is refused is not saved.")
+        refuse_existing(to)
+        events = [dict(event) for event in self.procedure.events]
+        taken = {**self._source(), **self.facts(), "events": events}
+        text, given = self.readings_csv(), self.used_settings()
+        keep_record(to, outcome.kind, text, given, outcome.result, taken)
+        return replace(outcome, saved=to)
+
+    def readings_csv(self) -> str:
+        """Return all readings as the CSV of this calibration, rejected ones as comments."""
+        lines = [",".join(self.columns)]
+        for one in self.procedure.taken:
+            reason = " ".join(one.rejected.split())
+            lines.append(f"# rejected ({reason}): {self.row(one)}" if reason else self.row(one))
+        return "\n".join(lines) + "\n"
+
+    def _write(self, event: Event) -> None:
+        self.journal.append({**event, "written": round(time.time(), 3)})
+
+
+def window_times(view: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what every window has in the engine's answer to ``signals``, without its signals."""
+    return {
+        "time": np.array(view["end"], dtype=np.float64) / view["sample_rate_Hz"],
+        "stands": bool(view["stands"]),
+        "noise_share": 1.0 / math.sqrt(view["samples_per_mean"]),
+    }
+
+
+def two_signals(view: Mapping[str, Any], instrument: str) -> Array:
+    """Return the two inputs of an instrument from the engine's answer (n, 2)."""
+    rows = [view["signals"][name] for name in BASE.names_of(instrument)]
+    return np.array(rows, dtype=np.float64).T

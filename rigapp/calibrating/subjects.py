@@ -1,0 +1,121 @@
+"""What can be calibrated: one table.
+
+A new subject is an entry here, and what the entry names: its fit and checks (``calibration``), its
+result and, if it is taken step by step, its session (beside this module), the sections of its
+certificate, and where a rig file names its records (``records_in_use``). The command line has one
+function for its options (``rigapp.cli``), the window one for its pages (``rigapp.gui.wizard``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from calibration.load_cell.calibrate import calibrate_load_cell
+from calibration.load_cell.readings import LOAD_CELL_COLUMNS, parse_load_cell
+from calibration.probes.readings import PROBE_COLUMNS, parse_probe
+from rigapp.calibrating.certificates.load_cell import load_cell_parts
+from rigapp.calibrating.certificates.parts import Parts
+from rigapp.calibrating.certificates.probes import probe_parts
+from rigapp.calibrating.certificates.run_out import run_out_parts
+from rigapp.calibrating.certificates.running_check import running_parts
+from rigapp.calibrating.load_cell_result import load_cell_outcome
+from rigapp.calibrating.load_cell_session import LoadCellSession
+from rigapp.calibrating.probe_result import probe_outcome
+from rigapp.calibrating.probe_session import PROBES as WHICH_PROBES
+from rigapp.calibrating.probe_session import ProbeSession, calibrate_probes
+from rigapp.calibrating.records import CalibrationFile
+from rigapp.calibrating.records_in_use import LOAD_CELL, PROBES, RUN_OUT, RecordPlace
+from rigapp.calibrating.run_out import RUN_OUT_COLUMNS
+from rigapp.calibrating.running_check import RUNNING_COLUMNS
+from rigapp.calibrating.session import LiveSession, Outcome
+from rigapp.config.calibration_settings import (
+    LoadCellFile,
+    ProbeFile,
+    RunOutFile,
+    load_cell_meaning,
+    probe_meaning,
+)
+from rigapp.config.errors import UnusableInput
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """One thing that can be calibrated.
+
+    name: of the verb, with blanks. kinds: of its records. columns: of its readings. settings: of
+    its file. fit (readings as CSV, settings, where they are from, which of several): raises
+    ReadingsError or UnusableInput; None where the readings are test files. session: with live
+    readings step by step, None for others. certificate: of a record's content. place: where a rig
+    file names its records, None for a check that changes nothing there.
+    """
+
+    name: str
+    kinds: tuple[str, ...]
+    columns: tuple[str, ...]
+    settings: type[CalibrationFile]
+    certificate: Callable[[Mapping[str, Any]], Parts]
+    fit: Callable[[str, Any, str, str], Outcome] | None = None
+    session: type[LiveSession[Any, Any, Any, Any]] | None = None
+    place: RecordPlace | None = None
+
+
+def _fit_load_cell(text: str, given: LoadCellFile, where: str, which: str) -> Outcome:
+    settings = load_cell_meaning(given, where)
+    return load_cell_outcome(calibrate_load_cell(parse_load_cell(text), settings), settings)
+
+
+def _fit_probes(text: str, given: ProbeFile, where: str, which: str) -> Outcome:
+    """Fit one probe (the readings do not tell which), or a pair, whose series are 1.x and 2.x."""
+    if which not in WHICH_PROBES:
+        raise UnusableInput(f"--probe {which}: choose {', '.join(WHICH_PROBES)}.")
+    settings = [probe_meaning(given)] * len(WHICH_PROBES[which])
+    return probe_outcome(calibrate_probes(parse_probe(text), settings))
+
+
+SUBJECTS: Mapping[str, Subject] = {
+    one.name: one
+    for one in (
+        Subject(
+            name="load cell",
+            kinds=LOAD_CELL.kinds,
+            columns=LOAD_CELL_COLUMNS,
+            settings=LoadCellFile,
+            certificate=load_cell_parts,
+            fit=_fit_load_cell,
+            session=LoadCellSession,
+            place=LOAD_CELL,
+        ),
+        Subject(
+            name="probes",
+            kinds=PROBES.kinds,
+            columns=PROBE_COLUMNS,
+            settings=ProbeFile,
+            certificate=probe_parts,
+            fit=_fit_probes,
+            session=ProbeSession,
+            place=PROBES,
+        ),
+        Subject(
+            name="run-out",
+            kinds=RUN_OUT.kinds,
+            columns=RUN_OUT_COLUMNS,
+            settings=RunOutFile,
+            certificate=run_out_parts,
+            place=RUN_OUT,
+        ),
+        Subject(
+            name="running check",
+            kinds=("running check",),
+            columns=RUNNING_COLUMNS,
+            settings=LoadCellFile,
+            certificate=running_parts,
+        ),
+    )
+}
+
+
+def subject_of(kind: str) -> Subject:
+    """Return the subject whose records are of a kind; raise KeyError for an unknown kind."""
+    return next((one for one in SUBJECTS.values() if kind in one.kinds), None) or SUBJECTS[kind]

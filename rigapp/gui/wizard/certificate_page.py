@@ -1,0 +1,137 @@
+"""The last page: the certificate of the record, and the record's name into the rig file."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWizardPage
+
+from rigapp.calibrating.records_in_use import RecordPlace
+from rigapp.calibrating.rig_file import name_record
+from rigapp.config.errors import UnusableInput
+from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.gui.wizard.parts import larger, named, prose
+
+USE = "Write its name into the &rig file…"
+
+
+class CertificatePage(QWizardPage):
+    """Write the certificate beside the record, as PDF or HTML; put the record to use."""
+
+    def __init__(self, live: LiveCalibration, prefix: str, place: RecordPlace) -> None:
+        """Make the widgets; prefix: of their names; place: where a rig file names the record."""
+        super().__init__()
+        self._live, self._place = live, place
+        self.setTitle("Certificate")
+        self.setSubTitle("The certificate is made from the record alone: the same bytes each time.")
+        self.saved = prose(f"{prefix}saved", "Where the record is")
+        larger(self.saved, 1.15)
+        self.pdf = QPushButton("Write the certificate as &PDF")
+        named(self.pdf, f"{prefix}certificate_pdf", "Write the certificate as PDF")
+        self.html = QPushButton("Write the certificate as &HTML")
+        named(self.html, f"{prefix}certificate_html", "Write the certificate as HTML")
+        self.words = prose(f"{prefix}certificate_words", "Where the certificate is")
+        self.use = QPushButton(USE)
+        named(self.use, f"{prefix}use_record", "Write the name of the record into the rig file")
+        self.no = QPushButton("N&o, leave it")
+        named(self.no, f"{prefix}leave_rig_file", "Leave the rig file as it is")
+        self.used = prose(f"{prefix}use_words", "What happens to the rig file")
+        column = QVBoxLayout(self)
+        column.addWidget(self.saved)
+        column.addLayout(_row(self.pdf, self.html))
+        column.addWidget(self.words)
+        column.addSpacing(self.words.fontMetrics().height())
+        column.addWidget(self.used)
+        column.addLayout(_row(self.use, self.no))
+        column.addStretch(1)
+        self._asked = False
+        self.pdf.clicked.connect(lambda: self._write(".pdf"))
+        self.html.clicked.connect(lambda: self._write(".html"))
+        self.use.clicked.connect(self._use)
+        self.no.clicked.connect(self._leave)
+        live.said.connect(self.words.setText)
+        self.setFinalPage(True)
+
+    def initializePage(self) -> None:
+        """Name the record."""
+        outcome = self._live.outcome
+        path = outcome.saved if outcome is not None else None
+        simulated = (
+            " It was made on a simulated rig, for practice." if self._live.rig.simulated else ""
+        )
+        self.saved.setText(f"The record is saved and read-only: {path}.{simulated}")
+        self.words.clear()
+        self._leave()
+        self.pdf.setFocus()
+        self._live.run(_load_writers, lambda _: None)
+
+    def _write(self, suffix: str) -> None:
+        outcome = self._live.outcome
+        if outcome is None or outcome.saved is None:
+            return
+        from rigapp.calibrating.certificate import write_certificate
+
+        record, target = outcome.saved, outcome.saved.with_suffix(suffix)
+        self.words.setText("Writing the certificate; the first one takes some seconds …")
+        self._live.run(
+            lambda: write_certificate(record, target),
+            lambda _: self.words.setText(f"The certificate is {target}."),
+        )
+
+    def _leave(self) -> None:
+        """Ask nothing; say what would put the record to use."""
+        file, outcome = self._live.rig.file, self._live.outcome
+        whole = outcome is not None and self._place.alone(outcome.kind)
+        self._asked = False
+        self.no.hide()
+        self.use.setVisible(file is not None and whole)
+        self.use.setText(USE)
+        name = "the rig file" if file is None else str(file)
+        value = "..." if whole else '[this record, "the other probe\'s"]'
+        self.used.setText(
+            f"The record counts when {name} names it: section [{self._place.section}],"
+            f" {self._place.key} = {value}"
+        )
+
+    def _use(self) -> None:
+        """Ask first, then write the record's name into the rig file."""
+        file, outcome = self._live.rig.file, self._live.outcome
+        if file is None or outcome is None or outcome.saved is None:
+            return
+        if not self._asked:
+            self._asked = True
+            self.used.setText(
+                f"Write the name of this record into {file}? Comments and all else stay, and a copy"
+                " of the file as it is now is kept beside it."
+            )
+            self.use.setText("&Yes, write it")
+            self.no.show()
+            return
+        try:
+            copy = name_record(file, outcome.saved, self._place)
+        except UnusableInput as error:
+            self._leave()
+            self.used.setText(str(error))
+            return
+        self._asked = False
+        self.use.hide()
+        self.no.hide()
+        self.used.setText(
+            f"{file.name} names the record now; the former file is {copy.name}. It counts when the"
+            " engine is started again: close all windows of this rig, and open one after a minute."
+        )
+
+
+def _row(*buttons: QPushButton) -> QHBoxLayout:
+    row = QHBoxLayout()
+    for button in buttons:
+        row.addWidget(button)
+    row.addStretch(1)
+    return row
+
+
+def _load_writers() -> None:
+    """Load what draws a certificate while the operator reads the page."""
+    import matplotlib.figure  # noqa: F401
+
+    import rigapp.calibrating.certificate
+    import rigapp.report.page.html
+    import rigapp.report.page.pdf  # noqa: F401

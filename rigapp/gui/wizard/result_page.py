@@ -1,0 +1,172 @@
+"""The page of what came out, saved or refused; of a daily check, the control chart."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWizardPage,
+)
+
+from rigapp.calibrating.daily_history import STORE, DailyHistory
+from rigapp.calibrating.session import NumberTable, Outcome
+from rigapp.config.errors import UnusableInput
+from rigapp.gui.plots.palette import Theme
+from rigapp.gui.wizard.chart_plot import ChartPlot
+from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.gui.wizard.parts import ResidualPlot, larger, named, prose
+
+REFUSED = (
+    "Nothing is saved. Go back, select a reading of the series that is wrong, reject it with the"
+    " reason, and take that series again. All readings so far stay in the journal."
+)
+
+
+class ResultPage(QWizardPage):
+    """Show numbers, uncertainty, problems; save the record, or say why it is refused."""
+
+    def __init__(
+        self,
+        live: LiveCalibration,
+        theme: Theme,
+        folder: Path,
+        prefix: str,
+        plot: ResidualPlot | None = None,
+    ) -> None:
+        """Make the widgets; prefix: of their names; plot: of the residuals, if it is shown."""
+        super().__init__()
+        self._live, self.plot = live, plot
+        self._store = folder / STORE
+        self.setTitle("Result")
+        self.verdict = prose(f"{prefix}verdict", "Verdict")
+        larger(self.verdict, 1.8, bold=True)
+        self.problems = prose(f"{prefix}problems", "Problems")
+        larger(self.problems, 1.15)
+        self.matrix = QTableWidget()
+        named(self.matrix, f"{prefix}matrix", "Matrix and zero")
+        self.matrix.setMaximumHeight(6 * self.matrix.fontMetrics().height())
+        self.matrix.setTabKeyNavigation(False)
+        self.words = prose(f"{prefix}result_words", "Numbers and uncertainty")
+        self.chart = ChartPlot(theme)
+        self.target = QLineEdit()
+        named(self.target, f"{prefix}record_file", "Record to make")
+        self.target_label = QLabel("Save the &record as")
+        self.target_label.setBuddy(self.target)
+        self.problem = prose(f"{prefix}result_problem", "What is wrong on this page")
+        row = QHBoxLayout()
+        row.addWidget(self.target_label)
+        row.addWidget(self.target, 1)
+        column = QVBoxLayout(self)
+        for widget in (self.verdict, self.problems, self.matrix, self.words):
+            column.addWidget(widget)
+        if plot is not None:
+            column.addWidget(plot, 4)
+        column.addWidget(self.chart, 4)
+        column.addStretch(1)
+        column.addWidget(self.problem)
+        column.addLayout(row)
+        live.judged.connect(self._show)
+        live.said.connect(self._said)
+
+    def initializePage(self) -> None:
+        """Fit and check all readings."""
+        self.verdict.setText("Calculating …")
+        for label in (self.problems, self.words, self.problem):
+            label.clear()
+        for widget in (self.matrix, self.target, self.target_label, self.chart):
+            widget.hide()
+        session = self._live.session
+        if session is not None:
+            self.target.setText(str(session.journal.path.with_suffix(".json")))
+            if self.plot is not None:
+                self.plot.show_residuals(session.residuals())
+        self._live.judge()
+        self.completeChanged.emit()
+
+    def isComplete(self) -> bool:
+        """Tell whether there is a result to go on with: a refused calibration is not one."""
+        outcome = self._live.outcome
+        return outcome is not None and (outcome.accepted or outcome.check is not None)
+
+    def nextId(self) -> int:
+        """Go to the certificate only when there is something to save."""
+        outcome = self._live.outcome
+        return super().nextId() if outcome is None or outcome.makes_record else -1
+
+    def validatePage(self) -> bool:
+        """Seal the record when the calibration is accepted."""
+        outcome, session = self._live.outcome, self._live.session
+        if outcome is None or session is None:
+            return False
+        if not outcome.makes_record or outcome.saved is not None:
+            return True
+        try:
+            self._live.outcome = session.save(outcome, Path(self.target.text().strip()))
+        except UnusableInput as error:
+            self.problem.setText(str(error))
+            self.target.setFocus()
+            return False
+        return True
+
+    def _said(self, text: str) -> None:
+        if not (self.isVisible() and text):
+            return
+        if self._live.outcome is not None:
+            self.problem.setText(text)
+        else:
+            self.verdict.setText("✗ There is no result")
+            self.problems.setText(text)
+
+    def _show(self) -> None:
+        outcome, session = self._live.outcome, self._live.session
+        assert outcome is not None
+        words = ("Accepted", "Refused")
+        if outcome.check is not None:
+            words = ("The daily check is passed", "The check failed")
+            self.problems.setText("\n".join(outcome.lines))
+            self._live.run(lambda: session.keep_check(outcome, self._store), self._show_history)
+        else:
+            self._show_calibration(outcome)
+        self.verdict.setText(f"✓ {words[0]}" if outcome.accepted else f"✗ {words[1]}")
+        self.setFinalPage(not outcome.makes_record)
+        self.completeChanged.emit()
+
+    def _show_history(self, found: DailyHistory) -> None:
+        self.chart.show_history(found)
+        self.chart.show()
+        self.words.setText(f"The check is kept in {self._store}.")
+
+    def _show_calibration(self, outcome: Outcome) -> None:
+        notes = [
+            ("• " if one["blocks"] else "Note: ") + str(one["sentence"])
+            for one in outcome.result["problems"]
+        ]
+        if not outcome.accepted:
+            notes.append(REFUSED)
+        self.problems.setText("\n".join(notes))
+        for widget in (self.target, self.target_label):
+            widget.setVisible(outcome.accepted)
+        if not outcome.accepted:
+            return
+        if outcome.table is not None:
+            self._fill(outcome.table)
+        lines = outcome.lines[outcome.table.in_lines if outcome.table is not None else 0 :]
+        self.words.setText("\n".join(lines).replace(" um", " µm"))
+
+    def _fill(self, table: NumberTable) -> None:
+        self.matrix.setRowCount(len(table.rows))
+        self.matrix.setColumnCount(len(table.columns) - 1)
+        self.matrix.setHorizontalHeaderLabels(table.columns[1:])
+        self.matrix.setVerticalHeaderLabels([row[0] for row in table.rows])
+        self.matrix.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        for row, (_, *texts) in enumerate(table.rows):
+            for place, text in enumerate(texts):
+                self.matrix.setItem(row, place, QTableWidgetItem(text))
+        self.matrix.show()
