@@ -78,27 +78,21 @@ class BytePort(Protocol):
     @property
     def is_open(self) -> bool:
         """Tell whether the port is open."""
-        ...
 
     def open(self) -> None:
         """Open the port; raise ConnectionFailed."""
-        ...
 
     def read_some(self, maximum: int, timeout_s: float) -> bytes:
         """Return what is there, at most maximum bytes; wait timeout_s for the first one."""
-        ...
 
     def write(self, data: bytes) -> None:
         """Send all bytes; raise DeviceLost."""
-        ...
 
     def drain(self) -> bytes:
         """Read until the line is quiet and return what came."""
-        ...
 
     def close(self) -> None:
         """Release the port; never raises."""
-        ...
 
 
 class Quality(enum.IntFlag):
@@ -210,31 +204,24 @@ class DataSource(Protocol):
 
     def open(self) -> Identity:
         """Open the port and identify the device; raise ConnectionFailed or WrongDevice."""
-        ...
 
     def configure(self, request: DataRequest) -> StreamSetup:
         """Set what differs, read everything back; raise SettingRefused."""
-        ...
 
     def start(self) -> None:
         """Start streaming; sample index and block sequence restart at 0."""
-        ...
 
     def read(self, timeout_s: float) -> Block | None:
         """Return the next Block, None when none came in time; raise DeviceLost, DataOverrun."""
-        ...
 
     def zero(self, inputs: Sequence[str]) -> None:
         """Zero inputs in the device where it can; raise SettingRefused where it cannot."""
-        ...
 
     def stop(self) -> None:
         """Stop streaming; safe to call twice."""
-        ...
 
     def close(self) -> None:
         """Release the device; never raises; safe to call twice."""
-        ...
 
 
 class InputFaultKind(enum.StrEnum):
@@ -273,7 +260,6 @@ class InputSupervision(Protocol):
         stays in the list until the next start: a device seldom tells that one is over. While one of
         kind SENSOR_BROKEN came since the start, every sample carries ``Quality.SENSOR_FAULT``.
         """
-        ...
 
 
 @runtime_checkable
@@ -287,7 +273,6 @@ class LineCounters(Protocol):
         ``retries``. They count since the port was opened, or the stream started. It asks nobody,
         never waits and never raises; any thread may call it at any time.
         """
-        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -350,19 +335,15 @@ class Spindle(Protocol):
 
     def open(self) -> Identity:
         """Open the port and identify the drive; raise ConnectionFailed or WrongDevice."""
-        ...
 
     def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
         """Set the watchdog and what else differs, and return what was read back."""
-        ...
 
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
         """Ramp to a speed; 0 is the controlled stop."""
-        ...
 
     def drive_off(self) -> None:
         """Take the power off the motor at once (coast or brake as the drive does it)."""
-        ...
 
     def reset_fault(self) -> None:
         """Acknowledge faults on the operator's command; the motor stays off.
@@ -370,15 +351,12 @@ class Spindle(Protocol):
         A fault that stopped the motor (watchdog, fault of the drive) stays in ``status().faults``
         until this or ``configure``. Raises DeviceFault when its cause is still there.
         """
-        ...
 
     def status(self) -> DriveStatus:
         """Read the state; feeds the drive's watchdog."""
-        ...
 
     def close(self) -> None:
         """Stop the motor, release the drive; never raises; safe to call twice."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -406,25 +384,21 @@ class SlowSource(Protocol):
 
     def open(self) -> Identity:
         """Open the port and identify the device; raise ConnectionFailed or WrongDevice."""
-        ...
 
     def configure(self, request: SlowRequest) -> Mapping[str, str | float | int]:
         """Check that the device tells these quantities; return what was read back.
 
         Raises SettingRefused, which names what the device does tell.
         """
-        ...
 
     def read(self) -> Mapping[str, float]:
         """Ask for the values now, by quantity, NaN where the device says that one is not valid.
 
         Raises ReplyTimeout, ProtocolError or DeviceLost.
         """
-        ...
 
     def close(self) -> None:
         """Release the device; never raises; safe to call twice."""
-        ...
 
 
 class DriverKind(enum.StrEnum):
@@ -457,7 +431,6 @@ class DriverFactory(Protocol):
         self, name: str, port: str, settings: Mapping[str, Any]
     ) -> DataSource | Spindle | SlowSource:
         """Return the driver, not yet open; settings: as ``SettingSpec`` lists them."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -522,25 +495,20 @@ class SimulatedDataSource(Protocol):
 
     def receive(self, data: bytes, now_s: float) -> bytes:
         """Take bytes from the host and return the replies that they cause."""
-        ...
 
     @property
     def sample_rate_Hz(self) -> float:
         """Return the configured sample rate."""
-        ...
 
     @property
     def streaming(self) -> bool:
         """Tell whether the host has started the stream."""
-        ...
 
     def sample(self, signals: RigSignals, now_s: float) -> bytes:
         """Return the bytes that these samples cause on the wire (b"" when not streaming)."""
-        ...
 
     def overrun(self, now_s: float) -> None:
         """Take note that the link dropped old frames because the host did not read."""
-        ...
 
 
 class DriveMode(enum.StrEnum):
@@ -578,11 +546,9 @@ class SimulatedSlowSource(Protocol):
 
     def receive(self, data: bytes, now_s: float) -> bytes:
         """Take bytes from the host, or none; return the replies that are due."""
-        ...
 
     def observe(self, values: Mapping[str, float]) -> None:
         """Take what its sensors see now, by the driver's quantities (``temperature_C``)."""
-        ...
 
 
 class SimulatedDrive(Protocol):
@@ -594,16 +560,12 @@ class SimulatedDrive(Protocol):
 
     def receive(self, data: bytes, now_s: float) -> bytes:
         """Take bytes from the host and return the replies that they cause."""
-        ...
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
         """Advance ramps by elapsed_s, judge the watchdog at now_s, return what drives the motor."""
-        ...
 
     def observe(self, state: MotorState) -> None:
         """Take the motor's present state for later replies."""
-        ...
 
     def emit(self, now_s: float) -> bytes:
         """Return bytes that the drive sends by itself (heartbeat, PDO); b"" for most."""
-        ...

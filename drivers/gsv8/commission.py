@@ -9,27 +9,24 @@ from __future__ import annotations
 import contextlib
 import logging
 import math
-from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
-from typing import TypeVar
+from typing import Any
 
 from drivers.api import SettingRefused
 from drivers.gsv8 import protocol as p
+from drivers.gsv8 import registers as r
 from drivers.gsv8.frames import FrameLayout
 from drivers.gsv8.link import Link
 from drivers.gsv8.numbers import DataType
 from drivers.gsv8.plan import Plan
 from drivers.gsv8.protocol import InputType
-from drivers.gsv8.registers import Registers
+from drivers.gsv8.registers import Registers, Setting
 
 _log = logging.getLogger(__name__)
 
-T = TypeVar("T")
 Readback = dict[str, str | float | int]
 
 _FALSIFYING_MODES = p.MODE_MULTI_AXIS | p.MODE_NOISE_CUT | p.MODE_AUTO_ZERO
-_DISTURBING_FLAGS = p.TX_ALWAYS_OFF | p.TX_MAXIMA | p.TX_MINIMA
 _LINE_GROUPS = {0: (3, 4), 1: (4,)}  # groups of four digital lines that a counter's pins are in
 _LINE_SHARE = 0.95  # of a serial line's capacity that the stream may take
 _BITS_PER_BYTE = 10.0  # with start and stop bit
@@ -55,7 +52,7 @@ class Commissioner:
         plan, interface = self._choose_checksum(plan)
         offset_binary = self._check_line(interface.number, plan)
         # A rate too high for the new format is lowered first, a higher one set last.
-        slower = plan.sample_rate_Hz < self._registers.rate_Hz()
+        slower = plan.sample_rate_Hz < self._registers.get(r.RATE)
         if slower:
             self._set_rate(plan)
         self._set_modes(plan)
@@ -141,102 +138,57 @@ class Commissioner:
 
     # --- the settings ---------------------------------------------------------------------------
 
-    def _ensure(
-        self, what: str, wanted: T, read: Callable[[], T], write: Callable[[T], None]
-    ) -> None:
+    def _ensure(self, setting: Setting, wanted: Any) -> None:
         """Write a setting if it differs, and check that it then stands there."""
-        before = read()
+        before = self._registers.get(setting)
         if _same(before, wanted):
             return
         try:
-            write(wanted)
+            self._registers.set(setting, wanted)
         except SettingRefused as error:
-            raise self._refused(f"{what} cannot be {_shown(wanted)}: {error.sentence}") from error
+            sentence = f"{setting.words} cannot be {_shown(wanted)}: {error.sentence}"
+            raise self._refused(sentence) from error
         self.writes += 1
-        _log.info("%s: %s %s -> %s", self._name, what, _shown(before), _shown(wanted))
-        after = read()
+        _log.info("%s: %s %s -> %s", self._name, setting.words, _shown(before), _shown(wanted))
+        after = self._registers.get(setting)
         if not _same(after, wanted):
             raise self._refused(
-                f"{what} is {_shown(after)} after {_shown(wanted)} was written; check the device "
-                "with the maker's program."
+                f"{setting.words} is {_shown(after)} after {_shown(wanted)} was written; check the "
+                "device with the maker's program."
             )
 
     def _set_modes(self, plan: Plan) -> None:
-        registers = self._registers
-        mode = registers.mode() & ~_FALSIFYING_MODES & ~p.MODE_FILTER_AUTOMATIC
-        mode |= p.MODE_FILTER_AUTOMATIC if plan.filter_Hz is None else 0
-        what = "mode (multi-axis, noise cut and auto-zero off; analog filter)"
-        self._ensure(what, mode, registers.mode, registers.set_mode)
+        mode = self._registers.get(r.MODE) & ~_FALSIFYING_MODES & ~p.MODE_FILTER_AUTOMATIC
+        self._ensure(r.MODE, mode | (p.MODE_FILTER_AUTOMATIC if plan.filter_Hz is None else 0))
         if plan.filter_Hz is not None:
-            limit = round(plan.filter_Hz)
-            self._ensure("analog_filter", limit, registers.filter_Hz, registers.set_filter_Hz)
-        flags = registers.transmit_mode(p.TX_FLAGS) & p.TX_CHECKSUM
-        self._ensure(
-            "transmission (always off, maxima or minima in the frame)",
-            flags,
-            lambda: registers.transmit_mode(p.TX_FLAGS) & (_DISTURBING_FLAGS | p.TX_CHECKSUM),
-            partial(registers.set_transmit_mode, p.TX_FLAGS),
-        )
+            self._ensure(r.FILTER, round(plan.filter_Hz))
+        self._ensure(r.FLAGS, self._registers.get(r.FLAGS) & p.TX_CHECKSUM)
 
     def _set_input(self, channel: int, kind: InputType) -> None:
-        registers, name = self._registers, f"analog_{channel}"
-        self._ensure(
-            f"input type of {name}",
-            kind,
-            partial(registers.input_type, channel),
-            partial(registers.set_input_type, channel),
-        )
-        self._ensure(
-            f"user scale of {name}",
-            p.NOMINAL_RANGE[kind],
-            partial(registers.scale, channel),
-            partial(registers.set_scale, channel),
-        )
-        self._ensure(
-            f"user offset of {name}",
-            0.0,
-            partial(registers.offset, channel),
-            partial(registers.set_offset, channel),
-        )
+        self._ensure(r.input_type(channel), kind)
+        self._ensure(r.scale(channel), p.NOMINAL_RANGE[kind])
+        self._ensure(r.offset(channel), 0.0)
 
     def _set_counter(self, counter: int, plan: Plan) -> None:
-        registers, name = self._registers, f"counter_{counter + 1}"
-        flags = registers.counter_mode(counter)
+        flags = self._registers.get(r.counter_mode(counter))
         if counter in plan.counters:
             if not flags & p.COUNTER_PRESENT:
-                raise self._refused(f"{name}: this device has no encoder input.")
-            self._ensure(
-                f"home value of {name}",
-                plan.counter_home,
-                partial(registers.counter_home, counter),
-                partial(registers.set_counter_home, counter),
-            )
+                raise self._refused(f"counter_{counter + 1}: this device has no encoder input.")
+            self._ensure(r.counter_home(counter), plan.counter_home)
             wanted = plan.counters[counter].encode()
         else:
             # A counter that is not wanted would still take a place in the frame.
             wanted = flags & ~(p.COUNTER_ON | p.SPEED_ON | p.COUNTER_PRESENT)
-        self._ensure(
-            f"mode of {name}",
-            wanted,
-            lambda: registers.counter_mode(counter) & ~p.COUNTER_PRESENT,
-            partial(registers.set_counter_mode, counter),
-        )
+        self._ensure(r.counter_mode(counter, mask=~p.COUNTER_PRESENT), wanted)
 
     def _set_format(self, plan: Plan) -> None:
-        registers = self._registers
-        what = "number of objects in the frame"
-        self._ensure(what, len(plan.objects), registers.objects, registers.set_objects)
-        self._ensure(
-            "data_type",
-            int(plan.data_type),
-            partial(registers.transmit_mode, p.TX_DATA_TYPE),
-            partial(registers.set_transmit_mode, p.TX_DATA_TYPE),
-        )
+        self._ensure(r.OBJECTS, len(plan.objects))
+        self._ensure(r.DATA_TYPE, int(plan.data_type))
 
     def _set_rate(self, plan: Plan) -> None:
-        registers, rate = self._registers, plan.sample_rate_Hz
-        if not _same(registers.rate_Hz(), rate):
-            highest = registers.highest_rate_Hz()
+        rate = plan.sample_rate_Hz
+        if not _same(self._registers.get(r.RATE), rate):
+            highest = self._registers.highest_rate_Hz()
             if rate > highest:
                 other = ", int24 or int16" if plan.data_type is DataType.FLOAT32 else ""
                 raise self._refused(
@@ -244,26 +196,26 @@ class Commissioner:
                     f"{len(plan.objects)} objects as {plan.data_type.name.lower()}; choose a "
                     f"lower rate{other}."
                 )
-        self._ensure("sample_rate_Hz", rate, registers.rate_Hz, registers.set_rate_Hz)
+        self._ensure(r.RATE, rate)
 
     # --- reading back ---------------------------------------------------------------------------
 
     def _read_all(self, plan: Plan, interface: p.InterfaceReply) -> None:
         """Read every setting once more, since one may have changed another (status 01)."""
         facts, registers = self.readback, self._registers
-        facts["sample_rate_Hz"] = registers.rate_Hz()
-        facts["data_type"] = DataType(registers.transmit_mode(p.TX_DATA_TYPE)).name.lower()
-        facts["objects"] = registers.objects()
+        facts["sample_rate_Hz"] = registers.get(r.RATE)
+        facts["data_type"] = DataType(registers.get(r.DATA_TYPE)).name.lower()
+        facts["objects"] = registers.get(r.OBJECTS)
         facts["object_map"] = ", ".join(plan.objects)
         facts["command_checksum"] = "on" if plan.command_checksum else "off"
         facts["data_checksum"] = "on" if interface.data_checksum else "off"
-        facts["mode"] = f"0x{registers.mode():08X}"
-        facts["analog_filter_Hz"] = registers.filter_Hz()
+        facts["mode"] = f"0x{registers.get(r.MODE):08X}"
+        facts["analog_filter_Hz"] = registers.get(r.FILTER)
         for channel in sorted(plan.analog):
             name = f"analog_{channel}"
-            facts[f"{name}.input_type"] = registers.input_type(channel).words
-            facts[f"{name}.user_scale"] = registers.scale(channel)
-            facts[f"{name}.user_offset"] = registers.offset(channel)
+            facts[f"{name}.input_type"] = registers.get(r.input_type(channel)).words
+            facts[f"{name}.user_scale"] = registers.get(r.scale(channel))
+            facts[f"{name}.user_offset"] = registers.get(r.offset(channel))
             facts[f"{name}.zero"] = registers.zero(channel)
         for place, counter in enumerate(sorted(plan.counters)):
             self._read_counter(plan, counter, p.ANALOG_CHANNELS + 1 + place)
@@ -271,9 +223,9 @@ class Commissioner:
 
     def _read_counter(self, plan: Plan, counter: int, channel: int) -> None:
         facts, registers, name = self.readback, self._registers, f"counter_{counter + 1}"
-        facts[f"{name}.mode"] = f"0x{registers.counter_mode(counter):04X}"
-        facts[f"{name}.home"] = registers.counter_home(counter)
-        facts[f"{name}.user_scale"] = registers.scale(channel)
+        facts[f"{name}.mode"] = f"0x{registers.get(r.counter_mode(counter)):04X}"
+        facts[f"{name}.home"] = registers.get(r.counter_home(counter))
+        facts[f"{name}.user_scale"] = registers.get(r.scale(channel))
         assumed = " (assumed)" if plan.counts_per_unit == 1.0 else ""
         facts[f"{name}.counts_per_unit"] = f"{plan.counts_per_unit:g}{assumed}"
         for group in _LINE_GROUPS[counter]:

@@ -1,10 +1,15 @@
-"""Read and write single settings of a GSV-8 as typed values (SPEC p27-90)."""
+"""Read and write single settings of a GSV-8 as numbers (SPEC p27-90)."""
 
 from __future__ import annotations
 
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
 from drivers.gsv8 import protocol as p
 from drivers.gsv8.link import Link
-from drivers.gsv8.protocol import Command, InputType, f32, read_f32, u8, u16, u32
+from drivers.gsv8.protocol import Command, InputType, u8
 from drivers.gsv8.words import ValueFault, decode_value_fault
 
 SLOW = 5.0
@@ -12,6 +17,103 @@ SLOW = 5.0
 
 _MOST_STORED_FAULTS = 82  # the last index is 83 at most
 _MAPPING_NOT_READABLE = (1, 38)
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """One number that the device keeps: its words, and how it is read and written.
+
+    layout: of the number, as ``struct`` writes it; written: where that differs on writing. index:
+    the parameters before it; asked: where those differ on reading. mask: of the bits that count.
+    kind: what the number means. since: the first firmware that has it; before, it reads as 0.
+    """
+
+    words: str
+    read: Command
+    write: Command
+    layout: str
+    index: bytes = b""
+    asked: bytes | None = None
+    written: str = ""
+    mask: int | None = None
+    kind: Callable[[Any], Any] | None = None
+    since: tuple[int, int] = (0, 0)
+    patience: float = 1.0
+
+
+RATE = Setting("sample_rate_Hz", Command.READ_DATA_RATE, Command.WRITE_DATA_RATE, ">f")
+MODE = Setting(
+    "mode (multi-axis, noise cut and auto-zero off; analog filter)",
+    Command.GET_MODE,
+    Command.SET_MODE,
+    ">I",
+    mask=~p.MODE_WRITE_LOCK,  # which only the device sets
+)
+FILTER = Setting(
+    "analog_filter", Command.READ_ANALOG_FILTER, Command.WRITE_ANALOG_FILTER, ">H", written=">f"
+)
+FLAGS = Setting(
+    "transmission (always off, maxima or minima in the frame)",
+    Command.GET_TX_MODE,
+    Command.SET_TX_MODE,
+    ">H",
+    u8(p.TX_FLAGS),
+    mask=p.TX_ALWAYS_OFF | p.TX_MAXIMA | p.TX_MINIMA | p.TX_CHECKSUM,
+)
+DATA_TYPE = Setting("data_type", Command.GET_TX_MODE, Command.SET_TX_MODE, ">H", u8(p.TX_DATA_TYPE))
+OBJECTS = Setting(
+    "number of objects in the frame",
+    Command.GET_TX_MAPPING,
+    Command.SET_TX_MAPPING,
+    ">H",
+    u8(p.MAPPED_OBJECTS),
+)
+
+
+def input_type(channel: int) -> Setting:
+    """Return the input type of an analog channel; written, it reloads scale and offset."""
+    return Setting(
+        f"input type of analog_{channel}",
+        Command.GET_INPUT_TYPE,
+        Command.SET_INPUT_TYPE,
+        ">B4x",
+        u8(channel),
+        asked=u8(channel, 0xFF),
+        written=">B",
+        kind=InputType,
+        patience=SLOW,
+    )
+
+
+def scale(channel: int) -> Setting:
+    """Return the user scale of a channel."""
+    words = f"user scale of analog_{channel}"
+    read, write = Command.READ_USER_SCALE, Command.WRITE_USER_SCALE
+    return Setting(words, read, write, ">f", u8(channel))
+
+
+def offset(channel: int) -> Setting:
+    """Return the user offset of a channel."""
+    words = f"user offset of analog_{channel}"
+    read, write = Command.READ_USER_OFFSET, Command.WRITE_USER_OFFSET
+    return Setting(words, read, write, ">f", u8(channel))
+
+
+def counter_mode(counter: int, mask: int | None = None) -> Setting:
+    """Return the mode flags of a counter."""
+    words = f"mode of counter_{counter + 1}"
+    return _counter(counter, 0, words, mask)
+
+
+def counter_home(counter: int) -> Setting:
+    """Return the count that the index sets."""
+    return _counter(counter, 2, f"home value of counter_{counter + 1}", None)
+
+
+def _counter(counter: int, index: int, words: str, mask: int | None) -> Setting:
+    place = u8(p.counter_index(counter, index))
+    read, write = Command.READ_COUNTER_MODE, Command.WRITE_COUNTER_MODE
+    return Setting(words, read, write, ">I", place, mask=mask, since=p.COUNTER_FIRMWARE)
 
 
 class Registers:
@@ -25,6 +127,24 @@ class Registers:
         self._firmware = firmware
         self._session = 0x01
 
+    def get(self, setting: Setting) -> Any:
+        """Return the number as it stands in the device."""
+        if setting is OBJECTS and self._firmware <= _MAPPING_NOT_READABLE:
+            return self._interface().objects
+        if self._firmware < setting.since:
+            return 0
+        asked = setting.index if setting.asked is None else setting.asked
+        data = self._link.command(setting.read, asked, reply=struct.calcsize(setting.layout))
+        (value,) = struct.unpack(setting.layout, data)
+        if setting.mask is not None:
+            value &= setting.mask
+        return value if setting.kind is None else setting.kind(value)
+
+    def set(self, setting: Setting, value: float) -> None:
+        """Write a number."""
+        parameters = setting.index + struct.pack(setting.written or setting.layout, value)
+        self._link.command(setting.write, parameters, patience=setting.patience)
+
     def open_session(self, *, high_speed: bool, data_checksum: bool) -> p.InterfaceReply:
         """Silence the device; every such call decides anew on checksum and high-speed frames."""
         self._session = 0x01 | (0x04 if high_speed else 0) | (0x08 if data_checksum else 0)
@@ -37,76 +157,10 @@ class Registers:
             return None
         return p.decode_interface_setting(response.data)
 
-    def rate_Hz(self) -> float:
-        """Return the sample rate."""
-        return self._f32(Command.READ_DATA_RATE)
-
-    def set_rate_Hz(self, rate: float) -> None:
-        """Set the sample rate."""
-        self._link.command(Command.WRITE_DATA_RATE, f32(rate))
-
     def highest_rate_Hz(self) -> float:
         """Return the highest rate that the present settings allow."""
-        return self._f32(Command.READ_DATA_RATE_RANGE, u8(0))
-
-    def mode(self) -> int:
-        """Return the mode flags without the write lock, which only the device sets."""
-        return self._u32(Command.GET_MODE) & ~p.MODE_WRITE_LOCK
-
-    def set_mode(self, flags: int) -> None:
-        """Set the mode flags."""
-        self._link.command(Command.SET_MODE, u32(flags))
-
-    def filter_Hz(self) -> int:
-        """Return the limit of the analog filter."""
-        return int.from_bytes(self._link.command(Command.READ_ANALOG_FILTER, reply=2), "big")
-
-    def set_filter_Hz(self, limit: int) -> None:
-        """Set the limit of the analog filter."""
-        self._link.command(Command.WRITE_ANALOG_FILTER, f32(limit))
-
-    def transmit_mode(self, index: int) -> int:
-        """Return a transmit mode: 0 flags, 1 number format."""
-        return int.from_bytes(self._link.command(Command.GET_TX_MODE, u8(index), reply=2), "big")
-
-    def set_transmit_mode(self, index: int, value: int) -> None:
-        """Set a transmit mode."""
-        self._link.command(Command.SET_TX_MODE, u8(index) + u16(value))
-
-    def objects(self) -> int:
-        """Return how many objects a frame has."""
-        if self._firmware <= _MAPPING_NOT_READABLE:
-            return self._interface().objects
-        data = self._link.command(Command.GET_TX_MAPPING, u8(p.MAPPED_OBJECTS), reply=2)
-        return int.from_bytes(data, "big")
-
-    def set_objects(self, objects: int) -> None:
-        """Set how many objects a frame has."""
-        self._link.command(Command.SET_TX_MAPPING, u8(p.MAPPED_OBJECTS) + u16(objects))
-
-    def input_type(self, channel: int) -> InputType:
-        """Return the input type of an analog channel."""
-        return InputType(self._link.command(Command.GET_INPUT_TYPE, u8(channel, 0xFF), reply=5)[0])
-
-    def set_input_type(self, channel: int, kind: InputType) -> None:
-        """Set the input type; the device then reloads scale and offset of the channel."""
-        self._link.command(Command.SET_INPUT_TYPE, u8(channel, kind), patience=SLOW)
-
-    def scale(self, channel: int) -> float:
-        """Return the user scale."""
-        return self._f32(Command.READ_USER_SCALE, u8(channel))
-
-    def set_scale(self, channel: int, scale: float) -> None:
-        """Set the user scale."""
-        self._link.command(Command.WRITE_USER_SCALE, u8(channel) + f32(scale))
-
-    def offset(self, channel: int) -> float:
-        """Return the user offset."""
-        return self._f32(Command.READ_USER_OFFSET, u8(channel))
-
-    def set_offset(self, channel: int, offset: float) -> None:
-        """Set the user offset."""
-        self._link.command(Command.WRITE_USER_OFFSET, u8(channel) + f32(offset))
+        data = self._link.command(Command.READ_DATA_RATE_RANGE, u8(0), reply=4)
+        return p.read_f32(data)
 
     def zero(self, channel: int) -> int:
         """Return the stored zero of an analog channel as a signed 24-bit code."""
@@ -140,26 +194,6 @@ class Registers:
         data = self._link.command(Command.GET_PROHIBIT_SET_ZERO, reply=2)
         return bool(int.from_bytes(data, "big") >> (channel - 1) & 1)
 
-    def counter_mode(self, counter: int) -> int:
-        """Return the mode flags of a counter, 0 where the device has none."""
-        if self._firmware < p.COUNTER_FIRMWARE:
-            return 0
-        return self._u32(Command.READ_COUNTER_MODE, u8(p.counter_index(counter, 0)))
-
-    def set_counter_mode(self, counter: int, flags: int) -> None:
-        """Set the mode flags of a counter."""
-        parameters = u8(p.counter_index(counter, 0)) + u32(flags)
-        self._link.command(Command.WRITE_COUNTER_MODE, parameters)
-
-    def counter_home(self, counter: int) -> int:
-        """Return the count that the index sets."""
-        return self._u32(Command.READ_COUNTER_MODE, u8(p.counter_index(counter, 2)))
-
-    def set_counter_home(self, counter: int, count: int) -> None:
-        """Set the count that the index sets."""
-        parameters = u8(p.counter_index(counter, 2)) + u32(count)
-        self._link.command(Command.WRITE_COUNTER_MODE, parameters)
-
     def lines_are_outputs(self, group: int) -> bool:
         """Tell whether a group of four digital lines is known to be outputs."""
         response = self._link.exchange(Command.GET_DIO_DIRECTION, u8(group))
@@ -168,9 +202,3 @@ class Registers:
     def _interface(self) -> p.InterfaceReply:
         data = self._link.command(Command.GET_INTERFACE, u8(self._session), reply=4)
         return p.decode_interface(data)
-
-    def _u32(self, command: Command, parameters: bytes = b"") -> int:
-        return int.from_bytes(self._link.command(command, parameters, reply=4), "big")
-
-    def _f32(self, command: Command, parameters: bytes = b"") -> float:
-        return read_f32(self._link.command(command, parameters, reply=4))

@@ -30,39 +30,30 @@ class Endpoint(Protocol):
     @property
     def url(self) -> str:
         """Return what the host opens; the same for the endpoint's whole life."""
-        ...
 
     def connected(self) -> bool:
         """Tell whether a host has the other end open."""
-        ...
 
     def waitable(self) -> list[int]:
         """Return the descriptors whose readability means that something happened."""
-        ...
 
     def read(self) -> bytes:
         """Return what the host has written, b"" when nothing; never blocks."""
-        ...
 
     def write(self, data: bytes | memoryview) -> int:
         """Give bytes to the host, as many as go; return how many went."""
-        ...
 
     def unread(self) -> int:
         """Return the bytes that the host has not yet read, where that can be known, else 0."""
-        ...
 
     def pull(self) -> None:
         """Take the device away: the host's connection breaks and opening fails."""
-        ...
 
     def restore(self) -> None:
         """Put the device back under the same URL."""
-        ...
 
     def close(self) -> None:
         """Release everything; never raises; safe to call twice."""
-        ...
 
 
 class PtyEndpoint:

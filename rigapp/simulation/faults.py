@@ -55,11 +55,9 @@ class Victim(Protocol):
 
     def begin(self, fault: FaultRecord) -> None:
         """Let a fault begin."""
-        ...
 
     def end(self, fault: FaultRecord) -> None:
         """Let a fault end."""
-        ...
 
 
 def read_faults(path: Path) -> tuple[FaultRecord, ...]:
