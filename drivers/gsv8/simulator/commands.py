@@ -1,8 +1,11 @@
-"""The commands of a simulated GSV-8: each a function of the device and the parameter bytes."""
+"""The commands of a simulated GSV-8: each a function of the device and the parameter bytes.
+
+Those that a rig has no use for are not there: levels of digital lines, analog outputs, units of the
+display, stored sets of settings, the bit rate of a UART. The device answers that it has no such.
+"""
 
 from __future__ import annotations
 
-import copy
 import math
 import struct
 from collections.abc import Callable, Mapping
@@ -14,14 +17,12 @@ from drivers.gsv8.protocol import Command, InputType, f32, read_f32, u8, u16, u3
 from drivers.gsv8.simulator.state import Device, default_scale
 from drivers.gsv8.words import encode_value_fault
 
-BAUD_RATES = (19200, 38400, 57600, 115200, 230400, 460800)
 UART_SETTING = 10
 WRITE_ACCESS_ELSEWHERE = 0x75
 _HARDWARE_OPTIONS = 1 << 0 | 1 << 4 | 1 << 6 | 1 << 7
 _WRITABLE_MODE = 0b1111 | 0xFFF << 8 | 1 << 22
 _WRITABLE_COUNTER = 0x1FFE
 _FILTERS_HZ = (28.0, 885.0, 11400.0)
-_QEI_TYPE = 0x000008
 
 
 class Entry(NamedTuple):
@@ -142,33 +143,6 @@ def _get_interface_setting(d: Device, a: bytes) -> bytes:
     return settings[a[0]].encode()
 
 
-def _set_interface_setting(d: Device, a: bytes) -> bytes:
-    rate = _number(a[1:])
-    if a[0] != UART_SETTING:
-        raise Refused(0x76 if a[0] in (0, 1) else 0x51)
-    if rate not in BAUD_RATES:
-        raise Refused(0x52)
-    d.settings.uart_baud_rate = rate
-    return b""
-
-
-def _load(d: Device, a: bytes) -> bytes:
-    if a[0] == 1:
-        d.settings = d.settings.defaults()
-    elif a[0] in d.stored_sets:
-        d.settings = copy.deepcopy(d.stored_sets[a[0]])
-    elif a[0] > 7:
-        raise Refused(0x51)
-    return b""
-
-
-def _store(d: Device, a: bytes) -> bytes:
-    if a[0] == 1 or a[0] > 7:
-        raise Refused(0x51)
-    d.stored_sets[a[0]] = copy.deepcopy(d.settings)
-    return b""
-
-
 def _available(d: Device, a: bytes) -> bytes:
     high, low = a
     known = commands_of(d)
@@ -283,12 +257,6 @@ def _zero(d: Device, channel: int) -> None:
     d.counters[number].clear(p.decode_counter_mode(d.settings.counter_modes[number]))
 
 
-def _set_unit(d: Device, a: bytes) -> bytes:
-    for place in _users(a[0]):
-        d.settings.units[place] = a[1]
-    return b""
-
-
 def _write_floats(values: list[float], a: bytes) -> bytes:
     value = read_f32(a[1:])
     if not math.isfinite(value):
@@ -375,13 +343,7 @@ def _set_counter_mode(d: Device, number: int, value: int) -> None:
         d.settings.objects = max(2, d.settings.objects - 1)
 
 
-# --- digital lines and analog outputs: settings that do not touch the stream ----------------------
-
-
-def _set_output(d: Device, a: bytes) -> bytes:
-    _among(a[1], 0, 6, 0x52)
-    d.settings.outputs[_analog(a[0])] = (a[1], a[2])
-    return b""
+# --- digital lines --------------------------------------------------------------------------------
 
 
 def _set_direction(d: Device, a: bytes) -> bytes:
@@ -389,40 +351,6 @@ def _set_direction(d: Device, a: bytes) -> bytes:
     _among(a[1], 0, 1, 0x52)
     for group in [a[0] - 1] if a[0] else range(4):
         d.settings.line_directions[group] = a[1]
-    return b""
-
-
-def _get_line_type(d: Device, a: bytes) -> bytes:
-    place = _line(a[0])
-    kind, channel = d.settings.line_types[place]
-    if any(10 + 3 * number <= place <= 12 + 3 * number for number in d.settings.counters):
-        kind, channel = _QEI_TYPE, 0
-    return kind.to_bytes(3, "big") + u8(channel)
-
-
-def _set_line_type(d: Device, a: bytes) -> bytes:
-    d.settings.line_types[_line(a[0])] = (_number(a[1:4]), a[4])
-    return b""
-
-
-def _get_level(d: Device, a: bytes) -> bytes:
-    levels = d.settings.line_levels
-    if a[0] == 0:
-        return u16(sum(bool(level) << n for n, level in enumerate(levels)))
-    return u16(levels[_line(a[0])])
-
-
-def _set_level(d: Device, a: bytes) -> bytes:
-    value = _number(a[1:])
-    if a[0] == 0:
-        d.settings.line_levels = [value >> n & 1 for n in range(16)]
-    else:
-        d.settings.line_levels[_line(a[0])] = value
-    return b""
-
-
-def _set_initial(d: Device, a: bytes) -> bytes:
-    d.settings.line_initial[_line(a[0])] = _number(a[1:])
     return b""
 
 
@@ -439,13 +367,7 @@ _COMMANDS: Mapping[int, Entry] = {
     Command.RESET_STATUS: Entry(_reset_status, 0),
     Command.GET_INTERFACE: Entry(_get_interface, 1),
     Command.READ_ZERO: Entry(lambda d, a: struct.pack(">i", d.settings.zeros[_analog(a[0])]), 1),
-    Command.LOAD_CONFIGURATION: Entry(_load, 1, writes=True),
-    Command.STORE_CONFIGURATION: Entry(_store, 1, writes=True),
     Command.SET_ZERO: Entry(_set_zero, 1, writes=True),
-    Command.GET_OUTPUT_TYPE: Entry(lambda d, a: u8(*d.settings.outputs[_analog(a[0])]), 1),
-    Command.SET_OUTPUT_TYPE: Entry(_set_output, 3, writes=True),
-    Command.GET_UNIT: Entry(lambda d, a: u8(d.settings.units[_user(a[0])]), 1),
-    Command.SET_UNIT: Entry(_set_unit, 2, writes=True),
     Command.READ_USER_SCALE: Entry(lambda d, a: f32(d.settings.scales[_user(a[0])]), 1),
     Command.WRITE_USER_SCALE: Entry(
         lambda d, a: _write_floats(d.settings.scales, a), 5, writes=True
@@ -472,22 +394,15 @@ _COMMANDS: Mapping[int, Entry] = {
         lambda d, a: u8(d.settings.line_directions[_among(a[0], 1, 4)]), 1
     ),
     Command.SET_DIO_DIRECTION: Entry(_set_direction, 2, writes=True),
-    Command.GET_DIO_TYPE: Entry(_get_line_type, 1),
-    Command.SET_DIO_TYPE: Entry(_set_line_type, 5, writes=True),
-    Command.GET_DIO_LEVEL: Entry(_get_level, 1),
-    Command.SET_DIO_LEVEL: Entry(_set_level, 3, writes=True),
     Command.READ_DIO_THRESHOLD: Entry(
         lambda d, a: f32(d.settings.line_thresholds.get((_line(a[0]), a[1]), 0.0)), 2
     ),
     Command.WRITE_DIO_THRESHOLD: Entry(_set_threshold, 6, writes=True),
-    Command.GET_DIO_INITIAL_LEVEL: Entry(lambda d, a: u16(d.settings.line_initial[_line(a[0])]), 1),
-    Command.SET_DIO_INITIAL_LEVEL: Entry(_set_initial, 3, writes=True),
     Command.READ_DATA_RATE_RANGE: Entry(_rate_range, 1),
     Command.READ_COUNTER_MODE: Entry(_get_counter, 1, since=p.COUNTER_FIRMWARE),
     Command.WRITE_COUNTER_MODE: Entry(_set_counter, 5, writes=True, since=p.COUNTER_FIRMWARE),
     Command.RELEASE_INTERFACE: Entry(_nothing, 0),
     Command.READ_INTERFACE_SETTING: Entry(_get_interface_setting, 1),
-    Command.WRITE_INTERFACE_SETTING: Entry(_set_interface_setting, 5, writes=True),
     Command.GET_TX_MODE: Entry(_get_transmit_mode, 1),
     Command.SET_TX_MODE: Entry(_set_transmit_mode, 3, writes=True),
     Command.READ_DATA_RATE: Entry(lambda d, a: f32(d.settings.rate_Hz), 0),

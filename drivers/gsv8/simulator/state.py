@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from drivers.gsv8 import protocol as p
 from drivers.gsv8.numbers import DataType
@@ -12,8 +12,6 @@ from drivers.gsv8.simulator.counter import QuadratureInput
 from drivers.gsv8.words import ValueFault
 
 DEFAULT_COUNTER_MODE = 0xC8  # x1, saturate, store last; bit 0 (present) is not stored
-DEFAULT_OUTPUT = (1, 0)
-DIGITAL_LINES = 16
 _MOST_STORED_FAULTS = 38
 _FASTEST_HZ = {DataType.FLOAT32: 12000.0, DataType.INT24: 24000.0, DataType.INT16: 48000.0}
 _FASTEST_WITH_COUNTER_HZ = 16000.0
@@ -77,7 +75,6 @@ class Memory:
     scales: list[float] = field(default_factory=list)
     offsets: list[float] = field(default_factory=lambda: [0.0] * p.USER_CHANNELS)
     zeros: list[int] = field(default_factory=lambda: [0] * p.ANALOG_CHANNELS)
-    units: list[int] = field(default_factory=lambda: [0] * p.USER_CHANNELS)
     rate_Hz: float = 10.0
     objects: int = p.ANALOG_CHANNELS
     data_type: DataType = DataType.FLOAT32
@@ -87,11 +84,7 @@ class Memory:
     counter_gates: list[int] = field(default_factory=lambda: [0] * p.COUNTER_CHANNELS)
     counter_homes: list[int] = field(default_factory=lambda: [0] * p.COUNTER_CHANNELS)
     filter_Hz: float = 11400.0
-    outputs: list[tuple[int, int]] = field(default_factory=lambda: [DEFAULT_OUTPUT] * 8)
     line_directions: list[int] = field(default_factory=lambda: [1] * 4)
-    line_types: list[tuple[int, int]] = field(default_factory=lambda: [(4, 0)] * DIGITAL_LINES)
-    line_levels: list[int] = field(default_factory=lambda: [0] * DIGITAL_LINES)
-    line_initial: list[int] = field(default_factory=lambda: [0] * DIGITAL_LINES)
     line_thresholds: dict[tuple[int, int], float] = field(default_factory=dict)
     uart_baud_rate: int = 115200
 
@@ -109,17 +102,6 @@ class Memory:
     def analog_objects(self) -> int:
         """Return how many analog channels are in the frame."""
         return self.objects - len(self.counters)
-
-    def defaults(self) -> Memory:
-        """Return the factory settings; counters on, bit rate, objects and data type stay."""
-        off = DEFAULT_COUNTER_MODE & ~p.COUNTER_ON
-        return replace(
-            Memory(counter_scale=self.counter_scale),
-            counter_modes=[off | mode & p.COUNTER_ON for mode in self.counter_modes],
-            uart_baud_rate=self.uart_baud_rate,
-            objects=self.objects,
-            data_type=self.data_type,
-        )
 
 
 @dataclass(slots=True)
@@ -143,7 +125,6 @@ class Device:
     def __init__(self, hardware: Hardware, settings: Memory, counts_per_revolution: int) -> None:
         self.hardware = hardware
         self.settings = settings
-        self.stored_sets: dict[int, Memory] = {}
         self.counters = tuple(QuadratureInput(counts_per_revolution) for _ in range(2))
         self.writes = 0
         self.write_access = True

@@ -153,14 +153,8 @@ def test_it_powers_up_streaming_eight_floats_ten_times_a_second() -> None:
         (Command.GET_COMMAND_AVAILABLE, u8(0x24, 0x23), 0x00),
         (Command.GET_COMMAND_AVAILABLE, u8(0xEE, 0xEE), 0x41),
         (Command.READ_INTERFACE_SETTING, u8(5), 0x51),
-        (Command.WRITE_INTERFACE_SETTING, u8(0) + u32(1), 0x76),
-        (Command.WRITE_INTERFACE_SETTING, u8(10) + u32(1234), 0x52),
-        (Command.WRITE_INTERFACE_SETTING, u8(10) + u32(230400), 0x00),
         (Command.GET_DIO_DIRECTION, u8(5), 0x51),
-        (Command.GET_DIO_LEVEL, u8(17), 0x51),
-        (Command.LOAD_CONFIGURATION, u8(8), 0x51),
-        (Command.STORE_CONFIGURATION, u8(1), 0x51),
-        (Command.SET_OUTPUT_TYPE, u8(1, 7, 0), 0x52),
+        (0x10, u8(1, 0), 0x40),
     ],
 )
 def test_limits_of_commands(command: int, parameters: bytes, status: int) -> None:
@@ -231,35 +225,12 @@ def test_counters_change_the_number_of_objects() -> None:
     assert _objects(simulator) == 2
 
 
-def test_configurations_are_stored_and_loaded() -> None:
-    simulator = Gsv8Simulator()
-    _ask(simulator, Command.WRITE_DATA_RATE, f32(100.0))
-    _ask(simulator, Command.STORE_CONFIGURATION, u8(3))
-    _ask(simulator, Command.WRITE_DATA_RATE, f32(200.0))
-    _ask(simulator, Command.LOAD_CONFIGURATION, u8(3))
-    assert simulator.sample_rate_Hz == 100.0
-    _ask(simulator, Command.LOAD_CONFIGURATION, u8(1))
-    assert simulator.sample_rate_Hz == 10.0
-
-
 def test_digital_lines_keep_what_is_written() -> None:
     simulator = Gsv8Simulator()
     _ask(simulator, Command.SET_DIO_DIRECTION, u8(3, 0))
     assert _ask(simulator, Command.GET_DIO_DIRECTION, u8(3))[3] == 0
-    _ask(simulator, Command.SET_DIO_LEVEL, u8(2) + u16(1))
-    assert _ask(simulator, Command.GET_DIO_LEVEL, u8(0))[3:5] == u16(2)
-    _ask(simulator, Command.SET_DIO_LEVEL, u8(0) + u16(5))
-    assert _ask(simulator, Command.GET_DIO_LEVEL, u8(3))[3:5] == u16(1)
-    _ask(simulator, Command.SET_DIO_INITIAL_LEVEL, u8(1) + u16(1))
-    assert _ask(simulator, Command.GET_DIO_INITIAL_LEVEL, u8(1))[3:5] == u16(1)
     _ask(simulator, Command.WRITE_DIO_THRESHOLD, u8(1, 1) + f32(2.5))
     assert _ask(simulator, Command.READ_DIO_THRESHOLD, u8(1, 1))[3:7] == f32(2.5)
-    _ask(simulator, Command.SET_DIO_TYPE, u8(1, 0, 0, 2, 7))
-    assert _ask(simulator, Command.GET_DIO_TYPE, u8(1))[3:7] == bytes((0, 0, 2, 7))
-    _ask(simulator, Command.WRITE_COUNTER_MODE, u8(0) + u32(0x3A))
-    assert _ask(simulator, Command.GET_DIO_TYPE, u8(11))[3:7] == bytes((0, 0, 8, 0))
-    _ask(simulator, Command.SET_OUTPUT_TYPE, u8(1, 0, 1))
-    assert _ask(simulator, Command.GET_OUTPUT_TYPE, u8(1))[3:5] == bytes((0, 1))
 
 
 def test_highest_rate_follows_format_and_counter() -> None:
