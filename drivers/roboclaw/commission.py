@@ -17,6 +17,7 @@ from drivers.api import (
     WrongDevice,
 )
 from drivers.roboclaw.link import Link
+from drivers.roboclaw.probe import identity_of
 from drivers.roboclaw.protocol import (
     CURRENT_UNIT_A,
     TIMEOUT_UNIT_S,
@@ -64,15 +65,8 @@ def identify(link: Link, status_width: str) -> Identity:
     if not text.strip():
         raise WrongDevice(link.device, link.port, "the firmware text is empty.")
     link.generation = _generation(link, text, status_width)
-    model, _, firmware = text.rpartition(" ")
-    return Identity(
-        maker="Basicmicro",
-        model=model or text,
-        firmware=firmware if model else "",
-        serial_number="",
-        port=link.port,
-        details={"address": str(link.address), "status_bits": str(link.generation.status_bits)},
-    )
+    details = {"status_bits": str(link.generation.status_bits)}
+    return identity_of(text, link.port, link.address, details)
 
 
 def _generation(link: Link, firmware: str, status_width: str) -> Generation:

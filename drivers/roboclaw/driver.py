@@ -156,7 +156,7 @@ class RoboClaw:
             acceleration = whole_ramp(
                 self.name, self.port, acceleration_rev_per_s2, step, _MAXIMUM_ACCELERATION
             )
-            command = self._of(Command.RAMP_SPEED_M1, Command.RAMP_SPEED_M2)
+            command = Command.RAMP_SPEED_M1 + self._motor - 1
             self._judge_silence(link, setup)
             if speed and self._silence_s:
                 raise DeviceFault(
@@ -215,7 +215,7 @@ class RoboClaw:
                 return False
 
         self._target = None
-        link.write(self._of(Command.DUTY_M1, Command.DUTY_M2), 0, in_effect=in_effect)
+        link.write(Command.DUTY_M1 + self._motor - 1, 0, in_effect=in_effect)
 
     def reset_fault(self) -> None:
         """Switch the motor off, forget the watchdog's stop and release a latched emergency stop.
@@ -349,9 +349,6 @@ class RoboClaw:
         )
 
     # --- helpers ---------------------------------------------------------------------------------
-
-    def _of(self, first: Command, second: Command) -> Command:
-        return first if self._motor == 1 else second
 
     def _link(self) -> Link:
         if self._connection is None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 from drivers.api import BytePort, Identity, Probe
@@ -23,16 +24,17 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
         text = parse_version(address, _answer(line, wait_s))
         if isinstance(text, Rejected) or not text.strip():
             continue
-        model, _, firmware = text.rpartition(" ")
-        return Identity(
-            maker="Basicmicro",
-            model=model or text,
-            firmware=firmware if model else "",
-            serial_number="",
-            port=line.port,
-            details={"address": str(address)},
-        )
+        return identity_of(text, line.port, address)
     return None
+
+
+def identity_of(
+    text: str, port: str, address: int, details: Mapping[str, str] | None = None
+) -> Identity:
+    """Return what a firmware text says of a drive: its model, then its version."""
+    model, _, firmware = text.rpartition(" ")
+    known = {"address": str(address), **(details or {})}
+    return Identity("Basicmicro", model or text, firmware if model else "", "", port, known)
 
 
 def _answer(line: BytePort, timeout_s: float) -> bytes:

@@ -109,55 +109,53 @@ class Generation:
 NEWER: Final = Generation()
 OLDER: Final = Generation(status_bits=16, pin_modes=3, voltage_offset=False)
 
+
+def _of_both(formats: Mapping[int, str]) -> dict[int, str]:
+    """Return formats of commands of motor 1 with those of motor 2, whose numbers are the next."""
+    return {number + motor: layout for number, layout in formats.items() for motor in (0, 1)}
+
+
 _FIXED_WRITES: Final[Mapping[int, str]] = {
     Command.SET_TIMEOUT: ">B",
     Command.RESET_COUNTS: ">",
-    Command.SET_COUNT_M1: ">i",
-    Command.SET_COUNT_M2: ">i",
-    Command.SET_VELOCITY_PID_M1: ">4I",
-    Command.SET_VELOCITY_PID_M2: ">4I",
-    Command.DUTY_M1: ">h",
-    Command.DUTY_M2: ">h",
-    Command.SET_SPEED_M1: ">i",
-    Command.SET_SPEED_M2: ">i",
-    Command.RAMP_SPEED_M1: ">Ii",
-    Command.RAMP_SPEED_M2: ">Ii",
-    Command.SET_ENCODER_MODE_M1: ">B",
-    Command.SET_ENCODER_MODE_M2: ">B",
     Command.SAVE_TO_NVM: ">I",
-    Command.SET_CURRENT_LIMIT_M1: ">2I",
-    Command.SET_CURRENT_LIMIT_M2: ">2I",
     Command.RESET_EMERGENCY_STOP: ">",
     Command.SET_EMERGENCY_STOP_LOCK: ">B",
-}
-
+} | _of_both(
+    {
+        Command.SET_COUNT_M1: ">i",
+        Command.SET_VELOCITY_PID_M1: ">4I",
+        Command.DUTY_M1: ">h",
+        Command.SET_SPEED_M1: ">i",
+        Command.RAMP_SPEED_M1: ">Ii",
+        Command.SET_ENCODER_MODE_M1: ">B",
+        Command.SET_CURRENT_LIMIT_M1: ">2I",
+    }
+)
 _FIXED_REPLIES: Final[Mapping[int, str]] = {
     Command.GET_TIMEOUT: ">B",
-    Command.COUNT_M1: ">iB",
-    Command.COUNT_M2: ">iB",
-    Command.SPEED_M1: ">IB",
-    Command.SPEED_M2: ">IB",
     Command.MAIN_VOLTAGE: ">H",
     Command.LOGIC_VOLTAGE: ">H",
-    Command.INSTANT_SPEED_M1: ">IB",
-    Command.INSTANT_SPEED_M2: ">IB",
     Command.PWM: ">2h",
     Command.CURRENTS: ">2h",
-    Command.VELOCITY_PID_M1: ">4I",
-    Command.VELOCITY_PID_M2: ">4I",
     Command.COMBINED_STATUS: ">2I4H4h6i4h",
     Command.COUNTS: ">2i",
     Command.INSTANT_SPEEDS: ">2i",
-    Command.TEMPERATURE_1: ">H",
-    Command.TEMPERATURE_2: ">H",
     Command.ENCODER_MODES: ">2B",
     Command.VOLTAGES: ">2H",
     Command.TEMPERATURES: ">2H",
     Command.AVERAGE_SPEEDS: ">2i",
-    Command.CURRENT_LIMIT_M1: ">2I",
-    Command.CURRENT_LIMIT_M2: ">2I",
     Command.EMERGENCY_STOP_LOCK: ">B",
-}
+} | _of_both(
+    {
+        Command.COUNT_M1: ">iB",
+        Command.SPEED_M1: ">IB",
+        Command.INSTANT_SPEED_M1: ">IB",
+        Command.VELOCITY_PID_M1: ">4I",
+        Command.TEMPERATURE_1: ">H",
+        Command.CURRENT_LIMIT_M1: ">2I",
+    }
+)
 
 
 def crc16(data: bytes) -> int:
@@ -262,20 +260,9 @@ def parse_version(address: int, raw: bytes) -> str | Rejected:
     return text.decode("ascii")
 
 
-@dataclass(frozen=True, slots=True)
-class Count:
-    """Hold an encoder count and its flags (commands 16, 17; flags are cleared on read)."""
-
-    value: int
-    underflow: bool
-    reverse: bool
-    overflow: bool
-
-
-def count_of(values: tuple[int, ...]) -> Count:
-    """Return the count of commands 16 and 17 (two's complement)."""
-    value, flags = values
-    return Count(value, bool(flags & 1), bool(flags & 2), bool(flags & 4))
+def count_of(values: tuple[int, ...]) -> int:
+    """Return the count of commands 16 and 17 (two's complement); flags of wraps come behind it."""
+    return values[0]
 
 
 def speed_of(values: tuple[int, ...]) -> int:
@@ -306,32 +293,20 @@ class CombinedStatus:
 
     tick: int
     state: int
-    temperatures: tuple[int, int]
+    temperatures: tuple[int, ...]
     main_voltage: int
     logic_voltage: int
-    pwm: tuple[int, int]
-    currents: tuple[int, int]
-    counts: tuple[int, int]
-    setpoints: tuple[int, int]
-    speeds: tuple[int, int]
-    speed_errors: tuple[int, int]
-    position_errors: tuple[int, int]
+    pwm: tuple[int, ...]
+    currents: tuple[int, ...]
+    counts: tuple[int, ...]
+    setpoints: tuple[int, ...]
+    speeds: tuple[int, ...]
+    speed_errors: tuple[int, ...]
+    position_errors: tuple[int, ...]
 
 
 def combined_status_of(values: tuple[int, ...]) -> CombinedStatus:
     """Return the record of command 73 (20 numbers, 56 bytes)."""
-    v = values
-    return CombinedStatus(
-        tick=v[0],
-        state=v[1],
-        temperatures=(v[2], v[3]),
-        main_voltage=v[4],
-        logic_voltage=v[5],
-        pwm=(v[6], v[7]),
-        currents=(v[8], v[9]),
-        counts=(v[10], v[11]),
-        setpoints=(v[12], v[13]),
-        speeds=(v[14], v[15]),
-        speed_errors=(v[16], v[17]),
-        position_errors=(v[18], v[19]),
-    )
+    tick, state, hot_1, hot_2, main, logic, *pairs = values
+    both = (tuple(pairs[place : place + 2]) for place in range(0, len(pairs), 2))
+    return CombinedStatus(tick, state, (hot_1, hot_2), main, logic, *both)

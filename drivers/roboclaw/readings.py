@@ -81,11 +81,11 @@ class StatusReader:
 
     def _in_parts(self) -> Readings:
         (state,) = self._link.read(Command.STATUS)
-        count = count_of(self._link.read((Command.COUNT_M1, Command.COUNT_M2)[self._motor]))
-        speed = speed_of(self._link.read((Command.SPEED_M1, Command.SPEED_M2)[self._motor]))
+        count = count_of(self._link.read(Command.COUNT_M1 + self._motor))
+        speed = speed_of(self._link.read(Command.SPEED_M1 + self._motor))
         currents = self._link.read(Command.CURRENTS)
         if self._polls % SLOW_PERIOD == 0:
             (main,) = self._link.read(Command.MAIN_VOLTAGE)
             (temperature,) = self._link.read(Command.TEMPERATURE_1)
             self._slow = (main, temperature)
-        return Readings(state, count.value, speed, currents[self._motor], *self._slow)
+        return Readings(state, count, speed, currents[self._motor], *self._slow)
