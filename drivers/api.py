@@ -424,6 +424,15 @@ class SettingSpec:
     choices: tuple[Any, ...] = ()
 
 
+def filled(specs: Mapping[str, SettingSpec], settings: Mapping[str, Any]) -> dict[str, Any]:
+    """Return settings with the default of each that is not given."""
+    return {key: spec.default for key, spec in specs.items()} | dict(settings)
+
+
+class Unplannable(ValueError):
+    """Say in one sentence what of a request no such device can do, and what to do."""
+
+
 class DriverFactory(Protocol):
     """Make a driver for a named device on a port."""
 

@@ -23,6 +23,7 @@ from drivers.api import (
     DriveStatus,
     Identity,
     SettingRefused,
+    filled,
 )
 from drivers.cia402.commission import Commissioning, Setup, check_watchdog
 from drivers.cia402.control import DriveControl
@@ -64,7 +65,7 @@ class Cia402Drive:
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name = name
         self.port = port
-        self._settings = {key: settings.get(key, spec.default) for key, spec in SETTINGS.items()}
+        self._settings = filled(SETTINGS, settings)
         self._lock = threading.RLock()
         self._node: CanNode | None = None
         self._monitor = NodeMonitor()

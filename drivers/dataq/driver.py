@@ -29,6 +29,7 @@ import contextlib
 import logging
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Final
 
 from drivers.api import (
@@ -44,14 +45,16 @@ from drivers.api import (
     SampleClock,
     SettingRefused,
     StreamSetup,
+    Unplannable,
     WrongDevice,
+    filled,
 )
 from drivers.dataq import protocol as p
 from drivers.dataq.link import Link
-from drivers.dataq.plan import Plan, Unplannable, make_plan
-from drivers.dataq.probe import PROBE
+from drivers.dataq.plan import Plan, make_plan
+from drivers.dataq.probe import PROBE, identity_of, version_words
 from drivers.dataq.protocol import Clock, Info
-from drivers.dataq.settings import SETTINGS, defaults
+from drivers.dataq.settings import SETTINGS
 from drivers.dataq.stream import Pace, Stream, Tally
 from drivers.transport import SerialPort, byte_counters
 
@@ -72,7 +75,7 @@ class Dataq:
     ) -> None:
         self.name = name
         self.port = port
-        self._settings: dict[str, Any] = {**defaults(), **settings}
+        self._settings: dict[str, Any] = filled(SETTINGS, settings)
         self._line = line or SerialPort(name, port, _BAUD_RATE)
         self._link = Link(
             self._line, self._settings["reply_timeout_s"], self._settings["command_pause_s"]
@@ -211,14 +214,9 @@ class Dataq:
         self._firmware = int(firmware, 16) if re.fullmatch(r"[0-9A-Fa-f]+", firmware) else 0
         for advice in self._advice().values():
             _log.warning("%s on %s: %s", self.name, self.port, advice)
-        return Identity(
-            maker="DATAQ Instruments",
-            model=f"DI-{self._model}",
-            firmware=_version(self._firmware) if self._firmware else firmware,
-            serial_number=self._link.query(Info.SERIAL_NUMBER)[:8],
-            port=self.port,
-            details=self._advice(),
-        )
+        serial = self._link.query(Info.SERIAL_NUMBER)
+        known = identity_of(str(self._model), firmware, serial, self.port)
+        return replace(known, details=self._advice())
 
     def _check_model(self, wanted: int) -> None:
         if self._model == wanted:
@@ -239,8 +237,8 @@ class Dataq:
         advice = []
         if 0 < self._firmware < p.ADVISED_FIRMWARE:
             advice.append(
-                f"firmware {_version(self._firmware)} is known to fail in binary mode and at "
-                f"high rates; load {_version(p.ADVISED_FIRMWARE)} or newer."
+                f"firmware {version_words(self._firmware)} is known to fail in binary mode and at "
+                f"high rates; load {version_words(p.ADVISED_FIRMWARE)} or newer."
             )
         if self._master_clock != str(p.MASTER_CLOCK_HZ):
             advice.append(
@@ -275,11 +273,6 @@ class Dataq:
         }
 
 
-def make(name: str, port: str, settings: Mapping[str, Any]) -> Dataq:
-    """Make a driver for a named device on a port."""
-    return Dataq(name, port, settings)
-
-
 def _counter_words(plan: Plan) -> str:
     told = {"direction": plan.direction_line, "index": plan.index_line}
     known = [name for name, line in told.items() if line is not None]
@@ -290,20 +283,16 @@ def _counter_words(plan: Plan) -> str:
     return ", ".join(words)
 
 
-def _version(hundredths: int) -> str:
-    return f"{hundredths // 100}.{hundredths % 100:02d}"
-
-
 def check(request: DataRequest) -> None:
     """Raise Unplannable for what no such device can do; nothing is opened."""
-    make_plan(request, {**defaults(), **request.settings})
+    make_plan(request, filled(SETTINGS, request.settings))
 
 
 DRIVER = DriverInfo(
     name="dataq",
     title="DATAQ DI-2108 or DI-4108 data acquisition",
     kind=DriverKind.DATA_SOURCE,
-    factory=make,
+    factory=Dataq,
     settings=SETTINGS,
     simulator="drivers.dataq.simulator:DataqSimulator",
     usb_ids=((_USB_VENDOR, None),),

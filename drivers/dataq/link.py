@@ -41,10 +41,10 @@ class Link:
             )
         time.sleep(self.pause_s)
 
-    def query(self, info: Info) -> str:
+    def query(self, info: Info, tries: int = TRIES) -> str:
         """Return an item of ``info``; raise ReplyTimeout or ProtocolError."""
         command = line("info", info.value)
-        reply = self._exchange(command)
+        reply = self._exchange(command, tries)
         try:
             return query_value(command, reply)
         except BadReply as error:
@@ -71,11 +71,11 @@ class Link:
                 return data[:place]
         return None
 
-    def _exchange(self, command: bytes) -> str:
+    def _exchange(self, command: bytes, tries: int = TRIES) -> str:
         """Return the answering line; a line that is not for this command is passed over."""
         wanted = _words(command)
         stray = ""
-        for attempt in range(TRIES):
+        for attempt in range(tries):
             if attempt:
                 self.retries += 1
                 self.port.drain()
@@ -94,7 +94,7 @@ class Link:
         raise ReplyTimeout(
             self.port.device,
             self.port.port,
-            f"no answer to {wanted!r} within {self.reply_timeout_s:g} s, {TRIES} tries; check "
+            f"no answer to {wanted!r} within {self.reply_timeout_s:g} s, {tries} tries; check "
             "cable and power, and that the LED blinks yellow (CDC mode).",
         )
 

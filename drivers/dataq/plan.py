@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from drivers.api import ChannelSpec, DataRequest
+from drivers.api import ChannelSpec, DataRequest, Unplannable
 from drivers.dataq import protocol as p
 from drivers.dataq.protocol import Clock, Function, Model
 from drivers.dataq.rates import NoSuchRate, Rate, encoder_rate, rate_for
@@ -18,10 +18,6 @@ from drivers.dataq.settings import NO_LINE
 COUNTER: Final = "counter_1"
 _SPARE_STEPS: Final = 2  # lines are not spaced evenly, and an edge falls before or after a scan
 _LOWEST_COUNT, _HIGHEST_COUNT = -(2.0**31), 2.0**31 - 1.0
-
-
-class Unplannable(ValueError):
-    """Say which wish the device cannot fulfil, and what to do."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,11 +6,11 @@ A scanning instrument answers to ``stop`` alone, which is not sent: it is known 
 from __future__ import annotations
 
 import re
-import time
 from typing import Final
 
-from drivers.api import BytePort, Identity, Probe
-from drivers.dataq.protocol import BadReply, Info, line, query_value, split_replies
+from drivers.api import BytePort, Identity, Probe, ProtocolError, ReplyTimeout
+from drivers.dataq.link import Link
+from drivers.dataq.protocol import Info
 
 _MOST_BYTES: Final = 4096
 _SERIAL_DIGITS: Final = 8
@@ -20,41 +20,27 @@ def ask(port: BytePort, timeout_s: float) -> Identity | None:
     """Return who answers ``info 1`` with its echo and a model number."""
     port.write(b"\r")  # ends what another question left in the device's line
     port.read_some(_MOST_BYTES, min(timeout_s, 0.05))
-    model = _query(port, Info.MODEL, timeout_s)
-    if model is None or not model.isalnum():
+    link = Link(port, timeout_s, 0.0)
+    try:
+        model = link.query(Info.MODEL, tries=1)
+        if not model.isalnum():
+            return None
+        firmware, serial = (link.query(one, tries=1) for one in (Info.FIRMWARE, Info.SERIAL_NUMBER))
+    except (ReplyTimeout, ProtocolError):
         return None
-    firmware = _query(port, Info.FIRMWARE, timeout_s) or ""
-    return Identity(
-        maker="DATAQ Instruments",
-        model=f"DI-{model}",
-        firmware=_version(firmware),
-        serial_number=(_query(port, Info.SERIAL_NUMBER, timeout_s) or "")[:_SERIAL_DIGITS],
-        port=port.port,
-    )
+    return identity_of(model, firmware, serial, port.port)
 
 
-def _version(text: str) -> str:
-    """Return the firmware's version, which comes as hundredths in hexadecimal digits."""
-    if re.fullmatch(r"[0-9A-Fa-f]+", text) is None:
-        return text
-    hundredths = int(text, 16)
+def identity_of(model: str, firmware: str, serial: str, port: str) -> Identity:
+    """Return who answers, by what it says; its firmware's version comes as hundredths in hex."""
+    if re.fullmatch(r"[0-9A-Fa-f]+", firmware):
+        firmware = version_words(int(firmware, 16))
+    return Identity("DATAQ Instruments", f"DI-{model}", firmware, serial[:_SERIAL_DIGITS], port)
+
+
+def version_words(hundredths: int) -> str:
+    """Return a firmware version as the maker writes it."""
     return f"{hundredths // 100}.{hundredths % 100:02d}"
-
-
-def _query(port: BytePort, info: Info, timeout_s: float) -> str | None:
-    command = line("info", info.value)
-    port.write(command)
-    rest = b""
-    deadline = time.monotonic() + timeout_s
-    while (left := deadline - time.monotonic()) > 0.0 and len(rest) < _MOST_BYTES:
-        rest += port.read_some(_MOST_BYTES, left)
-        lines, rest = split_replies(rest)
-        for reply in lines:
-            try:
-                return query_value(command, reply)
-            except BadReply:
-                continue
-    return None
 
 
 PROBE: Final = Probe(ask)

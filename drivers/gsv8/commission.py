@@ -85,8 +85,8 @@ class Commissioner:
         for wanted, least, what in needs:
             if wanted and self._firmware < least:
                 raise self._refused(
-                    f"{what} needs firmware {_version(least)} or newer, this device has "
-                    f"{_version(self._firmware)}; let the maker update it."
+                    f"{what} needs firmware {p.version_words(least)} or newer, this device has "
+                    f"{p.version_words(self._firmware)}; let the maker update it."
                 )
 
     def _choose_checksum(self, plan: Plan) -> tuple[Plan, p.InterfaceReply]:
@@ -275,7 +275,3 @@ def _shown(value: object) -> str:
     if isinstance(value, InputType):
         return value.words
     return f"{value:g}" if isinstance(value, float) else str(value)
-
-
-def _version(firmware: tuple[int, int]) -> str:
-    return f"{firmware[0]}.{firmware[1]:02d}"

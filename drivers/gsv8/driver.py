@@ -25,7 +25,9 @@ from drivers.api import (
     ReplyTimeout,
     SettingRefused,
     StreamSetup,
+    Unplannable,
     WrongDevice,
+    filled,
 )
 from drivers.gsv8 import protocol as p
 from drivers.gsv8.blocks import BlockMaker
@@ -33,11 +35,11 @@ from drivers.gsv8.commission import Commissioner
 from drivers.gsv8.frames import FrameLayout, Tally
 from drivers.gsv8.link import Link
 from drivers.gsv8.numbers import DataType
-from drivers.gsv8.plan import Plan, Unplannable, make_plan, parse_input
-from drivers.gsv8.probe import PROBE
+from drivers.gsv8.plan import Plan, make_plan, parse_input
+from drivers.gsv8.probe import PROBE, identity_of
 from drivers.gsv8.protocol import Command, u8
 from drivers.gsv8.registers import Registers
-from drivers.gsv8.settings import SETTINGS, defaults
+from drivers.gsv8.settings import SETTINGS
 from drivers.gsv8.watch import StreamWatch
 from drivers.gsv8.words import ValueFault
 from drivers.transport import SerialPort, byte_counters
@@ -78,7 +80,7 @@ class Gsv8:
     ) -> None:
         self.name = name
         self.port = port
-        self._own_settings: dict[str, Any] = {**defaults(), **settings}
+        self._own_settings: dict[str, Any] = filled(SETTINGS, settings)
         self._settings = self._own_settings
         self._line = line or SerialPort(name, port, self._settings["baud_rate"])
         self._link = Link(self._line, self._settings["reply_timeout_s"])
@@ -283,37 +285,24 @@ class Gsv8:
                 "port in the rig file.",
             )
         version = self._link.command(Command.FIRMWARE_VERSION, reply=4)
-        self._firmware = (int.from_bytes(version[:2], "big"), int.from_bytes(version[2:], "big"))
-        number = int.from_bytes(self._link.command(Command.GET_SERIAL_NUMBER, reply=4), "big")
+        self._firmware = p.decode_version(version)
+        number = self._link.command(Command.GET_SERIAL_NUMBER, reply=4)
         options = self._link.command(Command.GET_SOFTWARE_CONFIGURATION, reply=4)
-        return Identity(
-            maker="ME-Systeme",
-            model="GSV-8",
-            firmware=f"{self._firmware[0]}.{self._firmware[1]:02d}",
-            serial_number=f"{number:08d}",
-            port=self.port,
-            details={
-                "options": ", ".join(p.software_options(int.from_bytes(options, "big"))),
-                "interface": f"{reply.number} of {reply.interfaces}",
-                "objects": str(reply.objects),
-                "data_type": DataType(reply.data_type).name.lower(),
-            },
-        )
+        details = {
+            "options": ", ".join(p.software_options(int.from_bytes(options, "big"))),
+            "interface": f"{reply.number} of {reply.interfaces}",
+            "objects": str(reply.objects),
+            "data_type": DataType(reply.data_type).name.lower(),
+        }
+        return identity_of("GSV-8", self._firmware, number, self.port, details)
 
     def _nothing_answers(self) -> DeviceError:
+        rate = f"baud_rate ({self._settings['baud_rate']})."
         if self._link.tally.dropped_bytes:
-            return WrongDevice(
-                self.name,
-                self.port,
-                "something sends bytes, but not those of a GSV-8; check the port and, on a UART, "
-                f"baud_rate ({self._settings['baud_rate']}).",
-            )
-        return ConnectionFailed(
-            self.name,
-            self.port,
-            "nothing answers; check power, cable and port and, on a UART, "
-            f"baud_rate ({self._settings['baud_rate']}).",
-        )
+            sentence = "something sends bytes, but not those of a GSV-8; check the port and, on a "
+            return WrongDevice(self.name, self.port, f"{sentence}UART, {rate}")
+        sentence = "nothing answers; check power, cable and port and, on a UART, "
+        return ConnectionFailed(self.name, self.port, sentence + rate)
 
     def _configured(self) -> tuple[Plan, FrameLayout]:
         if self._plan is None or self._layout is None:
@@ -339,21 +328,16 @@ def _idle(left_s: float) -> None:
     time.sleep(min(max(left_s, 0.0), _READ_SLICE_S))
 
 
-def make(name: str, port: str, settings: Mapping[str, Any]) -> Gsv8:
-    """Make a driver for a named device on a port."""
-    return Gsv8(name, port, settings)
-
-
 def check(request: DataRequest) -> None:
     """Raise Unplannable for what no such device can do; nothing is opened."""
-    make_plan(request, {**defaults(), **request.settings})
+    make_plan(request, filled(SETTINGS, request.settings))
 
 
 DRIVER = DriverInfo(
     name="gsv8",
     title="ME-Systeme GSV-8 measuring amplifier",
     kind=DriverKind.DATA_SOURCE,
-    factory=make,
+    factory=Gsv8,
     settings=SETTINGS,
     simulator="drivers.gsv8.simulator:Gsv8Simulator",
     probe=PROBE,

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from drivers.api import ChannelSpec, DataRequest
+from drivers.api import ChannelSpec, DataRequest, Unplannable
 from drivers.gsv8 import protocol as p
 from drivers.gsv8.numbers import OVERRANGE, DataType, scale_of_code
 from drivers.gsv8.protocol import CounterMode, InputType, Quadrature
@@ -28,10 +28,6 @@ _BRIDGES = {
     for kind in (InputType.BRIDGE_8V75, InputType.BRIDGE_5V, InputType.BRIDGE_2V5)
 }
 _LONGEST_RANGE_V = 10.0
-
-
-class Unplannable(ValueError):
-    """Say in one sentence what of a request the device cannot do."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 from drivers.api import BytePort, Identity, Probe, ProtocolError, ReplyTimeout, SettingRefused
@@ -18,19 +19,22 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
     try:
         version = link.command(Command.FIRMWARE_VERSION, reply=4, tries=1)
         reply = link.command(Command.GET_INTERFACE, u8(_NO_CHANGE), reply=4, tries=1)
-        number = int.from_bytes(link.command(Command.GET_SERIAL_NUMBER, reply=4, tries=1), "big")
+        number = link.command(Command.GET_SERIAL_NUMBER, reply=4, tries=1)
     except (ReplyTimeout, ProtocolError, SettingRefused):
         return None
     interface = p.decode_interface(reply)
     known = interface.model == p.MODEL_GSV8
-    return Identity(
-        maker="ME-Systeme",
-        model="GSV-8" if known else f"GSV, model {interface.model:02X}",
-        firmware=f"{int.from_bytes(version[:2], 'big')}.{int.from_bytes(version[2:], 'big'):02d}",
-        serial_number=f"{number:08d}",
-        port=line.port,
-        details={} if known else {"note": "rigapp has no driver for this model"},
-    )
+    model = "GSV-8" if known else f"GSV, model {interface.model:02X}"
+    details = {} if known else {"note": "rigapp has no driver for this model"}
+    return identity_of(model, p.decode_version(version), number, line.port, details)
+
+
+def identity_of(
+    model: str, firmware: tuple[int, int], number: bytes, port: str, details: Mapping[str, str]
+) -> Identity:
+    """Return who answers; number: the data of the serial number."""
+    serial = f"{int.from_bytes(number, 'big'):08d}"
+    return Identity("ME-Systeme", model, p.version_words(firmware), serial, port, details)
 
 
 PROBE: Final = Probe(ask, (115200, 460800, 230400, 57600, 38400, 19200))

@@ -255,6 +255,17 @@ def read_f32(data: bytes) -> float:
     return float(struct.unpack(">f", data)[0])
 
 
+def decode_version(data: bytes) -> tuple[int, int]:
+    """Return the firmware's version in four bytes."""
+    major, minor = struct.unpack(">HH", data)
+    return major, minor
+
+
+def version_words(firmware: tuple[int, int]) -> str:
+    """Return a firmware version as the maker writes it."""
+    return f"{firmware[0]}.{firmware[1]:02d}"
+
+
 def counter_index(counter: int, index: int) -> int:
     """Return the index byte of commands 69 and 6A: counter 0 or 1; 0 mode, 1 gate, 2 home."""
     return counter << 4 | index

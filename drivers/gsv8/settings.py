@@ -89,8 +89,3 @@ SETTINGS: Mapping[str, SettingSpec] = {
         float, 0.02, "Time of the samples that are handed over together.", 0.001, 1.0
     ),
 }
-
-
-def defaults() -> dict[str, object]:
-    """Return every setting with its default."""
-    return {key: spec.default for key, spec in SETTINGS.items()}

@@ -17,6 +17,7 @@ from drivers.api import (
     SettingRefused,
     SlowRequest,
     WrongDevice,
+    filled,
 )
 from drivers.modbus_sensor.link import ModbusLink
 from drivers.modbus_sensor.probe import PROBE
@@ -33,8 +34,7 @@ class ModbusSensor:
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name = name
         self.port = port
-        given = {key: settings.get(key, spec.default) for key, spec in SETTINGS.items()}
-        self._settings = given
+        self._settings = given = filled(SETTINGS, settings)
         self._line = SerialPort(
             name,
             port,
@@ -127,7 +127,7 @@ _ON_OPENING: Final[Mapping[type[BaseException], type[ConnectionFailed] | type[Wr
 
 def check(request: SlowRequest) -> None:
     """Raise ValueError for quantities that the settings give no register for."""
-    settings = {key: request.settings.get(key, spec.default) for key, spec in SETTINGS.items()}
+    settings = filled(SETTINGS, request.settings)
     known = [one.quantity for one in registers_of(settings)]
     missing = [name for name in request.quantities if name not in known]
     if missing:

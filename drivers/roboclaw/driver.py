@@ -25,6 +25,7 @@ from drivers.api import (
     ProtocolError,
     ReplyTimeout,
     SettingRefused,
+    filled,
 )
 from drivers.roboclaw.commission import Setup, check_watchdog, commission, identify
 from drivers.roboclaw.link import Link
@@ -67,7 +68,7 @@ class RoboClaw:
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name = name
         self.port = port
-        self._settings = {key: settings.get(key, spec.default) for key, spec in SETTINGS.items()}
+        self._settings = filled(SETTINGS, settings)
         self._motor = int(self._settings["motor"])
         self._lock = threading.RLock()
         self._serial: SerialPort | None = None

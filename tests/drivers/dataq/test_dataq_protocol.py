@@ -7,12 +7,12 @@ import struct
 import numpy as np
 import pytest
 
-from drivers.api import ChannelSpec, DataRequest
+from drivers.api import ChannelSpec, DataRequest, Unplannable, filled
 from drivers.dataq import protocol as p
-from drivers.dataq.plan import Unplannable, make_plan
+from drivers.dataq.plan import make_plan
 from drivers.dataq.protocol import Clock
 from drivers.dataq.scans import Layout, ScanParser, Steps
-from drivers.dataq.settings import defaults
+from drivers.dataq.settings import SETTINGS
 
 
 def _request(**inputs: tuple[str, float]) -> DataRequest:
@@ -23,7 +23,7 @@ def test_the_set_up_of_a_di_4108_is_these_lines_in_this_order() -> None:
     request = _request(
         counter_1=("counter", 900.0), analog_2=("voltage", 5.0), analog_1=("voltage", 10.0)
     )
-    settings = {**defaults(), "model": 4108, "digital": True, "rate_range_Hz": 500.0}
+    settings = filled(SETTINGS, {"model": 4108, "digital": True, "rate_range_Hz": 500.0})
     lines = make_plan(request, settings | {"filter": "average"}).commands(end_list=True)
     assert lines == (
         b"encode 0\r",
@@ -45,7 +45,7 @@ def test_the_set_up_of_a_di_4108_is_these_lines_in_this_order() -> None:
 
 def test_analog_1_is_channel_0_and_the_end_of_the_list_can_be_left_away() -> None:
     request = _request(analog_1=("voltage", 10.0), analog_8=("voltage", 10.0))
-    lines = make_plan(request, defaults()).commands(end_list=False)
+    lines = make_plan(request, filled(SETTINGS, {})).commands(end_list=False)
     assert [line for line in lines if line.startswith(b"slist")] == [
         b"slist 0 0\r",
         b"slist 1 7\r",
@@ -146,7 +146,7 @@ def _scan(layout: Layout, *words: int) -> np.ndarray:
 
 @pytest.mark.parametrize(("model", "volts", "word", "expected"), ANALOG)
 def test_analog_conversion(model: int, volts: float, word: int, expected: float) -> None:
-    settings = {**defaults(), "model": model}
+    settings = filled(SETTINGS, {"model": model})
     plan = make_plan(_request(analog_3=("voltage", volts)), settings)
     raw = _scan(plan.layout, word, 0x8000)
     assert _value(plan.channels[0], int(raw[0])) == pytest.approx(expected, abs=1e-12)
@@ -157,7 +157,7 @@ def test_analog_conversion(model: int, volts: float, word: int, expected: float)
     ("word", "expected"), [(0x8000, 0.0), (0x7FFF, 500.0), (0x0000, 250.0038147554742)]
 )
 def test_rate_conversion(word: int, expected: float) -> None:
-    plan = make_plan(_request(), {**defaults(), "rate_range_Hz": 500.0})
+    plan = make_plan(_request(), filled(SETTINGS, {"rate_range_Hz": 500.0}))
     raw = _scan(plan.layout, word, 0x8000)
     assert _value(plan.channels[0], int(raw[0])) == pytest.approx(expected, abs=1e-9)
     assert plan.channels[0].unit == "Hz"
@@ -167,7 +167,7 @@ def test_rate_conversion(word: int, expected: float) -> None:
     ("word", "lines"), [(0x0100, 1), (0x4000, 64), (0xFF00, 127), (0x8000, 0), (0x00FF, 0)]
 )
 def test_digital_lines_are_in_the_high_byte(word: int, lines: int) -> None:
-    plan = make_plan(_request(), {**defaults(), "digital": True})
+    plan = make_plan(_request(), filled(SETTINGS, {"digital": True}))
     assert _scan(plan.layout, word, 0x8000)[0] == lines
 
 
@@ -175,7 +175,7 @@ def test_digital_lines_are_in_the_high_byte(word: int, lines: int) -> None:
     ("word", "count"), [(0x8000, 0), (0x8001, 1), (0xFFFF, 32767), (0x0000, 32768), (0x7FFF, 65535)]
 )
 def test_counter_conversion(word: int, count: int) -> None:
-    plan = make_plan(_request(counter_1=("counter", 900.0)), defaults())
+    plan = make_plan(_request(counter_1=("counter", 900.0)), filled(SETTINGS, {}))
     assert plan.channels[-1].name == "counter_1"
     assert _scan(plan.layout, word)[0] == count
 
@@ -213,7 +213,7 @@ def test_refusals_say_what_to_do(
     inputs: dict[str, tuple[str, float]], settings: dict[str, object], sentence: str
 ) -> None:
     with pytest.raises(Unplannable, match=sentence):
-        make_plan(_request(**inputs), {**defaults(), **settings})
+        make_plan(_request(**inputs), filled(SETTINGS, settings))
 
 
 @pytest.mark.parametrize(
@@ -228,18 +228,20 @@ def test_refusals_say_what_to_do(
     ],
 )
 def test_the_wiring_is_told(settings: dict[str, object], wiring: str) -> None:
-    plan = make_plan(_request(counter_1=("counter", 900.0)), {**defaults(), **settings})
+    plan = make_plan(_request(counter_1=("counter", 900.0)), filled(SETTINGS, settings))
     assert plan.wiring == wiring
 
 
 def test_the_encoder_clock_refuses_a_nominal_rate_above_its_base_rate() -> None:
-    settings = {**defaults(), "clock": "encoder"}
+    settings = filled(SETTINGS, {"clock": "encoder"})
     with pytest.raises(Unplannable, match="20000 at most"):
         make_plan(DataRequest(30000.0, {"analog_1": ("voltage", 10.0)}), settings)
 
 
 def test_steps_follow_from_speed_and_acceleration() -> None:
     request = _request(counter_1=("counter", 900.0))
-    settings = {**defaults(), "maximum_speed_rpm": 640.0, "maximum_acceleration_rev_per_s2": 512.0}
+    settings = filled(
+        SETTINGS, {"maximum_speed_rpm": 640.0, "maximum_acceleration_rev_per_s2": 512.0}
+    )
     assert make_plan(request, settings).steps == Steps(0, 12, 3)
     assert make_plan(request, {**settings, "clock": "encoder"}).steps == Steps(1, 1, 0)
