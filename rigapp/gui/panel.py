@@ -7,6 +7,7 @@ a ``Host``, and whatever draws on it is a ``Panel``, told the news by the one Pr
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, runtime_checkable
 
@@ -47,37 +48,29 @@ class StallCounter(Protocol):
 
 
 Added = TypeVar("Added", bound=Panel)
+Read = Callable[[int, Callable[[StoredRevolution], None], Callable[[Exception], None]], None]
 
 
-class Host(Protocol):
-    """The window, as the makers of pages see it."""
+@dataclass(frozen=True, slots=True)
+class Host:
+    """The window, as the makers of pages see it.
+
+    ask: a request to the engine, whose answer the window shows. say: a sentence where answers
+    stand, and whether it is a good one. offer_start: a test file that may be started.
+    read_revolution: the saved cycle nearest to a revolution.
+    """
 
     theme: Theme
     results_folder: Path
     worker: TaskWorker
     stalls: StallCounter
+    ask: Callable[[str, dict[str, Any]], None]
+    say: Callable[[str, bool], None]
+    offer_start: Callable[[Path], None]
+    read_revolution: Read
+    panels: dict[str, Panel] = field(default_factory=dict)
 
     def add(self, name: str, panel: Added) -> Added:
         """Tell a panel the news from now on, and dress it; return it."""
-        ...
-
-    def ask(self, verb: str, arguments: dict[str, Any]) -> None:
-        """Ask the engine; the answer is shown by the window."""
-        ...
-
-    def say(self, sentence: str, good: bool) -> None:
-        """Show a sentence where answers stand."""
-        ...
-
-    def offer_start(self, test: Path) -> None:
-        """Ask for the start of a test file."""
-        ...
-
-    def read_revolution(
-        self,
-        revolution: int,
-        done: Callable[[StoredRevolution], None],
-        failed: Callable[[Exception], None],
-    ) -> None:
-        """Read the saved cycle nearest to a revolution."""
-        ...
+        self.panels[name] = panel
+        return panel

@@ -15,7 +15,7 @@ from PySide6.QtGui import QColor, QPen
 
 from rigapp.gui.panels.alarms import MARKS
 from rigapp.gui.panels.compare import COLOURS
-from rigapp.gui.plots.palette import DARK, LIGHT, Theme, measured_pen, model_pen
+from rigapp.gui.plots.palette import DARK, LIGHT, MODEL, STALE_CURVE, LinePen, Theme
 from rigapp.gui.window.headline import _STATES, Level
 from rigapp.schema.messages import RunState, Severity
 
@@ -152,9 +152,9 @@ def test_measured_and_model_differ_in_their_line_too(theme: Theme) -> None:
 
     for role in theme.curves:
         if role != "model":
-            assert not dashed(measured_pen(theme, role)), role
-    assert dashed(model_pen(theme))
-    assert dashed(model_pen(theme, stale=True, width=2.0))
+            assert not dashed(LinePen(role).of(theme)), role
+    assert dashed(MODEL.of(theme))
+    assert dashed(STALE_CURVE.of(theme))
 
 
 def test_states_and_alarms_have_words_and_shapes_beside_colour() -> None:

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.quantities import compared_columns
@@ -17,9 +16,9 @@ from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredTest, load_history
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.plots.palette import Theme, line_pen
-from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
-from rigapp.gui.widgets.build import choice, column, named, row
+from rigapp.gui.plots.palette import LinePen, Theme
+from rigapp.gui.plots.plotting import LegendRow, PlotPanel, QuietPlot, clear
+from rigapp.gui.widgets.build import choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.channels import BASE
 
@@ -64,26 +63,25 @@ def _items(texts: dict[str, str]) -> list[tuple[str, str]]:
     return [(text, key) for key, text in texts.items()]
 
 
-class ComparePanel(QWidget):
+class ComparePanel(PlotPanel):
     """Draw one quantity of each chosen test."""
 
     def __init__(self, theme: Theme, worker: TaskWorker) -> None:
-        super().__init__()
+        super().__init__("compare_panel", "Comparison of tests")
         self._theme = theme
         self._worker = worker
         self._runs: list[ComparedTest] = []
         self._wanted: list[Path] = []
-        named(self, "compare_panel", "Comparison of tests")
         self.plot = QuietPlot("compare_plot", "Comparison of tests", theme)
         self.plot.setMouseEnabled(x=True, y=False)
-        self._curves: list[Any] = [self.plot.curve(line_pen(theme.text)) for _ in range(MOST)]
+        self._curves: list[Any] = [self.plot.curve(LinePen("text")) for _ in range(MOST)]
         self.quantity = choice(
             "compare_quantity", "Quantity to compare", _items(compared_columns(BASE)), self._draw
         )
         self.axis = choice("compare_axis", "Axis to compare on", _items(AXES), self._draw)
         self.message = ElidedLabel("compare_message", "State of the comparison")
         self.message.show_text("Choose one or more tests above and press Compare.")
-        self.legend = LegendRow("compare_legend")
+        self.legend = LegendRow("compare_legend", theme)
         top = row("&Quantity", self.quantity, "Against", self.axis, (self.message, 1))
         column(top, self.legend, (self.plot, 1), on=self)
 
@@ -95,7 +93,7 @@ class ComparePanel(QWidget):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
-        self.plot.dress(theme)
+        super().dress(theme)
         self._draw()
 
     def load(self, paths: Sequence[Path]) -> None:
@@ -142,14 +140,14 @@ class ComparePanel(QWidget):
         limits = [np.inf, -np.inf, np.inf, -np.inf]
         for index, curve in enumerate(self._curves):
             if index >= len(self._runs):
-                curve.setData([], [])
+                clear(curve)
                 continue
             run = self._runs[index]
             x, y = line_of(run.data, quantity, axis)
-            pen = line_pen(colours[index])
-            curve.setPen(pen)
+            pen = LinePen(colours[index])
+            self.plot.draw_with(pen, curve)
             curve.setData(x, y, connect="finite")
-            entries.append(LegendEntry(run.path.stem, pen))
+            entries.append((run.path.stem, pen))
             if np.isfinite(y).any():
                 limits = [
                     min(limits[0], float(np.nanmin(x))),
@@ -165,7 +163,5 @@ class ComparePanel(QWidget):
 
     def _place(self, left: float, right: float, low: float, high: float) -> None:
         self.plot.setXRange(left, max(right, left + 1e-6), padding=0.02)
-        steady = SteadyRange(1e-6)
-        steady.update(low, high)
-        if steady.range is not None:
-            self.plot.setYRange(*steady.range, padding=0.0)
+        self.plot.steady = SteadyRange(1e-6)
+        self.plot.fit(low, high)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.channels import axis_of, span_of, title_of
 from rigapp.gui.data.news import News, Takes
@@ -13,9 +12,9 @@ from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import MeasuredCycle
 from rigapp.gui.data.texts import unit_text
-from rigapp.gui.plots.palette import Theme, measured_pen
-from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
-from rigapp.gui.widgets.build import choice, column, named, row
+from rigapp.gui.plots.palette import LinePen, Theme
+from rigapp.gui.plots.plotting import LegendRow, PlotPanel, QuietPlot, clear
+from rigapp.gui.widgets.build import choice, column, row
 from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind
 
 ROLES = ("first", "second")
@@ -46,27 +45,25 @@ def curve_groups(table: ChannelTable) -> tuple[CurveGroup, ...]:
     )
 
 
-class ChannelCurvePanel(QWidget):
+class ChannelCurvePanel(PlotPanel):
     """Draw one group of channels against crank angle."""
 
     takes = Takes.REVOLUTION
 
     def __init__(self, prefix: str, theme: Theme) -> None:
-        super().__init__()
-        self._theme = theme
+        super().__init__(f"{prefix}_channel_panel", "Other channels over one revolution")
         self._table = BASE
         self._groups = curve_groups(BASE)
         self._means: tuple[float, ...] = ()
         self._drawn: MeasuredCycle | None = None
-        named(self, f"{prefix}_channel_panel", "Other channels over one revolution")
         self.plot = QuietPlot(f"{prefix}_channel_plot", "Channel against crank angle", theme)
-        self.plot.guide(0.0, horizontal=True, theme=theme)
-        self.plot.show_crank_angle(theme)
+        self.plot.guide(0.0, horizontal=True)
+        self.plot.show_crank_angle()
         self.choice = choice(
             f"{prefix}_channel", "Channel against crank angle", (), self._group_chosen
         )
-        self.legend = LegendRow(f"{prefix}_channel_legend")
-        self._curves = [self.plot.curve(measured_pen(theme, role)) for role in ROLES]
+        self.legend = LegendRow(f"{prefix}_channel_legend", theme)
+        self._curves = [self.plot.curve(LinePen(role)) for role in ROLES]
         column(row(self.choice, (self.legend, 1)), (self.plot, 1), on=self)
         self._offer(BASE)
 
@@ -74,14 +71,6 @@ class ChannelCurvePanel(QWidget):
     def group(self) -> CurveGroup:
         """Return what is drawn."""
         return self._groups[max(self.choice.currentIndex(), 0)]
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self.plot.dress(theme)
-        for curve, role in zip(self._curves, ROLES, strict=True):
-            curve.setPen(measured_pen(theme, role))
-        self._theme = theme
-        self._show_legend()
 
     def show_news(self, news: News) -> None:
         """Draw the newest revolution if it is not drawn yet."""
@@ -92,8 +81,7 @@ class ChannelCurvePanel(QWidget):
             return
         self._drawn = cycle
         if cycle is None:
-            for curve in self._curves:
-                curve.setData([], [])
+            clear(*self._curves)
             return
         angle = cycle.angle_deg.astype(np.float64)
         shown = [
@@ -109,8 +97,7 @@ class ChannelCurvePanel(QWidget):
         self._show_legend()
         low = min((float(values.min()) for values in shown), default=np.nan)
         high = max((float(values.max()) for values in shown), default=np.nan)
-        if self._range.update(low, high) and self._range.range is not None:
-            self.plot.setYRange(*self._range.range, padding=0.0)
+        self.plot.fit(low, high)
 
     def _offer(self, table: ChannelTable) -> None:
         """Offer what a table has; what was chosen stays, where it is still there."""
@@ -128,10 +115,9 @@ class ChannelCurvePanel(QWidget):
         group = self.group
         self._means = ()
         self._drawn = None
-        self._range = SteadyRange(span_of(group.channels[0]), symmetric=group.centred)
+        self.plot.steady = SteadyRange(span_of(group.channels[0]), symmetric=group.centred)
         self.plot.label("left", group.axis)
-        for curve in self._curves:
-            curve.setData([], [])
+        clear(*self._curves)
         self._show_legend()
 
     def _show_legend(self) -> None:
@@ -139,5 +125,5 @@ class ChannelCurvePanel(QWidget):
         for place, (channel, text) in enumerate(zip(group.channels, group.texts, strict=True)):
             if place < len(self._means):
                 text += f", mean {self._means[place]:.1f} {unit_text(channel.unit)}"
-            entries.append(LegendEntry(text, measured_pen(self._theme, ROLES[place])))
+            entries.append((text, LinePen(ROLES[place])))
         self.legend.show_entries(entries)

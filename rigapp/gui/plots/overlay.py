@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.comparison import (
@@ -21,17 +20,17 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
-from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
-from rigapp.gui.plots.plotting import CursorPlot, LegendEntry, LegendRow
-from rigapp.gui.widgets.build import choice, column, named, row
+from rigapp.gui.plots.palette import MODEL_CURVE, STALE_CURVE, LinePen, Theme
+from rigapp.gui.plots.plotting import CursorPlot, LegendRow, PlotPanel, clear
+from rigapp.gui.widgets.build import choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.messages import ChannelView
 
 RESIDUAL_BIN_DEG = 2.0
 """Short enough for the model's sharpest turn, long enough that noise averages out."""
 
-ROLES = dict(zip(CURVES, ("main", "first", "second"), strict=True))
-"""The role of each curve's colour."""
+PENS = dict(zip(CURVES, map(LinePen, ("main", "first", "second")), strict=True))
+STORED = LinePen("frozen")
 
 
 class AnglePlot(CursorPlot):
@@ -48,15 +47,13 @@ class AnglePlot(CursorPlot):
             self._pointed((at + sign * step) % 360.0)
 
 
-class OverlayPanel(QWidget):
+class OverlayPanel(PlotPanel):
     """Draw the newest revolution and the model's, with a strip for their difference."""
 
     takes = Takes.REVOLUTION
 
     def __init__(self, prefix: str, theme: Theme) -> None:
-        super().__init__()
-        self._theme = theme
-        self._prefix = prefix
+        super().__init__(f"{prefix}_overlay_panel", "Joint force over one revolution")
         self._ratio: float | None = None
         self._stale = False
         self._uncertainty: float | None = None
@@ -67,20 +64,17 @@ class OverlayPanel(QWidget):
         self.frame = ForceFrame.CRANK
         self.held = False
         self.shown: RevolutionCurves | None = None
-        named(self, f"{prefix}_overlay_panel", "Joint force over one revolution")
-        self._make_plots()
-        self._range = SteadyRange(10.0)
-        self._residual_range = SteadyRange(4.0, symmetric=True)
-        self._build()
+        self._make_plots(prefix, theme)
+        self._build(prefix, theme)
 
-    def _make_plots(self) -> None:
-        theme, prefix = self._theme, self._prefix
+    def _make_plots(self, prefix: str, theme: Theme) -> None:
         self.plot = AnglePlot(
             f"{prefix}_force_plot", "Joint force against crank angle", theme, self.set_cursor
         )
         self.plot.label("left", "Force (N)")
-        self.plot.show_crank_angle(theme, label=False)
-        self.plot.guide(0.0, horizontal=True, theme=theme)
+        self.plot.show_crank_angle(label=False)
+        self.plot.guide(0.0, horizontal=True)
+        self.plot.steady = SteadyRange(10.0)
         self.residual_plot = AnglePlot(
             f"{prefix}_residual_plot",
             "Measured minus model against crank angle",
@@ -88,28 +82,24 @@ class OverlayPanel(QWidget):
             self.set_cursor,
         )
         self.residual_plot.label("left", "ΔF (N)")
-        self.residual_plot.show_crank_angle(theme)
-        self.residual_plot.guide(0.0, horizontal=True, theme=theme)
-        self._band = self.residual_plot.band(theme)
-        self._raw_residual = self.residual_plot.curve(line_pen(theme.grid))
-        self._references = {name: self.plot.curve(measured_pen(theme, "frozen")) for name in CURVES}
-        self._measured = {
-            name: self.plot.curve(measured_pen(theme, ROLES[name])) for name in CURVES
-        }
-        self._model = {name: self.plot.curve(model_pen(theme, width=2.0)) for name in CURVES}
-        self._residual = {
-            name: self.residual_plot.curve(measured_pen(theme, ROLES[name])) for name in CURVES
-        }
+        self.residual_plot.show_crank_angle()
+        self.residual_plot.guide(0.0, horizontal=True)
+        self.residual_plot.steady = SteadyRange(4.0, symmetric=True)
+        self._band = self.residual_plot.band()
+        self._raw_residual = self.residual_plot.curve(LinePen("grid"))
+        self._references = {name: self.plot.curve(STORED) for name in CURVES}
+        self._measured = {name: self.plot.curve(pen) for name, pen in PENS.items()}
+        self._model = {name: self.plot.curve(MODEL_CURVE) for name in CURVES}
+        self._residual = {name: self.residual_plot.curve(pen) for name, pen in PENS.items()}
 
-    def _build(self) -> None:
-        prefix = self._prefix
+    def _build(self, prefix: str, theme: Theme) -> None:
         self.title = ElidedLabel(f"{prefix}_overlay_title", "Revolutions shown")
         frames = [(f"{frame.value} frame", frame) for frame in ForceFrame]
         self.frame_box = choice(
             f"{prefix}_frame", "Frame of the force components", frames, self._frame_chosen
         )
         self.tools = row((self.title, 1), "Fra&me", self.frame_box)
-        self.legend = LegendRow(f"{prefix}_overlay_legend")
+        self.legend = LegendRow(f"{prefix}_overlay_legend", theme)
         self.readout = ElidedLabel(f"{prefix}_cursor", "Values at the cursor")
         self.readout.show_text(
             "Lower strip: measured − model, grey every sample.  Click a plot, or Tab to it and use"
@@ -128,18 +118,8 @@ class OverlayPanel(QWidget):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        self._theme = theme
-        self.plot.dress(theme)
-        self.residual_plot.dress(theme)
-        for name in CURVES:
-            self._measured[name].setPen(measured_pen(theme, ROLES[name]))
-            self._residual[name].setPen(measured_pen(theme, ROLES[name]))
-            self._references[name].setPen(measured_pen(theme, "frozen"))
-        self._raw_residual.setPen(line_pen(theme.grid))
+        super().dress(theme)
         self._band.setBrush(theme.band)
-        self._apply_model_pen()
-        self._show_legend()
-        self.set_cursor(self._cursor)
 
     def set_mechanism(self, crank_over_follower: float | None) -> None:
         """Take crank radius / follower length of the test; None: the follower frame is closed."""
@@ -171,7 +151,7 @@ class OverlayPanel(QWidget):
         data, stale = news.data, news.stale
         if stale != self._stale:
             self._stale = stale
-            self._apply_model_pen()
+            self.plot.draw_with(self._model_pen, *self._model.values())
             self._show_legend()
         prediction, cycle = data.prediction, data.cycle
         if prediction is not None and cycle is not None and not stale:
@@ -192,9 +172,11 @@ class OverlayPanel(QWidget):
         self.title.show_text("No revolution measured yet")
         if self.shown is not None:
             self.shown, self._drawn = None, ()
-            curves = (*self._measured.values(), *self._model.values(), *self._residual.values())
-            for curve in (*curves, self._raw_residual):
-                curve.setData([], [])
+            clear(*self._measured.values())
+            self._clear_model()
+
+    def _clear_model(self) -> None:
+        clear(*self._model.values(), *self._residual.values(), self._raw_residual)
 
     def draw(self, shown: RevolutionCurves) -> None:
         """Draw arrays."""
@@ -204,9 +186,7 @@ class OverlayPanel(QWidget):
             self._measured[name].setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
         shapes = [*shown.measured.values(), *(shown.model or {}).values()]
         low = min(float(values.min()) for values in shapes)
-        high = max(float(values.max()) for values in shapes)
-        if self._range.update(low, high):
-            self.plot.setYRange(*self._known(self._range), padding=0.0)
+        self.plot.fit(low, max(float(values.max()) for values in shapes))
         self._draw_model(shown, buckets)
         self._show_title(shown)
         self._read_out()
@@ -215,13 +195,12 @@ class OverlayPanel(QWidget):
         """Put the cursor at a crank angle and read the values there; None takes it away."""
         self._cursor = None if angle_deg is None else angle_deg % 360.0
         for plot in (self.plot, self.residual_plot):
-            plot.show_cursor(self._cursor, self._theme)
+            plot.show_cursor(self._cursor)
         self._read_out()
 
     def _draw_model(self, shown: RevolutionCurves, buckets: int) -> None:
         if shown.model is None or shown.residual is None:
-            for curve in (*self._model.values(), *self._residual.values(), self._raw_residual):
-                curve.setData([], [])
+            self._clear_model()
             return
         for name in CURVES:
             self._model[name].setData(shown.model_angle_deg, shown.model[name])
@@ -231,13 +210,11 @@ class OverlayPanel(QWidget):
         raw = shown.residual[SIZE]
         self._raw_residual.setData(*thinned(shown.angle_deg, raw, buckets))
         worst = float(np.abs(raw).max())
-        if self._residual_range.update(-worst, worst):
-            self.residual_plot.setYRange(*self._known(self._residual_range), padding=0.0)
+        self.residual_plot.fit(-worst, worst)
 
     def _draw_reference(self) -> None:
         if self._reference is None:
-            for curve in self._references.values():
-                curve.setData([], [])
+            clear(*self._references.values())
             return
         shown = compose(self._reference.cycle, None, self.frame, self._ratio)
         buckets = max(self.plot.width(), 200)
@@ -260,14 +237,10 @@ class OverlayPanel(QWidget):
             first, second = COMPONENT_NAMES[self.frame]
             self.readout.show_text(values_at(self.shown, self._cursor, first, second))
 
-    @staticmethod
-    def _known(steady: SteadyRange) -> tuple[float, float]:
-        return steady.range or (-1.0, 1.0)
-
     def _frame_chosen(self) -> None:
         self.frame = ForceFrame(self.frame_box.currentData())
-        self._range.forget()
-        self._residual_range.forget()
+        self.plot.steady.forget()
+        self.residual_plot.steady.forget()
         self._drawn = ()
         self._show_legend()
 
@@ -279,26 +252,16 @@ class OverlayPanel(QWidget):
         if not known and self.frame is ForceFrame.FOLLOWER:
             self.frame_box.setCurrentIndex(self.frame_box.findData(ForceFrame.CRANK))
 
-    def _apply_model_pen(self) -> None:
-        for curve in self._model.values():
-            curve.setPen(model_pen(self._theme, stale=self._stale, width=2.0))
+    @property
+    def _model_pen(self) -> LinePen:
+        return STALE_CURVE if self._stale else MODEL_CURVE
 
     def _show_legend(self) -> None:
-        theme = self._theme
-        first, second = COMPONENT_NAMES[self.frame]
-        entries = [
-            *(
-                LegendEntry(text, measured_pen(theme, ROLES[name]))
-                for name, text in zip(CURVES, ("|F|", first, second), strict=True)
-            ),
-            LegendEntry(
-                "model (stale)" if self._stale else "model",
-                model_pen(theme, stale=self._stale, width=2.0),
-            ),
-        ]
+        names = ("|F|", *COMPONENT_NAMES[self.frame])
+        entries = list(zip(names, PENS.values(), strict=True))
+        entries.append(("model (stale)" if self._stale else "model", self._model_pen))
         if self._reference is not None:
-            entries.append(LegendEntry("stored", measured_pen(theme, "frozen")))
+            entries.append(("stored", STORED))
         if self._uncertainty is not None:
-            text = f"±{self._uncertainty:.3g} N uncertainty"
-            entries.append(LegendEntry(text, line_pen(theme.band)))
+            entries.append((f"±{self._uncertainty:.3g} N uncertainty", LinePen("band")))
         self.legend.show_entries(entries)

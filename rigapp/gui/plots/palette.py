@@ -103,32 +103,44 @@ DARK = Theme(
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
 
-def measured_pen(theme: Theme, role: str) -> QPen:
-    """Return the pen of a measured curve: solid, one pixel, opaque (the fast path of the plots)."""
-    return _pen(theme.curves[role], Qt.PenStyle.SolidLine)
+@dataclass(frozen=True, slots=True)
+class LinePen:
+    """How a line is drawn in any theme.
 
-
-def model_pen(theme: Theme, *, stale: bool = False, width: float = 1.0) -> QPen:
-    """Return the pen of a predicted curve: dashed; grey when the prediction is stale.
-
-    width: in pixels; more than one only for curves of few points.
+    colour: a role of ``Theme.curves``, a field of ``Theme``, or a colour itself (``#rrggbb``).
+    A measured line is solid, one pixel, opaque (the fast path of the plots); width: more than one
+    pixel only for curves of few points.
     """
-    pen = _pen(theme.curves["frozen" if stale else "model"], Qt.PenStyle.CustomDashLine)
-    pen.setWidthF(width)
-    pen.setDashPattern([6.0 / width + 2.0, 4.0 / width + 2.0])
-    return pen
+
+    colour: str
+    dashed: bool = False
+    width: float = 1.0
+
+    def of(self, theme: Theme) -> QPen:
+        """Return the pen in a theme."""
+        known = theme.curves.get(self.colour) or getattr(theme, self.colour, self.colour)
+        pen = line_pen(str(known))
+        if self.dashed:
+            pen.setStyle(Qt.PenStyle.CustomDashLine)
+            pen.setWidthF(self.width)
+            pen.setDashPattern([6.0 / self.width + 2.0, 4.0 / self.width + 2.0])
+        return pen
+
+
+MODEL = LinePen("model", dashed=True)
+"""A predicted line of many points."""
+
+MODEL_CURVE = LinePen("model", dashed=True, width=2.0)
+STALE_CURVE = LinePen("frozen", dashed=True, width=2.0)
+"""A predicted curve, and one that is older than what it stands beside."""
 
 
 def line_pen(colour: str, *, dotted: bool = False) -> QPen:
-    """Return the pen of a reference line."""
-    return _pen(colour, Qt.PenStyle.DotLine if dotted else Qt.PenStyle.SolidLine)
-
-
-def _pen(colour: str, style: Qt.PenStyle) -> QPen:
+    """Return the pen of a line of one pixel."""
     pen = QPen(QColor(colour))
     pen.setWidthF(1.0)
     pen.setCosmetic(True)
-    pen.setStyle(style)
+    pen.setStyle(Qt.PenStyle.DotLine if dotted else Qt.PenStyle.SolidLine)
     return pen
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,8 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from rigapp.gui.plots.palette import Theme, line_pen
+from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.plots.palette import LinePen, Theme, line_pen
 from rigapp.gui.widgets.build import named
 
 Floats = NDArray[np.float64]
@@ -35,53 +35,71 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.getPlotItem().layout.setContentsMargins(
             0, metrics.height() // 2, metrics.horizontalAdvance("000"), metrics.height() // 4
         )
-        self._guides: list[pg.InfiniteLine] = []
+        self._pens: dict[Any, LinePen] = {}
+        self.steady = SteadyRange(1.0)
         self.getAxis("left").setWidth(metrics.horizontalAdvance("−00.00") + 2 * metrics.height())
         for side in ("left", "bottom"):
             self.getAxis(side).enableAutoSIPrefix(False)
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme: background, axes, guide lines."""
+        """Take a theme: background, axes, every curve and line."""
+        self.theme = theme
         self.setBackground(theme.base)
         for side in ("left", "bottom"):
             axis = self.getAxis(side)
             axis.setPen(line_pen(theme.border))
             axis.setTextPen(theme.text)
-        for guide in self._guides:
-            guide.setPen(line_pen(theme.grid))
+        for item, pen in self._pens.items():
+            item.setPen(pen.of(theme))
 
     def label(self, side: str, text: str) -> None:
         """Write an axis label; the unit is part of the text."""
         self.getAxis(side).setLabel(text)
 
-    def curve(self, pen: QPen) -> pg.PlotCurveItem:
+    def curve(self, pen: LinePen) -> pg.PlotCurveItem:
         """Add an empty curve for data known to be finite."""
-        item = pg.PlotCurveItem(pen=pen, skipFiniteCheck=True)
+        item = pg.PlotCurveItem(skipFiniteCheck=True)
         self.addItem(item)
+        self.draw_with(pen, item)
         return item
 
-    def guide(self, at: float, *, horizontal: bool, theme: Theme) -> pg.InfiniteLine:
+    def draw_with(self, pen: LinePen, *items: Any) -> None:
+        """Draw curves or lines with a pen, in every theme."""
+        for item in items:
+            self._pens[item] = pen
+            item.setPen(pen.of(self.theme))
+
+    def take_out(self, item: Any) -> None:
+        """Remove a curve."""
+        del self._pens[item]
+        self.removeItem(item)
+
+    def fit(self, low: float, high: float) -> None:
+        """Show values from low to high, by steps that keep still; nothing when they are NaN."""
+        if self.steady.update(low, high) and self.steady.range is not None:
+            self.setYRange(*self.steady.range, padding=0.0)
+
+    def guide(self, at: float, *, horizontal: bool) -> pg.InfiniteLine:
         """Add a calm line in place of a grid."""
-        line = pg.InfiniteLine(at, angle=0 if horizontal else 90, pen=line_pen(theme.grid))
+        line = pg.InfiniteLine(at, angle=0 if horizontal else 90)
+        self.draw_with(LinePen("grid"), line)
         line.setZValue(-10)
         self.addItem(line, ignoreBounds=True)
-        self._guides.append(line)
         return line
 
-    def band(self, theme: Theme) -> pg.LinearRegionItem:
+    def band(self) -> pg.LinearRegionItem:
         """Add a horizontal band behind the curves, hidden until it is given a height."""
         item = pg.LinearRegionItem(
-            (0.0, 0.0), orientation="horizontal", movable=False, brush=theme.band
+            (0.0, 0.0), orientation="horizontal", movable=False, brush=self.theme.band
         )
-        for line in item.lines:
-            line.setPen(line_pen(theme.band))
+        self.draw_with(LinePen("band"), *item.lines)
         item.setZValue(-20)
         item.hide()
         self.addItem(item, ignoreBounds=True)
         return item
 
-    def show_crank_angle(self, theme: Theme, *, label: bool = True) -> None:
+    def show_crank_angle(self, *, label: bool = True) -> None:
         """Set the x axis to one revolution with ticks and lines at every quarter."""
         self.setXRange(0.0, 360.0, padding=0.0)
         axis = self.getAxis("bottom")
@@ -95,7 +113,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             axis.setStyle(showValues=False)
             axis.setHeight(6)
         for at in (90.0, 180.0, 270.0):
-            self.guide(at, horizontal=False, theme=theme)
+            self.guide(at, horizontal=False)
 
 
 Pointed = Callable[[float | None], None]
@@ -109,7 +127,8 @@ class CursorPlot(QuietPlot):
         super().__init__(name, spoken, theme)
         self._pointed = pointed
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.cursor_line = self.guide(0.0, horizontal=False, theme=theme)
+        self.cursor_line = self.guide(0.0, horizontal=False)
+        self.draw_with(LinePen("text"), self.cursor_line)
         self.cursor_line.hide()
         self.scene().sigMouseClicked.connect(self._clicked)
 
@@ -120,11 +139,10 @@ class CursorPlot(QuietPlot):
         else:
             super().keyPressEvent(event)
 
-    def show_cursor(self, at: float | None, theme: Theme) -> None:
+    def show_cursor(self, at: float | None) -> None:
         """Put the cursor somewhere, or take it away."""
         self.cursor_line.setVisible(at is not None)
         if at is not None:
-            self.cursor_line.setPen(line_pen(theme.text))
             self.cursor_line.setValue(at)
 
     def _clicked(self, event: Any) -> None:
@@ -133,20 +151,23 @@ class CursorPlot(QuietPlot):
             self._pointed(float(view.mapSceneToView(event.scenePos()).x()))
 
 
-@dataclass(frozen=True, slots=True)
-class LegendEntry:
-    """One line of a legend: text and the pen that the curve has."""
+LegendEntry = tuple[str, LinePen]
+"""One line of a legend: text and the pen that the curve has."""
 
-    text: str
-    pen: QPen
+
+def clear(*curves: pg.PlotCurveItem) -> None:
+    """Draw nothing with curves."""
+    for curve in curves:
+        curve.setData([], [])
 
 
 class LegendRow(QWidget):
     """Show samples of the curves with their names, outside the plot."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, theme: Theme) -> None:
         super().__init__()
         self.setObjectName(name)
+        self._theme = theme
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(4, 0, 4, 0)
         self._row.setSpacing(4)
@@ -154,6 +175,12 @@ class LegendRow(QWidget):
         self.setMinimumWidth(1)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._entries: tuple[LegendEntry, ...] = ()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        entries, self._entries = self._entries, ()
+        self.show_entries(entries)
 
     def show_entries(self, entries: Sequence[LegendEntry]) -> None:
         """Replace what is shown."""
@@ -168,14 +195,29 @@ class LegendRow(QWidget):
             if widget is not None:
                 widget.hide()
                 widget.deleteLater()
-        for entry in entries:
+        for text, pen in entries:
             at = self._row.count() - 1
-            self._row.insertWidget(at, _Sample(entry.pen))
-            label = QLabel(entry.text)
+            self._row.insertWidget(at, _Sample(pen.of(self._theme)))
+            label = QLabel(text)
             label.setTextFormat(Qt.TextFormat.PlainText)
             label.setContentsMargins(0, 0, gap, 0)
             self._row.insertWidget(at + 1, label)
-        self.setAccessibleName("Legend: " + ", ".join(entry.text for entry in entries))
+        self.setAccessibleName("Legend: " + ", ".join(text for text, _ in entries))
+
+
+class PlotPanel(QWidget):
+    """A panel of plots: in a new theme every plot and legend on it is drawn anew."""
+
+    def __init__(self, name: str, spoken: str) -> None:
+        super().__init__()
+        named(self, name, spoken)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        for plot in self.findChildren(QuietPlot):
+            plot.dress(theme)
+        for legend in self.findChildren(LegendRow):
+            legend.dress(theme)
 
 
 class _Sample(QWidget):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent, QPen
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QPushButton
 
 from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.news import News, Takes
@@ -14,9 +16,9 @@ from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantities
 from rigapp.gui.data.ranges import SteadyRange, nice_step
 from rigapp.gui.data.series import LiveData, SeriesTable
-from rigapp.gui.plots.palette import Theme, measured_pen, model_pen
-from rigapp.gui.plots.plotting import CursorPlot, LegendEntry, LegendRow, Pointed
-from rigapp.gui.widgets.build import button, choice, column, named, row
+from rigapp.gui.plots.palette import MODEL, LinePen, Theme
+from rigapp.gui.plots.plotting import CursorPlot, LegendRow, PlotPanel, Pointed
+from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.channels import BASE, ChannelTable
 
@@ -52,7 +54,7 @@ class TrendPlot(CursorPlot):
         self.getViewBox().sigRangeChangedManually.emit([True, False])
 
 
-class TrendPanel(QWidget):
+class TrendPanel(PlotPanel):
     """Draw one quantity over the whole test, the last cycles, or any range chosen by hand."""
 
     takes = Takes.HISTORY
@@ -60,25 +62,22 @@ class TrendPanel(QWidget):
     def __init__(
         self, prefix: str, theme: Theme, quantity: str = SIZE, *, access_keys: bool = True
     ) -> None:
-        super().__init__()
+        super().__init__(f"{prefix}_trend_panel", "Statistics against cycle")
         self._access_keys = access_keys
-        self._theme = theme
         self._name = quantity
         self._channels = BASE
         self._quantities = trend_quantities(BASE)
         self._mode = "whole"
         self._drawn: tuple[object, ...] = ()
-        self._curves: list[tuple[TrendLine, bool, object]] = []
-        named(self, f"{prefix}_trend_panel", "Statistics against cycle")
+        self._curves: list[tuple[TrendLine, bool, Any]] = []
         self._cursor: float | None = None
         self._data: LiveData | None = None
         self.plot = TrendPlot(f"{prefix}_trend_plot", theme, self.point_at)
         self.plot.getViewBox().sigRangeChangedManually.connect(self._moved_by_hand)
-        self._ranges: dict[str, SteadyRange] = {}
-        self._build(prefix)
+        self._build(prefix, theme)
         self._make_curves()
 
-    def _build(self, prefix: str) -> None:
+    def _build(self, prefix: str, theme: Theme) -> None:
         self.choice = choice(
             f"{prefix}_trend_quantity",
             "Quantity of the trend",
@@ -96,7 +95,7 @@ class TrendPanel(QWidget):
         self.values = ElidedLabel(f"{prefix}_trend_values", "Newest values of the trend")
         caption = self._keyed("Tr&end of")
         top = row(caption, self.choice, *self.modes.values(), (self.values, 1))
-        self.legend = LegendRow(f"{prefix}_trend_legend")
+        self.legend = LegendRow(f"{prefix}_trend_legend", theme)
         column(top, self.legend, (self.plot, 1), on=self)
 
     def _mode_button(self, prefix: str, mode: str, text: str, spoken: str) -> QPushButton:
@@ -113,22 +112,13 @@ class TrendPanel(QWidget):
         """Return what is shown."""
         return self._quantities[self._name]
 
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self._theme = theme
-        self.plot.dress(theme)
-        for line, predicted, curve in self._curves:
-            curve.setPen(self._pen(line, predicted))  # type: ignore[attr-defined]
-        self.plot.show_cursor(self._cursor, theme)
-        self._show_legend()
-
     def show_news(self, news: News) -> None:
         """Draw if rows, quantity or view have changed since the last time."""
         data = news.data
         if data is not self._data:
             self._data = data
             self._drawn = ()
-            self._ranges.clear()
+            self.plot.steady.forget()
         if data.channels is not self._channels:
             self._offer(data.channels)
         self._place_view(data.rows, data.predictions)
@@ -144,7 +134,7 @@ class TrendPanel(QWidget):
             x, y = visible(table, line.column, *view)
             known = np.isfinite(y)
             complete = bool(known.all())
-            curve.setData(x, y, connect="all" if complete else "finite")  # type: ignore[attr-defined]
+            curve.setData(x, y, connect="all" if complete else "finite")
             if known.any():
                 low = min(low, float(np.nanmin(y)))
                 high = max(high, float(np.nanmax(y)))
@@ -155,7 +145,7 @@ class TrendPanel(QWidget):
                     texts.append(f"{model}{line.text} {value:.4g}{self._doubt(table, line)}")
         when = "Now" if self._cursor is None else f"At cycle {self._cursor:.0f}"
         self.values.show_text(f"{when}: " + ", ".join(texts) if texts else "")
-        self._set_y(low, high)
+        self.plot.fit(low, high)
 
     def _offer(self, table: ChannelTable) -> None:
         """Offer what a table has; what was chosen stays, where it is still there."""
@@ -172,7 +162,7 @@ class TrendPanel(QWidget):
     def point_at(self, cycle: float | None) -> None:
         """Read the values at a cycle; None: the newest again."""
         self._cursor = None if cycle is None else float(round(cycle))
-        self.plot.show_cursor(self._cursor, self._theme)
+        self.plot.show_cursor(self._cursor)
         self._drawn = ()
 
     def _value(self, table: SeriesTable, column: str) -> float:
@@ -186,11 +176,6 @@ class TrendPanel(QWidget):
     def _doubt(self, table: SeriesTable, line: TrendLine) -> str:
         doubt = self._value(table, line.doubt) if line.doubt else float("nan")
         return f" ± {doubt:.2g} (k = 2)" if np.isfinite(doubt) else ""
-
-    def _set_y(self, low: float, high: float) -> None:
-        steady = self._ranges.setdefault(self._name, SteadyRange(self.quantity.minimum_span))
-        if steady.update(low, high) and steady.range is not None:
-            self.plot.setYRange(*steady.range, padding=0.0)
 
     def _place_view(self, rows: SeriesTable, predictions: SeriesTable) -> None:
         if self._mode == "free":
@@ -217,41 +202,39 @@ class TrendPanel(QWidget):
         self._mode = mode
         for name, one in self.modes.items():
             one.setChecked(name == mode)
-        self._ranges.pop(self._name, None)
+        self.plot.steady.forget()
         self._drawn = ()
 
     def _quantity_chosen(self) -> None:
         self._name = str(self.choice.currentData())
-        self._ranges.pop(self._name, None)
         self._drawn = ()
         self._make_curves()
 
     def _make_curves(self) -> None:
         for _, _, curve in self._curves:
-            self.plot.removeItem(curve)
+            self.plot.take_out(curve)
         lines = [(line, False) for line in self.quantity.measured]
         lines += [(line, True) for line in self.quantity.predicted]
         self._curves = [
             (line, predicted, self.plot.curve(self._pen(line, predicted)))
             for line, predicted in lines
         ]
+        self.plot.steady = SteadyRange(self.quantity.minimum_span)
         self.plot.label("left", self.quantity.axis)
         self._show_legend()
 
-    def _pen(self, line: TrendLine, predicted: bool) -> QPen:
-        if line.role == "model" or (predicted and self.quantity.measured):
-            return model_pen(self._theme)
-        return measured_pen(self._theme, line.role)
+    def _pen(self, line: TrendLine, predicted: bool) -> LinePen:
+        model = line.role == "model" or (predicted and self.quantity.measured)
+        return MODEL if model else LinePen(line.role)
 
     def _show_legend(self) -> None:
+        both = bool(self.quantity.predicted and self.quantity.measured)
         entries = [
-            LegendEntry(line.text, self._pen(line, predicted))
+            (line.text, self._pen(line, predicted))
             for line, predicted, _ in self._curves
-            if not (predicted and self.quantity.measured)
+            if not (predicted and both)
         ]
-        if self.quantity.predicted and self.quantity.measured:
-            entries.append(LegendEntry("model", model_pen(self._theme)))
-        self.legend.show_entries(entries)
+        self.legend.show_entries([*entries, ("model", MODEL)] if both else entries)
 
 
 def visible(table: SeriesTable, column: str, low: float, high: float) -> tuple[Floats, Floats]:

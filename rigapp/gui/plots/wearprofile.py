@@ -12,15 +12,14 @@ import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.profiles import ANGLES_DEG as RECORDED_DEG
 from rigapp.gui.data.profiles import ShownProfile
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.plots.palette import Theme, line_pen, measured_pen, model_pen
-from rigapp.gui.plots.plotting import LegendEntry, LegendRow, QuietPlot
-from rigapp.gui.widgets.build import column, named
+from rigapp.gui.plots.palette import MODEL_CURVE, LinePen, Theme
+from rigapp.gui.plots.plotting import LegendRow, PlotPanel, QuietPlot, clear
+from rigapp.gui.widgets.build import column
 
 Floats = NDArray[np.float64]
 
@@ -41,16 +40,14 @@ def worn_profile(depth_mm: float, pin_radius_mm: float, bushing_radius_mm: float
     return np.maximum(surface - bushing_radius_mm, 0.0)
 
 
-class WearProfilePanel(QWidget):
+class WearProfilePanel(PlotPanel):
     """Draw the worn profile in the follower frame."""
 
     takes = Takes.HISTORY
 
     def __init__(self, prefix: str, theme: Theme) -> None:
-        super().__init__()
-        self._theme = theme
+        super().__init__(f"{prefix}_profile_panel", "Worn profile of the bushing")
         self._drawn: tuple[object, ...] | None = None
-        named(self, f"{prefix}_profile_panel", "Worn profile of the bushing")
         self.plot = QuietPlot(f"{prefix}_profile_plot", "Worn profile of the bushing", theme)
         self.plot.label("left", "Depth (mm)")
         self.plot.label("bottom", "Angle from the contact point (deg), follower frame")
@@ -58,28 +55,23 @@ class WearProfilePanel(QWidget):
         ticks = [(float(at), str(at)) for at in range(-180, 181, 90)]
         self.plot.getAxis("bottom").setTicks([ticks])
         for at in (-90.0, 0.0, 90.0):
-            self.plot.guide(at, horizontal=False, theme=theme)
-        nothing = pg.mkPen(None)
-        self._lower, self._upper = self.plot.curve(nothing), self.plot.curve(nothing)
+            self.plot.guide(at, horizontal=False)
+        self._lower, self._upper = (self.plot.curve(LinePen("band")) for _ in range(2))
         self._band = pg.FillBetweenItem(self._lower, self._upper)
         self._band.setZValue(-5)
         self.plot.addItem(self._band)
-        self._measured = self.plot.curve(measured_pen(theme, "first"))
-        self._model = self.plot.curve(model_pen(theme, width=2.0))
-        self._range = SteadyRange(0.002)
-        self.legend = LegendRow(f"{prefix}_profile_legend")
+        self._measured = self.plot.curve(LinePen("first"))
+        self._model = self.plot.curve(MODEL_CURVE)
+        self.plot.steady = SteadyRange(0.002)
+        self.legend = LegendRow(f"{prefix}_profile_legend", theme)
         column(self.legend, (self.plot, 1), on=self)
-        self.dress(theme)
+        self._band.setBrush(QColor(theme.band))
+        self._show_entries("measured: not known", "model: not known", "")
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        self._theme = theme
-        self.plot.dress(theme)
-        self._measured.setPen(measured_pen(theme, "first"))
-        self._model.setPen(model_pen(theme, width=2.0))
+        super().dress(theme)
         self._band.setBrush(QColor(theme.band))
-        self._show_entries("measured: not known", "model: not known", "")
-        self._drawn = None
 
     def show_news(self, news: News) -> None:
         """Draw the newest recorded profile, or what follows from the newest depths."""
@@ -103,8 +95,8 @@ class WearProfilePanel(QWidget):
                 curve.setData(ANGLES_DEG, profile)
                 deepest = max(deepest, depth)
             else:
-                curve.setData([], [])
-        self._fit(deepest)
+                clear(curve)
+        self.plot.fit(0.0, deepest)
         self._show_entries(
             _depth("measured", measured),
             _depth("model", predicted),
@@ -119,7 +111,7 @@ class WearProfilePanel(QWidget):
         self._measured.setData(RECORDED_DEG, profile.measured, connect="finite")
         self._model.setData(RECORDED_DEG, profile.predicted, connect="finite")
         self._draw_band(profile)
-        self._fit(profile.deepest)
+        self.plot.fit(0.0, profile.deepest)
         if seen.any():
             place = int(np.nanargmax(profile.measured))
             depth = f"{profile.measured[place]:.4f} ± {profile.uncertainty[place]:.4f} mm (k = 2)"
@@ -134,26 +126,18 @@ class WearProfilePanel(QWidget):
 
     def _draw_band(self, profile: ShownProfile | None) -> None:
         if profile is None or not np.isfinite(profile.measured).any():
-            self._lower.setData([], [])
-            self._upper.setData([], [])
+            clear(self._lower, self._upper)
             return
         seen = np.isfinite(profile.measured)
         angle, depth = RECORDED_DEG[seen], profile.measured[seen]
         self._lower.setData(angle, np.maximum(depth - profile.uncertainty[seen], 0.0))
         self._upper.setData(angle, depth + profile.uncertainty[seen])
 
-    def _fit(self, deepest: float) -> None:
-        if self._range.update(0.0, deepest) and self._range.range is not None:
-            self.plot.setYRange(*self._range.range, padding=0.0)
-
     def _show_entries(self, measured: str, model: str, words: str) -> None:
-        entries = [
-            LegendEntry(measured, measured_pen(self._theme, "first")),
-            LegendEntry(model, model_pen(self._theme, width=2.0)),
-        ]
+        entries = [(measured, LinePen("first")), (model, MODEL_CURVE)]
         if words:
-            entries.append(LegendEntry(words, line_pen(self._theme.base)))
-        self.legend.show_entries(tuple(entries))
+            entries.append((words, LinePen("base")))
+        self.legend.show_entries(entries)
 
 
 def _depth(name: str, depth: float) -> str:

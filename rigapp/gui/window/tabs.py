@@ -6,17 +6,15 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.panel import Added, Dressed, Host, Panel, StallCounter
+from rigapp.gui.panel import Dressed, Host, Panel, StallCounter
 from rigapp.gui.panels.alarms import alarm_page
 from rigapp.gui.panels.browser import browser_page
 from rigapp.gui.panels.cycle import cycle_page
@@ -71,7 +69,7 @@ PLACES = {tab.name: place for place, tab in enumerate(TABS)}
 
 
 class Tabs(QTabWidget):
-    """Own every page, and be the ``Host`` of its panels.
+    """Own every page; ``panels`` are all panels on them, by name.
 
     ``wanted`` carries requests to the engine, ``said`` sentences, ``start_wanted`` a test file.
     """
@@ -91,14 +89,20 @@ class Tabs(QTabWidget):
         super().__init__()
         self._test = test
         self._news = News()
-        self.theme = theme
-        self.results_folder = results_folder
-        self.worker = worker
-        self.stalls = stalls
-        self.panels: dict[str, Panel] = {}
+        host = Host(
+            theme,
+            results_folder,
+            worker,
+            stalls,
+            self.wanted.emit,
+            self.said.emit,
+            self.start_wanted.emit,
+            test.ask_revolution,
+        )
+        self.panels = host.panels
         named(self, "tabs", "Panels")
         for place, tab in enumerate(TABS):
-            page = tab.make(self)
+            page = tab.make(host)
             page.setAutoFillBackground(True)
             self.addTab(_scrolling(page, tab), f"{tab.key[-1]} {tab.title}")
             self.setTabToolTip(place, f"{tab.title} ({tab.key})")
@@ -107,32 +111,6 @@ class Tabs(QTabWidget):
         self._offer_tabs()
         self.splitters = [one for one in self.findChildren(QSplitter) if one.objectName()]
         self.currentChanged.connect(self._changed)
-
-    def add(self, name: str, panel: Added) -> Added:
-        """Tell a panel the news from now on, and dress it; return it."""
-        self.panels[name] = panel
-        return panel
-
-    def ask(self, verb: str, arguments: dict[str, Any]) -> None:
-        """Ask the engine; the answer is shown by the window."""
-        self.wanted.emit(verb, arguments)
-
-    def say(self, sentence: str, good: bool) -> None:
-        """Show a sentence where answers stand."""
-        self.said.emit(sentence, good)
-
-    def offer_start(self, test: Path) -> None:
-        """Ask for the start of a test file."""
-        self.start_wanted.emit(test)
-
-    def read_revolution(
-        self,
-        revolution: int,
-        done: Callable[[StoredRevolution], None],
-        failed: Callable[[Exception], None],
-    ) -> None:
-        """Read the saved cycle nearest to a revolution."""
-        self._test.ask_revolution(revolution, done, failed)
 
     @property
     def prepare(self) -> PreparePanel:
@@ -147,7 +125,6 @@ class Tabs(QTabWidget):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        self.theme = theme
         dressed = [panel for panel in self.panels.values() if isinstance(panel, Dressed)]
         # What is seen first; the sort is stable. The first panel of those at once.
         first, *others = sorted(dressed, key=lambda panel: not panel.isVisible())

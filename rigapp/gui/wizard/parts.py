@@ -181,7 +181,7 @@ class ResidualPlot(QWidget):
         self.plot.label("left", f"Residual ({names.unit})")
         self.plot.label("bottom", names.bottom)
         self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.plot.guide(0.0, horizontal=True, theme=theme)
+        self.plot.guide(0.0, horizontal=True)
         self._points = []
         for role, symbol in (("first", "o"), ("second", "t")):
             colour = theme.curves[role]
