@@ -65,7 +65,7 @@ class Devices:
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class DevicePlan:
     """What the devices of a rig file will be asked for: names, drivers, settings, requests."""
 
     source: str
@@ -77,7 +77,7 @@ class Plan:
     slow: Mapping[str, tuple[DriverInfo, SlowRequest]]
 
 
-def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_driver) -> Plan:
+def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_driver) -> DevicePlan:
     """Return what the devices will be asked for; raise UnusableInput where one cannot do it.
 
     Nothing is opened. where: the file, for the sentence.
@@ -113,7 +113,7 @@ def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_
             raise UnusableInput(f"{where}: [spindle] on devices.{drive}: {error}") from error
     _check_drive_quantities(rig, drive_info, where)
     slow = dict(_slow_requests(rig, where, load))
-    return Plan(name, info, data, drive, drive_info, wanted, slow)
+    return DevicePlan(name, info, data, drive, drive_info, wanted, slow)
 
 
 def _check_drive_quantities(rig: RigFile, info: DriverInfo, where: str) -> None:

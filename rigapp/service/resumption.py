@@ -52,7 +52,7 @@ class Fit(enum.StrEnum):
     BLOCKS = "blocks"
 
 
-class Finding(msgspec.Struct, frozen=True):
+class Compared(msgspec.Struct, frozen=True):
     """One comparison: what, how it was, how it is now, what follows."""
 
     what: str
@@ -74,7 +74,7 @@ class Resumption(msgspec.Struct, frozen=True):
     planned: int
     last_at: float
     gap_s: float
-    findings: tuple[Finding, ...] = ()
+    findings: tuple[Compared, ...] = ()
 
     @property
     def blocked(self) -> str:
@@ -194,7 +194,7 @@ def compare(
         *_of_devices(past, devices),
         *_of_calibration(past, calibration),
         *_of_zero(past, rig, calibration, rest),
-        *(Finding("Record", "", text, Fit.BLOCKS, text) for text in blocking.values()),
+        *(Compared("Record", "", text, Fit.BLOCKS, text) for text in blocking.values()),
     ]
     summary = past.summary
     return Resumption(
@@ -211,39 +211,39 @@ def compare(
     )
 
 
-def _of_rig(past: Past, rig: RigFile) -> Iterator[Finding]:
+def _of_rig(past: Past, rig: RigFile) -> Iterator[Compared]:
     if past.rig is None:
         text = "the file's own rig cannot be read; the devices are not compared"
-        yield Finding("Rig", "not readable", rig.name, Fit.NOTED, text)
+        yield Compared("Rig", "not readable", rig.name, Fit.NOTED, text)
         return
     same = past.rig.name == rig.name
-    yield Finding("Rig", past.rig.name, rig.name, Fit.GOOD if same else Fit.NOTED)
+    yield Compared("Rig", past.rig.name, rig.name, Fit.GOOD if same else Fit.NOTED)
     was, is_now = ("simulated" if one.simulation is not None else "real" for one in (past.rig, rig))
     if was != is_now:
         text = f"the test was made on a {was} rig, this one is {is_now}"
-        yield Finding("Kind of rig", was, is_now, Fit.BLOCKS, text)
+        yield Compared("Kind of rig", was, is_now, Fit.BLOCKS, text)
     for role, what in (("encoder", "Data acquisition"), ("spindle", "Drive")):
         then, here = (one.devices[getattr(one, role).device].driver for one in (past.rig, rig))
         if then == here:
-            yield Finding(what, then, here)
+            yield Compared(what, then, here)
         else:
             text = (
                 f"the test was made with a {then}, this rig has a {here}: use the rig of the test"
             )
-            yield Finding(what, then, here, Fit.BLOCKS, text)
+            yield Compared(what, then, here, Fit.BLOCKS, text)
 
 
-def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Finding]:
+def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Compared]:
     gone = missing_channels(past.channels, measured)
     if gone:
-        yield Finding("Channels", "", "", Fit.BLOCKS, gone)
+        yield Compared("Channels", "", "", Fit.BLOCKS, gone)
     for one in measured.channels:
         if one.name not in past.channels:
             text = f"the file was made without {one.name}; it is limited and shown, but not kept"
-            yield Finding(f"Channel {one.name}", "none", one.unit, Fit.NOTED, text)
+            yield Compared(f"Channel {one.name}", "none", one.unit, Fit.NOTED, text)
 
 
-def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterator[Finding]:
+def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterator[Compared]:
     for name, readback in devices.items():
         then = past.calibration.get(f"device_{name}", {})
         changed = [
@@ -256,7 +256,7 @@ def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterato
                 ", ".join(f"{key} {one[key]}" for key in changed) for one in (then, readback)
             )
             text = f"{name} is set otherwise than before: {', '.join(changed)}"
-            yield Finding(f"Settings of {name}", before, now, Fit.NOTED, text)
+            yield Compared(f"Settings of {name}", before, now, Fit.NOTED, text)
 
 
 def _steady_equal(key: str, before: Any, now: Any) -> bool:
@@ -284,7 +284,7 @@ def _equal(before: Any, now: Any) -> bool:
     return one.shape == other.shape and bool(np.allclose(one, other, rtol=1e-9, atol=1e-15))
 
 
-def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Finding]:
+def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
     present = calibration_record(calibration)
     for section, what, fit in (
         ("encoder", "Encoder", Fit.BLOCKS),
@@ -305,44 +305,44 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Finding]:
             changed = changed or ["record"]
         if not changed:
             name = names[1] or "numbers of the rig file"
-            yield Finding(what, name, name, Fit.GOOD, "as before")
+            yield Compared(what, name, name, Fit.GOOD, "as before")
             continue
         before, here = (
             ", ".join(f"{key} {one.get(key, 'none')}" for key in changed) for one in (then, now)
         )
         text = f"{what.lower()} is not that of the test ({', '.join(changed)})"
-        yield Finding(what, before, here, fit, text)
+        yield Compared(what, before, here, fit, text)
     clocks = [
         str(one.get("acquisition", {}).get("clock", "time")) for one in (past.calibration, present)
     ]
     if clocks[0] != clocks[1]:
         text = f"the test was sampled by {clocks[0]}, this rig samples by {clocks[1]}"
-        yield Finding("Sample clock", clocks[0], clocks[1], Fit.BLOCKS, text)
+        yield Compared("Sample clock", clocks[0], clocks[1], Fit.BLOCKS, text)
     rates = [
         float(one.get("acquisition", {}).get("sample_rate_Hz", 0.0))
         for one in (past.calibration, present)
     ]
     if rates[0] != rates[1]:
-        yield Finding("Sample rate", f"{rates[0]:g} Hz", f"{rates[1]:g} Hz", Fit.NOTED)
+        yield Compared("Sample rate", f"{rates[0]:g} Hz", f"{rates[1]:g} Hz", Fit.NOTED)
 
 
 def _of_zero(
     past: Past, rig: RigFile, calibration: Calibration, rest: Pair | None
-) -> Iterator[Finding]:
+) -> Iterator[Compared]:
     cell = past.calibration.get("load_cell", {})
     limit = ZERO_SHARE * rig.load_cell.full_scale_N
 
-    def judged(what: str, before: Any, now: Any, words: str) -> Finding:
+    def judged(what: str, before: Any, now: Any, words: str) -> Compared:
         shift = calibration.load_cell.matrix @ (np.asarray(now) - np.asarray(before))
         size = float(np.hypot(*shift))
         then, here = (", ".join(f"{value:.5f}" for value in one) + " mV/V" for one in (before, now))
         if size <= limit:
-            return Finding(what, then, here, Fit.GOOD, f"moved by {size:.1f} N")
+            return Compared(what, then, here, Fit.GOOD, f"moved by {size:.1f} N")
         text = (
             f"{words} by {size:.1f} N, more than {limit:g} N ({100 * ZERO_SHARE:g} % of the full"
             " scale)"
         )
-        return Finding(what, then, here, Fit.REASON, text)
+        return Compared(what, then, here, Fit.REASON, text)
 
     if "zero_mV_per_V" in cell:
         before = np.add(cell["zero_mV_per_V"], cell.get("tare_mV_per_V", 0.0))
@@ -351,7 +351,7 @@ def _of_zero(
     if rest is None or past.rest is None:
         text = "the crank moves, or no samples come while it stands"
         text = text if rest is None else "the file does not tell them"
-        yield Finding("Load cell at rest", "", "", Fit.NOTED, f"not compared: {text}")
+        yield Compared("Load cell at rest", "", "", Fit.NOTED, f"not compared: {text}")
     else:
         words = "with the crank at rest the load cell shows a force that differs"
         yield judged("Load cell at rest", past.rest, rest, words)

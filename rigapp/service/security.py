@@ -115,7 +115,7 @@ def require_viewers(folder: Path, bind: Bind) -> None:
     )
 
 
-class Guard:
+class KeyCheck:
     """Let only authorised viewers attach to the sockets of one context (ZAP, CurveZMQ)."""
 
     def __init__(self, context: Context, folder: Path) -> None:

@@ -25,7 +25,7 @@ from rigapp.schema.states import Refused
 from rigapp.service.bounds import MESSAGE_BYTES, bounded, refusal
 from rigapp.service.lanes import Lanes
 from rigapp.service.registry import other_version
-from rigapp.service.security import Guard
+from rigapp.service.security import KeyCheck
 
 SNAPSHOT_QUEUE = 4
 EVERY_SNAPSHOT = b""
@@ -70,15 +70,15 @@ class Server:
         self._told = False
         self._snapshots = snapshots
         self._context = zmq.Context()
-        self._guard = Guard(self._context, keys) if keys is not None else None
+        self._key_check = KeyCheck(self._context, keys) if keys is not None else None
         self._router = self._context.socket(zmq.ROUTER)
         self._publisher = self._context.socket(zmq.XPUB)
         for socket in (self._router, self._publisher):
             socket.setsockopt(zmq.LINGER, 200)
             socket.setsockopt(zmq.MAXMSGSIZE, MESSAGE_BYTES)
             socket.setsockopt(zmq.SNDHWM, SNAPSHOT_QUEUE if socket is self._publisher else 100)
-            if self._guard is not None:
-                self._guard.protect(socket)
+            if self._key_check is not None:
+                self._key_check.protect(socket)
         self._bind(self._router, commands)
         self._bind(self._publisher, stream)
         self.commands = self._router.getsockopt_string(zmq.LAST_ENDPOINT)
@@ -93,7 +93,7 @@ class Server:
     @property
     def public_key(self) -> str:
         """Return the key that viewers must know, empty where none is needed."""
-        return self._guard.public_key if self._guard is not None else ""
+        return self._key_check.public_key if self._key_check is not None else ""
 
     def start(self) -> None:
         """Begin to serve."""
@@ -116,8 +116,8 @@ class Server:
             ) from error
 
     def _release(self) -> None:
-        if self._guard is not None:
-            self._guard.close()
+        if self._key_check is not None:
+            self._key_check.close()
         self._context.destroy(linger=200)
 
     @property

@@ -65,13 +65,11 @@ SAME_NAME = dict.fromkeys(
 
 NOT_YET = {
     "Wire",
-    "Guard",
     "Motion",
     "Pace",
     "Plan",
     "Refused",
     "Reply",
-    "Verdict",
 }
 """Names that are to be told apart."""
 

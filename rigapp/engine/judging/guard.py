@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.engine.judging.criteria import Met
-from rigapp.engine.judging.limits import Verdict
+from rigapp.engine.judging.limits import LevelPassed
 from rigapp.engine.judging.machine import JudgedRig, JudgedRun, OpenTest
 from rigapp.engine.judging.speeds import SpeedComparison, wrong_sense
 from rigapp.engine.judging.testrun import Row
@@ -284,7 +284,7 @@ class Guard:
         if met is not None:
             self._end(test, met)
 
-    def verdict(self, verdict: Verdict) -> None:
+    def verdict(self, verdict: LevelPassed) -> None:
         """Carry out what a rule of the test wants."""
         run, cause = self._run, verdict.cause
         if not verdict.active:

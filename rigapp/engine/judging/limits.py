@@ -17,7 +17,7 @@ from rigapp.schema.messages import Severity
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class LevelPassed:
     """Say that a level was passed (``active``) or that the value came back."""
 
     quantity: str
@@ -117,9 +117,9 @@ class RuleMonitor:
                 watch.beyond, watch.active = before.beyond, before.active
         self.rules, self._watches = rules, watches
 
-    def judge(self, values: Mapping[str, float]) -> list[Verdict]:
+    def judge(self, values: Mapping[str, float]) -> list[LevelPassed]:
         """Return what changed with these values; quantities that are missing or NaN are skipped."""
-        found: list[Verdict] = []
+        found: list[LevelPassed] = []
         for watch in self._watches:
             value = values.get(watch.quantity)
             if value is None or math.isnan(value):
@@ -127,7 +127,7 @@ class RuleMonitor:
             change = watch.look(value)
             if change is not None:
                 found.append(
-                    Verdict(
+                    LevelPassed(
                         watch.quantity,
                         watch.severity,
                         watch.above,

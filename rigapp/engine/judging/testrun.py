@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.recipe import StopSection
 from rigapp.engine.judging.criteria import Met, StopMonitor
-from rigapp.engine.judging.limits import RuleMonitor, Verdict
+from rigapp.engine.judging.limits import RuleMonitor, LevelPassed
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured
 from rigapp.engine.values.reduce import Reducer
@@ -37,7 +37,7 @@ class Row:
     values: Array
     named: Mapping[str, float]
     measured: Measured
-    verdicts: tuple[Verdict, ...]
+    verdicts: tuple[LevelPassed, ...]
     last: bool
     met: Met | None = None
 
