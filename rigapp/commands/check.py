@@ -21,12 +21,12 @@ from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
 from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
 from rigapp.schema.messages import Status
-from rigapp.service.preflight import Check, CheckResult, blocked, disk_facts, preflight
+from rigapp.service.preflight import Check, Checked, blocked, disk_facts, preflight
 from rigapp.simulation.handle import SimulationFailed
 
 FIRST_DATA_S = 10.0
 PIPE_WIDTH = 200
-MARKS = {CheckResult.GOOD: "ok", CheckResult.ATTENTION: "note", CheckResult.BLOCKS: "BLOCKS"}
+MARKS = {Checked.GOOD: "ok", Checked.ATTENTION: "note", Checked.BLOCKS: "BLOCKS"}
 
 
 def check_rig(rig_path: Path, test_path: Path) -> int:
@@ -75,9 +75,9 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
     except DeviceError as error:
         where = f"{error.port}: {error.sentence}"
         action = "Check cable, power and port"
-        return None, [Check(f"Device {error.device}", CheckResult.BLOCKS, where, action)]
+        return None, [Check(f"Device {error.device}", Checked.BLOCKS, where, action)]
     except (UnusableInput, SimulationFailed, EngineUnreachable) as error:
-        return None, [Check("Devices", CheckResult.BLOCKS, str(error))]
+        return None, [Check("Devices", Checked.BLOCKS, str(error))]
 
 
 def _look_alone(records: RigRecords, test: TestFile) -> tuple[Status, list[Check]]:
@@ -127,7 +127,7 @@ def self_check(
         try:
             results = source.half_scale()
         except DeviceError as error:
-            yield Check(what, CheckResult.ATTENTION, f"not possible: {error.sentence}")
+            yield Check(what, Checked.ATTENTION, f"not possible: {error.sentence}")
             return
         wrong = [one for one in results if not one.right]
         if wrong:
@@ -136,10 +136,10 @@ def self_check(
                 for one in wrong
             )
             action = "Compare scales and order of the device's channels with the rig file"
-            yield Check(what, CheckResult.BLOCKS, found, action)
+            yield Check(what, Checked.BLOCKS, found, action)
         else:
             names = ", ".join(one.name for one in results)
-            yield Check(what, CheckResult.GOOD, f"half of the range arrives on {names}")
+            yield Check(what, Checked.GOOD, f"half of the range arrives on {names}")
     finally:
         devices.close()
 

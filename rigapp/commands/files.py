@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 
-from rigapp.engine.values.uncertainty import force_uncertainty
+from calibration.load_cell.force_uncertainty import force_uncertainty
 from rigapp.storage import export_test, open_test
 
 

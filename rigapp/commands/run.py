@@ -16,9 +16,9 @@ from drivers.api import DeviceError
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
-from rigapp.engine.publish import Committed, Finished, Notice, StateChanged
 from rigapp.process.ending import Background, asked_to_end, end_at_once, ending_as_interrupt
 from rigapp.schema.messages import FinishReason
+from rigapp.schema.notices import Committed, Finished, Notice, StateChanged
 from rigapp.schema.states import ACTIVE, Ending, InFault, Refused
 from rigapp.service.host import (
     EngineHost,

@@ -10,9 +10,9 @@ from pathlib import Path
 from rigapp.config.loading import Document
 from rigapp.config.recipe import LimitsSection, TestFile
 from rigapp.engine.judging.testrun import TestRun
-from rigapp.engine.publish import Finished
 from rigapp.engine.recording.recorder import Recorder
 from rigapp.schema.messages import Prediction
+from rigapp.schema.notices import Finished
 from rigapp.schema.states import Ending
 
 

@@ -23,13 +23,7 @@ from rigapp.engine.drive.driving import SpindleControl
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.testrun import Row
-from rigapp.engine.publish import (
-    AlarmChanged,
-    Committed,
-    Finished,
-    Publisher,
-    StateChanged,
-)
+from rigapp.engine.publish import Publisher
 from rigapp.engine.recording.recorder import Recorder, cycle_message, measured_history
 from rigapp.schema.alarms import Cause, because, kind_of
 from rigapp.schema.columns import prediction_columns
@@ -44,6 +38,7 @@ from rigapp.schema.messages import (
     RunState,
     Severity,
 )
+from rigapp.schema.notices import AlarmChanged, Committed, Finished, StateChanged
 from rigapp.schema.states import ACTIVE, Ending, Refused, Trigger, allowed, transition
 
 log = logging.getLogger(__name__)

@@ -77,7 +77,9 @@ class DevicePlan:
     slow: Mapping[str, tuple[DriverInfo, SlowRequest]]
 
 
-def plan_devices(rig: RigFile, where: str = "rig file", load: LoadDriver = load_driver) -> DevicePlan:
+def plan_devices(
+    rig: RigFile, where: str = "rig file", load: LoadDriver = load_driver
+) -> DevicePlan:
     """Return what the devices will be asked for; raise UnusableInput where one cannot do it.
 
     Nothing is opened. where: the file, for the sentence.

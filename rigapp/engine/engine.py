@@ -29,7 +29,7 @@ from rigapp.engine.drive.driving import Ramp
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
-from rigapp.engine.publish import Finished, NoticeStream, Subscription
+from rigapp.engine.publish import NoticeStream, Subscription
 from rigapp.engine.recording.store import OpenStore, open_file
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
 from rigapp.engine.starting import check_overload, check_start, open_test, start_deadline_s
@@ -48,6 +48,7 @@ from rigapp.schema.messages import (
     Snapshot,
     Status,
 )
+from rigapp.schema.notices import Finished
 from rigapp.schema.states import (
     ACTIVE,
     ENDED,

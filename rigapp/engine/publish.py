@@ -16,48 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.messages import (
-    Alarm,
     Cycle,
     Event,
-    FinishReason,
     Prediction,
-    RunState,
     WornProfile,
 )
+from rigapp.schema.notices import Committed, Notice
 
 Array = NDArray[np.float64]
-
-
-class Committed(msgspec.Struct, frozen=True, tag_field="event", tag="committed"):
-    """So many revolutions are safe in the file."""
-
-    revolutions: int
-
-
-class StateChanged(msgspec.Struct, frozen=True, tag_field="event", tag="state"):
-    """The run is in another state."""
-
-    state: RunState
-    reason: str
-
-
-class AlarmChanged(msgspec.Struct, frozen=True, tag_field="event", tag="alarm"):
-    """An alarm was raised, or changed."""
-
-    alarm: Alarm
-
-
-class Finished(msgspec.Struct, frozen=True, tag_field="event", tag="finished"):
-    """The test has ended and its file is closed. revolutions: rows safe in the file."""
-
-    reason: FinishReason
-    sentence: str
-    status: str
-    revolutions: int
-    file: str
-
-
-Notice = Committed | StateChanged | AlarmChanged | Finished
 
 
 class NoticeStream:

@@ -7,13 +7,13 @@ import os
 import time
 from typing import Any
 
+from calibration.load_cell.force_uncertainty import stated_uncertainty
 from drivers.api import DataSource, LineCounters, SlowSource, Spindle
 from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.judging.limits import least_margin, margin_to
 from rigapp.engine.recovery import Situation, recovery
-from rigapp.engine.values.uncertainty import stated_uncertainty
 from rigapp.schema.channels import LOAD_CELL, PROBES, Channel, Kind
 from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import (

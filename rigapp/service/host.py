@@ -27,7 +27,6 @@ from rigapp.config.rig import RigFile
 from rigapp.config.toml import toml_text
 from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, Remark
-from rigapp.engine.publish import Finished
 from rigapp.engine.starting import check_fit
 from rigapp.process.ending import Background, asked_to_end, finish_in_time
 from rigapp.process.logs import beside, in_file
@@ -42,6 +41,7 @@ from rigapp.schema.messages import (
     Snapshot,
     Status,
 )
+from rigapp.schema.notices import Finished
 from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, Hand, Nothing, Resume, Start
 from rigapp.service.bounds import asked_of, refusal

@@ -19,7 +19,7 @@ from drivers.api import (
 )
 from rigapp.commands.check import self_check
 from rigapp.config.loading import read_rig
-from rigapp.service.preflight import CheckResult
+from rigapp.service.preflight import Checked
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
 
@@ -84,13 +84,13 @@ def checked(source: Device) -> list[Any]:
 
 def test_right_test_values_are_told() -> None:
     (check,) = checked(Checking(Value("analog_1", 1.75, True), Value("analog_2", 1.75, True)))
-    assert check.verdict is CheckResult.GOOD
+    assert check.verdict is Checked.GOOD
     assert "analog_1, analog_2" in check.finding
 
 
 def test_wrong_test_value_blocks_and_is_named() -> None:
     (check,) = checked(Checking(Value("analog_1", 1.75, True), Value("analog_2", 0.35, False)))
-    assert check.verdict is CheckResult.BLOCKS
+    assert check.verdict is Checked.BLOCKS
     assert check.finding == "analog_2 0.35 mV/V in place of 1.75"
     assert "rig file" in check.action
 
@@ -99,4 +99,4 @@ def test_wrong_test_value_blocks_and_is_named() -> None:
 def test_source_without_test_value_blocks_nothing(source: Device, lines: int) -> None:
     found = checked(source)
     assert len(found) == lines
-    assert all(check.verdict is CheckResult.ATTENTION for check in found)
+    assert all(check.verdict is Checked.ATTENTION for check in found)

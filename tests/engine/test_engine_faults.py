@@ -13,8 +13,8 @@ from engine_doubles import MemoryRig, a_test, eventually
 from drivers.api import Block, DeviceError, ProtocolError
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.speeds import ANSWERS
-from rigapp.engine.publish import Finished
 from rigapp.schema.messages import Alarm, FinishReason, Flag, LookedAfter, RunState
+from rigapp.schema.notices import Finished
 from rigapp.schema.states import ENDED, Refused
 
 LONG = 1_000_000

@@ -14,11 +14,11 @@ from engine_doubles import COUNTS, MemoryRig, a_test, eventually
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import LimitRule
 from rigapp.engine.judging.testrun import NOT_STEADY
-from rigapp.engine.publish import AlarmChanged, Committed, Finished, Notice, StateChanged
 from rigapp.engine.recording.store import Opened
 from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns, revolution_columns
 from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState, as_array
+from rigapp.schema.notices import AlarmChanged, Committed, Finished, Notice, StateChanged
 from rigapp.schema.states import ENDED, Refused
 
 LONG = 1_000_000

@@ -14,12 +14,13 @@ from hypothesis import strategies as st
 
 from drivers.api import Block
 from rigapp.engine.drive.sequences import CREEP_RPM, Do, PauseSequence, Seen, StopSequence
-from rigapp.engine.publish import Committed, Finished, NoticeStream, StateChanged
+from rigapp.engine.publish import NoticeStream
 from rigapp.engine.samples.blockqueue import BlockQueue
 from rigapp.engine.samples.motion import MotionWindow, Point
 from rigapp.engine.samples.timewatch import TimeWatch
 from rigapp.process.threads import Worker
 from rigapp.schema.messages import FinishReason, RunState
+from rigapp.schema.notices import Committed, Finished, StateChanged
 
 # --- the stop ------------------------------------------------------------------------------------
 

@@ -28,7 +28,7 @@ from rigapp.gui.testfile.fields import (
 from rigapp.gui.testfile.prepare import PreparePanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.schema.messages import DriveView, RunState
-from rigapp.service.preflight import DiskFacts, CheckResult, disk_facts, preflight
+from rigapp.service.preflight import Checked, DiskFacts, disk_facts, preflight
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -189,8 +189,8 @@ def test_nothing_blocks_a_sound_rig(make_status: Any, tmp_path: Path) -> None:
     disk = disk_facts(test, 960.0, tmp_path)
     assert disk.needed_bytes > 1e5
     found = preflight(test, rig, disk, ready(make_status))
-    assert not [check for check in found if check.verdict is CheckResult.BLOCKS]
-    attention = {check.what for check in found if check.verdict is CheckResult.ATTENTION}
+    assert not [check for check in found if check.verdict is Checked.BLOCKS]
+    attention = {check.what for check in found if check.verdict is Checked.ATTENTION}
     assert attention == {"Limits", "Calibration of load cell", "Calibration of probes"}
 
 
@@ -209,7 +209,7 @@ def test_what_is_wrong_blocks_with_an_action(
     test = read_test(EXAMPLES / "quick.toml").record
     status = msgspec.structs.replace(ready(make_status), **changes_)
     found = {check.what: check for check in preflight(test, None, None, status)}
-    assert found[what].verdict is CheckResult.BLOCKS
+    assert found[what].verdict is Checked.BLOCKS
     assert found[what].action
 
 
@@ -223,9 +223,9 @@ def test_rig_and_test_are_held_against_each_other(make_status: Any) -> None:
     probe = msgspec.structs.replace(status.channels[2], raw=9.9)
     status = msgspec.structs.replace(status, channels=(probe,))
     found = {check.what: check.verdict for check in preflight(test, rig, None, status)}
-    assert found["Speed"] is CheckResult.BLOCKS
-    assert found["Overload"] is CheckResult.ATTENTION
-    assert found["Channel probe_1"] is CheckResult.BLOCKS
+    assert found["Speed"] is Checked.BLOCKS
+    assert found["Overload"] is Checked.ATTENTION
+    assert found["Channel probe_1"] is Checked.BLOCKS
 
 
 def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
@@ -234,8 +234,8 @@ def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
     full = preflight(test, None, DiskFacts(tmp_path, 10**9, 10**6), None)
     for found in (missing, full):
         disk = next(check for check in found if check.what == "Disk")
-        assert disk.verdict is CheckResult.BLOCKS
-    assert any(check.what == "Engine" and check.verdict is CheckResult.BLOCKS for check in full)
+        assert disk.verdict is Checked.BLOCKS
+    assert any(check.what == "Engine" and check.verdict is Checked.BLOCKS for check in full)
 
 
 def test_the_list_follows_form_and_engine(

@@ -10,9 +10,9 @@ import pytest
 from page import Page, read
 from report_samples import CALIBRATION, append, cycle, event, metadata
 
+from calibration.load_cell.force_uncertainty import force_uncertainty
 from calibration.records import seal
 from rigapp.commands.report import write_report
-from rigapp.engine.values.uncertainty import force_uncertainty
 from rigapp.report.testreport.worn import extent_of
 from rigapp.schema.columns import PROFILE_ANGLES_DEG, profile_columns
 from rigapp.storage import FilePlan, create_test

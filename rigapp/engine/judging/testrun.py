@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.recipe import StopSection
 from rigapp.engine.judging.criteria import Met, StopMonitor
-from rigapp.engine.judging.limits import RuleMonitor, LevelPassed
+from rigapp.engine.judging.limits import LevelPassed, RuleMonitor
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured
 from rigapp.engine.values.reduce import Reducer

@@ -12,6 +12,11 @@ import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from calibration.load_cell.force_uncertainty import (
+    noise_of_sample,
+    stated_uncertainty,
+    uncertainty_record,
+)
 from drivers.api import SampleClock
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
@@ -22,7 +27,6 @@ from rigapp.engine.judging.criteria import DEPTH_COLUMNS, HISTORY_COLUMNS, NOTHI
 from rigapp.engine.recording.history import TRIGGERED
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.engine.values.instruments import Line, ProbePair
-from rigapp.engine.values.uncertainty import noise_of_sample, stated_uncertainty, uncertainty_record
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 from rigapp.schema.loglines import RestSignals
 from rigapp.schema.messages import Event, LookedAfter

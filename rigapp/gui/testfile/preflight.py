@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.widgets.build import named
 from rigapp.gui.widgets.tables import Mark, PlainTable
-from rigapp.service.preflight import Check, CheckResult
+from rigapp.service.preflight import Check, Checked
 
-MARKS = {CheckResult.GOOD: "✓", CheckResult.ATTENTION: "▲", CheckResult.BLOCKS: "◆"}
+MARKS = {Checked.GOOD: "✓", Checked.ATTENTION: "▲", Checked.BLOCKS: "◆"}
 HEADINGS = ("", "Check", "Finding", "What to do")
 
 
@@ -41,7 +41,7 @@ class PreflightPanel(QGroupBox):
         ]
         self.table.show_rows(rows, [self._mark(one.verdict) for one in checks])
 
-    def _mark(self, verdict: CheckResult) -> Mark:
-        if verdict is CheckResult.GOOD:
+    def _mark(self, verdict: Checked) -> Mark:
+        if verdict is Checked.GOOD:
             return None
-        return self._theme.mark(critical=verdict is CheckResult.BLOCKS)
+        return self._theme.mark(critical=verdict is Checked.BLOCKS)

@@ -20,7 +20,7 @@ from rigapp.gui.plots.palette import Theme
 from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.widgets.build import named, split
-from rigapp.service.preflight import Check, DiskFacts, CheckResult, disk_facts, preflight
+from rigapp.service.preflight import Check, Checked, DiskFacts, disk_facts, preflight
 
 DEFAULT_RATE_HZ = 1000.0
 LOOK_AGAIN_S = 20.0
@@ -84,7 +84,7 @@ class PreparePanel(QSplitter):
         self._ask_records()
         found = preflight(self.recipe.test, self._records, self._disk, status)
         if self._problem:
-            found.insert(1, Check("Rig file", CheckResult.BLOCKS, self._problem, "Correct it"))
+            found.insert(1, Check("Rig file", Checked.BLOCKS, self._problem, "Correct it"))
         self.checks.show_checks(found)
 
     def _ask_records(self) -> None:

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.engine.values.uncertainty import ForceUncertainty, force_uncertainty
+from calibration.load_cell.force_uncertainty import ForceUncertainty, force_uncertainty
 from rigapp.report.page.manuscript import Block, Manuscript, Section, Table, Text
 from rigapp.report.testreport import datasections, logsections, setupsections
 from rigapp.report.testreport.facts import Rows, rows_of

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from rigapp.engine.values.uncertainty import ForceUncertainty
+from calibration.load_cell.force_uncertainty import ForceUncertainty
 from rigapp.report.page.manuscript import Block, Section, Table, Text
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.facts import ENDS, ChannelFacts, Gap, Peak, Rows

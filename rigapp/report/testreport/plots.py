@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.engine.values.uncertainty import ForceUncertainty
+from calibration.load_cell.force_uncertainty import ForceUncertainty
 from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.envelope import envelope
 from rigapp.report.testreport.facts import ChannelFacts, Gap
