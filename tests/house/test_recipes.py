@@ -91,12 +91,19 @@ def test_channels_are_recorded_limited_and_exported(
             assert one.attrs["units"] == "degC"
             assert np.all(np.abs(one[:committed] - 21.0) < 5.0)
         assert rows["sled_position_max"].attrs["units"] == "um"
+        assert rows["motor_current"].attrs["units"] == "A"
+        assert 0.0 <= rows["motor_current_age"][committed - 1] < PATIENCE_S
         assert {"bushing_temperature", "sled_position"} <= set(file["/entry/cycles"])
         events = [text.decode() for text in file["/entry/events/text"][:]]
         assert any("bushing_temperature_max" in text for text in events), events
     done = inside(changed, "-m", "rigapp", "export", "t.h5", "--to", "t.csv")
     assert done.returncode == 0, done.stderr
-    assert "sled_position_mean_um" in (changed / "t.csv").read_text("utf-8").splitlines()[0]
+    named = (changed / "t.csv").read_text("utf-8").splitlines()[0].split(",")
+    assert {"sled_position_mean_um", "motor_current_A", "motor_current_age_s"} <= set(named)
+    done = inside(changed, "-m", "rigapp", "report", "t.h5", "--to", "t.html")
+    assert done.returncode == 0, done.stderr
+    report = (changed / "t.html").read_text("utf-8")
+    assert all(one in report for one in ("bushing_temperature", "sled_position", "motor_current"))
 
 
 def test_a_column_is_stored_with_its_unit_and_sentence(
