@@ -28,7 +28,7 @@ from drivers.api import (
 from drivers.cia402.commission import Commissioning, Setup, check_watchdog
 from drivers.cia402.control import DriveControl
 from drivers.cia402.identify import identify
-from drivers.cia402.monitor import Motion, NodeMonitor
+from drivers.cia402.monitor import AxisMotion, NodeMonitor
 from drivers.cia402.network import CanNode
 from drivers.cia402.probe import PROBE
 from drivers.cia402.protocol import (
@@ -275,7 +275,7 @@ class Cia402Drive:
     def _drive_status(
         self,
         setup: Setup,
-        motion: Motion,
+        motion: AxisMotion,
         condition: Condition,
         faults: list[str],
         warnings: list[str],

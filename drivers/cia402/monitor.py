@@ -20,7 +20,7 @@ HISTORY: Final = 64
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class AxisMotion:
     """Hold status word, velocity and position in the drive's units."""
 
     status_word: int
@@ -179,7 +179,7 @@ class NodeMonitor:
         with self._changed:
             return self._velocity_count, self._position_count
 
-    def wait_for_motion(self, marks: tuple[int, int], timeout_s: float) -> Motion | None:
+    def wait_for_motion(self, marks: tuple[int, int], timeout_s: float) -> AxisMotion | None:
         """Wait until both motion TPDOs have come since the marks; None when they did not."""
 
         def have_come() -> bool:
@@ -191,4 +191,4 @@ class NodeMonitor:
             assert self._velocity is not None
             assert self._position is not None
             word = self._status_word if self._status_word is not None else self._velocity[0]
-            return Motion(word, self._velocity[1], self._position[1])
+            return AxisMotion(word, self._velocity[1], self._position[1])

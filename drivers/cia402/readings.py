@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from drivers.cia402.commission import Setup
-from drivers.cia402.monitor import Motion, NodeMonitor
+from drivers.cia402.monitor import AxisMotion, NodeMonitor
 from drivers.cia402.network import CanNode
 from drivers.cia402.protocol import (
     INTERNAL_LIMIT_BIT,
@@ -55,7 +55,7 @@ class Readings:
         self._condition = Condition()
         self.late_pdos = 0
 
-    def motion(self) -> Motion:
+    def motion(self) -> AxisMotion:
         """Return the present motion; PDOs that are late are counted, logged and replaced."""
         node, monitor = self._node, self._monitor
         expected = self._setup.synchronous and monitor.node_state == NodeState.OPERATIONAL
@@ -72,7 +72,7 @@ class Readings:
                 node.device,
                 node.port,
             )
-        return Motion(node.read(0x6041), node.read(0x606C), node.read(0x6064))
+        return AxisMotion(node.read(0x6041), node.read(0x606C), node.read(0x6064))
 
     def condition(self) -> Condition:
         """Return the current, and in turn a new supply, temperature or safe torque off."""
@@ -93,7 +93,7 @@ class Readings:
         self._condition = Condition(current, supply, temperature, torque_off)
         return self._condition
 
-    def faults(self, motion: Motion, condition: Condition, running: bool) -> list[str]:
+    def faults(self, motion: AxisMotion, condition: Condition, running: bool) -> list[str]:
         """Return what forbids to go on, in words; running: the drive should be enabled."""
         faults = [emergency.words for emergency in self._monitor.active()]
         state = state_of(motion.status_word)
@@ -119,7 +119,7 @@ class Readings:
             return [f"the node has left OPERATIONAL (state {node_state})"]
         return []
 
-    def warnings(self, motion: Motion) -> list[str]:
+    def warnings(self, motion: AxisMotion) -> list[str]:
         """Return what the operator should know, in words."""
         warnings = [f"came and went: {e.words}" for e in self._monitor.take_passed()]
         if motion.status_word & WARNING_BIT:

@@ -6,7 +6,7 @@ import time
 from typing import Final
 
 from drivers.api import BytePort, DeviceFault, ProtocolError, ReplyTimeout
-from drivers.modbus_sensor.protocol import Reply, decode_reply, encode_request
+from drivers.modbus_sensor.protocol import ModbusReply, decode_reply, encode_request
 
 TRIES: Final = 2
 """A line without a checksum error a day needs one; a second bears a disturbance."""
@@ -69,7 +69,7 @@ class ModbusLink:
             "parity.",
         )
 
-    def _ask(self, function: int, address: int, count: int, left_s: float) -> Reply | None:
+    def _ask(self, function: int, address: int, count: int, left_s: float) -> ModbusReply | None:
         self._outwait_late_reply()
         time.sleep(self._pause_s)
         self.port.read_some(_MOST_BYTES, 0.0)
@@ -86,7 +86,7 @@ class ModbusLink:
             if left_s <= 0.0:
                 break
         self._late_until_s = time.monotonic() + self.reply_timeout_s
-        return Reply(wrong=f"{len(data)} bytes only") if data else None
+        return ModbusReply(wrong=f"{len(data)} bytes only") if data else None
 
     def _outwait_late_reply(self) -> None:
         """Let the answer to a question that was given up pass: it does not say what it answers."""

@@ -26,7 +26,7 @@ _EXCEPTIONS: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Reply:
+class ModbusReply:
     """What came: words, or an exception in words, or why it is no answer."""
 
     words: tuple[int, ...] = ()
@@ -39,19 +39,19 @@ def encode_request(device: int, function: int, address: int, count: int) -> byte
     return bytes(_FRAMER.buildFrame(_REQUESTS[function](device, 0, address, count)))
 
 
-def decode_reply(data: bytes, device: int, function: int, count: int) -> Reply | None:
+def decode_reply(data: bytes, device: int, function: int, count: int) -> ModbusReply | None:
     """Return what the bytes since a request say, None while the frame is not whole."""
     used, pdu = _FRAMER.handleFrame(data, 0, 0)
     if pdu is None:
-        return Reply(wrong="a wrong checksum") if used else None
+        return ModbusReply(wrong="a wrong checksum") if used else None
     if pdu.dev_id != device:
-        return Reply(wrong=f"an answer of device {pdu.dev_id}")
+        return ModbusReply(wrong=f"an answer of device {pdu.dev_id}")
     if pdu.isError():
         code = pdu.exception_code
-        return Reply(exception=f"exception {code} ({_EXCEPTIONS.get(code, 'unknown')})")
+        return ModbusReply(exception=f"exception {code} ({_EXCEPTIONS.get(code, 'unknown')})")
     if pdu.function_code != function or len(pdu.registers) != count:
-        return Reply(
+        return ModbusReply(
             wrong=f"{len(pdu.registers)} words to function {pdu.function_code} instead of "
             f"{count} to {function}"
         )
-    return Reply(tuple(pdu.registers))
+    return ModbusReply(tuple(pdu.registers))

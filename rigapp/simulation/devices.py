@@ -20,7 +20,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import DeviceSection, RigFile
 from rigapp.simulation.endpoints import Endpoint
 from rigapp.simulation.layout import Array
-from rigapp.simulation.link import Wire
+from rigapp.simulation.link import SimulatedWire
 from rigapp.simulation.plant import Samples
 
 MakeEndpoint = Callable[[str], Endpoint]
@@ -32,7 +32,7 @@ class SimulatedDevice:
 
     name: str
     simulator: Any
-    wire: Wire
+    wire: SimulatedWire
     quantities: tuple[str, ...] = ()
 
 
@@ -108,7 +108,7 @@ def _device(
 ) -> SimulatedDevice:
     info, settings = _load(name, rig.devices[name], kind)
     simulator = _simulator(name, info, settings, facts)
-    wire = Wire(make_endpoint(name), seed=seed)
+    wire = SimulatedWire(make_endpoint(name), seed=seed)
     return SimulatedDevice(name, simulator, wire, getattr(simulator, "quantities", ()))
 
 

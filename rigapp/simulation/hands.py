@@ -94,7 +94,7 @@ Hand = (
 )
 
 
-class Hands:
+class PlantHands:
     """Work on a plant that stands still."""
 
     def __init__(self, plant: Plant) -> None:

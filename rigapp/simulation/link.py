@@ -92,7 +92,7 @@ class OutputQueue:
         del self._deliveries[position]
 
 
-class Wire:
+class SimulatedWire:
     """Carry bytes between one simulated device and whoever opens its endpoint.
 
     Fault options: garbage ``bytes`` before each delivery, truncated ``bytes`` cut out of one,

@@ -16,7 +16,7 @@ LONGEST_CATCH_UP_S = 1.0
 BURST_S = 0.1
 
 
-class Pace:
+class PlantPace:
     """Say how much plant time is due; ``speed`` times real time, or inf for as fast as taken."""
 
     def __init__(self, speed: float, now_s: float) -> None:

@@ -29,10 +29,10 @@ from rigapp.simulation.devices import (
 )
 from rigapp.simulation.disturbances import Disturbances, SignalFault
 from rigapp.simulation.faults import SIGNAL_KINDS, WIRE_KINDS, Timetable, check_fault
-from rigapp.simulation.hands import Hands
+from rigapp.simulation.hands import PlantHands
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.link import WireFault
-from rigapp.simulation.pacing import Pace
+from rigapp.simulation.pacing import PlantPace
 from rigapp.simulation.plant import Plant, Samples
 from rigapp.simulation.surroundings import DRIVE_WARMER_K, FreeInputs, slow_values
 from rigapp.simulation.truth import TruthRecorder
@@ -89,14 +89,14 @@ class RigSimulation:
             sample_rate_Hz=self._daq.simulator.sample_rate_Hz,
             free_inputs=len(self._free),
         )
-        self.hands = Hands(self.plant)
+        self.hands = PlantHands(self.plant)
         self._start_angle = self.plant.angle_rad
         for fault in faults:
             self._check(fault, later=True)
         self._disturbances = Disturbances(seed)
         self._timetable = Timetable(faults)
         self._truth = truth
-        self._pace = Pace(speed, now_s)
+        self._pace = PlantPace(speed, now_s)
         self._now = now_s
         self._device_s = now_s
         self._command = DriveCommand(DriveMode.OFF)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rigapp.engine.samples.assembler import EncoderSetup
 from rigapp.engine.values.calibrate import Calibration
-from rigapp.engine.values.instruments import Counter, Line, LoadCell, ProbePair, Wire
+from rigapp.engine.values.instruments import Counter, InputLine, LoadCell, ProbePair, Wire
 from rigapp.schema.channels import BASE, Channel, ChannelTable
 
 Array = NDArray[np.float64]
@@ -34,7 +34,7 @@ def calibration_by_hand(
     correction: Any = None,
     uncertainty_um: tuple[float, float] | None = None,
     counter: Mapping[str, Any] | None = None,
-    free: Mapping[str, tuple[Channel, Line]] | None = None,
+    free: Mapping[str, tuple[Channel, InputLine]] | None = None,
 ) -> Calibration:
     """Return a calibration whose Blocks have the inputs in rows 0 .. and the count behind them.
 

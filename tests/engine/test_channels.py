@@ -37,7 +37,7 @@ from rigapp.engine.recording.store import open_file
 from rigapp.engine.samples import slow
 from rigapp.engine.samples.assembler import Assembler, EncoderSetup
 from rigapp.engine.values.calibrate import Measured, calibrate
-from rigapp.engine.values.instruments import Line
+from rigapp.engine.values.instruments import InputLine
 from rigapp.engine.values.reduce import Reducer
 from rigapp.engine.values.table import follow
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
@@ -384,8 +384,8 @@ def test_a_table_is_linear_between_and_beyond_its_points(seed: int, points: int)
 @pytest.mark.parametrize("latency_s", [0.0, 1.4e-3])
 def test_a_free_channel_is_shifted_and_reduced_like_all_others(latency_s: float) -> None:
     free = {
-        "a": (Channel("a", "degC", "", latency_s=latency_s), Line(10.0, 0.5)),
-        "b": (Channel("b", "mm", ""), Line(table=saw([(-2.0, 1.0), (0.0, 4.0), (2.0, 5.0)]))),
+        "a": (Channel("a", "degC", "", latency_s=latency_s), InputLine(10.0, 0.5)),
+        "b": (Channel("b", "mm", ""), InputLine(table=saw([(-2.0, 1.0), (0.0, 4.0), (2.0, 5.0)]))),
     }
     kind = calibration_by_hand(
         encoder=EncoderSetup(3600), sample_rate_Hz=1000.0, matrix=200 * np.eye(2),

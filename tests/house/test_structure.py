@@ -63,14 +63,7 @@ SAME_NAME = dict.fromkeys(
 """Class names that stand in two packages or more, each with its reason."""
 
 
-NOT_YET = {
-    "Wire",
-    "Motion",
-    "Pace",
-    "Plan",
-    "Refused",
-    "Reply",
-}
+NOT_YET = {"Plan", "Verdict"}
 """Names that are to be told apart."""
 
 

@@ -12,7 +12,7 @@ import pytest
 import serial
 
 from rigapp.simulation.endpoints import Endpoint, PtyEndpoint, SocketEndpoint
-from rigapp.simulation.link import OutputQueue, Wire, WireFault
+from rigapp.simulation.link import OutputQueue, SimulatedWire, WireFault
 
 
 def wait_for(condition: Callable[[], bool], what: str, deadline_s: float = 60.0) -> None:
@@ -133,7 +133,7 @@ def test_queue_drops_the_oldest_data_whole_and_keeps_answers() -> None:
 
 
 def test_wire_tells_of_an_overrun_only_when_the_host_does_not_read(tmp_path: Path) -> None:
-    wire = Wire(PtyEndpoint(tmp_path / "daq"), limit=2000)
+    wire = SimulatedWire(PtyEndpoint(tmp_path / "daq"), limit=2000)
     frame = b"f" * 100
     assert wire.send(frame, 0.0, droppable=True)
     assert wire.waiting() == 0, "without a host nothing waits"
@@ -158,13 +158,13 @@ def test_wire_tells_of_an_overrun_only_when_the_host_does_not_read(tmp_path: Pat
     wire.close()
 
 
-Talk = tuple[Wire, Callable[[float, int], bytes]]
+Talk = tuple[SimulatedWire, Callable[[float, int], bytes]]
 
 
 @pytest.fixture
 def talk(tmp_path: Path) -> Iterator[Talk]:
     """Yield a wire and what hears: ``hear(now_s, count)`` returns so many bytes, none is more."""
-    wire = Wire(PtyEndpoint(tmp_path / "daq"), seed=3)
+    wire = SimulatedWire(PtyEndpoint(tmp_path / "daq"), seed=3)
     host = os.open(wire.endpoint.url, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def hear(now_s: float, count: int) -> bytes:

@@ -7,10 +7,10 @@ import math
 import pytest
 
 from rigapp.process.owntime import LONGEST_PASS_S, OwnTime
-from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, Pace
+from rigapp.simulation.pacing import LONGEST_CATCH_UP_S, PlantPace
 
 
-def run(pace: Pace, wall_s: float, *, taken: bool, chunk_s: float = 0.01) -> float:
+def run(pace: PlantPace, wall_s: float, *, taken: bool, chunk_s: float = 0.01) -> float:
     """Return the plant time of ``wall_s`` seconds in passes of 5 ms, at most 100 chunks each."""
     plant = 0.0
     start = pace._last
@@ -36,22 +36,22 @@ def run(pace: Pace, wall_s: float, *, taken: bool, chunk_s: float = 0.01) -> flo
     ],
 )
 def test_plant_time_in_ten_seconds(speed: float, taken: bool, expected: float) -> None:
-    assert run(Pace(speed, 100.0), 10.0, taken=taken) == pytest.approx(expected, rel=0.01)
+    assert run(PlantPace(speed, 100.0), 10.0, taken=taken) == pytest.approx(expected, rel=0.01)
 
 
 def test_as_fast_as_taken_is_bounded_by_the_work_only() -> None:
-    assert run(Pace(math.inf, 0.0), 1.0, taken=True) == pytest.approx(200 * 100 * 0.01)
+    assert run(PlantPace(math.inf, 0.0), 1.0, taken=True) == pytest.approx(200 * 100 * 0.01)
 
 
 def test_a_stall_of_the_host_gives_no_credit_beyond_real_time() -> None:
-    pace = Pace(20.0, 0.0)
+    pace = PlantPace(20.0, 0.0)
     run(pace, 5.0, taken=False)
     # Afterwards the plant runs at 20 times, plus one burst of a tenth of a second.
     assert run(pace, 1.0, taken=True) == pytest.approx(20.0, abs=2.1)
 
 
 def test_a_suspended_process_catches_up_one_second_only() -> None:
-    pace = Pace(1.0, 0.0)
+    pace = PlantPace(1.0, 0.0)
     pace.tick(60.0)
     plant = 0.0
     while pace.due(0.01, taken=False):
@@ -61,16 +61,16 @@ def test_a_suspended_process_catches_up_one_second_only() -> None:
 
 
 def test_running_ahead_does_not_pay_for_standing_later() -> None:
-    pace = Pace(math.inf, 0.0)
+    pace = PlantPace(math.inf, 0.0)
     run(pace, 1.0, taken=True)
     assert run(pace, 2.0, taken=False) == pytest.approx(2.0, rel=0.02)
 
 
 def test_wait_is_until_the_next_chunk() -> None:
-    pace = Pace(1.0, 0.0)
+    pace = PlantPace(1.0, 0.0)
     pace.tick(0.004)
     assert pace.wait_s(0.01, may_be_taken=True) == pytest.approx(0.006)
-    fast = Pace(math.inf, 0.0)
+    fast = PlantPace(math.inf, 0.0)
     fast.tick(0.0)
     assert fast.wait_s(0.01, may_be_taken=True) == 0.0
     assert fast.wait_s(0.01, may_be_taken=False) == pytest.approx(0.01)

@@ -37,7 +37,7 @@ class Entry(NamedTuple):
     since: tuple[int, int] = (0, 0)
 
 
-class Refused(Exception):
+class RequestRefused(Exception):
     """Answer with a status code and no data."""
 
     def __init__(self, status: int) -> None:
@@ -48,7 +48,7 @@ class Refused(Exception):
 def _among(value: int, first: int, last: int, status: int = 0x51) -> int:
     """Return the place of a number counted from ``first``; refuse one outside."""
     if not first <= value <= last:
-        raise Refused(status)
+        raise RequestRefused(status)
     return value - first
 
 
@@ -84,11 +84,11 @@ def _reset_status(d: Device, _: bytes) -> bytes:
 def _get_interface(d: Device, a: bytes) -> bytes:
     flags, state, hardware = a[0], d.state, d.hardware
     if flags & 0xF0:
-        raise Refused(0x53)
+        raise RequestRefused(0x53)
     if flags & 3 == 3:
-        raise Refused(0x56)
+        raise RequestRefused(0x56)
     if flags & 8 and hardware.firmware < p.CHECKSUM_FIRMWARE:
-        raise Refused(0x59)
+        raise RequestRefused(0x59)
     if flags & 3:
         state.transmitting = flags & 3 == 2
     state.data_checksum = bool(flags & 8)
@@ -139,7 +139,7 @@ def _get_interface_setting(d: Device, a: bytes) -> bytes:
         UART_SETTING: p.InterfaceSetting(0, p.ACTIVE_BAUD_RATE, rate, writable=True),
     }
     if a[0] not in settings:
-        raise Refused(0x51)
+        raise RequestRefused(0x51)
     return settings[a[0]].encode()
 
 
@@ -147,7 +147,7 @@ def _available(d: Device, a: bytes) -> bytes:
     high, low = a
     known = commands_of(d)
     if not all(number in known for number in range(low, high + 1)):
-        raise Refused(0x41)
+        raise RequestRefused(0x41)
     return b""
 
 
@@ -163,11 +163,11 @@ def _set_mapping(d: Device, a: bytes) -> bytes:
     _among(a[0], 0, 0)
     objects, counters = _number(a[1:]), len(d.settings.counters)
     if objects < (max(2, counters + 1) if d.hardware.usb else 1 + counters):
-        raise Refused(0x55)
+        raise RequestRefused(0x55)
     if objects > p.ANALOG_CHANNELS + counters:
-        raise Refused(0x54)
+        raise RequestRefused(0x54)
     if d.settings.rate_Hz > d.highest_rate_Hz(objects=objects):
-        raise Refused(0x64)
+        raise RequestRefused(0x64)
     d.settings.objects = objects
     return b""
 
@@ -183,16 +183,16 @@ def _set_transmit_mode(d: Device, a: bytes) -> bytes:
     index, value = a[0], _number(a[1:])
     if index == p.TX_FLAGS:
         if value & (p.TX_MAXIMA | p.TX_MINIMA):
-            raise Refused(0x59)
+            raise RequestRefused(0x59)
         d.settings.transmit_flags = value & (p.TX_ALWAYS_OFF | p.TX_CHECKSUM)
     elif index == p.TX_DATA_TYPE:
         if value not in tuple(DataType):
-            raise Refused(0x52)
+            raise RequestRefused(0x52)
         if d.settings.rate_Hz > d.highest_rate_Hz(DataType(value)):
-            raise Refused(0x64)
+            raise RequestRefused(0x64)
         d.settings.data_type = DataType(value)
     else:
-        raise Refused(0x76 if index == 2 else 0x51)
+        raise RequestRefused(0x76 if index == 2 else 0x51)
     return b""
 
 
@@ -203,9 +203,9 @@ def _rate_range(d: Device, a: bytes) -> bytes:
 def _write_rate(d: Device, a: bytes) -> bytes:
     rate = read_f32(a)
     if rate not in p.ALLOWED_RATES_HZ:
-        raise Refused(0x52)
+        raise RequestRefused(0x52)
     if rate > d.highest_rate_Hz():
-        raise Refused(0x64)
+        raise RequestRefused(0x64)
     d.settings.rate_Hz = rate
     return b""
 
@@ -213,7 +213,7 @@ def _write_rate(d: Device, a: bytes) -> bytes:
 def _set_mode(d: Device, a: bytes) -> bytes:
     flags = _number(a)
     if flags & ~(_WRITABLE_MODE | p.MODE_WRITE_LOCK):
-        raise Refused(0x53)
+        raise RequestRefused(0x53)
     d.settings.mode = flags & _WRITABLE_MODE
     return b""
 
@@ -229,7 +229,7 @@ def _read_filter(d: Device, _: bytes) -> bytes:
 def _write_filter(d: Device, a: bytes) -> bytes:
     wanted = read_f32(a)
     if not wanted > 0.0 or math.isinf(wanted):
-        raise Refused(0x52)
+        raise RequestRefused(0x52)
     d.settings.filter_Hz = min(_FILTERS_HZ, key=lambda f: abs(f - wanted))
     d.settings.mode &= ~p.MODE_FILTER_AUTOMATIC
     return b""
@@ -245,7 +245,7 @@ def _set_zero(d: Device, a: bytes) -> bytes:
         if not d.hardware.zero_prohibited >> (channel - 1) & 1:
             _zero(d, channel)
         elif a[0]:
-            raise Refused(0x70)
+            raise RequestRefused(0x70)
     return b""
 
 
@@ -260,7 +260,7 @@ def _zero(d: Device, channel: int) -> None:
 def _write_floats(values: list[float], a: bytes) -> bytes:
     value = read_f32(a[1:])
     if not math.isfinite(value):
-        raise Refused(0x52)
+        raise RequestRefused(0x52)
     for place in _users(a[0]):
         values[place] = value
     return b""
@@ -269,7 +269,7 @@ def _write_floats(values: list[float], a: bytes) -> bytes:
 def _get_input_type(d: Device, a: bytes) -> bytes:
     place, asked = _analog(a[0]), a[1]
     if asked != 0xFF and asked not in tuple(InputType):
-        raise Refused(0x52)
+        raise RequestRefused(0x52)
     kind = d.settings.input_types[place] if asked == 0xFF else InputType(asked)
     nominal = p.NOMINAL_RANGE.get(kind, 0.0)
     return u8(kind) + u32(round(nominal * (100_000 if kind is InputType.SINGLE_ENDED else 100)))
@@ -278,7 +278,7 @@ def _get_input_type(d: Device, a: bytes) -> bytes:
 def _set_input_type(d: Device, a: bytes) -> bytes:
     _among(a[0], 0, p.ANALOG_CHANNELS)
     if a[1] >= InputType.COUNTER:
-        raise Refused(0x52)
+        raise RequestRefused(0x52)
     kind, settings = InputType(a[1]), d.settings
     for place in [a[0] - 1] if a[0] else range(p.ANALOG_CHANNELS):
         settings.input_types[place] = kind
@@ -318,7 +318,7 @@ def _get_counter(d: Device, a: bytes) -> bytes:
 def _set_counter(d: Device, a: bytes) -> bytes:
     number, values = _counter_values(d, a[0])
     if not d.hardware.counter_present:
-        raise Refused(0x85)
+        raise RequestRefused(0x85)
     if values is d.settings.counter_modes:
         _set_counter_mode(d, number, _number(a[1:]) & ~p.COUNTER_PRESENT)
     else:
@@ -328,13 +328,13 @@ def _set_counter(d: Device, a: bytes) -> bytes:
 
 def _set_counter_mode(d: Device, number: int, value: int) -> None:
     if value & ~_WRITABLE_COUNTER:
-        raise Refused(0x53)
+        raise RequestRefused(0x53)
     if value & p.SPEED_ON:
-        raise Refused(0x59)
+        raise RequestRefused(0x59)
     was_on = d.settings.counter_modes[number] & p.COUNTER_ON
     is_on = value & p.COUNTER_ON
     if is_on and d.settings.rate_Hz > d.highest_rate_Hz(counting=True):
-        raise Refused(0x64)
+        raise RequestRefused(0x64)
     d.settings.counter_modes[number] = value
     if is_on and not was_on:
         d.settings.objects += 1
@@ -426,14 +426,14 @@ def commands_of(d: Device) -> Mapping[int, Entry]:
 
 
 def obey(d: Device, command: int, parameters: bytes) -> bytes:
-    """Do what a command says and return its data; raise Refused."""
+    """Do what a command says and return its data; raise RequestRefused."""
     entry = _COMMANDS.get(command)
     if entry is None or entry.since > d.hardware.firmware:
-        raise Refused(0x40)
+        raise RequestRefused(0x40)
     if len(parameters) != entry.length:
-        raise Refused(0x5B)
+        raise RequestRefused(0x5B)
     if entry.writes and not d.write_access:
-        raise Refused(WRITE_ACCESS_ELSEWHERE)
+        raise RequestRefused(WRITE_ACCESS_ELSEWHERE)
     data = entry.handler(d, parameters)
     d.writes += entry.writes
     return data

@@ -13,7 +13,7 @@ import numpy as np
 from drivers.api import RigSignals
 from drivers.gsv8.frames import Response, encode_response
 from drivers.gsv8.protocol import Command
-from drivers.gsv8.simulator.commands import WRITE_ACCESS_ELSEWHERE, Refused, obey
+from drivers.gsv8.simulator.commands import WRITE_ACCESS_ELSEWHERE, RequestRefused, obey
 from drivers.gsv8.simulator.requests import Asked, RequestReader
 from drivers.gsv8.simulator.state import Device, Gsv8Fault, Hardware, Memory
 from drivers.gsv8.simulator.values import OVERRUN, MeasuredValues
@@ -152,8 +152,8 @@ class Gsv8Simulator:
     def _response(self, command: int, parameters: bytes, status: int) -> Response:
         try:
             if status:
-                raise Refused(status)
+                raise RequestRefused(status)
             return Response(0, obey(self._device, command, parameters))
-        except Refused as refusal:
+        except RequestRefused as refusal:
             self._device.state.synchronous_error = refusal.status
             return Response(refusal.status)

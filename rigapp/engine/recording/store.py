@@ -26,7 +26,7 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.judging.criteria import DEPTH_COLUMNS, HISTORY_COLUMNS, NOTHING
 from rigapp.engine.recording.history import TRIGGERED
 from rigapp.engine.values.calibrate import Calibration
-from rigapp.engine.values.instruments import Line, ProbePair
+from rigapp.engine.values.instruments import InputLine, ProbePair
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 from rigapp.schema.loglines import RestSignals
 from rigapp.schema.messages import Event, LookedAfter
@@ -320,7 +320,7 @@ def _latency_ms(calibration: Calibration, instrument: str) -> list[float]:
     return (calibration.latency_s[calibration.place(instrument)] * 1e3).tolist()
 
 
-def _line_record(line: Line) -> dict[str, Any]:
+def _line_record(line: InputLine) -> dict[str, Any]:
     if line.table.size:
         return {"table_V": line.table[0].tolist(), "table_value": line.table[1].tolist()}
     return {"scale_per_V": line.slope, "offset_V": line.zero}

@@ -30,7 +30,7 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.samples.assembler import EncoderSetup, Margins, Revolution, Values
 from rigapp.engine.samples.sampleclock import PulseRate
 from rigapp.engine.values.bend import invertible, straight
-from rigapp.engine.values.instruments import Counter, Line, LoadCell, ProbePair, Wire
+from rigapp.engine.values.instruments import Counter, InputLine, LoadCell, ProbePair, Wire
 from rigapp.engine.values.probes import probe_correction
 from rigapp.engine.values.table import follow
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
@@ -58,7 +58,7 @@ class Calibration:
     sample_rate_Hz: float
     load_cell: LoadCell
     probes: ProbePair
-    scalars: Mapping[str, Line]
+    scalars: Mapping[str, InputLine]
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -85,7 +85,7 @@ class Calibration:
         return np.array([one.channel.signal_range or math.inf for one in self.wires])
 
     @cached_property
-    def lines(self) -> dict[str, Line]:
+    def lines(self) -> dict[str, InputLine]:
         """Return what each single input means, by channel: probes, uncorrected, and free ones."""
         probes = zip(self.table.names_of(PROBES), self.probes.lines(), strict=True)
         return {**dict(probes), **self.scalars}
@@ -333,11 +333,11 @@ def _probes(rig: RigFile, turn: int, index_angle_rad: float) -> ProbePair:
     )
 
 
-def _scalar(rig: RigFile, name: str) -> Line:
+def _scalar(rig: RigFile, name: str) -> InputLine:
     section = rig.channels[name]
     if not section.table:
-        return Line(section.scale, section.offset_V)
-    return Line(table=np.ascontiguousarray(np.array(section.table, np.float64).T))
+        return InputLine(section.scale, section.offset_V)
+    return InputLine(table=np.ascontiguousarray(np.array(section.table, np.float64).T))
 
 
 def _numbers(key: str, values: Sequence[float]) -> Array:

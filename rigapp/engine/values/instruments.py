@@ -73,7 +73,7 @@ class LoadCell:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Line:
+class InputLine:
     """What one input means: value = slope (signal - zero), or a table's value at the signal.
 
     table: (2, points), rising signals (V) and their values, linear between them and beyond both
@@ -103,7 +103,7 @@ class ProbePair:
     uncertainty_um: tuple[float, float] | None = None
     record: str = ""
 
-    def lines(self) -> tuple[Line, ...]:
+    def lines(self) -> tuple[InputLine, ...]:
         """Return what each of the two inputs means, um."""
         pairs = zip(self.sensitivity.tolist(), self.offset.tolist(), strict=True)
-        return tuple(Line(slope, zero) for slope, zero in pairs)
+        return tuple(InputLine(slope, zero) for slope, zero in pairs)

@@ -33,7 +33,7 @@ from drivers.api import (
 from drivers.registry import check_settings, load_simulator
 from rigapp.process.owntime import OwnTime
 from rigapp.simulation.endpoints import PtyEndpoint
-from rigapp.simulation.link import Wire, WireFault
+from rigapp.simulation.link import SimulatedWire, WireFault
 
 PATIENCE = 3.0
 """So many times longer may a driver take on a busy computer than ``contract.toml`` says."""
@@ -62,7 +62,7 @@ class Port:
     """
 
     def __init__(self, simulator: Any, link: Path, produce: Produce, *, streams: bool) -> None:
-        self.wire = Wire(PtyEndpoint(link))
+        self.wire = SimulatedWire(PtyEndpoint(link))
         self.url = self.wire.endpoint.url
         self.failure: BaseException | None = None
         self.received = bytearray()
