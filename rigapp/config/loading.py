@@ -5,18 +5,17 @@ from __future__ import annotations
 import difflib
 import itertools
 import re
-import typing
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import msgspec
 
 from rigapp.config.consistency import faults
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile, to_parameters
-from rigapp.config.ranges import refusals
+from rigapp.config.ranges import keys_of, refusals
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
@@ -97,7 +96,7 @@ def _record(
 
 def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record:
     _check_schema(path, tree)
-    for where, key, allowed in _unknown_keys(tree, record, ""):
+    for where, key, allowed in _unknown_keys(tree, _known(record)):
         raise UnusableInput(f"{path}: {where}{key} is not a known key{_nearest(key, allowed)}.")
     try:
         return msgspec.convert(tree, record)
@@ -117,39 +116,37 @@ def _check_schema(path: Path, tree: Mapping[str, Any]) -> None:
         raise UnusableInput(f"{path}: schema = {schema!r} is not readable; write {SCHEMA}.")
 
 
-def _unknown_keys(tree: Any, record: Any, where: str) -> Iterator[tuple[str, str, tuple[str, ...]]]:
-    """Yield (path, key, allowed keys) of every key that the record does not have."""
-    struct = _struct_of(record)
-    if struct is not None and isinstance(tree, Mapping):
-        hints = typing.get_type_hints(struct)
-        allowed = struct.__struct_encode_fields__
+def _known(kind: type[msgspec.Struct]) -> dict[str, list[str]]:
+    """Return the keys of each table of a kind of file, by the path of the table."""
+    known: dict[str, list[str]] = {}
+    for key in keys_of(kind):
+        way = key.path.split(".")
+        for depth, name in enumerate(way):
+            names = known.setdefault(".".join(way[:depth]), [])
+            if name not in names:
+                names.append(name)
+    return known
+
+
+def _unknown_keys(
+    tree: Any, known: Mapping[str, list[str]], path: str = "", where: str = ""
+) -> Iterator[tuple[str, str, list[str]]]:
+    """Yield (where, key, allowed keys) of every key that a kind of file does not have."""
+    if isinstance(tree, list):
+        for index, one in enumerate(tree):
+            yield from _unknown_keys(one, known, path, f"{where}{index}.")
+    elif isinstance(tree, Mapping) and path in known:
+        allowed = known[path]
         for key, value in tree.items():
-            if key in allowed:
-                yield from _unknown_keys(value, hints[key], f"{where}{key}.")
+            name = "*" if allowed == ["*"] else key
+            if name in allowed:
+                below = f"{path}.{name}" if path else name
+                yield from _unknown_keys(value, known, below, f"{where}{key}.")
             else:
                 yield where, key, allowed
-        return
-    arguments = typing.get_args(record)
-    origin = typing.get_origin(record)
-    if origin is dict and isinstance(tree, Mapping):
-        for key, value in tree.items():
-            yield from _unknown_keys(value, arguments[1], f"{where}{key}.")
-    elif origin is tuple and isinstance(tree, list) and len(arguments) == 2:
-        for index, value in enumerate(tree):
-            yield from _unknown_keys(value, arguments[0], f"{where}{index}.")
 
 
-def _struct_of(record: Any) -> type[msgspec.Struct] | None:
-    candidates = (record, *typing.get_args(record))
-    if typing.get_origin(record) in (dict, tuple):
-        candidates = (record,)
-    for candidate in candidates:
-        if isinstance(candidate, type) and issubclass(candidate, msgspec.Struct):
-            return candidate
-    return None
-
-
-def _nearest(key: str, allowed: tuple[str, ...]) -> str:
+def _nearest(key: str, allowed: list[str]) -> str:
     stem = key.rsplit("_", 1)[0]
     close = [name for name in allowed if name.rsplit("_", 1)[0] == stem]
     close += difflib.get_close_matches(key, allowed, n=1)
@@ -178,23 +175,7 @@ def _sentence(error: str, record: type[msgspec.Struct]) -> str:
         message = message.replace(f"`{word}`", plain)
     message = message.replace("Expected", "expected").replace("Invalid", "invalid")
     if message.startswith("invalid enum value"):
-        message = f"{message}, allowed are {', '.join(map(str, _choices(record, where)))}"
+        path = re.sub(r"\[\d+]", "", where).replace("[...]", ".*")
+        choices = next(key.choices for key in keys_of(record) if key.path == path)
+        message = f"{message}, allowed are {', '.join(choices)}"
     return f"{where}: {message}" if where else message
-
-
-def _choices(record: Any, where: str) -> tuple[Any, ...]:
-    """Return what the Literal at a dotted path allows."""
-    hint = record
-    for key in re.sub(r"\[[^]]*\]", "", where).split("."):
-        struct = _struct_of(hint)
-        if struct is None:
-            return ()
-        hint = typing.get_type_hints(struct).get(key)
-        if typing.get_origin(hint) is tuple:
-            hint = typing.get_args(hint)[0]
-    return tuple(
-        choice
-        for part in (hint, *typing.get_args(hint))
-        if typing.get_origin(part) is Literal
-        for choice in typing.get_args(part)
-    )

@@ -12,7 +12,7 @@ import types
 import typing
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, Final
+from typing import Annotated, Any, Final, Literal
 
 import msgspec
 
@@ -27,7 +27,8 @@ from rigapp.schema.units import MISTAKEN, unit_of_key
 class Key:
     """A key of a file that holds no table: its path, type, default and what its number may be.
 
-    hint: without None and annotations. default: NODEFAULT when the key is required. optional: the
+    hint: without None and annotations. choices: the texts that are allowed, if only these are.
+    default: NODEFAULT when the key is required. optional: the
     section that holds it may be absent.
     """
 
@@ -35,6 +36,7 @@ class Key:
     hint: Any
     default: Any
     range: Range
+    choices: tuple[str, ...] = ()
     optional: bool = False
 
 
@@ -55,7 +57,9 @@ def _keys(kind: type[msgspec.Struct], prefix: str, *, optional: bool) -> Iterato
         if _is_struct(inner):
             star = ".*" if typing.get_origin(hint) is dict else ""
             yield from _keys(inner, f"{path}{star}.", optional=True)
-        yield Key(path, hint, field.default, _range_in(field.type), optional)
+        yield Key(
+            path, hint, field.default, _range_in(field.type), tuple(_choices(field.type)), optional
+        )
 
 
 def _is_struct(hint: Any) -> bool:
@@ -83,6 +87,15 @@ def _range_in(hint: Any) -> Range:
             return found.counted() if int in (_bare(hint), *typing.get_args(_bare(hint))) else found
     parts = typing.get_args(hint)
     return next((found for part in parts if (found := _range_in(part)) is not ANY), ANY)
+
+
+def _choices(hint: Any) -> Iterator[str]:
+    """Yield what every Literal within a type allows."""
+    for part in typing.get_args(hint):
+        if typing.get_origin(hint) is Literal:
+            yield str(part)
+        else:
+            yield from _choices(part)
 
 
 RANGES: Final[Mapping[str, Range]] = {

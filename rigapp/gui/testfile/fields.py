@@ -7,12 +7,12 @@ import typing
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Literal
+from typing import Any
 
 import msgspec
 
 from rigapp.config.numbers import Range
-from rigapp.config.ranges import keys_of, refusal, unit_of
+from rigapp.config.ranges import Key, keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.texts import unit_text
 from rigapp.schema.units import stem_of
@@ -74,19 +74,17 @@ def form_fields() -> tuple[FieldSpec, ...]:
     """Return the fields of a test file in the order of the file."""
     shown = (one for one in keys_of(TestFile) if not one.path.startswith(HIDDEN))
     return tuple(
-        FieldSpec(one.path, kind, one.default, one.range, choices, one.optional)
+        FieldSpec(one.path, _kind(one), one.default, one.range, one.choices, one.optional)
         for one in shown
-        for kind, choices in [_kind(one.hint)]
     )
 
 
-def _kind(hint: Any) -> tuple[str, tuple[str, ...]]:
-    origin = typing.get_origin(hint)
-    if origin is Literal:
-        return "choice", tuple(str(choice) for choice in typing.get_args(hint))
-    if origin is tuple:
-        return "pair", ()
-    return {int: "int", float: "float", str: "str", bool: "bool"}.get(hint, "str"), ()
+def _kind(key: Key) -> str:
+    if key.choices:
+        return "choice"
+    if typing.get_origin(key.hint) is tuple:
+        return "pair"
+    return {int: "int", float: "float", bool: "bool"}.get(key.hint, "str")
 
 
 def parse_value(field: FieldSpec, text: str) -> Any:
