@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import msgspec
 
 from rigapp.config.consistency import faults
-from rigapp.config.errors import UnusableInput
+from rigapp.config.errors import UnusableInput, in_words
 from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.ranges import keys_of, refusals
 from rigapp.config.reading import read_text
@@ -101,7 +101,7 @@ def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record
     try:
         return msgspec.convert(tree, record)
     except msgspec.ValidationError as error:
-        raise UnusableInput(f"{path}: {_sentence(str(error), record)}.") from error
+        raise UnusableInput(f"{path}: {_sentence(error, record)}.") from error
 
 
 def _check_schema(path: Path, tree: Mapping[str, Any]) -> None:
@@ -155,25 +155,10 @@ def _nearest(key: str, allowed: list[str]) -> str:
     return "; known here: " + ", ".join(allowed)
 
 
-def _sentence(error: str, record: type[msgspec.Struct]) -> str:
-    message, _, where = error.partition(" - at `$")
-    where = where.rstrip("`").lstrip(".")
-    missing = re.fullmatch(r"Object missing required field `(.+)`", message)
-    if missing:
-        key = f"{where}.{missing[1]}" if where else missing[1]
-        return f"{key} is missing"
-    message = message.replace(" | null`", "`")
-    words = {
-        "float": "a number",
-        "int": "a whole number",
-        "str": "text",
-        "bool": "true or false",
-        "object": "a table",
-        "array": "a list",
-    }
-    for word, plain in words.items():
-        message = message.replace(f"`{word}`", plain)
-    message = message.replace("Expected", "expected").replace("Invalid", "invalid")
+def _sentence(error: msgspec.ValidationError, record: type[msgspec.Struct]) -> str:
+    where, message = in_words(error)
+    if message == "is missing":
+        return f"{where} is missing"
     if message.startswith("invalid enum value"):
         path = re.sub(r"\[\d+]", "", where).replace("[...]", ".*")
         choices = next(key.choices for key in keys_of(record) if key.path == path)

@@ -8,6 +8,7 @@ from typing import Any
 import msgspec
 from msgspec import inspect
 
+from rigapp.config.errors import in_words
 from rigapp.config.ranges import refusal as number_refusal
 from rigapp.schema.messages import NOTE_CHARACTERS, Reply, Request
 from rigapp.schema.states import Refused, refuse_long
@@ -50,7 +51,8 @@ def asked_of(verb: Verb, arguments: Mapping[str, Any]) -> Any:
     try:
         return msgspec.convert(arguments, verb.record)
     except msgspec.ValidationError as error:
-        raise Refused(f"the arguments of {verb.name!r} are not usable: {error}") from error
+        wrong = ": ".join(filter(None, in_words(error)))
+        raise Refused(f"the arguments of {verb.name!r} are not usable: {wrong}") from error
 
 
 def refusal(words: str, identifier: int = 0) -> Reply:

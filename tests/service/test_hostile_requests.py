@@ -175,7 +175,7 @@ def test_a_note_has_a_bounded_length(client: Client) -> None:
     deep: Any = 0
     for _ in range(100):
         deep = [deep]
-    assert "not usable" in client.request("zero", {"what": deep}).sentence
+    assert "what: expected a list" in client.request("zero", {"what": 7}).sentence
     assert "not usable" in client.request("hand", {"what": "x", "details": {"y": deep}}).sentence
 
 
