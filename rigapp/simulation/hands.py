@@ -17,6 +17,7 @@ steel of 8000 kg/m3 in air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000).
 from __future__ import annotations
 
 import math
+import re
 from typing import Annotated, Literal
 
 import msgspec
@@ -29,57 +30,48 @@ LOCK_Nm = 1e6
 HEAVIEST_KG = 100.0
 
 
-class TakeOffFollower(
-    msgspec.Struct,
-    frozen=True,
-    forbid_unknown_fields=True,
-    tag_field="hand",
-    tag="take_off_follower",
-):
+def _tag(name: str) -> str:
+    """Return what a message calls a hand, by the name of its class."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+
+
+class _Hand(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag=_tag):
+    """What all hands have: a table whose key ``hand`` names them."""
+
+
+class TakeOffFollower(_Hand, frozen=True):
     """Take the follower off the pin."""
 
 
-class PutOnFollower(
-    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="put_on_follower"
-):
+class PutOnFollower(_Hand, frozen=True):
     """Put the follower on the pin."""
 
 
-class ReleaseCrank(
-    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="release_crank"
-):
+class ReleaseCrank(_Hand, frozen=True):
     """Take the lock off the crank while the follower is off."""
 
 
-class HangWeight(
-    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="hang_weight"
-):
+class HangWeight(_Hand, frozen=True):
     """Hang a weight on the pin in place of the present one."""
 
     mass_kg: Annotated[float, msgspec.Meta(ge=0, le=HEAVIEST_KG)]
     gravity_m_s2: Annotated[float, msgspec.Meta(gt=9.7, lt=9.9)] = 9.80665
 
 
-class TurnPin(
-    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="turn_pin"
-):
+class TurnPin(_Hand, frozen=True):
     """Turn the crank to an angle from +x."""
 
     angle_deg: Annotated[float, msgspec.Meta(ge=-360, le=360)]
 
 
-class SetMicrometer(
-    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="set_micrometer"
-):
+class SetMicrometer(_Hand, frozen=True):
     """Set what a probe faces to a position."""
 
     probe: Literal[1, 2]
     position_um: Annotated[float, msgspec.Meta(ge=-5000, le=5000)]
 
 
-class NewSpecimen(
-    msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag="new_specimen"
-):
+class NewSpecimen(_Hand, frozen=True):
     """Put an unworn bushing in place of the present one."""
 
 

@@ -72,11 +72,28 @@ class PlantState:
     joint_force_N: float
     wear_depth_m: float
     worn_area_m2: float
-    samples: int
     motor_work_J: float
     friction_loss_J: float
+    bushing_rise_K: float
+    samples: int
     kinetic_energy_J: float
     potential_energy_J: float
+
+
+_STATES = {
+    "time_s": layout.TIME,
+    "angle_rad": layout.ANGLE,
+    "speed_rad_per_s": layout.SPEED,
+    "acceleration_rad_per_s2": layout.ACCELERATION,
+    "motor_torque_Nm": layout.TORQUE,
+    "motor_current_A": layout.CURRENT,
+    "joint_force_N": layout.FORCE,
+    "wear_depth_m": layout.DEPTH,
+    "worn_area_m2": layout.AREA,
+    "motor_work_J": layout.WORK,
+    "friction_loss_J": layout.LOSS,
+    "bushing_rise_K": layout.RISE,
+}
 
 
 class Plant:
@@ -152,11 +169,6 @@ class Plant:
     def motor_current_A(self) -> float:
         """Return the motor current."""
         return float(self._state[layout.CURRENT])
-
-    @property
-    def bushing_rise_K(self) -> float:
-        """Return how much warmer than the room the bushing is."""
-        return float(self._state[layout.RISE])
 
     @property
     def warm_s(self) -> float:
@@ -255,18 +267,8 @@ class Plant:
             self.constants, s[layout.ANGLE], s[layout.SPEED], s[layout.DEPTH]
         )
         return PlantState(
-            time_s=float(s[layout.TIME]),
-            angle_rad=float(s[layout.ANGLE]),
-            speed_rad_per_s=float(s[layout.SPEED]),
-            acceleration_rad_per_s2=float(s[layout.ACCELERATION]),
-            motor_torque_Nm=float(s[layout.TORQUE]),
-            motor_current_A=float(s[layout.CURRENT]),
-            joint_force_N=float(s[layout.FORCE]),
-            wear_depth_m=float(s[layout.DEPTH]),
-            worn_area_m2=float(s[layout.AREA]),
+            **{name: float(s[place]) for name, place in _STATES.items()},
             samples=int(self._counters[layout.SAMPLE]),
-            motor_work_J=float(s[layout.WORK]),
-            friction_loss_J=float(s[layout.LOSS]),
             kinetic_energy_J=kinetic,
             potential_energy_J=potential,
         )
@@ -298,23 +300,8 @@ def rest_angle(constants: Constants) -> float:
 
 
 def _samples(first: int, out: Array) -> Samples:
-    truth = Truth(
-        time_s=out[layout.OUT_TIME],
-        angle_rad=out[layout.OUT_ANGLE],
-        speed_rad_per_s=out[layout.OUT_SPEED],
-        force_e1_N=out[layout.OUT_FORCE_1],
-        force_n1_N=out[layout.OUT_FORCE_2],
-        wear_depth_m=out[layout.OUT_DEPTH],
-    )
-    return Samples(
-        first_sample=first,
-        shaft_revolutions=out[layout.OUT_SHAFT],
-        bridge_1=out[layout.OUT_BRIDGE_1],
-        bridge_2=out[layout.OUT_BRIDGE_2],
-        probe_1=out[layout.OUT_PROBE_1],
-        probe_2=out[layout.OUT_PROBE_2],
-        bushing_rise_K=out[layout.OUT_RISE],
-        warm_s=out[layout.OUT_WARM],
-        free_noise=out[layout.ROWS :],
-        truth=truth,
-    )
+    """Return rows of the output as records, whose fields have the rows' order."""
+    truth = Truth(*out[layout.OUT_TIME : layout.OUT_DEPTH + 1])
+    shaft, bridge_1, bridge_2, probe_1, probe_2 = out[layout.OUT_SHAFT : layout.OUT_PROBE_2 + 1]
+    rise_K, warm_s, noise = out[layout.OUT_RISE], out[layout.OUT_WARM], out[layout.ROWS :]
+    return Samples(first, shaft, bridge_1, bridge_2, probe_1, probe_2, rise_K, warm_s, noise, truth)

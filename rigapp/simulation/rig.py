@@ -199,7 +199,7 @@ class RigSimulation:
             "motor_current_A": state.motor_current_A,
             "wear_depth_um": state.wear_depth_m * 1e6,
             "worn_area_mm2": state.worn_area_m2 * 1e6,
-            "bushing_rise_K": self.plant.bushing_rise_K,
+            "bushing_rise_K": state.bushing_rise_K,
             "drive_mode": str(self._command.mode),
             "setpoint_rpm": self._speed_wanted / TURN * 60.0,
             "watchdog_tripped": bool(getattr(self._drive.simulator, "watchdog_tripped", False)),
@@ -286,7 +286,7 @@ class RigSimulation:
 
     def _look_around(self) -> None:
         """Let slow devices see their quantities, and the drive the temperature of the room."""
-        now = (self._section, self.plant.bushing_rise_K, self.plant.warm_s)
+        now = (self._section, self.plant.state().bushing_rise_K, self.plant.warm_s)
         for device in self._slow:
             device.simulator.observe(slow_values(device.quantities, *now))
         self._drive_degC = slow_values(("temperature_C",), *now)["temperature_C"] + DRIVE_WARMER_K

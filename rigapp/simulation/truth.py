@@ -20,6 +20,7 @@ COLUMNS = (
     "force_n1_N",
     "wear_depth_m",
 )
+_NO_TRUTH = ("sample", "shaft_revolutions")
 ROOM = 1 << 20
 
 
@@ -34,21 +35,10 @@ class TruthRecorder:
 
     def take(self, samples: Samples) -> None:
         """Take a chunk's truth."""
-        truth = samples.truth
         number = samples.first_sample + np.arange(samples.shaft_revolutions.size)
-        kept = number % self._stride == 0
-        block = np.vstack(
-            [
-                number[kept],
-                truth.time_s[kept],
-                samples.shaft_revolutions[kept],
-                truth.angle_rad[kept],
-                truth.speed_rad_per_s[kept],
-                truth.force_e1_N[kept],
-                truth.force_n1_N[kept],
-                truth.wear_depth_m[kept],
-            ]
-        )
+        truth = [getattr(samples.truth, name) for name in COLUMNS if name not in _NO_TRUTH]
+        rows = np.vstack([number, truth[0], samples.shaft_revolutions, *truth[1:]])
+        block = rows[:, number % self._stride == 0]
         while self._count + block.shape[1] > self._rows.shape[1]:
             self._thin()
             block = block[:, block[0] % self._stride == 0]

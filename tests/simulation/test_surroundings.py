@@ -56,10 +56,10 @@ def test_the_bushing_follows_the_power_of_friction_and_cools(rubbing: Callable[.
     assert samples.bushing_rise_K[-1] == pytest.approx(expected, rel=0.01)
     while plant.speed_rad_per_s != 0.0:
         plant.advance(100, STANDING)
-    before, then = plant.bushing_rise_K, plant.time_s
+    before, then = plant.state().bushing_rise_K, plant.time_s
     plant.advance(20_000, STANDING)
     left = math.exp(-(plant.time_s - then) / LAG_S)
-    assert plant.bushing_rise_K == pytest.approx(before * left, rel=1e-3)
+    assert plant.state().bushing_rise_K == pytest.approx(before * left, rel=1e-3)
 
 
 def test_heat_and_noise_do_not_depend_on_how_the_time_is_cut(rubbing: Callable[..., Plant]) -> None:
