@@ -152,5 +152,5 @@ def test_without_the_pulse_rate_a_simulated_rig_is_refused() -> None:
         calibration_of(rig, setup)
     told = replace(setup, channels=(*channels, ChannelSpec("rate_1", "Hz", 0.3)))
     calibration = calibration_of(rig, told)
-    assert calibration.pulse_rate == PulseRate(5, 0.3, 0.0)
-    assert calibration.fastest_Hz == pytest.approx(700.0 / 60.0 * LINES)
+    assert calibration.counter.pulse_rate == PulseRate(5, 0.3, 0.0)
+    assert calibration.counter.fastest_Hz == pytest.approx(700.0 / 60.0 * LINES)

@@ -9,7 +9,6 @@ being allowed to reorder floating-point arithmetic (fastmath stays off).
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -199,14 +198,12 @@ def _single(
     _extremes_and_moments(scratch, n, counts, row[place : place + 5])
 
 
-def _compiled(kernel: Callable[..., None], signature: str) -> Callable[..., None]:
-    kinds = [signature.format(kind) for kind in ("float32", "int32")]
-    compiled: Callable[..., None] = njit(kinds, cache=True, nogil=True)(kernel)
-    return compiled
-
-
-_forces_kernel = _compiled(_forces, _FORCES)
-_single_kernel = _compiled(_single, _SINGLE)
+_forces_kernel = njit(
+    [_FORCES.format(kind) for kind in ("float32", "int32")], cache=True, nogil=True
+)(_forces)
+_single_kernel = njit(
+    [_SINGLE.format(kind) for kind in ("float32", "int32")], cache=True, nogil=True
+)(_single)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

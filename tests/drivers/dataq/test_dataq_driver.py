@@ -298,13 +298,15 @@ def test_a_standing_shaft_is_not_a_fault(bench: Callable[..., Any], sends_rest: 
     stops = b.wire.received.count(b"stop\r")
     b.read_until(lambda: b.wire.received.count(b"stop\r") >= stops + 2, "two questions")
     b.read_until(lambda: b.blocks[-1].quality.size == 0, "a sign of life")
-    before = b.samples
+    before, asked = b.samples, b.wire.received.count(b"stop\r")
     b.shaft.rev_per_s = 3.0
     b.read_until(lambda: b.samples >= before + 300, "samples after the rest")
     b.rest()
     b.check()
     assert b.driver.tally.restarts == 0
-    assert b.driver.tally.gaps <= (0 if sends_rest else 1)
+    # A question of a computer that was held up may meet the moving shaft: its pulses are lost.
+    asked = b.wire.received.count(b"stop\r") - asked
+    assert b.driver.tally.gaps <= asked + (0 if sends_rest else 1)
     counts = np.concatenate([block.values[2] for block in b.blocks])
     index = np.concatenate(
         [block.first_sample + np.arange(block.quality.size) for block in b.blocks]
