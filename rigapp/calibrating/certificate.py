@@ -45,9 +45,9 @@ def certificate_of(record: Record) -> Manuscript:
 
 
 def _item(content: Content) -> str:
-    settings = content["settings"]
-    item = next(settings[key] for key in ("cell", "probe", "pin") if key in settings)
-    return str(item["name"])
+    """Return the name of what was calibrated: the one section of the settings that has a name."""
+    sections = content["settings"].values()
+    return next(str(one["name"]) for one in sections if isinstance(one, dict) and "name" in one)
 
 
 def _joined(*texts: str) -> str:

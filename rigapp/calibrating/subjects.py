@@ -25,7 +25,6 @@ from rigapp.calibrating.load_cell_session import LoadCellSession
 from rigapp.calibrating.probe_result import probe_outcome
 from rigapp.calibrating.probe_session import PROBES as WHICH_PROBES
 from rigapp.calibrating.probe_session import ProbeSession, calibrate_probes
-from rigapp.calibrating.records import CalibrationFile
 from rigapp.calibrating.records_in_use import LOAD_CELL, PROBES, RUN_OUT, RecordPlace
 from rigapp.calibrating.run_out import RUN_OUT_COLUMNS
 from rigapp.calibrating.running_check import RUNNING_COLUMNS
@@ -44,17 +43,17 @@ from rigapp.config.errors import UnusableInput
 class Subject:
     """One thing that can be calibrated.
 
-    name: of the verb, with blanks. kinds: of its records. columns: of its readings. settings: of
-    its file. fit (readings as CSV, settings, where they are from, which of several): raises
-    ReadingsError or UnusableInput; None where the readings are test files. session: with live
-    readings step by step, None for others. certificate: of a record's content. place: where a rig
-    file names its records, None for a check that changes nothing there.
+    name: of the verb, with blanks. kinds: of its records. columns: of its readings. settings: a
+    ``CalibrationFile``. fit (readings as CSV, settings, where they are from, which of several):
+    raises ReadingsError or UnusableInput; None where the readings are test files. session: with
+    live readings step by step, None for others. certificate: of a record's content. place: where a
+    rig file names its records, None for a check that changes nothing there.
     """
 
     name: str
     kinds: tuple[str, ...]
     columns: tuple[str, ...]
-    settings: type[CalibrationFile]
+    settings: type[Any]
     certificate: Callable[[Mapping[str, Any]], Parts]
     fit: Callable[[str, Any, str, str], Outcome] | None = None
     session: type[LiveSession[Any, Any, Any, Any]] | None = None

@@ -18,9 +18,11 @@ MOST_FILES = {
     "A driver": 2,
     "A joint technique": 2,
     "A stop criterion": 2,
+    "A cause of alarms": 2,
     "A column": 2,
     "A panel": 2,
     "A verb": 2,
+    "A subject of a calibration": 4,
 }
 """What a change may cost; beyond it a list is written in one place too many."""
 
@@ -104,6 +106,35 @@ def test_channels_are_recorded_limited_and_exported(
     assert done.returncode == 0, done.stderr
     report = (changed / "t.html").read_text("utf-8")
     assert all(one in report for one in ("bushing_temperature", "sled_position", "motor_current"))
+
+
+def test_a_cause_raises_an_alarm_that_the_file_keeps(
+    changed: Path, ended: subprocess.CompletedProcess[str]
+) -> None:
+    with h5py.File(changed / "t.h5") as file:
+        keys = [key.decode() for key in file["/entry/events/key"][:]]
+        texts = [text.decode() for text in file["/entry/events/text"][:]]
+    assert any(
+        "samples only" in texts[place] for place, key in enumerate(keys) if key == "few_samples"
+    )
+
+
+def test_a_subject_is_fitted_kept_and_certified(changed: Path) -> None:
+    (changed / "settings.toml").write_text('schema = 1\n[thermometer]\nname = "T 1"\n', "utf-8")
+    calibrate = ("-m", "rigapp", "calibrate")
+    given = ("--settings", "settings.toml", "--readings", "readings.csv", "--to", "t.record")
+    readings = changed / "readings.csv"
+    readings.write_text("reference_degC,signal_V\n10,0.1\n20,0.2\n", "utf-8")
+    refused = inside(changed, *calibrate, "thermometer", *given)
+    assert refused.returncode == 1
+    assert "2 different readings; take 3 or more." in refused.stderr
+    readings.write_text("reference_degC,signal_V\n10,0.1\n20,0.2\n31,0.31\n", "utf-8")
+    done = inside(changed, *calibrate, "thermometer", *given)
+    assert done.returncode == 0, done.stderr
+    assert "Temperature = 100 degC/V" in done.stdout
+    done = inside(changed, *calibrate, "certificate", "t.record", "--to", "certificate.html")
+    assert done.returncode == 0, done.stderr
+    assert "Certificate of calibration: T 1" in (changed / "certificate.html").read_text("utf-8")
 
 
 def test_a_column_is_stored_with_its_unit_and_sentence(
