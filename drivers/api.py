@@ -466,7 +466,7 @@ class DriverInfo:
     knows. quantities: what the device can tell of itself or of its surroundings beside the test's
     samples, each with its unit (``temperature_C``, ``humidity_percent``): of a slow source the keys
     of ``read``, of a spindle fields of ``DriveStatus``. Channels of a rig file name them as
-    ``source``.
+    ``source``. needed: quantity -> the setting without which it is not told.
     """
 
     name: str
@@ -479,6 +479,7 @@ class DriverInfo:
     probe: Probe | None = None
     check: Callable[[Any], object] | None = None
     quantities: tuple[str, ...] = ()
+    needed: Mapping[str, str] = field(default_factory=dict)
 
 
 # --- what the simulated rig sees of a simulated device ------------------------------------------

@@ -13,6 +13,7 @@ _log = logging.getLogger(__name__)
 
 QUANTITIES: Final = ("current_A", "supply_V", "temperature_C", "torque_Nm")
 """What a drive tells of itself beside its motion: fields of ``DriveStatus``."""
+NEEDED: Final = {"torque_Nm": "torque_constant_Nm_per_A"}
 TORQUE_CONSTANT: Final = SettingSpec(
     float,
     0.0,

@@ -44,6 +44,7 @@ from drivers.cia402.protocol import (
 from drivers.cia402.readings import Condition, Readings
 from drivers.cia402.settings import SETTINGS, bus_options
 from drivers.spindles import (
+    NEEDED,
     QUANTITIES,
     WATCHDOG,
     note_survived_silence,
@@ -349,4 +350,5 @@ DRIVER: Final = DriverInfo(
     probe=PROBE,
     check=check_watchdog,
     quantities=QUANTITIES,
+    needed=NEEDED,
 )

@@ -43,6 +43,7 @@ from drivers.roboclaw.readings import Readings, StatusReader
 from drivers.roboclaw.settings import SETTINGS
 from drivers.roboclaw.status import StatusWords, describe_status
 from drivers.spindles import (
+    NEEDED,
     QUANTITIES,
     WATCHDOG,
     note_survived_silence,
@@ -376,4 +377,5 @@ DRIVER: Final = DriverInfo(
     probe=PROBE,
     check=check_watchdog,
     quantities=QUANTITIES,
+    needed=NEEDED,
 )

@@ -113,19 +113,27 @@ def plan_devices(
             drive_info.check(wanted)
         except ValueError as error:
             raise UnusableInput(f"{where}: [spindle] on devices.{drive}: {error}") from error
-    _check_drive_quantities(rig, drive_info, where)
+    _check_drive_quantities(rig, drive_info, drive_settings, where)
     slow = dict(_slow_requests(rig, where, load))
     return DevicePlan(name, info, data, drive, drive_info, wanted, slow)
 
 
-def _check_drive_quantities(rig: RigFile, info: DriverInfo, where: str) -> None:
+def _check_drive_quantities(
+    rig: RigFile, info: DriverInfo, settings: Mapping[str, Any], where: str
+) -> None:
     """Refuse a slow channel of something that the drive does not tell."""
     for one in channel_table(rig).slow:
-        if one.device == rig.spindle.device and one.input not in info.quantities:
-            raise UnusableInput(
-                f"{where}: channels.{one.name}.source = '{one.device}.{one.input}': a {info.title}"
-                f" tells {', '.join(info.quantities) or 'nothing of itself'}"
-            )
+        if one.device != rig.spindle.device:
+            continue
+        needed = info.needed.get(one.input, "")
+        if one.input not in info.quantities:
+            wrong = f"a {info.title} tells {', '.join(info.quantities) or 'nothing of itself'}"
+        elif needed and not settings[needed]:
+            wrong = f"give devices.{one.device}.settings.{needed}, without which none is told"
+        else:
+            continue
+        source = f"channels.{one.name}.source = '{one.device}.{one.input}'"
+        raise UnusableInput(f"{where}: {source}: {wrong}")
 
 
 def _slow_requests(

@@ -60,6 +60,7 @@ def test_two_channels_cannot_share_a_column() -> None:
     ("body", "words"),
     [
         ('source = "drive.humidity_percent"', "tells current_A, supply_V, temperature_C"),
+        ('source = "drive.torque_Nm"', "give devices.drive.settings.torque_constant_Nm_per_A, wi"),
         (GOOD.replace("analog_5", "analog_99"), "channels.a.input = 'analog_99'"),
     ],
 )
