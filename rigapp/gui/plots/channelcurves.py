@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rigapp.gui.data.channels import axis_of, span_of, title_of
+from rigapp.gui.data.channels import axis_of, span_of, title_of, words
+from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
@@ -34,7 +35,8 @@ class CurveGroup:
 def curve_groups(table: ChannelTable) -> tuple[CurveGroup, ...]:
     """Return what can be drawn: the pair of probes, then each free channel of its own."""
     names = table.names_of(PROBES)
-    texts = tuple(f"{title_of(table[name]).lower()}, {table[name].description}" for name in names)
+    directions = zip(names, COMPONENT_NAMES[ForceFrame.FOLLOWER], strict=True)
+    texts = tuple(f"{words(name)}, {direction}" for name, direction in directions)
     probes = CurveGroup(
         "Pin position", "Position − mean (µm)", tuple(table[n] for n in names), texts, centred=True
     )
@@ -64,7 +66,7 @@ class ChannelCurvePanel(PlotPanel):
         )
         self.legend = LegendRow(f"{prefix}_channel_legend", theme)
         self._curves = [self.plot.curve(LinePen(role)) for role in ROLES]
-        column(row(self.choice, (self.legend, 1)), (self.plot, 1), on=self)
+        column(row(self.choice, None), self.legend, (self.plot, 1), on=self)
         self._offer(BASE)
 
     @property

@@ -89,6 +89,7 @@ def choice(
 ) -> QComboBox:
     """Return a box to choose from; items: text and the value that it stands for."""
     made = named(QComboBox(), name, spoken)
+    made.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     for text, value in items:
         made.addItem(text, value)
     if chosen is not None:
