@@ -12,14 +12,18 @@ os.environ.setdefault("QT_LOGGING_RULES", "qt.qpa.*=false")
 import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
+from patience import PATIENCE_MS
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtWidgets import QWidget
 
+from rigapp.config.loading import read_rig
 from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.showntest import ShownTest
@@ -35,6 +39,7 @@ from rigapp.schema.messages import (
     DriveView,
     Event,
     Prediction,
+    Remedy,
     Reply,
     RunState,
     Severity,
@@ -42,6 +47,9 @@ from rigapp.schema.messages import (
     Status,
     as_array,
 )
+from rigapp.service.client import Client
+from rigapp.service.host import EngineHost
+from rigapp.service.launch import find_engine
 from rigapp.storage import FilePlan, TestMetadata, create_test
 
 RADIUS, LENGTH = 76.2, 203.2
@@ -387,3 +395,82 @@ def cycle_columns_of(cycle: Cycle) -> dict[str, np.ndarray]:
     found = {name: np.zeros(len(as_array(cycle.angle_deg))) for name in names}
     found["angle"] = as_array(cycle.angle_deg)
     return found | {name: as_array(curve) for name, curve in cycle.curves.items()}
+
+
+class Operator:
+    """Hands and eyes at the window of a real engine in this process."""
+
+    def __init__(self, window: MainWindow, host: EngineHost, qtbot: Any) -> None:
+        self.window, self.host, self._qtbot = window, host, qtbot
+
+    def see(self, condition: Callable[[], object]) -> None:
+        """Wait until something is seen."""
+        self._qtbot.waitUntil(lambda: bool(condition()), timeout=PATIENCE_MS)
+
+    def sees_state(self, *states: RunState) -> None:
+        """Wait until the engine tells one of some states."""
+        self.see(lambda: self.status is not None and self.status.state in states)
+
+    def sees_step(self, step: Remedy) -> None:
+        """Wait until a remedy is the next one."""
+        panel = self.window.recover
+        self.see(lambda: panel.steps[step].text().startswith("▶") and panel.button.isEnabled())
+
+    @property
+    def status(self) -> Any:
+        """Return what the engine told last."""
+        return self.window._connection.status
+
+    def click(self, widget: QWidget) -> None:
+        """Click a widget as soon as it can be clicked."""
+        self.see(lambda: widget.isVisible() and widget.isEnabled())
+        self._qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
+
+    def press(self, key: Qt.Key) -> None:
+        """Press a key in the window."""
+        self.window.activateWindow()
+        self._qtbot.keyClick(self.window, key)
+
+    def start_test(self) -> None:
+        """Connect, start the test that is offered, and wait for its first revolutions."""
+        self.host.connect()
+        self.sees_state(RunState.READY)
+        self.press(Qt.Key.Key_F5)
+        self.click(self.window.start_bar.go)
+        self.see(lambda: self.status.committed >= 5)
+
+
+@pytest.fixture
+def operate(
+    qtbot: Any, light_application: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Callable[[Path, Path], Any]:
+    """Return a context that opens the window on a real engine, for a rig file and a test file."""
+    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+
+    @contextmanager
+    def opened(rig: Path, test: Path) -> Iterator[Operator]:
+        def factory() -> Client:
+            entry = find_engine(rig)
+            assert entry is not None
+            return Client(entry, "E. Sample")
+
+        host = EngineHost(read_rig(rig), 20.0)
+        window = MainWindow(
+            EngineConnection(factory),
+            ShownTest(),
+            LIGHT,
+            rig=rig,
+            tests=[test],
+            results_folder=tmp_path,
+        )
+        qtbot.addWidget(window)
+        window.show()
+        window.start()
+        try:
+            yield Operator(window, host, qtbot)
+        finally:
+            window._discard = True
+            window._leave()
+            host.close()
+
+    return opened

@@ -9,22 +9,28 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from patience import PATIENCE_MS
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 
 from rigapp.config.loading import parse_test
 from rigapp.gui.data.channels import free_values, table_of
+from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import compared_columns, trend_quantities
 from rigapp.gui.data.series import LiveData
+from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.panels.limits import LimitPanel
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
 from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.testfile.rules import RuleTable
 from rigapp.gui.window.window import MainWindow
+from rigapp.replay.client import ReplayClient
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
-from rigapp.schema.messages import ChannelView, Cycle, Snapshot
+from rigapp.schema.messages import ChannelView, Cycle, RunState, Snapshot
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 WARM = Channel("bushing_temperature", "degC", "bushing temperature")
 ROOM = Channel("room_temperature", "degC", "room temperature", Kind.SLOW)
 TABLE = ChannelTable((*BASE.channels, WARM, ROOM))
@@ -142,7 +148,7 @@ def test_a_limit_on_a_free_channel_is_offered_and_changed(
     panel = LimitPanel()
     qtbot.addWidget(panel)
     name = "bushing_temperature_max.warning_above"
-    quick = Path(__file__).parents[2] / "examples" / "quick.toml"
+    quick = EXAMPLES / "quick.toml"
     limit = '[[limits.rule]]\nquantity = "bushing_temperature_max"\nwarning_above = 60.0\n'
     recipe = parse_test(quick.read_text(encoding="utf-8") + limit, "quick.toml")
     data = LiveData()
@@ -164,3 +170,51 @@ def test_newest_values_come_from_rows_where_nothing_is_live(warm_snapshot: Any) 
     assert found[WARM.name].value == "32.00 °C"
     assert (found[ROOM.name].value, found[ROOM.name].detail) == ("21.50 °C", "12 s old")
     assert free_values(BASE, (), data.rows.last) == []
+
+
+@pytest.mark.timeout(300)
+def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
+    operate: Any, tmp_path: Path, qtbot: Any
+) -> None:
+    quick = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
+    test = tmp_path / "warm.toml"
+    limit = '[[limits.rule]]\nquantity = "bushing_temperature_max"\nwarning_above = 90.0\n'
+    test.write_text(quick.replace("revolutions = 500", "revolutions = 5000", 1) + limit, "utf-8")
+    with operate(EXAMPLES / "simulated_channels.toml", test) as hands:
+        window, panels = hands.window, hands.window.tabs.panels
+        hands.start_test()
+        hands.see(lambda: window.header.free["bushing_temperature"].value.whole.endswith(" °C"))
+        hands.see(lambda: window.header.free["humidity"].detail.whole.endswith(" old"))
+        trend = panels["overview_trend"]
+        trend.choice.setCurrentIndex(trend.choice.findData("bushing_temperature"))
+        hands.see(lambda: "maximum 2" in trend.values.whole)
+        window.tabs.setCurrentIndex(1)
+        curves = panels["cycle"].channels
+        curves.choice.setCurrentIndex(curves.choice.findText("Bushing temperature"))
+        hands.see(lambda: "Bushing temperature, mean 2" in curves.legend.accessibleName())
+        window.tabs.setCurrentIndex(3)
+        limits, name = panels["limits"], "bushing_temperature_max.warning_above"
+        hands.see(lambda: name in [row[0] for row in limits.table.texts()])
+        limits.table.selectRow([row[0] for row in limits.table.texts()].index(name))
+        limits.value.setText("5")
+        limits.reason.setText("to see it warn")
+        hands.click(limits.change)
+        hands.see(lambda: any("bushing_temperature" in one.cause for one in hands.status.alarms))
+        file = hands.status.file
+        hands.press(Qt.Key.Key_F12)
+        hands.sees_state(RunState.STOPPED)
+    client = ReplayClient(Path(file), at_end=True)
+    window = MainWindow(EngineConnection(lambda: client), ShownTest(), DARK)
+    qtbot.addWidget(window)
+    window.show()
+    window.start()
+
+    trend = window.tabs.panels["overview_trend"]
+    qtbot.waitUntil(lambda: trend.choice.findData("humidity") >= 0, timeout=PATIENCE_MS)
+    assert window.header.free["bushing_temperature"].value.whole.endswith(" °C")
+    assert window.header.free["humidity"].detail.whole.endswith(" old")
+    trend.choice.setCurrentIndex(trend.choice.findData("humidity"))
+    window.draw_now()
+    assert trend.values.whole.startswith("Now: newest ")
+    assert any("bushing_temperature" in one.cause for one in window._connection.status.alarms)
+    window._leave()

@@ -23,7 +23,7 @@ from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.panels.browser import BrowserPanel, list_tests
 from rigapp.gui.panels.compare import line_of
 from rigapp.gui.panels.devices import DevicePanel
-from rigapp.gui.panels.faults import FaultPanel, fault_choices
+from rigapp.gui.panels.faults import FaultPanel
 from rigapp.gui.panels.limits import LimitPanel, limits_of
 from rigapp.gui.panels.logbook import LogPanel
 from rigapp.gui.plots.palette import DARK, LIGHT
@@ -32,6 +32,7 @@ from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.watchdog import STALL_S, Watchdog
 from rigapp.schema.loglines import newest_limits
 from rigapp.schema.messages import DeviceView, DriveView, Event, RunState, Status
+from rigapp.service.faults import fault_choices
 from rigapp.storage.reading.oldlog import translated
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -9,25 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
 
-from rigapp.config.loading import read_rig
-from rigapp.gui.data.connection import EngineConnection
-from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.window.recover import KEY, RecoverPanel
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Alarm, Ends, Recovery, Remedy, Reply, RunState, Severity
 from rigapp.schema.states import ENDED
-from rigapp.service.client import Client
-from rigapp.service.host import EngineHost
-from rigapp.service.launch import find_engine
 from rigapp.storage import open_test
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-RIG = EXAMPLES / "simulated.toml"
 NEVER_OVER = 5000
-DEADLINE_MS = 90_000
 
 LOST = Alarm(
     key="device_lost:daq",
@@ -105,65 +96,17 @@ def test_start_is_closed_with_the_next_step_as_its_reason(
     assert start.isEnabled()
 
 
-class Operator:
-    """Hands and eyes at the window of a real engine."""
-
-    def __init__(self, window: MainWindow, qtbot: Any) -> None:
-        self.window, self._qtbot = window, qtbot
-
-    def see(self, condition: Callable[[], object]) -> None:
-        """Wait until something is seen."""
-        self._qtbot.waitUntil(lambda: bool(condition()), timeout=DEADLINE_MS)
-
-    def sees_state(self, *states: RunState) -> None:
-        self.see(lambda: self.status is not None and self.status.state in states)
-
-    @property
-    def status(self) -> Any:
-        return self.window._connection.status
-
-    def click(self, widget: QWidget) -> None:
-        self.see(lambda: widget.isVisible() and widget.isEnabled())
-        self._qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
-
-    def press(self, key: Qt.Key) -> None:
-        self.window.activateWindow()
-        self._qtbot.keyClick(self.window, key)
-
-    def sees_step(self, step: Remedy) -> None:
-        panel = self.window.recover
-        self.see(lambda: panel.steps[step].text().startswith("▶") and panel.button.isEnabled())
-
-
 @pytest.mark.timeout(300)
 def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
-    qtbot: Any, light_application: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    operate: Any, tmp_path: Path
 ) -> None:
-    monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
     text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
     text = text.replace("revolutions = 500", f"revolutions = {NEVER_OVER}", 1)
     test = tmp_path / "test.toml"
     test.write_text(text.replace("[prediction]", "[prediction]\nenabled = false", 1), "utf-8")
-    host = EngineHost(read_rig(RIG), 20.0)
-
-    def factory() -> Client:
-        entry = find_engine(RIG)
-        assert entry is not None
-        return Client(entry, "E. Sample")
-
-    window = MainWindow(
-        EngineConnection(factory), ShownTest(), LIGHT, tests=[test], results_folder=tmp_path
-    )
-    qtbot.addWidget(window)
-    window.show()
-    window.start()
-    hands = Operator(window, qtbot)
-    try:
-        host.connect()
-        hands.sees_state(RunState.READY)
-        hands.press(Qt.Key.Key_F5)
-        hands.click(window.start_bar.go)
-        hands.see(lambda: hands.status.committed >= 5)
+    with operate(EXAMPLES / "simulated.toml", test) as hands:
+        host, window = hands.host, hands.window
+        hands.start_test()
         pull_cable(hands)
         hands.sees_state(RunState.FAULT)
         hands.see(lambda: window.recover.isVisible())
@@ -192,10 +135,6 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
         host.engine.wait(ENDED, 60.0)
         hands.sees_state(RunState.STOPPED)
         assert not window.recover.isVisible()
-    finally:
-        window._discard = True
-        window._leave()
-        host.close()
     with open_test(Path(file)) as recorded:
         assert recorded.summary()["status"] == "complete"
         assert recorded.summary()["gaps"] >= 1
@@ -205,7 +144,7 @@ def test_a_pulled_cable_is_recovered_from_by_the_panel_and_the_test_completed(
     assert [path.name for path in tmp_path.glob("*.h5")] == [Path(file).name]
 
 
-def pull_cable(hands: Operator) -> None:
+def pull_cable(hands: Any) -> None:
     """Choose the fault in its tab and cause it."""
     faults, tabs = hands.window.tabs.panels["faults"], hands.window.tabs
     tabs.setCurrentIndex(tabs.count() - 1)

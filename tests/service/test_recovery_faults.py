@@ -11,9 +11,9 @@ import pytest
 from stories import RIG, recipe, until
 
 from rigapp.config.loading import read_rig
-from rigapp.gui.panels.faults import FaultChoice, fault_choices
 from rigapp.schema.messages import FinishReason, Remedy, Request, RunState
 from rigapp.schema.states import ACTIVE, ENDED
+from rigapp.service.faults import FaultChoice, fault_choices
 from rigapp.service.host import EngineHost, read_test
 
 CHOICES = fault_choices((("daq", "gsv8"), ("drive", "roboclaw")))

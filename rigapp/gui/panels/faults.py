@@ -2,50 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QLabel, QVBoxLayout, QWidget
 
-from drivers.registry import DriverNotFound, load_driver, load_simulator
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.panel import Host
 from rigapp.gui.widgets.build import button, choice, edit, filled, named, prose
 from rigapp.schema.channels import BASE
+from rigapp.service.faults import FaultChoice, fault_choices
 
 CHANNELS = tuple(one.name for one in BASE.sampled)
 """The inputs whose signal can be spoilt."""
-
-
-@dataclass(frozen=True, slots=True)
-class FaultChoice:
-    """One fault that can be caused: its kind and where (a device, or "signal")."""
-
-    kind: str
-    where: str
-
-
-def fault_choices(devices: tuple[tuple[str, str], ...]) -> list[FaultChoice]:
-    """Return every fault of a simulated rig; devices: (name, driver) of each."""
-    from rigapp.simulation.disturbances import SignalFault
-    from rigapp.simulation.link import WireFault
-
-    found = [FaultChoice(kind.value, "signal") for kind in SignalFault]
-    for name, driver in devices:
-        found += [FaultChoice(kind.value, name) for kind in WireFault]
-        known = {kind.value for kind in WireFault}
-        found += [FaultChoice(kind, name) for kind in _device_kinds(driver) if kind not in known]
-    return found
-
-
-def _device_kinds(driver: str) -> list[str]:
-    try:
-        simulator = load_simulator(load_driver(driver))
-    except DriverNotFound:
-        return []
-    return [kind.value for kind in getattr(simulator, "kinds", ())]
 
 
 class FaultPanel(QWidget):

@@ -8,7 +8,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QTextBrowser, QVBoxLayout, QWidget
 
-import rigapp
 from rigapp.gui.window.controls import BUTTONS
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 
@@ -39,7 +38,7 @@ def manual() -> str:
         for command in BUTTONS
     )
     keys = "# Keys\n" + KEYS.format(commands=commands, recover=RECOVER_KEY)
-    path = Path(rigapp.__file__).parents[1] / "docs" / "operator.md"
+    path = Path(__file__).parents[3] / "docs" / "operator.md"
     try:
         return path.read_text(encoding="utf-8") + "\n\n" + keys
     except OSError:

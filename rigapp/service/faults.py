@@ -1,0 +1,37 @@
+"""What can go wrong with a simulated rig on request, for whoever offers it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from drivers.registry import DriverNotFound, load_driver, load_simulator
+
+
+@dataclass(frozen=True, slots=True)
+class FaultChoice:
+    """One fault that can be caused: its kind and where (a device, or "signal")."""
+
+    kind: str
+    where: str
+
+
+def fault_choices(devices: tuple[tuple[str, str], ...]) -> list[FaultChoice]:
+    """Return every fault of a simulated rig; devices: (name, driver) of each."""
+    # The simulator is loaded when a simulated rig is there, not with the window.
+    from rigapp.simulation.disturbances import SignalFault
+    from rigapp.simulation.link import WireFault
+
+    found = [FaultChoice(kind.value, "signal") for kind in SignalFault]
+    for name, driver in devices:
+        found += [FaultChoice(kind.value, name) for kind in WireFault]
+        known = {kind.value for kind in WireFault}
+        found += [FaultChoice(kind, name) for kind in _device_kinds(driver) if kind not in known]
+    return found
+
+
+def _device_kinds(driver: str) -> list[str]:
+    try:
+        simulator = load_simulator(load_driver(driver))
+    except DriverNotFound:
+        return []
+    return [kind.value for kind in getattr(simulator, "kinds", ())]
