@@ -9,12 +9,11 @@ limit. All ratios are of medians of this run.
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import statistics
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 
@@ -44,17 +43,6 @@ PARAMETERS = Parameters(
 CYCLES, SPEED = 23_000, np.pi
 GOAL_CONTACT = 10_000.0
 BUDGET_S = {"unworn": 8e-5, "worn": 3e-4, "1e-3": 0.1, "1e-2": 0.025, "live": 0.05}
-
-
-def full_ring() -> ModuleType:
-    """Return the tests' general finite element solution."""
-    path = Path(__file__).parents[1] / "tests" / "model" / "wear" / "full_ring.py"
-    spec = importlib.util.spec_from_file_location("full_ring", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def median(action: Callable[[], object], rounds: int, repeat: int = 1) -> float:
@@ -96,11 +84,13 @@ def contacts(rounds: int) -> None:
             start=start,  # type: ignore[arg-type]
         )
 
-    library = full_ring()
+    sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "model" / "wear"))
+    import full_ring
+
     levels = mesh.radii(RING.inner, RING.outer)
 
     def whole() -> object:
-        return library.solve_full(0.010, 0.020, 0.0095, 500e6, 0.38, force[0], 180, levels)
+        return full_ring.solve_full(0.010, 0.020, 0.0095, 500e6, 0.38, force[0], 180, levels)
 
     taken = {
         "scikit-fem, the whole system": median(whole, max(rounds // 2, 2)),

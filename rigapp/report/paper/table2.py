@@ -121,68 +121,33 @@ def _rows(
     lives: Sequence[Life], sets: Sequence[Parameters], measured_area: float
 ) -> list[tuple[str, ...]]:
     """Return the small table: the paper's numbers and those of the two lives."""
-    simulation, experiment = lives
-    rows: list[tuple[str, ...]] = [
-        (
-            "",
-            "paper, simulation",
-            "this program, set for the simulation",
-            "paper, experiment",
-            "this program, set for the experiment",
-        )
-    ]
+    whose = ("simulation", "experiment")
+    head = (part for one in whose for part in (f"paper, {one}", f"this program, set for the {one}"))
+    rows = [("", *head)]
 
-    def row(what: str, paper: str, one: float, test: str, two: float, digits: str) -> None:
-        rows.append((what, paper, format(one, digits), test, format(two, digits)))
-
-    row(
-        "worn area, mm²",
-        f"{AREA_MM2}",
-        1e6 * simulation.worn_area[-1],
-        f"not given ({measured_area:.4f} from the mass)",
-        1e6 * experiment.worn_area[-1],
-        ".4f",
+    paper = (
+        ("worn area, mm²", f"{AREA_MM2}", f"not given ({measured_area:.4f} from the mass)"),
+        ("worn mass, g", f"{SIMULATED_MASS_G}", f"{MEASURED_MASS_G}"),
+        ("largest depth, mm", f"{SIMULATED_DEPTH_MM}", f"{MEASURED_DEPTH_MM:.4f}"),
+        ("initial radial clearance, mm", "not given", "not given"),
+        ("mean force at the start, N", "not given", "not given"),
+        ("error bound of the depth, mm", "not given", "not given"),
+        ("error bound of the mass, g", "not given", "not given"),
     )
-    row(
-        "worn mass, g",
-        f"{SIMULATED_MASS_G}",
-        1e3 * simulation.worn_mass[-1],
-        f"{MEASURED_MASS_G}",
-        1e3 * experiment.worn_mass[-1],
-        ".4f",
-    )
-    row(
-        "largest depth, mm",
-        f"{SIMULATED_DEPTH_MM}",
-        1e3 * simulation.max_depth[-1],
-        f"{MEASURED_DEPTH_MM:.4f}",
-        1e3 * experiment.max_depth[-1],
-        ".4f",
-    )
-    clearance = [1e3 * p.joint.clearance for p in sets]
-    row("initial radial clearance, mm", "not given", clearance[0], "not given", clearance[1], ".4f")
-    row(
-        "mean force at the start, N",
-        "not given",
-        float(simulation.mean_force[0]),
-        "not given",
-        float(experiment.mean_force[0]),
-        ".1f",
-    )
-    row(
-        "error bound of the depth, mm",
-        "not given",
-        1e3 * simulation.estimated_error[-1],
-        "not given",
-        1e3 * experiment.estimated_error[-1],
-        ".4f",
-    )
-    row(
-        "error bound of the mass, g",
-        "not given",
-        1e3 * simulation.mass_error[-1],
-        "not given",
-        1e3 * experiment.mass_error[-1],
-        ".5f",
-    )
+    own = (_found(life, one) for life, one in zip(lives, sets, strict=True))
+    for (what, printed, measured), one, two in zip(paper, *own, strict=True):
+        rows.append((what, printed, one, measured, two))
     return rows
+
+
+def _found(life: Life, parameters: Parameters) -> tuple[str, ...]:
+    """Return what a life gives for each line of the table."""
+    return (
+        f"{1e6 * life.worn_area[-1]:.4f}",
+        f"{1e3 * life.worn_mass[-1]:.4f}",
+        f"{1e3 * life.max_depth[-1]:.4f}",
+        f"{1e3 * parameters.joint.clearance:.4f}",
+        f"{life.mean_force[0]:.1f}",
+        f"{1e3 * life.estimated_error[-1]:.4f}",
+        f"{1e3 * life.mass_error[-1]:.5f}",
+    )

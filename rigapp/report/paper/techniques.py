@@ -11,7 +11,7 @@ import numpy as np
 from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, DEGREES, MM, POINTS, angles
 from rigapp.report.paper.table2 import CYCLES
-from rigapp.report.paper.wear import Tell, whole_life
+from rigapp.report.paper.wear import Tell, shared, whole_life
 
 if TYPE_CHECKING:
     from model.ensemble import Ensemble
@@ -132,14 +132,10 @@ def wear(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
         kind: whole_life(parameters, speed, CYCLES, kind, tolerance=TOLERANCE, progress=tell)
         for kind in NAMES
     }
-    cycles = lives["perfect"].cycles
-    for found in lives.values():
-        cycles = np.intersect1d(cycles, found.cycles)
+    cycles, depths, errors = shared(lives)
     columns = {"cycles": cycles}
-    for kind, found in lives.items():
-        at = np.searchsorted(found.cycles, cycles)
-        columns[f"depth_{kind}_mm"] = found.max_depth[at] / MM
-        columns[f"error_{kind}_mm"] = found.estimated_error[at] / MM
+    for kind in lives:
+        columns[f"depth_{kind}_mm"], columns[f"error_{kind}_mm"] = depths[kind], errors[kind]
 
     def draw(axes: Sequence[Any]) -> None:
         perfect = columns["depth_perfect_mm"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -42,7 +43,7 @@ def constant_and_evolving(
 ) -> Chapter:
     """Return Fig. 15 for a bushing: depth over cycles by three kinematics, and two differences."""
     fine, coarse = (_lives(parameters, speed, error, tell) for error in (TOLERANCE, COARSER))
-    cycles, depth = _shared(fine)
+    cycles, depth, _ = shared(fine)
     effects = {
         "wear": depth["evolving"] - depth["constant"],
         "clearance": depth["constant"] - depth["perfect"],
@@ -108,15 +109,13 @@ def _lives(parameters: Parameters, speed: float, tolerance: float, tell: Tell) -
     }
 
 
-def _shared(lives: dict[str, Life]) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return the cycles that all lives have, and their depths there, mm."""
-    cycles = next(iter(lives.values())).cycles
-    for found in lives.values():
-        cycles = np.intersect1d(cycles, found.cycles)
-    return cycles, {
-        kind: found.max_depth[np.searchsorted(found.cycles, cycles)] / MM
-        for kind, found in lives.items()
-    }
+def shared(lives: dict[str, Life]) -> tuple[np.ndarray, dict[str, Any], dict[str, Any]]:
+    """Return the cycles that all lives have, and by life their depths and errors there, mm."""
+    cycles = functools.reduce(np.intersect1d, (found.cycles for found in lives.values()))
+    at = {kind: np.searchsorted(found.cycles, cycles) for kind, found in lives.items()}
+    depths = {kind: found.max_depth[at[kind]] / MM for kind, found in lives.items()}
+    errors = {kind: found.estimated_error[at[kind]] / MM for kind, found in lives.items()}
+    return cycles, depths, errors
 
 
 def _end(lives: dict[str, Life], one: str, other: str) -> float:

@@ -239,14 +239,7 @@ class TestWriter:
             curves = dict(zip(names, np.asarray(curves), strict=True))
         place: dict[str, ArrayLike] = {f"curve_{name}": curves[name] for name in names}
         place["curve_revolution"] = [revolution]
-        with self._curve_lock:
-            row = self._counts.curves
-            if not self._records["curves"].holds(row + 1):
-                return False
-            self._records["curves"].place(row, 1, place.__getitem__)
-            with self._count_lock:
-                self._counts.curves = row + 1
-        return True
+        return self._append_record("curves", place)
 
     def append_profile(
         self, values: NDArray[np.float64] | Sequence[float], curves: Mapping[str, ArrayLike]
@@ -262,13 +255,17 @@ class TestWriter:
             f"profile_{name}": [value] for name, value in zip(names, values, strict=True)
         }
         place |= {f"profile_{name}": curves[name] for name in PROFILE_CURVES}
+        return self._append_record("profiles", place)
+
+    def _append_record(self, stream: str, values: Mapping[str, ArrayLike]) -> bool:
+        """Append a row to a stream of the twin; False when there is no room for it."""
         with self._curve_lock:
-            row = self._counts.profiles
-            if not self._records["profiles"].holds(row + 1):
+            row = getattr(self._counts, stream)
+            if not self._records[stream].holds(row + 1):
                 return False
-            self._records["profiles"].place(row, 1, place.__getitem__)
+            self._records[stream].place(row, 1, values.__getitem__)
             with self._count_lock:
-                self._counts.profiles = row + 1
+                setattr(self._counts, stream, row + 1)
         return True
 
     def keep_checkpoint(self, revolution: int, state: bytes) -> None:
