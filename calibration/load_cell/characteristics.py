@@ -17,6 +17,7 @@ from calibration.load_cell.readings import LoadCellReadings
 Array = NDArray[np.float64]
 
 ANGLE_STEP = np.radians(1.0)
+"""Nearer pin angles are one: a technician sets them to half a degree by eye."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,8 +24,10 @@ from calibration.taking.readings import place_of
 
 Array = NDArray[np.float64]
 
-BLOCKING_TURN = np.radians(4.0)
 NOTED_TURN = np.radians(2.0)
+BLOCKING_TURN = np.radians(4.0)
+"""A cell's own cross-talk looks like a turn of up to about two degrees; twice that is the angle
+reference."""
 
 
 def check_fit(evidence: Evidence) -> Iterator[Problem]:

@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 
 LARGEST_LEVEL_ERROR = math.radians(1.0)
+"""A machinist's level is ten times better; more means another flat, or a bubble off its middle."""
 
 
 class LevelError(ValueError):

@@ -10,9 +10,10 @@ from calibration.load_cell.weights import STANDARD_GRAVITY
 from calibration.problems import Problem
 
 OVERLOADING = 1.2
-"""A cell bears so many times its full scale."""
+"""A cell bears so many times its full scale: the safe load that makers of such cells state."""
 GRAVITY_FITS = 5e-4
-"""Relative: a stated gravity may differ by so much from what latitude and height give."""
+"""Relative: a stated gravity may differ by so much from what latitude and height give, since local
+anomalies reach some 1e-4 of it and a wrong latitude or height means more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +65,8 @@ AIR_DENSITY = Plausible(
 )
 
 
-def check_settings(settings: LoadCellSettings) -> Iterator[Problem]:
-    """Yield what cannot be true of the weights, the place and the air; two notes among it."""
+def impossible(settings: LoadCellSettings) -> Iterator[Problem]:
+    """Yield what cannot be true of the weights, the air and the place: no force is told by it."""
     for code, key, plausible, value in (
         ("weight_density", "density_kg_per_m3", WEIGHT_DENSITY, settings.weights.density),
         ("air_density", "air_density_kg_per_m3", AIR_DENSITY, settings.place.air_density),
@@ -74,6 +75,11 @@ def check_settings(settings: LoadCellSettings) -> Iterator[Problem]:
         words = plausible.objection(key, value)
         if words:
             yield Problem(code, words)
+
+
+def check_settings(settings: LoadCellSettings) -> Iterator[Problem]:
+    """Yield what cannot be true of weights, air and place, and what does not fit together."""
+    yield from impossible(settings)
     heaviest = heaviest_mass(settings)
     if settings.weights.hanger_mass > heaviest:
         yield Problem(

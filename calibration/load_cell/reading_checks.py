@@ -16,10 +16,13 @@ from calibration.problems import Problem
 from calibration.taking.readings import numbered_twice, place_of
 
 FEWEST_LOADED = 12
+"""Twice the coefficients of the linear model: fewer leave no mistake to be seen."""
 FEWEST_ANGLES = 4
+"""Each axis in both directions; three angles would tell A, but no wrong one among them."""
 LIGHTEST_SHARE = 2e-3
 """Of what the cell may bear: with lighter weights its noise is all that is seen."""
 WIDEST_GAP = np.radians(130.0)
+"""Four even angles leave gaps of 90 degrees; wider ones leave a direction without any load."""
 
 
 def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:

@@ -12,7 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 REFERENCE_AIR_DENSITY = 1.2
 REFERENCE_MASS_DENSITY = 8000.0
+"""Of a conventional mass, kg/m^3 (OIML D 28)."""
 STANDARD_GRAVITY = 9.80665
+"""The standard acceleration of free fall, m/s^2 (CGPM 1901)."""
 
 MassKind = Literal["conventional", "true"]
 

@@ -10,21 +10,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibration.probes.positions import RobustLine, falling, positions, robust_line
-from calibration.probes.readings import ProbeReadings
+from calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
 from calibration.taking.readings import numbered_twice, place_of
 
 Array = NDArray[np.float64]
 
-FEWEST_POSITIONS = 5
 GOOD_POSITIONS = 11
+"""With ten steps a bend of the line stands out from what single positions are off."""
 LIMIT_OF_SPAN = 0.005
 """Part of the span that backlash and drift may be."""
 NONLINEAR = 0.01
+"""Part of the span that the line may bend: makers state linearities of 0.2 to 0.5 %."""
 SENSITIVITY_OFF = 0.3
+"""Relative: a target or a cable changes it by less; the next range of an amplifier by more."""
 UNIT_OFF = 100.0
+"""Ratio from which on the unit is wrong: millimetres for micrometres are a factor of 1000."""
 SHORT_SPAN = 5e-6
+"""Span (m) with which no probe changes by half a volt, unless millimetres are written."""
 OTHER_MOVES = 0.3
 """Part of its own voltage that a crooked pair may show on the other probe."""
 

@@ -15,7 +15,7 @@ from typing import Self
 
 import numpy as np
 
-from calibration.probes.readings import ProbeReadings
+from calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
 from calibration.taking.procedure import (
     Event,
     Procedure,
@@ -26,9 +26,8 @@ from calibration.taking.procedure import (
     replay,
 )
 
-FEWEST_POSITIONS = 5
-"""Fewer do not tell a bend from a wrong position."""
 MOST_POSITIONS = 101
+"""Steps of a hundredth of the range: a micrometer screw is no finer."""
 MOST_RUNS = 10
 """More than these take a day; the temperature moves the probe more than they tell."""
 SETTLE_S = 5.0

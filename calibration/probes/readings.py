@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from calibration.taking.readings import Array, Whole, numbers, read_table, series_and_steps
 
+FEWEST_POSITIONS = 5
+"""Fewer do not tell a bend from a wrong position."""
 PROBE_COLUMNS = ("series", "step", "position_um", "signal_V")
 OTHER_COLUMN = "other_signal_V"
 """Voltage of the probe that must not move, taken with each reading by the program itself."""

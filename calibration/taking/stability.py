@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FEWEST_SAMPLES = 20
+"""Means of 50 ms over a second: spread and slope are then known within some 15 %."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,9 @@ from calibration.problems import Problem
 Array = NDArray[np.float64]
 
 COVERAGE = 2.0
+"""About 95 % (GUM 6.3.3)."""
 LEAST_REVOLUTIONS = 5
+"""Revolutions whose spread is a standard uncertainty."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,8 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "classification": found.classification,
         "full_scale_N": settings.cell.full_scale,
     }
-    if fit is None or traits is None or budget is None or found.covariance is None:
+    applied, covariance = found.applied, found.covariance
+    if fit is None or traits is None or budget is None or applied is None or covariance is None:
         return {
             **result,
             "matrix_N_per_unit": None,
@@ -35,8 +36,8 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         **result,
         "terms": found.terms,
         "matrix_N_per_unit": fit.matrix.tolist(),
-        "matrix_covariance": found.covariance.tolist(),
-        "matrix_standard_uncertainty_N_per_unit": np.sqrt(np.diag(found.covariance))
+        "matrix_covariance": covariance.tolist(),
+        "matrix_standard_uncertainty_N_per_unit": np.sqrt(np.diag(covariance))
         .reshape(2, 2)
         .tolist(),
         "zero": fit.zero.tolist(),
@@ -59,7 +60,7 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
             "creep_c": None,
         },
         "zero_drift_N": traits.drift,
-        "applied_N": found.applied.tolist(),
+        "applied_N": applied.tolist(),
         "residual_N": fit.residual.tolist(),
     }
 

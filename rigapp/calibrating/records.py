@@ -7,23 +7,14 @@ import time
 from collections.abc import Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import msgspec
 
 from calibration.problems import Problem
 from calibration.records import seal
-from rigapp.config.calibration_settings import PaperworkSection
+from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
-
-
-class CalibrationFile(Protocol):
-    """Settings of a calibration, a msgspec record: what is calibrated, and what its paper names."""
-
-    @property
-    def paperwork(self) -> PaperworkSection:
-        """Return ``[paperwork]``."""
-        ...
 
 
 def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:

@@ -24,7 +24,8 @@ from calibration.taking.signals import Readiness, SignalState, SignalWindow
 from calibration.taking.stability import Steadiness
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.practice import Practice
-from rigapp.calibrating.records import CalibrationFile, keep_record, refuse_existing
+from rigapp.calibrating.records import keep_record, refuse_existing
+from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.channels import BASE
 

@@ -30,6 +30,7 @@ from rigapp.calibrating.run_out import RUN_OUT_COLUMNS
 from rigapp.calibrating.running_check import RUNNING_COLUMNS
 from rigapp.calibrating.session import LiveSession, Outcome
 from rigapp.config.calibration_settings import (
+    CalibrationFile,
     LoadCellFile,
     ProbeFile,
     RunOutFile,
@@ -43,17 +44,17 @@ from rigapp.config.errors import UnusableInput
 class Subject:
     """One thing that can be calibrated.
 
-    name: of the verb, with blanks. kinds: of its records. columns: of its readings. settings: a
-    ``CalibrationFile``. fit (readings as CSV, settings, where they are from, which of several):
-    raises ReadingsError or UnusableInput; None where the readings are test files. session: with
-    live readings step by step, None for others. certificate: of a record's content. place: where a
-    rig file names its records, None for a check that changes nothing there.
+    name: of the verb, with blanks. kinds: of its records. columns: of its readings. settings: of
+    its file. fit (readings as CSV, settings, where they are from, which of several): raises
+    ReadingsError or UnusableInput; None where the readings are test files. session: with live
+    readings step by step, None for others. certificate: of a record's content. place: where a rig
+    file names its records, None for a check that changes nothing there.
     """
 
     name: str
     kinds: tuple[str, ...]
     columns: tuple[str, ...]
-    settings: type[Any]
+    settings: type[CalibrationFile]
     certificate: Callable[[Mapping[str, Any]], Parts]
     fit: Callable[[str, Any, str, str], Outcome] | None = None
     session: type[LiveSession[Any, Any, Any, Any]] | None = None

@@ -73,9 +73,8 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
         finally:
             client.close()
     except DeviceError as error:
-        where = f"{error.port}: {error.sentence}"
-        action = "Check cable, power and port"
-        return None, [Check(f"Device {error.device}", Checked.BLOCKS, where, action)]
+        found = f"{error.port}: {error.sentence.rstrip('.')}"
+        return None, [Check(f"Device {error.device}", Checked.BLOCKS, found)]
     except (UnusableInput, SimulationFailed, EngineUnreachable) as error:
         return None, [Check("Devices", Checked.BLOCKS, str(error))]
 

@@ -13,6 +13,8 @@ from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from calibration.turning.run_out import FASTEST
+from calibration.turning.running_check import LEAST_REVOLUTIONS
 from rigapp.calibrating.practice import BARE_PIN
 from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.calibrating.records_in_use import with_records
@@ -42,9 +44,8 @@ IDLE = frozenset(state.value for state in (*ENDED, RunState.READY, RunState.IDLE
 ROLL_RAMP = 2
 RUN_RAMP = 3
 """Revolutions beyond those wanted: the first ones carry the ramp."""
-SLOWEST_ROLL_RPM, FASTEST_ROLL_RPM = 0.5, 15.0
-"""Slower than a spindle turns evenly, and where inertia begins to move the pin."""
-FEWEST_REVOLUTIONS = 5
+SLOWEST_RPM = 0.5
+"""Slower no spindle turns evenly."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,7 +164,7 @@ def calibrate_run_out(
     files, name = list(recorded), ""
     if rig is not None:
         operator = given.paperwork.operator or os.environ.get("USER", "")
-        speeds = speeds_of("--rpm", rpm, SLOWEST_ROLL_RPM, FASTEST_ROLL_RPM, 1)
+        speeds = speeds_of("--rpm", rpm, SLOWEST_RPM, FASTEST * 30.0 / math.pi, 1)
         name = read_rig(rig).record.name
         files = take_rolls(rig, test, speeds, revolutions, to, operator, sayer(as_json))
     outcome, readings, facts = map_of(files, orders)
@@ -250,10 +251,10 @@ def check_running(
     document = read_rig(rig)
     here = document.record
     refuse_existing(to)
-    wanted = sorted(speeds_of("--speeds", speeds, 0.1, here.spindle.maximum_speed_rpm, 2))
+    wanted = sorted(speeds_of("--speeds", speeds, SLOWEST_RPM, here.spindle.maximum_speed_rpm, 2))
     known = known_term(here, mass_kg, radius_mm)
-    if revolutions < FEWEST_REVOLUTIONS:
-        raise UnusableInput(f"--revolutions: take at least {FEWEST_REVOLUTIONS}; 20 are good.")
+    if revolutions < LEAST_REVOLUTIONS:
+        raise UnusableInput(f"--revolutions: take at least {LEAST_REVOLUTIONS}; 20 are good.")
     simulated = here.simulation is not None
     if not simulated and not follower_off:
         raise UnusableInput(
@@ -311,7 +312,7 @@ def running_test(rig: RigFile, rpm: float, revolutions: int, operator: str) -> T
 @contextmanager
 def _bare_rig(rig: Document[RigFile], operator: str) -> Iterator[Ask]:
     """Yield a line to the simulated rig after the simulated hands took its follower off."""
-    test = running_test(rig.record, 30.0, FEWEST_REVOLUTIONS, operator)
+    test = running_test(rig.record, 30.0, LEAST_REVOLUTIONS, operator)
     with engine_line(rig.path, operator, own=True, test=test) as ask:
         for action in BARE_PIN:
             ask(action.verb, dict(action.arguments))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Annotated, Literal
 
 import msgspec
@@ -12,12 +11,13 @@ from calibration.load_cell.settings import CellSettings, LoadCellSettings
 from calibration.load_cell.weights import Place, WeightSet, normal_gravity
 from calibration.probes.settings import ProbeSettings
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_document
 from rigapp.config.numbers import TURN_DEG, within
 
 LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
 """Relative: of a value from latitude and height, and of a stated local value."""
+WITH_THE_READINGS = within(-math.inf, math.inf)
+"""Any number: ``calibration.load_cell.plausible`` judges it, where the readings are."""
 
 
 class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -33,7 +33,7 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[weights]: how their mass is stated, density, uncertainty, hanger."""
 
     mass_kind: Literal["conventional", "true"] = "conventional"
-    density_kg_per_m3: Annotated[float, within(1e-3, 1e6)] = 8000.0
+    density_kg_per_m3: Annotated[float, WITH_THE_READINGS] = 8000.0
     density_standard_uncertainty_kg_per_m3: Annotated[float, within(0.0, 3000.0)] = 100.0
     relative_standard_uncertainty: Annotated[float, within(0.0, 0.01)] = 5e-5
     hanger_mass_kg: Annotated[float, within(0.0, 100.0)] = 0.0
@@ -42,11 +42,11 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PlaceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[place]: gravity, or latitude and height; the air."""
 
-    gravity_m_s2: Annotated[float | None, within(1e-3, 1e6)] = None
+    gravity_m_s2: Annotated[float | None, WITH_THE_READINGS] = None
     latitude_deg: Annotated[float | None, within(-90.0, 90.0)] = None
     height_m: Annotated[float, within(-500.0, 9000.0)] = 0.0
     gravity_relative_standard_uncertainty: Annotated[float | None, within(0.0, 0.01)] = None
-    air_density_kg_per_m3: Annotated[float, within(0.0, 1e4)] = 1.2
+    air_density_kg_per_m3: Annotated[float, WITH_THE_READINGS] = 1.2
     air_density_standard_uncertainty_kg_per_m3: Annotated[float, within(0.0, 0.5)] = 0.05
     temperature_degC: Annotated[float | None, within(-40.0, 60.0)] = None
     humidity_percent: Annotated[float | None, within(0.0, 100.0)] = None
@@ -82,15 +82,20 @@ class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     valid_days: Annotated[int, within(1, 36_500)] = 365
 
 
-class LoadCellFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A settings file for ``rigapp calibrate load-cell``."""
+class CalibrationFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """What every settings file of a calibration has."""
 
     schema: int
+    paperwork: PaperworkSection = PaperworkSection()
+
+
+class LoadCellFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """A settings file for ``rigapp calibrate load-cell``."""
+
     cell: CellSection
     weights: WeightsSection = WeightsSection()
     place: PlaceSection = PlaceSection()
     angle: AngleSection = AngleSection()
-    paperwork: PaperworkSection = PaperworkSection()
 
 
 class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -112,37 +117,22 @@ class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     alignment_standard_uncertainty_deg: Annotated[float, within(0.0, 45.0)] = 0.2
 
 
-class ProbeFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class ProbeFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A settings file for ``rigapp calibrate probes``."""
 
-    schema: int
     probe: ProbeSection = ProbeSection(name="probe")
-    paperwork: PaperworkSection = PaperworkSection()
 
 
-class PinSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class RunOutPinSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[pin]: whose run-out is mapped."""
 
     name: str = "pin"
 
 
-class RunOutFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class RunOutFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A settings file for ``rigapp calibrate run-out``."""
 
-    schema: int
-    pin: PinSection = PinSection()
-    paperwork: PaperworkSection = PaperworkSection()
-
-
-def read_run_out_settings(path: Path) -> RunOutFile:
-    """Read settings; raise UnusableInput."""
-    return read_document(path, RunOutFile).record
-
-
-def read_load_cell_settings(path: Path) -> tuple[LoadCellFile, LoadCellSettings]:
-    """Read settings and return the file and its meaning in SI; raise UnusableInput."""
-    given = read_document(path, LoadCellFile).record
-    return given, load_cell_meaning(given, str(path))
+    pin: RunOutPinSection = RunOutPinSection()
 
 
 def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
@@ -187,12 +177,6 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
         gravity_stated=place.gravity_m_s2 is not None,
         gravity_expected=expected,
     )
-
-
-def read_probe_settings(path: Path) -> tuple[ProbeFile, ProbeSettings]:
-    """Read settings and return the file and its meaning in SI; raise UnusableInput."""
-    given = read_document(path, ProbeFile).record
-    return given, probe_meaning(given)
 
 
 def probe_meaning(given: ProbeFile) -> ProbeSettings:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QPushButton, QVBoxLayout, QWizardPage
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QVBoxLayout, QWizardPage
 
 from rigapp.gui.plots.palette import Theme
+from rigapp.gui.widgets.build import button, filled, named, row
 from rigapp.gui.wizard.hands_panel import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import Stability, field, larger, named, number, prose
+from rigapp.gui.wizard.parts import Stability, field, number, sentence
 
 TURN = "&Keep this angle; I turn the level end for end"
 AGAIN = "&Forget the first angle"
@@ -27,50 +27,35 @@ class AnglePage(QWizardPage):
             "0.2 degrees of a common angle error turn every force by as much, and no reading shows"
             " it. Only a level does."
         )
-        self.instruction = prose("angle_instruction", "What to do now")
-        larger(self.instruction, 1.5)
+        self.instruction = sentence("angle_instruction", "What to do now", 1.5)
         self.instruction.setText(
             "Lay the level on the flat of the crank and turn the crank until the bubble is in the"
             " middle. The encoder should show 0 degrees, or 360. Then turn the level end for end"
             " and do it again: the mean is free of the level's own error."
         )
-        self.live = prose("angle_live", "Angle of the encoder now")
-        larger(self.live, 1.5, bold=True)
+        self.live = sentence("angle_live", "Angle of the encoder now", 1.5, bold=True)
         self.stability = Stability(theme)
-        self.follow = QCheckBox("&Take the encoder's angle as it is now")
+        text = "&Take the encoder's angle as it is now"
+        self.follow = named(QCheckBox(text), "angle_follow", text.replace("&", ""))
         self.follow.setChecked(True)
-        named(self.follow, "angle_follow", "Take the encoder's angle as it is now")
-        self.shown = number(-360.0, 360.0, 2, 0.1, "degrees")
-        named(self.shown, "angle_shown", "Angle that the encoder shows, degrees")
-        self.uncertainty = number(0.005, 5.0, 3, 0.01, "degrees")
+        spoken = "Angle that the encoder shows"
+        self.shown = number("angle_shown", spoken, -360.0, 360.0, 2, 0.1, "degrees")
+        spoken = "Standard uncertainty of the level"
+        self.uncertainty = number("angle_uncertainty", spoken, 0.005, 5.0, 3, 0.01, "degrees")
         self.uncertainty.setValue(0.05)
-        named(
-            self.uncertainty,
-            "angle_uncertainty",
-            "Standard uncertainty of the level, degrees",
-        )
-        self.turn = QPushButton(TURN)
-        named(self.turn, "angle_turn", "Keep this angle and turn the level end for end")
-        self.first = prose("angle_first", "The first angle")
+        spoken = "Keep this angle and turn the level end for end"
+        self.turn = button("angle_turn", TURN, self._keep_first, spoken)
+        self.first = sentence("angle_first", "The first angle")
         self._first_deg: float | None = None
-        self.problem = prose("angle_problem", "What is wrong on this page")
+        self.problem = sentence("angle_problem", "What is wrong on this page")
         self.hands = HandsPanel(live)
         form = QFormLayout()
         form.addRow(self.follow)
         field(form, "&Encoder shows", self.shown)
         field(form, "Standard &uncertainty of the level", self.uncertainty)
-        column = QVBoxLayout(self)
-        column.addWidget(self.instruction)
-        column.addWidget(self.live)
-        column.addWidget(self.stability)
-        column.addLayout(form)
-        column.addWidget(self.turn, 0, Qt.AlignmentFlag.AlignLeft)
-        column.addWidget(self.first)
-        column.addStretch(1)
-        column.addWidget(self.problem)
-        column.addWidget(self.hands)
+        upper = (self.instruction, self.live, self.stability, form, row(self.turn, None))
+        filled(QVBoxLayout(self), (*upper, self.first, None, self.problem, self.hands))
         self.setCommitPage(True)
-        self.turn.clicked.connect(self._keep_first)
         self.follow.toggled.connect(self._follow)
         self._follow(True)
         live.looked.connect(self._look)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWizardPage
+from PySide6.QtWidgets import QVBoxLayout, QWizardPage
 
 from rigapp.calibrating.records_in_use import RecordPlace
 from rigapp.calibrating.rig_file import name_record
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.widgets.build import button, filled, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import larger, named, prose
+from rigapp.gui.wizard.parts import sentence
 
 USE = "Write its name into the &rig file…"
 
@@ -22,31 +23,19 @@ class CertificatePage(QWizardPage):
         self._live, self._place = live, place
         self.setTitle("Certificate")
         self.setSubTitle("The certificate is made from the record alone: the same bytes each time.")
-        self.saved = prose(f"{prefix}saved", "Where the record is")
-        larger(self.saved, 1.15)
-        self.pdf = QPushButton("Write the certificate as &PDF")
-        named(self.pdf, f"{prefix}certificate_pdf", "Write the certificate as PDF")
-        self.html = QPushButton("Write the certificate as &HTML")
-        named(self.html, f"{prefix}certificate_html", "Write the certificate as HTML")
-        self.words = prose(f"{prefix}certificate_words", "Where the certificate is")
-        self.use = QPushButton(USE)
-        named(self.use, f"{prefix}use_record", "Write the name of the record into the rig file")
-        self.no = QPushButton("N&o, leave it")
-        named(self.no, f"{prefix}leave_rig_file", "Leave the rig file as it is")
-        self.used = prose(f"{prefix}use_words", "What happens to the rig file")
-        column = QVBoxLayout(self)
-        column.addWidget(self.saved)
-        column.addLayout(_row(self.pdf, self.html))
-        column.addWidget(self.words)
-        column.addSpacing(self.words.fontMetrics().height())
-        column.addWidget(self.used)
-        column.addLayout(_row(self.use, self.no))
-        column.addStretch(1)
+        self.saved = sentence(f"{prefix}saved", "Where the record is", 1.15)
+        for_pdf, for_html = "Write the certificate as &PDF", "Write the certificate as &HTML"
+        self.pdf = button(f"{prefix}certificate_pdf", for_pdf, lambda: self._write(".pdf"))
+        self.html = button(f"{prefix}certificate_html", for_html, lambda: self._write(".html"))
+        self.words = sentence(f"{prefix}certificate_words", "Where the certificate is")
+        spoken = "Write the name of the record into the rig file"
+        self.use = button(f"{prefix}use_record", USE, self._use, spoken)
+        spoken = "Leave the rig file as it is"
+        self.no = button(f"{prefix}leave_rig_file", "N&o, leave it", self._leave, spoken)
+        self.used = sentence(f"{prefix}use_words", "What happens to the rig file")
+        upper = (self.saved, row(self.pdf, self.html, None), self.words)
+        filled(QVBoxLayout(self), (*upper, self.used, row(self.use, self.no, None), None))
         self._asked = False
-        self.pdf.clicked.connect(lambda: self._write(".pdf"))
-        self.html.clicked.connect(lambda: self._write(".html"))
-        self.use.clicked.connect(self._use)
-        self.no.clicked.connect(self._leave)
         live.said.connect(self.words.setText)
         self.setFinalPage(True)
 
@@ -118,14 +107,6 @@ class CertificatePage(QWizardPage):
             f"{file.name} names the record now; the former file is {copy.name}. It counts when the"
             " engine is started again: close all windows of this rig, and open one after a minute."
         )
-
-
-def _row(*buttons: QPushButton) -> QHBoxLayout:
-    row = QHBoxLayout()
-    for button in buttons:
-        row.addWidget(button)
-    row.addStretch(1)
-    return row
 
 
 def _load_writers() -> None:

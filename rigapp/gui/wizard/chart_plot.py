@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from rigapp.calibrating.daily_history import DailyHistory, verdict_lines
 from rigapp.gui.plots.palette import Theme, line_pen
 from rigapp.gui.plots.plotting import QuietPlot
-from rigapp.gui.wizard.parts import prose
+from rigapp.gui.widgets.build import column
+from rigapp.gui.wizard.parts import sentence
 
 
 class ChartPlot(QWidget):
@@ -29,11 +30,8 @@ class ChartPlot(QWidget):
         )
         self.plot.addItem(self._line)
         self._guides: list[pg.InfiniteLine] = []
-        self.words = prose("daily_words", "What the control charts say")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.plot, 1)
-        column.addWidget(self.words)
+        self.words = sentence("daily_words", "What the control charts say")
+        column((self.plot, 1), self.words, on=self)
 
     def show_history(self, found: DailyHistory) -> None:
         """Show the checks, the limits, and the sentences."""

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QDialog, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
 
-from rigapp.gui.wizard.parts import larger, named
+from rigapp.gui.widgets.build import button, filled
+from rigapp.gui.widgets.labels import scaled_font
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,24 +43,19 @@ class CalibrationChooser(QDialog):
         self.setWindowTitle("Calibrate – rigapp")
         self.setModal(False)
         heading = QLabel("What shall be calibrated?")
-        larger(heading, 1.4, bold=True)
-        column = QVBoxLayout(self)
-        column.addWidget(heading)
+        heading.setFont(scaled_font(heading, 1.4, bold=True))
         self.buttons = {}
         for key, choice in CHOICES.items():
             text = f"{choice.text}: {choice.words}"
-            button = QPushButton(text)
-            named(button, f"choose_{key.replace(' ', '_')}", text.replace("&", ""))
-            button.setMinimumHeight(2 * button.fontMetrics().height())
-            button.setStyleSheet("text-align: left; padding-left: 1em; padding-right: 1em;")
-            button.clicked.connect(lambda _=False, which=key: self._choose(which))
-            column.addWidget(button)
-            self.buttons[key] = button
+            made = button(f"choose_{key.replace(' ', '_')}", text, partial(self._choose, key))
+            made.setMinimumHeight(2 * made.fontMetrics().height())
+            made.setStyleSheet("text-align: left; padding-left: 1em; padding-right: 1em;")
+            self.buttons[key] = made
         hint = QLabel(
             "The map of the pin's run-out is taken by a slow roll of the spindle:\n"
             "rigapp calibrate run-out, in the terminal."
         )
-        column.addWidget(hint)
+        filled(QVBoxLayout(self), (heading, *self.buttons.values(), hint))
         self.buttons["load cell"].setFocus()
 
     def _choose(self, which: str) -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QComboBox, QGroupBox, QHBoxLayout, QLabel, QPushButton
+from PySide6.QtWidgets import QGroupBox
 
+from rigapp.gui.widgets.build import button, choice, named, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import named
 
 
 class HandsPanel(QGroupBox):
@@ -18,29 +18,18 @@ class HandsPanel(QGroupBox):
         super().__init__("Simulated hands (practice: no waiting times)")
         self._live = live
         named(self, name, "Simulated hands")
-        self.do = QPushButton(do)
-        named(self.do, f"{name}_do", "Let the simulated hands do this step")
-        self.ahead = QPushButton("Go a&head")
-        self.ahead.setCheckable(True)
-        named(self.ahead, f"{name}_ahead", "Do and record all further steps")
+        spoken = "Let the simulated hands do this step"
+        self.do = button(f"{name}_do", do, live.lend_a_hand, spoken)
+        spoken = "Do and record all further steps"
+        self.ahead = button(f"{name}_ahead", "Go a&head", self._ahead, spoken, checkable=True)
         mistakes = live.practice.mistakes
-        self.mistake = QComboBox()
-        for mistake in mistakes:
-            self.mistake.addItem(str(mistake), mistake)
-        named(self.mistake, f"{name}_mistake", "Mistake to practise")
-        label = QLabel("&Mistake")
-        label.setBuddy(self.mistake)
-        row = QHBoxLayout(self)
-        row.addWidget(self.do)
-        row.addWidget(self.ahead)
-        row.addStretch(1)
-        row.addWidget(label)
-        row.addWidget(self.mistake)
-        self.do.clicked.connect(live.lend_a_hand)
-        self.ahead.toggled.connect(self._ahead)
-        self.mistake.currentIndexChanged.connect(
-            lambda _: live.plant(mistakes(self.mistake.currentData()))
+        self.mistake = choice(
+            f"{name}_mistake",
+            "Mistake to practise",
+            ((str(one), one) for one in mistakes),
+            lambda _: live.plant(mistakes(self.mistake.currentData())),
         )
+        row(self.do, self.ahead, None, "&Mistake", self.mistake, on=self)
         live.looked.connect(self._show)
 
     def _ahead(self, on: bool) -> None:

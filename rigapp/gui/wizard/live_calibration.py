@@ -11,8 +11,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from calibration.taking.procedure import ProcedureError
 from calibration.taking.signals import LISTEN_S, Readiness, SignalState
-from rigapp.calibrating.records import CalibrationFile
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
+from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.wizard.hands_queue import AskLater, HandsQueue

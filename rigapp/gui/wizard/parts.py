@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,13 +9,10 @@ import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import (
-    QComboBox,
     QDoubleSpinBox,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -24,26 +20,22 @@ from calibration.taking.signals import Readiness, SignalState
 from rigapp.calibrating.session import ResidualsSoFar
 from rigapp.gui.plots.palette import Theme, line_pen
 from rigapp.gui.plots.plotting import QuietPlot
+from rigapp.gui.widgets.build import column, named, prose, row
+from rigapp.gui.widgets.labels import scaled_font
 
 
-def named(widget: QWidget, name: str, spoken: str) -> QWidget:
-    """Give a widget its stable name and the one that is read aloud."""
-    widget.setObjectName(name)
-    widget.setAccessibleName(spoken)
-    return widget
-
-
-def field(form: QFormLayout, text: str, widget: QWidget) -> QLabel:
+def field(form: QFormLayout, text: str, widget: QWidget) -> None:
     """Add a row with an access key."""
     label = QLabel(text)
     label.setBuddy(widget)
     form.addRow(label, widget)
-    return label
 
 
-def number(low: float, high: float, decimals: int, step: float, unit: str) -> QDoubleSpinBox:
-    """Return a spin box; its text counts while it is typed."""
-    box = QDoubleSpinBox()
+def number(
+    name: str, spoken: str, low: float, high: float, decimals: int, step: float, unit: str
+) -> QDoubleSpinBox:
+    """Return a field for a number; its text counts while it is typed."""
+    box = named(QDoubleSpinBox(), name, f"{spoken}, {UNIT_NAMES.get(unit, unit)}")
     box.setRange(low, high)
     box.setDecimals(decimals)
     box.setSingleStep(step)
@@ -53,34 +45,16 @@ def number(low: float, high: float, decimals: int, step: float, unit: str) -> QD
     return box
 
 
-def choice(words: Mapping[str, str], name: str, spoken: str, at: int) -> QComboBox:
-    """Return a box to choose from, by word, with the one ``at`` a place chosen."""
-    box = QComboBox()
-    for key, text in words.items():
-        box.addItem(text, key)
-    box.setCurrentIndex(at)
-    named(box, name, spoken)
-    return box
+UNIT_NAMES = {"kg": "kilograms", "m/s²": "metres per second squared", "µm": "micrometres"}
+"""Units as they are read aloud, where the sign is not."""
 
 
-def prose(name: str, spoken: str = "") -> QLabel:
-    """Return a label for sentences: plain text, wrapped, can be selected."""
-    label = QLabel()
-    label.setTextFormat(Qt.TextFormat.PlainText)
-    label.setWordWrap(True)
+def sentence(name: str, spoken: str, factor: float = 1.0, *, bold: bool = False) -> QLabel:
+    """Return a label for sentences that can be selected; factor: of its type's size."""
+    label = prose(name, spoken)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-    label.setObjectName(name)
-    if spoken:
-        label.setAccessibleName(spoken)
+    label.setFont(scaled_font(label, factor, bold=bold))
     return label
-
-
-def larger(label: QLabel, factor: float, *, bold: bool = False) -> None:
-    """Set a label in larger type, relative to the application's."""
-    font = label.font()
-    font.setPointSizeF(font.pointSizeF() * factor)
-    font.setBold(bold)
-    label.setFont(font)
 
 
 class Sign(QWidget):
@@ -137,19 +111,11 @@ class Stability(QWidget):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self.sign = Sign(theme)
-        self.word = prose("stability_word")
-        larger(self.word, 1.5, bold=True)
+        self.word = sentence("stability_word", "", 1.5, bold=True)
         self.word.setWordWrap(False)
-        self.why = prose("stability_why")
+        self.why = sentence("stability_why", "")
         named(self, "stability", "Stability of the signal")
-        column = QVBoxLayout()
-        column.setSpacing(0)
-        column.addWidget(self.word)
-        column.addWidget(self.why)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.sign)
-        row.addLayout(column, 1)
+        row(self.sign, (column(self.word, self.why), 1), on=self).setContentsMargins(0, 0, 0, 0)
 
     def show_readiness(self, readiness: Readiness | None, otherwise: str) -> None:
         """Show a judgement; ``otherwise`` is said when there is none."""
@@ -188,11 +154,8 @@ class ResidualPlot(QWidget):
             item = pg.ScatterPlotItem(size=8, symbol=symbol, pen=line_pen(colour), brush=colour)
             self.plot.addItem(item)
             self._points.append(item)
-        self.words = prose(f"{names.stem}_words", "Residuals in words")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.plot, 1)
-        column.addWidget(self.words)
+        self.words = sentence(f"{names.stem}_words", "Residuals in words")
+        column((self.plot, 1), self.words, on=self)
 
     def show_residuals(self, found: ResidualsSoFar) -> None:
         """Show what is left of the readings so far."""

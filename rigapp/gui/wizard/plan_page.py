@@ -11,26 +11,23 @@ from typing import Any
 import msgspec
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
-    QComboBox,
     QFileDialog,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
-    QLineEdit,
-    QPushButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
     QWizardPage,
 )
 
 from calibration.load_cell.plans import LoadCellPlan
-from calibration.probes.procedure import FEWEST_POSITIONS, ProbePlan
+from calibration.load_cell.plausible import GRAVITY
+from calibration.probes.procedure import ProbePlan
+from calibration.probes.readings import FEWEST_POSITIONS
 from calibration.taking.procedure import duration_words
 from rigapp.calibrating.load_cell_session import load_cell_plan
 from rigapp.calibrating.probe_session import PROBES, probe_plan, usual_reach_um
-from rigapp.calibrating.records import CalibrationFile
 from rigapp.config.calibration_settings import (
+    CalibrationFile,
     CellSection,
     LoadCellFile,
     ProbeFile,
@@ -38,8 +35,9 @@ from rigapp.config.calibration_settings import (
 )
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
+from rigapp.gui.widgets.build import button, choice, edit, filled, row, whole_number
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import choice, field, named, number, prose
+from rigapp.gui.wizard.parts import field, number, sentence
 
 NEW = "Begin a new calibration"
 MOST_POSITIONS = 41
@@ -72,40 +70,29 @@ class PlanPage(QWizardPage):
         self._live, self._folder, self._journals = live, folder, journals
         self._given: Any = given
         self._stem = stem
-        self.begin = QComboBox()
-        named(self.begin, f"{stem}_begin", "Begin or take up")
-        self.settings = QLineEdit(str(settings) if settings is not None else "")
-        self.settings.setPlaceholderText("none: the fields below are enough")
-        named(self.settings, f"{stem}_settings", "Settings file of the calibration")
-        self.browse = QPushButton("Bro&wse…")
-        named(self.browse, f"{stem}_browse", "Choose a settings file")
-        self.item = QLineEdit()
-        named(self.item, f"{stem}_{item[0]}", item[1])
-        self.plan = choice(plans, f"{stem}_plan", "Plan", at=1)
-        self.operator = QLineEdit(live.rig.operator)
-        named(self.operator, f"{stem}_operator", "Operator")
-        self.summary = prose(f"{stem}_summary", "What this means")
-        self.problem = prose(
-            "plan_problem" if stem == "calibration" else f"{stem}_plan_problem",
-            "What is wrong on this page",
-        )
+        self.begin = choice(f"{stem}_begin", "Begin or take up", (), self.summarise)
+        spoken, hint = "Settings file of the calibration", "none: the fields below are enough"
+        self.settings = edit(f"{stem}_settings", spoken, hint=hint)
+        self.settings.setText(str(settings) if settings is not None else "")
+        spoken = "Choose a settings file"
+        self.browse = button(f"{stem}_browse", "Bro&wse…", self._browse, spoken)
+        self.item = edit(f"{stem}_{item[0]}", item[1])
+        items = ((text, word) for word, text in plans.items())
+        self.plan = choice(f"{stem}_plan", "Plan", items)
+        self.plan.setCurrentIndex(1)
+        self.operator = edit(f"{stem}_operator", "Operator")
+        self.operator.setText(live.rig.operator)
+        self.summary = sentence(f"{stem}_summary", "What this means")
+        problem = "plan_problem" if stem == "calibration" else f"{stem}_plan_problem"
+        self.problem = sentence(problem, "What is wrong on this page")
         self.form = QFormLayout()
         field(self.form, "&Begin or take up", self.begin)
-        row = QHBoxLayout()
-        row.addWidget(self.settings, 1)
-        row.addWidget(self.browse)
         label = QLabel("&Settings file")
         label.setBuddy(self.settings)
-        self.form.addRow(label, row)
-        column = QVBoxLayout(self)
-        column.addLayout(self.form)
-        column.addWidget(self.summary)
-        column.addStretch(1)
-        column.addWidget(self.problem)
-        self.begin.currentIndexChanged.connect(self.summarise)
+        self.form.addRow(label, row((self.settings, 1), self.browse))
+        filled(QVBoxLayout(self), (self.form, self.summary, None, self.problem))
         self.plan.currentIndexChanged.connect(self.summarise)
         self.settings.editingFinished.connect(self.read_settings)
-        self.browse.clicked.connect(self._browse)
 
     def finish(self) -> None:
         """Add the last row and take the settings; a subject has added its fields."""
@@ -233,13 +220,15 @@ class LoadCellPlanPage(PlanPage):
             "Every reading is saved at once. You can close the wizard at any time and take the"
             " calibration up again."
         )
-        self.weights = QLineEdit("5x8, 2, 2, 1, 0.5")
-        named(self.weights, "calibration_weights", "Weights, kilograms; 5x8 are eight of 5 kg")
-        self.hanger = number(0.0, 20.0, 4, 0.1, "kg")
-        named(self.hanger, "calibration_hanger", "Mass of the hanger, kilograms")
-        self.gravity = number(9.76, 9.84, 5, 0.0001, "m/s²")
+        spoken = "Weights, kilograms; 5x8 are eight of 5 kg"
+        self.weights = edit("calibration_weights", spoken)
+        self.weights.setText("5x8, 2, 2, 1, 0.5")
+        spoken = "Mass of the hanger"
+        self.hanger = number("calibration_hanger", spoken, 0.0, 20.0, 4, 0.1, "kg")
+        least, most = GRAVITY.low, GRAVITY.high
+        spoken = "Local gravity"
+        self.gravity = number("calibration_gravity", spoken, least, most, 5, 0.0001, "m/s²")
         self.gravity.setValue(ROUNDED_GRAVITY)
-        named(self.gravity, "calibration_gravity", "Local gravity, metres per second squared")
         for text, widget in (
             ("&Load cell", self.item),
             ("&Plan", self.plan),
@@ -332,17 +321,15 @@ class ProbePlanPage(PlanPage):
             "2": "Probe 2, across the follower",
             "both": "Both probes, and how they stand to each other",
         }
-        self.probe = choice(words, "probe_which", "Which probe", at=list(PROBES).index(probe))
-        self.positions = QSpinBox()
-        self.positions.setRange(FEWEST_POSITIONS, MOST_POSITIONS)
+        items = ((text, word) for word, text in words.items())
+        self.probe = choice("probe_which", "Which probe", items)
+        self.probe.setCurrentIndex(list(PROBES).index(probe))
+        least, most = FEWEST_POSITIONS, MOST_POSITIONS
+        self.positions = whole_number("probe_positions", "Positions of a run", least, most)
         self.positions.setValue(11)
-        self.positions.setMinimumHeight(24)
-        named(self.positions, "probe_positions", "Positions of a run")
-        self.reach = number(1.0, 10000.0, 1, 10.0, "µm")
-        named(self.reach, "probe_reach", "Largest position, micrometres")
-        self.micrometer = number(0.01, 100.0, 2, 0.1, "µm")
-        spoken = "Standard uncertainty of the micrometer, micrometres"
-        named(self.micrometer, "probe_micrometer", spoken)
+        self.reach = number("probe_reach", "Largest position", 1.0, 10000.0, 1, 10.0, "µm")
+        spoken = "Standard uncertainty of the micrometer"
+        self.micrometer = number("probe_micrometer", spoken, 0.01, 100.0, 2, 0.1, "µm")
         for text, widget in (
             ("&Calibrate", self.probe),
             ("N&ame", self.item),

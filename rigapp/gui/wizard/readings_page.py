@@ -13,7 +13,7 @@ from calibration.taking.signals import Readiness
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.hands_panel import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import field, load_cell_plot, named, number, probe_plot
+from rigapp.gui.wizard.parts import field, load_cell_plot, number, probe_plot
 from rigapp.gui.wizard.taking_page import RECORD, TakingPage, TakingWords
 
 WEIGHING = TakingWords(
@@ -67,8 +67,8 @@ class ProbeReadingsPage(TakingPage):
 
     def __init__(self, live: LiveCalibration, theme: Theme) -> None:
         super().__init__(live, theme, MEASURING, probe_plot(theme))
-        self.shown = number(-20000.0, 20000.0, 1, 1.0, "µm")
-        named(self.shown, "probe_shown", "Position that the micrometer shows, micrometres")
+        spoken = "Position that the micrometer shows"
+        self.shown = number("probe_shown", spoken, -20000.0, 20000.0, 1, 1.0, "µm")
         form = QFormLayout()
         field(form, "Micrometer &shows", self.shown)
         self.lay_out(HandsPanel(live, "probe_hands", "T&urn the micrometer"), form)

@@ -5,10 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtWidgets import (
-    QHBoxLayout,
     QHeaderView,
     QLabel,
-    QLineEdit,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -19,9 +17,10 @@ from rigapp.calibrating.daily_history import STORE, DailyHistory
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.plots.palette import Theme
+from rigapp.gui.widgets.build import edit, filled, named, row
 from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import ResidualPlot, larger, named, prose
+from rigapp.gui.wizard.parts import ResidualPlot, sentence
 
 REFUSED = (
     "Nothing is saved. Go back, select a reading of the series that is wrong, reject it with the"
@@ -45,33 +44,21 @@ class ResultPage(QWizardPage):
         self._live, self.plot = live, plot
         self._store = folder / STORE
         self.setTitle("Result")
-        self.verdict = prose(f"{prefix}verdict", "Verdict")
-        larger(self.verdict, 1.8, bold=True)
-        self.problems = prose(f"{prefix}problems", "Problems")
-        larger(self.problems, 1.15)
-        self.matrix = QTableWidget()
-        named(self.matrix, f"{prefix}matrix", "Matrix and zero")
+        self.verdict = sentence(f"{prefix}verdict", "Verdict", 1.8, bold=True)
+        self.problems = sentence(f"{prefix}problems", "Problems", 1.15)
+        self.matrix = named(QTableWidget(), f"{prefix}matrix", "Matrix and zero")
         self.matrix.setMaximumHeight(6 * self.matrix.fontMetrics().height())
         self.matrix.setTabKeyNavigation(False)
-        self.words = prose(f"{prefix}result_words", "Numbers and uncertainty")
+        self.words = sentence(f"{prefix}result_words", "Numbers and uncertainty")
         self.chart = ChartPlot(theme)
-        self.target = QLineEdit()
-        named(self.target, f"{prefix}record_file", "Record to make")
+        self.target = edit(f"{prefix}record_file", "Record to make")
         self.target_label = QLabel("Save the &record as")
         self.target_label.setBuddy(self.target)
-        self.problem = prose(f"{prefix}result_problem", "What is wrong on this page")
-        row = QHBoxLayout()
-        row.addWidget(self.target_label)
-        row.addWidget(self.target, 1)
-        column = QVBoxLayout(self)
-        for widget in (self.verdict, self.problems, self.matrix, self.words):
-            column.addWidget(widget)
-        if plot is not None:
-            column.addWidget(plot, 4)
-        column.addWidget(self.chart, 4)
-        column.addStretch(1)
-        column.addWidget(self.problem)
-        column.addLayout(row)
+        self.problem = sentence(f"{prefix}result_problem", "What is wrong on this page")
+        upper = (self.verdict, self.problems, self.matrix, self.words)
+        plots = ((one, 4) for one in (plot, self.chart) if one is not None)
+        last = row(self.target_label, (self.target, 1))
+        filled(QVBoxLayout(self), (*upper, *plots, None, self.problem, last))
         live.judged.connect(self._show)
         live.said.connect(self._said)
 
@@ -164,9 +151,9 @@ class ResultPage(QWizardPage):
         self.matrix.setRowCount(len(table.rows))
         self.matrix.setColumnCount(len(table.columns) - 1)
         self.matrix.setHorizontalHeaderLabels(table.columns[1:])
-        self.matrix.setVerticalHeaderLabels([row[0] for row in table.rows])
+        self.matrix.setVerticalHeaderLabels([name for name, *_ in table.rows])
         self.matrix.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        for row, (_, *texts) in enumerate(table.rows):
+        for axis, (_, *texts) in enumerate(table.rows):
             for place, text in enumerate(texts):
-                self.matrix.setItem(row, place, QTableWidgetItem(text))
+                self.matrix.setItem(axis, place, QTableWidgetItem(text))
         self.matrix.show()

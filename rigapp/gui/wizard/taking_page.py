@@ -12,12 +12,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFormLayout,
-    QHBoxLayout,
     QHeaderView,
-    QLabel,
-    QLineEdit,
     QProgressBar,
-    QPushButton,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -26,9 +22,10 @@ from PySide6.QtWidgets import (
 
 from calibration.taking.signals import Readiness
 from rigapp.gui.plots.palette import Theme
+from rigapp.gui.widgets.build import button, edit, filled, named, row
 from rigapp.gui.wizard.hands_panel import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import ResidualPlot, Stability, larger, named, prose
+from rigapp.gui.wizard.parts import ResidualPlot, Stability, sentence
 
 RECORD = "&Record"
 
@@ -61,57 +58,33 @@ class TakingPage(QWizardPage):
         self.live_calibration, self._words, self.plot = live, words, plot
         prefix = words.prefix
         self.setTitle("Readings")
-        self.instruction = prose(f"{prefix}instruction", "What to do now")
-        larger(self.instruction, 1.8, bold=True)
+        spoken = "What to do now"
+        self.instruction = sentence(f"{prefix}instruction", spoken, 1.8, bold=True)
         self.instruction.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.instruction.setMinimumHeight(4 * self.instruction.fontMetrics().height())
-        self.progress = QProgressBar()
-        named(self.progress, words.progress, "Progress of the calibration")
+        self.progress = named(QProgressBar(), words.progress, "Progress of the calibration")
         self.progress.setTextVisible(False)
-        self.left = prose(f"{prefix}time_left", "Progress and time left")
+        self.left = sentence(f"{prefix}time_left", "Progress and time left")
         self.stability = Stability(theme)
-        self.live = prose(f"{prefix}live_signal", words.live)
-        self.record = QPushButton(RECORD)
-        named(self.record, f"{prefix}record", "Record")
+        self.live = sentence(f"{prefix}live_signal", words.live)
+        self.record = button(f"{prefix}record", RECORD, self._record)
         self.record.setMinimumHeight(2 * self.record.fontMetrics().height() + 8)
-        self.problem = prose(f"{prefix}reading_problem", "What stands against it")
+        self.problem = sentence(f"{prefix}reading_problem", "What stands against it")
         self.table = _readings_table(f"{prefix}readings_table", words.columns)
-        self.reason = QLineEdit()
-        self.reason.setPlaceholderText("why the selected reading does not count")
-        named(self.reason, f"{prefix}reject_reason", "Reason of the rejection")
-        self.reject_button = QPushButton("Re&ject and repeat its series")
-        named(self.reject_button, f"{prefix}reject", words.reject)
+        spoken, hint = "Reason of the rejection", "why the selected reading does not count"
+        self.reason = edit(f"{prefix}reject_reason", spoken, self._enable, hint=hint)
+        text = "Re&ject and repeat its series"
+        self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
 
     def lay_out(self, hands: HandsPanel, form: QFormLayout | None = None) -> None:
         """Put all in its place; ``form``: what is entered before a reading is recorded."""
         self.hands = hands
-        left = QVBoxLayout()
-        for widget in (self.instruction, self.stability, self.live):
-            left.addWidget(widget)
-        if form is not None:
-            left.addLayout(form)
-        left.addWidget(self.record)
-        left.addWidget(self.problem)
-        left.addStretch(1)
-        left.addWidget(self.left)
-        left.addWidget(self.progress)
-        upper = QHBoxLayout()
-        upper.addLayout(left, 1)
-        upper.addWidget(self.plot, 1)
-        why = QLabel(self._words.reason)
-        why.setBuddy(self.reason)
-        row = QHBoxLayout()
-        row.addWidget(why)
-        row.addWidget(self.reason, 1)
-        row.addWidget(self.reject_button)
-        column = QVBoxLayout(self)
-        column.addLayout(upper, 1)
-        column.addWidget(self.table, 1)
-        column.addLayout(row)
-        column.addWidget(hands)
-        self.record.clicked.connect(self._record)
-        self.reject_button.clicked.connect(self._reject)
-        self.reason.textChanged.connect(self._enable)
+        upper = [self.instruction, self.stability, self.live, form, self.record, self.problem]
+        shown = [one for one in upper if one is not None]
+        left = filled(QVBoxLayout(), (*shown, None, self.left, self.progress))
+        why = row(self._words.reason, (self.reason, 1), self.reject_button)
+        whole = ((row((left, 1), (self.plot, 1)), 1), (self.table, 1), why, hands)
+        filled(QVBoxLayout(self), whole)
         self.table.itemSelectionChanged.connect(self._enable)
         self.live_calibration.looked.connect(self._look)
         self.live_calibration.moved.connect(self._move)
@@ -191,10 +164,10 @@ class TakingPage(QWizardPage):
         procedure = self.live_calibration.session.procedure
         taken, last = procedure.taken, len(self._words.columns) - 1
         self.table.setRowCount(len(taken))
-        for row, one in enumerate(taken):
+        for number, one in enumerate(taken):
             state = f"rejected: {one.rejected}" if one.rejected else "stands"
-            known = self.table.item(row, last)
-            if known is not None and known.text() == state and row != len(taken) - 1:
+            known = self.table.item(number, last)
+            if known is not None and known.text() == state and number != len(taken) - 1:
                 continue
             step = procedure.steps[one.step]
             signals = (f"{signal:+.5f}" for signal in one.signal)
@@ -204,7 +177,7 @@ class TakingPage(QWizardPage):
                 font = item.font()
                 font.setStrikeOut(bool(one.rejected) and place < last)
                 item.setFont(font)
-                self.table.setItem(row, place, item)
+                self.table.setItem(number, place, item)
         self.table.scrollToBottom()
         self._enable()
 
@@ -214,8 +187,8 @@ class TakingPage(QWizardPage):
             self.record.setFocus()
 
     def _reject(self) -> None:
-        row = self.table.currentRow()
-        if row >= 0 and self.live_calibration.reject(row, self.reason.text()):
+        number = self.table.currentRow()
+        if number >= 0 and self.live_calibration.reject(number, self.reason.text()):
             self.reason.clear()
             self.table.clearSelection()
 
@@ -225,8 +198,7 @@ class TakingPage(QWizardPage):
 
 
 def _readings_table(name: str, columns: tuple[str, ...]) -> QTableWidget:
-    table = QTableWidget(0, len(columns))
-    named(table, name, "Readings")
+    table = named(QTableWidget(0, len(columns)), name, "Readings")
     table.setHorizontalHeaderLabels(columns)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
