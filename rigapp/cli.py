@@ -331,17 +331,15 @@ def model_paper(
     return write_paper(to, file, time_limit_s)
 
 
-TableOption = Annotated[
-    Path | None, typer.Option("--readings", help="CSV of readings as taken; or --rig.")
-]
-LiveOption = Annotated[Path | None, typer.Option("--rig", help="Rig file: take the readings live.")]
-SettingsOption = Annotated[Path, typer.Option("--settings", help="Settings file (TOML).")]
+TableOption = Annotated[Path | None, _option("--readings", "CSV of readings as taken; or --rig.")]
+LiveOption = Annotated[Path | None, _option("--rig", "Rig file: take the readings live.")]
+SettingsOption = Annotated[Path, _option("--settings", "Settings file (TOML).")]
 RecordOption = Annotated[Path, _file("--to", "Record to make; never overwritten.")]
 JournalOption = Annotated[
     Path | None, _file("--journal", "Where events are kept; taken up if there.")
 ]
 PractiseOption = Annotated[
-    bool, typer.Option("--practise", help="Simulated rig: simulated hands do the work.")
+    bool, _option("--practise", "Simulated rig: simulated hands do the work.")
 ]
 
 
@@ -352,9 +350,9 @@ def calibrate_load_cell(
     readings: TableOption = None,
     json: JsonOption = False,
     rig: LiveOption = None,
-    plan: Annotated[str, typer.Option("--plan", help="daily, routine or full.")] = "routine",
+    plan: Annotated[str, _option("--plan", "daily, routine or full.")] = "routine",
     weights: Annotated[
-        str, typer.Option("--weights", help="Pieces in kg; 5x8: eight pieces of 5 kg.")
+        str, _option("--weights", "Pieces in kg; 5x8: eight pieces of 5 kg.")
     ] = "5x8,2,2,1,0.5",
     journal: JournalOption = None,
     practise: PractiseOption = False,
@@ -378,16 +376,13 @@ def calibrate_probes(
     readings: TableOption = None,
     json: JsonOption = False,
     rig: LiveOption = None,
-    probe: Annotated[
-        str, typer.Option("--probe", help="1, 2, or both with their alignment.")
-    ] = "1",
+    probe: Annotated[str, _option("--probe", "1, 2, or both with their alignment.")] = "1",
     plan: Annotated[
-        str, typer.Option("--plan", help="routine (1 run up and down) or full (3 runs).")
+        str, _option("--plan", "routine (1 run up and down) or full (3 runs).")
     ] = "full",
-    positions: Annotated[int, typer.Option("--positions", help="Positions of a run.")] = 11,
+    positions: Annotated[int, _option("--positions", "Positions of a run.")] = 11,
     reach_um: Annotated[
-        float | None,
-        typer.Option("--reach-um", help="Largest position; else 80 % of the probe's range."),
+        float | None, _option("--reach-um", "Largest position; else 80 % of the probe's range.")
     ] = None,
     journal: JournalOption = None,
     practise: PractiseOption = False,
@@ -407,24 +402,22 @@ def calibrate_probes(
 @calibrate_app.command("run-out")
 def calibrate_run_out(
     to: RecordOption,
-    rig: Annotated[
-        Path | None, typer.Option("--rig", help="Rig file: roll the spindle slowly now.")
-    ] = None,
+    rig: Annotated[Path | None, _option("--rig", "Rig file: roll the spindle slowly now.")] = None,
     recorded: Annotated[
         list[Path] | None,
-        typer.Option("--from", help="Test file of a slow roll, whole cycles kept; repeatable."),
+        _option("--from", "Test file of a slow roll, whole cycles kept; repeatable."),
     ] = None,
     settings: Annotated[
-        Path | None, typer.Option("--settings", help="Settings file: [pin], [paperwork].")
+        Path | None, _option("--settings", "Settings file: [pin], [paperwork].")
     ] = None,
     test: Annotated[
-        Path | None, typer.Option("--test", help="Test file whose mechanism and limits are kept.")
+        Path | None, _option("--test", "Test file whose mechanism and limits are kept.")
     ] = None,
     rpm: Annotated[
-        str, typer.Option("--rpm", help="Speeds of the rolls; two tell inertia from run-out.")
+        str, _option("--rpm", "Speeds of the rolls; two tell inertia from run-out.")
     ] = "3,6",
-    revolutions: Annotated[int, typer.Option("--revolutions", help="Of each roll.")] = 12,
-    orders: Annotated[int, typer.Option("--orders", help="Fourier orders of the map.")] = 8,
+    revolutions: Annotated[int, _option("--revolutions", "Of each roll.")] = 12,
+    orders: Annotated[int, _option("--orders", "Fourier orders of the map.")] = 8,
     json: JsonOption = False,
 ) -> int:
     """Map the pin's run-out by a slow roll of the spindle; a bad roll is refused, not saved."""
@@ -448,21 +441,21 @@ def calibrate_running_check(
     rig: RigOption,
     to: RecordOption,
     speeds: Annotated[
-        str, typer.Option("--speeds", help="Speeds in rpm; the slowest is the zero.")
+        str, _option("--speeds", "Speeds in rpm; the slowest is the zero.")
     ] = "30,120,240",
-    revolutions: Annotated[int, typer.Option("--revolutions", help="At each speed.")] = 20,
+    revolutions: Annotated[int, _option("--revolutions", "At each speed.")] = 20,
     mass_kg: Annotated[
         float | None,
-        typer.Option("--mass-kg", help="Of the pin outboard of the gauges; else the rig file's."),
+        _option("--mass-kg", "Of the pin outboard of the gauges; else the rig file's."),
     ] = None,
     radius_mm: Annotated[
-        float | None, typer.Option("--radius-mm", help="Of that mass; else the rig file's.")
+        float | None, _option("--radius-mm", "Of that mass; else the rig file's.")
     ] = None,
     follower_off: Annotated[
-        bool, typer.Option("--follower-off", help="The follower is off, nothing hangs on the pin.")
+        bool, _option("--follower-off", "The follower is off, nothing hangs on the pin.")
     ] = False,
     settings: Annotated[
-        Path | None, typer.Option("--settings", help="Settings file of a calibration: paperwork.")
+        Path | None, _option("--settings", "Settings file of a calibration: paperwork.")
     ] = None,
     json: JsonOption = False,
 ) -> int:
@@ -487,12 +480,9 @@ def calibrate_history(
     store: Annotated[Path, typer.Argument(help="Store of daily checks.")] = Path(
         "daily-checks.jsonl"
     ),
-    to: Annotated[
-        Path | None,
-        _file("--to", "Draw the charts: .png, .html or .pdf."),
-    ] = None,
+    to: Annotated[Path | None, _file("--to", "Draw the charts: .png, .html or .pdf.")] = None,
     rig: Annotated[
-        str | None, typer.Option("--rig-name", help="Only this rig; else that of the last check.")
+        str | None, _option("--rig-name", "Only this rig; else that of the last check.")
     ] = None,
     json: JsonOption = False,
 ) -> int:
