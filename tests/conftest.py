@@ -1,4 +1,4 @@
-"""Settings that hold for the whole suite.
+"""Settings and fixtures of the whole suite.
 
 The suite draws the same examples each time; `make search` looks for new ones. What it finds is
 mended and kept as an @example, so that no file beside the sources decides what is tested.
@@ -6,8 +6,26 @@ mended and kept as an @example, so that no file beside the sources decides what 
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from typing import Any
+
+import pytest
 from hypothesis import settings
 
 settings.register_profile("rigapp", deadline=None, derandomize=True, print_blob=True)
 settings.register_profile("search", deadline=None, database=None, max_examples=500, print_blob=True)
 settings.load_profile("rigapp")
+
+
+@pytest.fixture
+def running(request: pytest.FixtureRequest) -> Iterator[Callable[..., Any]]:
+    """Start programs in the background by the test module's own ``Running``, and end them all."""
+    with ExitStack() as ending:
+
+        def start(*arguments: Any) -> Any:
+            one = request.module.Running(*arguments)
+            ending.callback(one.close)
+            return one
+
+        yield start

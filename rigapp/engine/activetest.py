@@ -20,9 +20,9 @@ from rigapp.schema.states import Ending
 class ActiveTest:
     """One test.
 
-    steady_from: ordinal of the first whole revolution at the set speed, None while it changes. off:
-    power is off, or was asked to be. stood: the spindle was seen to stand at the end, or could not
-    be shown to.
+    fresh: its file was made by its own start. steady_from: ordinal of the first whole revolution at
+    the set speed, None while it changes. off: power is off, or was asked to be. stood: the spindle
+    was seen to stand at the end, or could not be shown to.
     """
 
     document: Document[TestFile]
@@ -33,6 +33,7 @@ class ActiveTest:
     operator: str
     started_at: float
     deadline_s: float
+    fresh: bool
     steady_from: int | None = None
     ending: Ending | None = None
     fault_sentence: str = ""

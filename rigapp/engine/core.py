@@ -24,7 +24,7 @@ from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.alarms import AlarmBook
 from rigapp.engine.judging.testrun import Row
 from rigapp.engine.publish import Publisher
-from rigapp.engine.recording.recorder import Recorder, cycle_message, measured_history
+from rigapp.engine.recording.recorder import cycle_message, measured_history
 from rigapp.schema.alarms import Cause, because, kind_of
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.loglines import AlarmChange, alarm_line
@@ -51,6 +51,9 @@ CALM_COMMITS = 20
 
 TRIGGERS = frozenset({"limit", "note"})
 """Kinds of events around which whole cycles are kept, beside every alarm that rises."""
+
+NO_FILE = "Nothing was measured, so no file is left."
+"""Told at the end of a test that failed at its start."""
 
 UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
 """Revolutions with one of these flags are no food for the prediction."""
@@ -402,7 +405,7 @@ class Core:
             if then and then not in ending.sentence:
                 ending = replace(ending, sentence=f"{ending.sentence} Then: {then}")
             self.look_after_file()
-            ending = self._close_file(test.recorder, ending)
+            ending = self._close_file(test, ending)
             test.path = test.recorder.path
             fault, rows = ending.fault or bool(then), test.recorder.committed
             test.finished = True
@@ -414,10 +417,16 @@ class Core:
         self.fire_if(Trigger.FAILED if fault else Trigger.ENDED, ending.sentence)
         self.publisher.notice(outcome)
 
-    def _close_file(self, recorder: Recorder, ending: Ending) -> Ending:
-        """Finish a file and return how the test has ended: by the file when it cannot be."""
+    def _close_file(self, test: ActiveTest, ending: Ending) -> Ending:
+        """Finish a file and return how the test has ended: by the file when it cannot be.
+
+        A fault in whose test nothing was measured leaves no file behind that its own start made.
+        """
+        recorder, keep_empty = test.recorder, not (test.fresh and ending.fault)
         try:
-            recorder.finish(ending.status, ending.code.value, ending.sentence)
+            kept = recorder.finish(
+                ending.status, ending.code.value, ending.sentence, keep_empty=keep_empty
+            )
         except Exception as error:
             recorder.abandon()
             if ending.code is FinishReason.STORAGE:
@@ -425,7 +434,9 @@ class Core:
             sentence = f"{ending.sentence} The file could not be finished: {error}"
             self.warn(because("storage", sentence=sentence))
             return Ending(FinishReason.STORAGE, sentence)
-        return ending
+        if kept:
+            return ending
+        return replace(ending, sentence=f"{ending.sentence} {NO_FILE}")
 
     def settle(self) -> None:
         """Clear alarms whose condition is over because the test is."""

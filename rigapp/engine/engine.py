@@ -23,7 +23,7 @@ from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.connection import Connection, lost_device
-from rigapp.engine.core import Core
+from rigapp.engine.core import NO_FILE, Core
 from rigapp.engine.devices import LoadDriver, make_devices
 from rigapp.engine.drive.driving import Ramp
 from rigapp.engine.drive.timing import Timing
@@ -267,7 +267,10 @@ class Engine:
         except Refused as error:
             active.finished = True
             sentence = f"The test did not start: {core.reason or error}"
-            active.recorder.finish("fault", core.fault_code.value, sentence)
+            if not active.recorder.finish(
+                "fault", core.fault_code.value, sentence, keep_empty=resume
+            ):
+                sentence = f"{sentence} {NO_FILE}"
             active.outcome = Finished(core.fault_code, sentence, "fault", 0, str(path))
             raise
         for remark in remarks:

@@ -150,6 +150,7 @@ def open_test(
         operator=operator,
         started_at=time.time(),
         deadline_s=start_deadline_s(core, connection, test.record),
+        fresh=not resume,
     )
 
 

@@ -75,19 +75,6 @@ class Running:
         self.process.communicate()
 
 
-@pytest.fixture
-def running() -> Iterator[Callable[..., Running]]:
-    started: list[Running] = []
-
-    def start(*arguments: str | Path) -> Running:
-        started.append(Running(*arguments))
-        return started[-1]
-
-    yield start
-    for one in started:
-        one.close()
-
-
 def info(path: Path) -> dict[str, Any]:
     done = rigapp("info", path, "--json")
     assert done.returncode == 0, done.stderr

@@ -310,6 +310,7 @@ class FakeStore:
     safe: int = 0
     ending: tuple[str, str, str] | None = None
     closed: bool = False
+    discarded: bool = False
     broken: BaseException | None = None
     commit_waits: threading.Event | None = None
     cycles_refused: int = 0
@@ -398,6 +399,10 @@ class FakeStore:
 
     def close(self) -> None:
         self.closed = True
+
+    def discard(self) -> None:
+        assert not self.rows
+        self.discarded = True
 
     def column(self, name: str) -> NDArray[np.float64]:
         return np.array([row[BASE.place[name]] for row in self.rows])

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 from engine_doubles import MemoryRig, eventually
 
+from drivers.api import DeviceFault
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_test
 from rigapp.config.recipe import TestFile
@@ -88,3 +90,59 @@ def test_a_file_that_cannot_be_made_starts_nothing(rig: MemoryRig, tmp_path: Pat
     assert rig.engine.state is RunState.READY
     assert rig.spindle.commands == []
     rig.engine.shutdown()
+
+
+@pytest.mark.parametrize("when", ["the drive refuses to turn", "the ramp fails"])
+def test_a_start_that_fails_leaves_no_file_in_its_own_way(
+    rig: MemoryRig, tmp_path: Path, when: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "test.h5"
+    rig.engine.connect()
+    if when == "the ramp fails":
+        rig.crank.jammed = True
+        rig.engine.start(document(5), path)
+        rig.spindle.faults = ("overcurrent",)
+    else:
+        refusal = DeviceFault("drive", "memory", "overcurrent")
+        with monkeypatch.context() as patched:
+            patched.setattr(rig.spindle, "set_speed", _raises(refusal))
+            with pytest.raises(DeviceFault):
+                rig.engine.start(document(5), path)
+    assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
+    assert "no file is left" in rig.engine.status().reason
+    assert list(tmp_path.iterdir()) == []
+    rig.crank.jammed = False
+    rig.engine.acknowledge()
+    rig.engine.reset()
+    rig.engine.start(document(5), path)
+    rig.engine.wait(ENDED, 60.0)
+    rig.engine.shutdown()
+    with open_test(path) as reader:
+        assert reader.summary()["status"] == "complete"
+
+
+def _raises(error: Exception) -> Callable[..., None]:
+    def refuse(*_: float) -> None:
+        raise error
+
+    return refuse
+
+
+def test_a_fault_leaves_every_revolution_and_every_older_file(
+    rig: MemoryRig, tmp_path: Path
+) -> None:
+    path = tmp_path / "test.h5"
+    rig.engine.connect()
+    rig.engine.start(document(5000), path)
+    eventually(lambda: rig.engine.status().committed >= 5)
+    rig.spindle.faults = ("overcurrent",)
+    assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
+    rig.engine.acknowledge()
+    rig.engine.reset()
+    rig.crank.jammed = True
+    rig.engine.start(document(5000), path, resume=True)
+    rig.spindle.faults = ("overcurrent",)
+    assert rig.engine.wait(ENDED, 60.0) is RunState.FAULT
+    rig.engine.shutdown()
+    with open_test(path) as reader:
+        assert reader.summary()["revolutions"] >= 5

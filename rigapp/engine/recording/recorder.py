@@ -229,23 +229,31 @@ class Recorder:
             if not self._closed:
                 self._store.extend(revolutions)
 
-    def finish(self, status: str, reason_code: str, sentence: str) -> None:
-        """Keep what still waits and the revolution cut off, say how the test ended, and close."""
+    def finish(
+        self, status: str, reason_code: str, sentence: str, *, keep_empty: bool = True
+    ) -> bool:
+        """Keep what still waits and the revolution cut off, say how the test ended, and close.
+
+        keep_empty: False deletes a file in which nothing measured is. Return whether it is kept.
+        """
         cut_off = None if self._closed or self._whole else self._unfinished()
         with self._lock:
             if self._closed:
-                return
+                return True
             self._keep(self._history.close())
-            if cut_off is not None:
-                self._keep_unfinished(cut_off)
+            kept = cut_off is not None and self._keep_unfinished(cut_off)
             if self._waiting_profile is not None:
                 self._take_profile(msgspec.structs.replace(self._waiting_profile, keep=True))
             self._closed = True
         try:
+            if not (keep_empty or kept or self._store.revolutions):
+                self._store.discard()
+                return False
             self._store.finish(status, reason_code, sentence)
             self.committed = self._store.revolutions
         finally:
             self._store.close()
+        return True
 
     def abandon(self) -> None:
         """Close the file after the disk refused it; never raises."""
@@ -273,15 +281,15 @@ class Recorder:
             curves = {name: as_array(getattr(one, name)) for name in PREDICTED_CURVES}
             self._store.append_curves(one.revolution, curves)
 
-    def _keep_unfinished(self, revolution: Revolution) -> None:
+    def _keep_unfinished(self, revolution: Revolution) -> bool:
         """Keep a revolution that was cut off after the last row; one before the test is none."""
         if self._start_sample is None or revolution.first_sample < self._start_sample:
-            return
+            return False
         number, ordinal = self._last or (self._first - 1, revolution.ordinal - 1)
         if revolution.ordinal <= ordinal or revolution.samples == 0:
-            return
+            return False
         samples = self._samples(Measured(revolution, self._calibration))
-        self._store.append_unfinished(
+        return self._store.append_unfinished(
             number + revolution.ordinal - ordinal, samples, int(revolution.flags)
         )
 

@@ -124,6 +124,10 @@ class Store(Protocol):
         """Let go of the file."""
         ...
 
+    def discard(self) -> None:
+        """Let go of a file in which nothing is recorded, and delete it."""
+        ...
+
 
 HISTORY_ROWS = 100_000
 """Rows of an earlier segment that are read at once."""
@@ -145,7 +149,6 @@ class Opened:
     """
 
     store: Store
-    table: ChannelTable | None = None
     rows: int = 0
     last_revolution: int = 0
     last_time_s: float = 0.0
@@ -153,6 +156,7 @@ class Opened:
     history: Callable[[], Iterator[NDArray[np.float64]]] = _no_history
     depths: Callable[[], NDArray[np.float64]] = NOTHING.copy
     triggered: int = 0
+    table: ChannelTable | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -223,10 +227,10 @@ def _resume(request: OpenRequest) -> Opened:
                 raise UnusableInput(f"{request.path}: {gone}")
             rows = store.revolutions
             if rows == 0:
-                return Opened(store, table)
+                return Opened(store, table=table)
             return Opened(
                 store,
-                table,
+                table=table,
                 rows=rows,
                 last_revolution=int(reader.column("revolution")[rows - 1]),
                 last_time_s=float(reader.column("time")[rows - 1]),
