@@ -169,6 +169,14 @@ def check(
     return check_rig(rig, test)
 
 
+@app.command()
+def reset(rig: RigArgument) -> int:
+    """Release a drive that holds its emergency stop or a fault, once its cause is removed."""
+    from rigapp.commands.reset import reset_drive
+
+    return reset_drive(rig)
+
+
 @app.command(context_settings={"allow_extra_args": True, "ignore_unknown_options": True})
 def sim(context: typer.Context, rig: RigArgument) -> int:
     """Start the rig's simulated devices, print one JSON line of URLs, run until interrupted."""

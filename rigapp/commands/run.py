@@ -12,7 +12,7 @@ from typing import Protocol
 
 import msgspec
 
-from drivers.api import DeviceError
+from drivers.api import DeviceError, DeviceFault
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
@@ -146,6 +146,10 @@ def _conduct(
             end = Finished(FinishReason.DEVICE, str(error), "fault", 0, str(out))
             if progress == "json":
                 shown.notice(host.engine.outcome or end)
+            drive = rig_document.record.spindle.device
+            if isinstance(error, DeviceFault) and error.device == drive:
+                hint = f"{error.sentence} The reset is: rigapp reset {rig}"
+                raise DeviceFault(error.device, error.port, hint) from error
             raise
         finally:
             shown.close()

@@ -55,6 +55,11 @@ class ActiveTest:
         return self.document.record.run.speed_rpm
 
     @property
+    def ramp_rpm_per_s(self) -> float:
+        """Return how fast the speed is changed."""
+        return self.document.record.run.acceleration_rpm_per_s
+
+    @property
     def rows(self) -> int:
         """Return the rows recorded."""
         return self.recorder.rows

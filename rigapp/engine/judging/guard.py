@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rigapp.engine.judging.criteria import Met
 from rigapp.engine.judging.limits import LevelPassed
 from rigapp.engine.judging.machine import JudgedRig, JudgedRun, OpenTest
-from rigapp.engine.judging.speeds import SpeedComparison, wrong_sense
+from rigapp.engine.judging.speeds import LATE_S, SpeedComparison, wrong_sense
 from rigapp.engine.judging.testrun import Row
 from rigapp.engine.samples.assembler import Revolution
 from rigapp.schema.alarms import because, key_of
@@ -159,17 +159,22 @@ class Guard:
             test.steady_from = None
             if abs(speed_rpm - test.target_rpm) <= AT_SPEED * test.target_rpm:
                 run.fire_if(Trigger.AT_SPEED, only=(RunState.STARTING,))
+            pace = max(1.0, rig.processor.motion.pace())
+            self._compare_speeds(speed_rpm, test, pace * LATE_S * test.ramp_rpm_per_s)
             return
         if test.steady_from is None:
             test.steady_from = rig.processor.assembler.ordinal + 1
-        self._compare_speeds(speed_rpm, test.target_rpm)
+        self._compare_speeds(speed_rpm, test)
 
-    def _compare_speeds(self, speed_rpm: float, target_rpm: float) -> None:
+    def _compare_speeds(
+        self, speed_rpm: float, test: OpenTest, late_rpm: float | None = None
+    ) -> None:
         control = self._rig.control
         if control.status is None:
             return
         drive_rpm = control.status.speed_rev_per_s * 60.0
-        if self._speeds.differs(control.answered_s, speed_rpm, drive_rpm, target_rpm):
+        answered_s, target_rpm = control.answered_s, test.target_rpm
+        if self._speeds.differs(answered_s, speed_rpm, drive_rpm, target_rpm, late_rpm):
             cause = because("speeds_differ", encoder_rpm=speed_rpm, drive_rpm=drive_rpm)
             self._run.act_on(cause)
 

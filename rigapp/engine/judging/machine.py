@@ -46,6 +46,11 @@ class OpenTest(Protocol):
         ...
 
     @property
+    def ramp_rpm_per_s(self) -> float:
+        """Return how fast the speed is changed."""
+        ...
+
+    @property
     def rows(self) -> int:
         """Return the rows recorded."""
         ...
