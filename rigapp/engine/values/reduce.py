@@ -27,19 +27,30 @@ SPEED_WINDOWS = 36
 """Local speed is the slope of a straight line fitted to this part of a revolution."""
 
 _FORCES = (
-    "void({0}[::1], {0}[::1], int64[::1], float64[::1], float64[:, ::1], float64[::1],"
-    " float64[:, ::1], int64[::1], int64[:, ::1], float64[:, ::1], int64, float64[::1],"
-    " float64[::1])"
+    "void({0}[::1], {0}[::1], int64, int64[::1], float64[::1], float64[:, ::1], float64[::1],"
+    " float64[:, ::1], int64[::1], int64[:, ::1], float64, float64, float64[:, ::1], int64,"
+    " float64[::1], float64[::1])"
 )
 _SINGLE = (
-    "void({0}[::1], int64, float64, float64, float64, float64[:, ::1], int64[::1], float64[::1],"
-    " int64, float64[::1])"
+    "void({0}[::1], int64, float64, float64, float64, float64[:, ::1], int64[::1], float64,"
+    " float64, float64[::1], int64, float64[::1])"
 )
 
 
-@njit("void(float64[::1], int64, int64[::1], float64[::1])", cache=True, nogil=True, inline="never")
-def _extremes_and_moments(x: Array, n: int, counts: NDArray[np.int64], out: Array) -> None:
-    """Write max, min, RMS, mean and the count at the first maximum of x[:n] to out[:5]."""
+@njit(
+    "void(float64[::1], int64, int64[::1], float64, float64, float64[::1])",
+    cache=True,
+    nogil=True,
+    inline="never",
+    error_model="numpy",
+)
+def _extremes_and_moments(
+    x: Array, n: int, counts: NDArray[np.int64], pitch_deg: float, index_deg: float, out: Array
+) -> None:
+    """Write max, min, RMS, mean and the crank angle of the first maximum of x[:n] to out[:5].
+
+    pitch_deg: of one count; index_deg: angle at count 0.
+    """
     s0 = s1 = s2 = s3 = 0.0
     q0 = q1 = q2 = q3 = 0.0
     a0 = a1 = a2 = a3 = x[0]
@@ -79,7 +90,7 @@ def _extremes_and_moments(x: Array, n: int, counts: NDArray[np.int64], out: Arra
     out[1] = min(min(b0, b1), min(b2, b3))
     out[2] = math.sqrt(((q0 + q1) + (q2 + q3)) / n)
     out[3] = ((s0 + s1) + (s2 + s3)) / n
-    out[4] = counts[place]
+    out[4] = (counts[place] * pitch_deg + index_deg) % 360.0
 
 
 @njit("void(int64[::1], int64[:, ::1], float64[::1])", cache=True, nogil=True)
@@ -121,6 +132,7 @@ def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Ar
 def _forces(
     raw_1: Array,
     raw_2: Array,
+    before: int,
     start: NDArray[np.int64],
     part: Array,
     gain: Array,
@@ -128,6 +140,8 @@ def _forces(
     bend: Array,
     counts: NDArray[np.int64],
     segments: NDArray[np.int64],
+    pitch_deg: float,
+    index_deg: float,
     scratch: Array,
     place: int,
     row: Array,
@@ -139,7 +153,8 @@ def _forces(
     c1, c2 = bias[0], bias[1]
     first, second, total = scratch[0], scratch[1], scratch[2]
     p1, p2 = part[0], part[1]
-    a, b = raw_1[start[0] :], raw_2[start[1] :]
+    s1, s2 = start[0] + before, start[1] + before
+    a, b = raw_1[s1:], raw_2[s2:]
     if p1 == 0.0 and p2 == 0.0:
         for i in range(n):
             u, v = float(a[i]), float(b[i])
@@ -151,7 +166,7 @@ def _forces(
     else:
         w1, w2 = 1.0 - p1, 1.0 - p2
         e1, e2 = 1 if p1 > 0 else 0, 1 if p2 > 0 else 0
-        a_next, b_next = raw_1[start[0] + e1 :], raw_2[start[1] + e2 :]
+        a_next, b_next = raw_1[s1 + e1 :], raw_2[s2 + e2 :]
         for i in range(n):
             u = w1 * a[i] + p1 * a_next[i]
             v = w2 * b[i] + p2 * b_next[i]
@@ -165,9 +180,9 @@ def _forces(
         curved = curved or bend[0, j] != 0.0 or bend[1, j] != 0.0
     if curved:
         straighten(first, second, total, n, bend)
-    _extremes_and_moments(first, n, counts, row[place : place + 5])
-    _extremes_and_moments(second, n, counts, row[place + 5 : place + 10])
-    _extremes_and_moments(total, n, counts, row[place + 10 : place + 15])
+    for values in (first, second, total):
+        _extremes_and_moments(values, n, counts, pitch_deg, index_deg, row[place : place + 5])
+        place += 5
     _local_speed(counts, segments, speed)
 
 
@@ -179,6 +194,8 @@ def _single(
     bias: float,
     table: Array,
     counts: NDArray[np.int64],
+    pitch_deg: float,
+    index_deg: float,
     scratch: Array,
     place: int,
     row: Array,
@@ -195,7 +212,7 @@ def _single(
         for i in range(n):
             scratch[i] = gain * (rest * a[i] + part * following[i]) + bias
     follow(scratch, n, table)
-    _extremes_and_moments(scratch, n, counts, row[place : place + 5])
+    _extremes_and_moments(scratch, n, counts, pitch_deg, index_deg, row[place : place + 5])
 
 
 _forces_kernel = njit(
@@ -231,7 +248,7 @@ class Reducer:
         self._scratch = np.empty((3, 8192))
         self._speed = np.empty(3)
         self._turn = calibration.encoder.counts_per_revolution
-        self._deg_per_count = 360.0 / self._turn
+        self._pitch_deg = 360.0 / self._turn
         self._index_deg = math.degrees(calibration.index_angle_rad)
         self._rpm_per_slope = 60.0 * calibration.sample_rate_Hz / self._turn
         pair = calibration.place(LOAD_CELL)
@@ -239,7 +256,6 @@ class Reducer:
         self._pair_whole, self._pair_part = self._whole[pair], self._part[pair]
         self._gain, self._bias = calibration.force_gain()
         self._first = table.place[f"{table.curves[0].name}_max"]
-        self._after = self._first + len(STATISTICS) * len(table.curves)
         self._singles = [
             _Single(
                 wire.row,
@@ -258,9 +274,6 @@ class Reducer:
         )
         self._mean_speed = place["speed"]
         self._speeds = slice(place["speed_max"], place["speed_rms"] + 1)
-        self._angles = slice(
-            self._first + STATISTICS.index("angle_of_max"), self._after, len(STATISTICS)
-        )
         self._unknown = np.full(len(table.names), np.nan)
 
     def reduce(self, measured: Measured) -> Array:
@@ -280,7 +293,6 @@ class Reducer:
             self._from_raw(revolution, row)
         else:
             self._from_calibrated(measured, row)
-        row[self._angles] = (row[self._angles] * self._deg_per_count + self._index_deg) % 360.0
         turned = revolution.end_count - int(revolution.counts[0])
         elapsed = revolution.end_sample - revolution.first_sample - revolution.idle_samples
         rpm_per_slope = self._rpm_per_slope
@@ -301,13 +313,16 @@ class Reducer:
         _forces_kernel(
             values[self._pair[0]],
             values[self._pair[1]],
-            self._pair_whole + before,
+            before,
+            self._pair_whole,
             self._pair_part,
             self._gain,
             self._bias,
             self.calibration.load_cell.bend,
             counts,
             revolution.segments,
+            self._pitch_deg,
+            self._index_deg,
             scratch,
             self._first,
             row,
@@ -322,6 +337,8 @@ class Reducer:
                 one.bias,
                 one.table,
                 counts,
+                self._pitch_deg,
+                self._index_deg,
                 first,
                 one.place,
                 row,
@@ -335,7 +352,9 @@ class Reducer:
             place = self.table.place[f"{one.name}_max"]
             curve = np.ascontiguousarray(values[one.name])
             out = row[place : place + len(STATISTICS)]
-            _extremes_and_moments(curve, revolution.samples, revolution.counts, out)
+            _extremes_and_moments(
+                curve, revolution.samples, revolution.counts, self._pitch_deg, self._index_deg, out
+            )
 
 
 def _speed_by_time(revolution: Revolution) -> tuple[float, float, float]:
