@@ -27,7 +27,8 @@ from rigapp.gui.data.series import LiveData, MeasuredCycle, PredictedCycle
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import LIGHT, apply_theme
 from rigapp.gui.plots.trend import TrendPanel
-from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.channels import BASE
+from rigapp.schema.columns import prediction_columns
 
 FRAMES = 25
 POINTS = 3600
@@ -150,7 +151,7 @@ def own_trend(application: QApplication, rows: int) -> float:
     data.load_rows({"revolution": revolution, **dict(zip(LINES, series[:3], strict=True))})
     data.predictions.load({"revolution": revolution, **dict(zip(LINES, series[3:], strict=True))})
     panel = TrendPanel("bench", LIGHT)
-    row = np.full((1, len(revolution_columns())), 50.0)
+    row = np.full((1, len(BASE.revolution_columns)), 50.0)
     prediction = np.full((1, len(prediction_columns())), 50.0)
 
     def update(frame: int) -> None:

@@ -42,6 +42,7 @@ from rigapp.engine.samples.slow import SlowChannels, SlowDevice
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.process.threads import Worker
 from rigapp.schema.alarms import Cause, because
+from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE, TURNING, Trigger
 
@@ -165,7 +166,7 @@ class Connection:
             return f"no samples came for {age:.1f} s"
         if self.age_s(self.control.answered_s) >= self.control.prompt_s:
             return "the drive does not answer"
-        cut_off = self.processor.saturated & {"force_1", "force_2"}
+        cut_off = self.processor.saturated.intersection(self.core.table.names_of(LOAD_CELL))
         return f"{' and '.join(sorted(cut_off))} at the end of the range" if cut_off else ""
 
     def close(self, timeout_s: float = 5.0) -> tuple[str, ...]:

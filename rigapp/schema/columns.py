@@ -1,4 +1,4 @@
-"""The columns of the twin's prediction and of worn profiles, and those of ``channels.BASE``."""
+"""The columns of the twin's prediction and of worn profiles."""
 
 from __future__ import annotations
 
@@ -8,10 +8,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.schema.channels import BASE, Column
-
-CHANNELS = tuple(one.name for one in BASE.channels)
-"""The channels that every rig has."""
+from rigapp.schema.channels import Column
 
 
 def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[np.float64]:
@@ -27,11 +24,6 @@ def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[
 def by_name(columns: Sequence[Column], row: NDArray[np.float64]) -> dict[str, float]:
     """Return a row, (len(columns),), by the names of its columns."""
     return dict(zip((one.name for one in columns), row.tolist(), strict=True))
-
-
-def revolution_columns() -> tuple[Column, ...]:
-    """Return the columns of ``/entry/revolutions`` that every file has, in storage order."""
-    return BASE.revolution_columns
 
 
 @cache

@@ -12,7 +12,8 @@ from rigapp.config.loading import read_parameter_file
 from rigapp.config.ranges import unit_of
 from rigapp.config.recipe import StopSection
 from rigapp.gui.testfile.fields import form_fields
-from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.channels import BASE
+from rigapp.schema.columns import prediction_columns
 from rigapp.schema.criteria import CRITERIA, Criterion, Sight
 from rigapp.schema.verbs import VERBS, Lane, Verb, Who
 from rigapp.service.bounds import asked_of
@@ -39,7 +40,7 @@ def test_a_twin_takes_an_unknown_or_unsuitable_joint_for_no_other(joint: str) ->
 
 COLUMNS = {
     Sight.CLOCK: {"time", "running_time"},
-    Sight.ROW: {one.name for one in revolution_columns()},
+    Sight.ROW: {one.name for one in BASE.revolution_columns},
     Sight.PREDICTION: {one.name for one in prediction_columns()},
 }
 

@@ -20,7 +20,6 @@ from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured, calibrate, calibration_of
 from rigapp.engine.values.reduce import Reducer
 from rigapp.schema.channels import BASE, STATISTICS
-from rigapp.schema.columns import CHANNELS
 from rigapp.schema.messages import Flag
 from tests.engine.calibrations import calibration_by_hand
 
@@ -194,7 +193,7 @@ def expected_row(revolution: Revolution, kind: Calibration) -> dict[str, float]:
     one = calibrate(revolution, kind)
     angle = np.degrees(one.angle_rad) % 360.0
     found: dict[str, float] = {}
-    for name in CHANNELS:
+    for name in [one.name for one in BASE.channels]:
         values = one[name]
         found[f"{name}_max"] = values.max()
         found[f"{name}_min"] = values.min()
@@ -295,6 +294,6 @@ def test_the_peak_of_a_block_is_found_in_any_sample() -> None:
 
 
 def test_statistics_are_where_the_columns_say() -> None:
-    assert len(BASE.names) == 10 + len(CHANNELS) * len(STATISTICS)
+    assert len(BASE.names) == 10 + len([one.name for one in BASE.channels]) * len(STATISTICS)
     assert BASE.place["force_1_max"] == 10
     assert BASE.place["probe_2_angle_of_max"] == len(BASE.names) - 1

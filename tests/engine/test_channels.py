@@ -24,6 +24,7 @@ from drivers.api import (
     DriverInfo,
     DriverKind,
     Identity,
+    Quality,
     SlowRequest,
     StreamSetup,
 )
@@ -44,6 +45,7 @@ from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.states import ENDED
 from rigapp.storage import open_test
+from rigapp.storage.structure.conventions import detectors
 from tests.engine.calibrations import calibration_by_hand
 
 FREE = {
@@ -244,6 +246,18 @@ def test_a_rule_on_a_free_channel_stops_the_test(rig: ChannelRig, quantity: str)
     assert quantity in rig.engine.outcome.sentence
 
 
+def test_a_saturated_free_input_is_told_by_its_name_and_ends_nothing(rig: ChannelRig) -> None:
+    assert isinstance(rig.source, WiredSource)
+    rig.source.bushing_V, rig.source.quality = 10.0, Quality.SATURATED
+    key = "input_saturated:bushing_temperature"
+    eventually(lambda: key in {one.key for one in rig.engine.status().alarms if one.active})
+    (alarm,) = (one for one in rig.engine.status().alarms if one.key == key)
+    assert "bushing_temperature (analog_5 of daq) is at the end of its range, 10 V" in alarm.cause
+    ran(rig)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.status == "complete"
+
+
 def test_a_rule_on_a_channel_that_the_rig_has_not_is_refused(rig: ChannelRig) -> None:
     with pytest.raises(UnusableInput, match=r"did you mean bushing_temperature_max"):
         rig.start(a_test(10, rules=(LimitRule("bushing_temperature_maxi", critical_above=1.0),)))
@@ -417,3 +431,14 @@ def test_a_table_of_a_file_is_that_of_its_rig() -> None:
     told = msgspec.json.decode(msgspec.json.encode(table.channels), type=tuple[Channel, ...])
     assert ChannelTable(told) == table
     assert [one.kind for one in table.slow] == [Kind.SLOW, Kind.SLOW]
+
+
+def test_a_column_names_the_detector_of_its_own_channel() -> None:
+    third = Channel("probe_3", "um", "")
+    found = detectors(ChannelTable((*BASE.channels, third, Channel("speed_sensor", "V", ""))))
+    assert found["probe_1_max"] == found["raw_probe_2"] == "probes"
+    assert found["probe_3_max"] == found["raw_probe_3"] == "probe_3"
+    assert found["speed_sensor_rms"] == "speed_sensor"
+    assert found["speed_max"] == found["raw_count"] == "encoder"
+    assert found["force_angle_of_max"] == "load_cell"
+    assert "quality" not in found

@@ -16,7 +16,7 @@ from rigapp.config.recipe import LimitRule
 from rigapp.engine.judging.testrun import NOT_STEADY
 from rigapp.engine.recording.store import Opened
 from rigapp.schema.channels import BASE
-from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import FinishReason, Flag, Prediction, RunState, as_array
 from rigapp.schema.notices import AlarmChanged, Committed, Finished, Notice, StateChanged
 from rigapp.schema.states import ENDED, Refused
@@ -349,7 +349,7 @@ def test_a_viewer_gets_rows_the_newest_cycle_and_the_gap_when_it_lags(rig: Memor
     quick = rig.engine.subscribe()
     run(rig, 20)
     snapshot = rig.engine.snapshot(quick)
-    rows = np.frombuffer(snapshot.rows).reshape(-1, len(revolution_columns()))
+    rows = np.frombuffer(snapshot.rows).reshape(-1, len(BASE.revolution_columns))
     np.testing.assert_array_equal(rows[:, 0], np.arange(1, 21))
     assert snapshot.first_row == 0
     assert snapshot.cycle is not None

@@ -30,7 +30,7 @@ from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import LIGHT, apply_theme
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.channels import BASE
-from rigapp.schema.columns import CHANNELS, prediction_columns, revolution_columns
+from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import (
     Alarm,
     ChannelView,
@@ -53,7 +53,7 @@ from rigapp.service.launch import find_engine
 from rigapp.storage import FilePlan, TestMetadata, create_test
 
 RADIUS, LENGTH = 76.2, 203.2
-REVOLUTION_NAMES = tuple(column.name for column in revolution_columns())
+REVOLUTION_NAMES = tuple(column.name for column in BASE.revolution_columns)
 PREDICTION_NAMES = tuple(column.name for column in prediction_columns())
 
 ALARM = Alarm(
@@ -190,7 +190,8 @@ def make_cycle(revolution: int, points: int = 1920) -> Cycle:
     one, two, _ = crank_forces(angle, 36.0)
     one, two = one + noise[0], two + noise[1]
     probes = 100.0 + 12.0 * np.cos(np.radians(angle)), 8.0 * np.sin(np.radians(angle))
-    named = zip(CHANNELS, (one, two, np.hypot(one, two), *probes), strict=True)
+    names = [channel.name for channel in BASE.channels]
+    named = zip(names, (one, two, np.hypot(one, two), *probes), strict=True)
     curves = {name: array.astype("<f4").tobytes() for name, array in named}
     return Cycle(revolution, angle.astype("<f4").tobytes(), curves)
 

@@ -236,7 +236,7 @@ def test_what_a_viewer_sends_to_the_stream_makes_it_no_viewer(client: Client) ->
 
 def test_notes_of_one_client_do_not_fill_the_log(tmp_path: Path) -> None:
     from rigapp.schema.channels import BASE
-    from rigapp.schema.columns import prediction_columns, revolution_columns
+    from rigapp.schema.columns import prediction_columns
     from rigapp.storage import FilePlan, TestMetadata, create_test, open_test
 
     plan = FilePlan(
@@ -244,7 +244,7 @@ def test_notes_of_one_client_do_not_fill_the_log(tmp_path: Path) -> None:
         cycles=1,
         samples_per_cycle=10,
         events=400,
-        revolution_columns=revolution_columns()[:2],
+        revolution_columns=BASE.revolution_columns[:2],
         cycle_columns=BASE.cycle_columns[:2],
         prediction_columns=prediction_columns()[:2],
         prediction_points=4,

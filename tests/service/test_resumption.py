@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 from msgspec import structs
@@ -17,7 +18,7 @@ from drivers.api import ChannelSpec, StreamSetup
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
-from rigapp.config.rig import RigFile
+from rigapp.config.rig import ChannelSection, RigFile
 from rigapp.engine.recording.store import calibration_record
 from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.schema.messages import Reply, Request, RunState
@@ -27,7 +28,7 @@ from rigapp.service.resumption import Fit, Past, Resumption, compare, remarks
 from rigapp.service.simulated import parse_speed
 from rigapp.storage import open_test
 
-INPUTS = ("analog_1", "analog_2", "analog_3", "analog_4")
+INPUTS = ("analog_1", "analog_2", "analog_3", "analog_4", "analog_5")
 
 
 def calibration(rig: RigFile) -> Calibration:
@@ -253,3 +254,21 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     assert abs(after - before) < 1.5
     with pytest.raises(UnusableInput, match="complete"):
         host.start(test, out, "Ada", resume=True)
+
+
+def test_other_channels_than_those_of_the_file(past: Past, rig: RigFile) -> None:
+    """One that is gone blocks, one that is new is noted, another line needs a reason."""
+    free = ChannelSection(device="daq", input="analog_5", unit="degC", scale=100.0)
+    warm = msgspec.structs.replace(rig, channels={"bushing": free})
+    noted = judged(past, warm, calibration=calibration(warm))
+    assert fits(noted) == {"Channel bushing": Fit.NOTED}
+    kept = {**calibration_record(calibration(warm)), "device_daq": {"filter_Hz": 100.0}}
+    before = replace(past, channels=channel_table(warm), calibration=kept)
+    blocked = judged(before, rig)
+    assert fits(blocked) == {"Channels": Fit.BLOCKS}
+    assert "the file keeps bushing" in blocked.blocked
+    other = {"bushing": msgspec.structs.replace(free, scale=99.0)}
+    changed = msgspec.structs.replace(rig, channels=other)
+    asked = judged(before, changed, calibration=calibration(changed))
+    assert fits(asked) == {"Line of bushing": Fit.REASON}
+    assert not fits(judged(before, warm, calibration=calibration(warm)))

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from patience import PATIENCE_S
 
 from rigapp.process.leftovers import process_alive
-from rigapp.schema.columns import revolution_columns
+from rigapp.schema.channels import BASE
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
     Reply,
@@ -65,7 +65,7 @@ def status(revolution: int = 0) -> Status:
 
 
 PENDING = UNDER_WAY[Lane.WORK]
-COLUMNS = len(revolution_columns())
+COLUMNS = len(BASE.revolution_columns)
 
 
 class Rows:

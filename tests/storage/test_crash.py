@@ -18,7 +18,7 @@ import pytest
 from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.channels import BASE
-from rigapp.schema.columns import prediction_columns, revolution_columns
+from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Event
 from rigapp.storage import FilePlan, StorageFailed, open_test, reopen_test
 from rigapp.storage.filesystem.disk import Disk
@@ -30,7 +30,7 @@ SMALL = FilePlan(
     cycles=9,
     samples_per_cycle=40,
     events=80,
-    revolution_columns=revolution_columns()[:12],
+    revolution_columns=BASE.revolution_columns[:12],
     cycle_columns=BASE.cycle_columns[:4],
     prediction_columns=prediction_columns()[:5],
     prediction_points=30,

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.ranges import unit_of
 from rigapp.config.recipe import StopSection
-from rigapp.schema.columns import revolution_columns
+from rigapp.schema.channels import BASE
 from rigapp.schema.criteria import CRITERIA, At, Criterion, Sight
 from rigapp.schema.messages import Flag
 
@@ -32,8 +32,6 @@ RATE_BINS = 50
 """The wear rate is the slope through the means of so many equal parts of the window."""
 
 NOT_JUDGED = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
-
-PLACE = {column.name: place for place, column in enumerate(revolution_columns())}
 
 HISTORY_COLUMNS = ("revolution", "speed", "quality")
 """What a criterion needs to know of the rows of an earlier segment."""
@@ -167,10 +165,10 @@ class StopMonitor:
                     rate.add(int(one), 1e3 * depth)
 
     def row(self, row: Array) -> Met | None:
-        """Judge a row in the order of ``revolution_columns``; return the criterion that it met."""
+        """Judge a row in the order of ``ChannelTable.names``; return the criterion that it met."""
 
         def at(name: str) -> float:
-            return float(row[PLACE[name]])
+            return float(row[BASE.place[name]])
 
         number = int(at("revolution"))
         self._run(number, at("speed"))
