@@ -59,8 +59,8 @@ _INT32: Final = 2**31 - 1
 class Cia402Drive:
     """Turn the crank with a CiA 402 drive in profile velocity mode.
 
-    Every call is serialised by one lock. ``drive_off`` and ``quick_stop`` first send their control
-    word as a PDO, without waiting for the lock, and then confirm it.
+    Every call is serialised by one lock. ``drive_off`` first sends its control word as a PDO,
+    without waiting for the lock, and then confirms it.
     """
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
@@ -185,16 +185,6 @@ class Cia402Drive:
         if abs(steps) > _INT32:
             raise self._refused(f"{speed_rev_per_s * 60:.1f} rpm does not fit into object 60FF.")
         return steps
-
-    def quick_stop(self) -> None:
-        """Stop with the drive's own quick-stop deceleration; the next start needs a reset."""
-        self._command_at_once(Control.QUICK_STOP)
-        with self._lock:
-            node = self._open_node()
-            node.hurry.clear()
-            self._target = None
-            self._trip = self._trip or "the drive was stopped quickly"
-            node.write(0x6040, Control.QUICK_STOP)
 
     def drive_off(self) -> None:
         """Take the power off the motor at once (disable voltage); it coasts.

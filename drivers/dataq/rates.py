@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import Final
 
 from drivers.dataq.protocol import MASTER_CLOCK_HZ
@@ -53,22 +54,16 @@ def checked(rate: Rate, entries: int) -> bool:
 
 def nearest_rates(sample_rate_Hz: float, entries: int) -> list[Rate]:
     """Return the nearest rate below (or at) and above a wish, where there are such."""
-    below: Rate | None = None
-    above: Rate | None = None
     smallest = max(SMALLEST_SRATE, TICKS_PER_ENTRY * entries)
+    below, above = [], []
     for dec, deca in DECIMATIONS:
         ticks = MASTER_CLOCK_HZ / (sample_rate_Hz * dec * deca)
-        slower = Rate(max(smallest, math.ceil(ticks * (1.0 - 1e-12))), dec, deca)
-        faster = Rate(min(LARGEST_SRATE, math.floor(ticks * (1.0 + 1e-12))), dec, deca)
-        if checked(slower, entries) and (
-            below is None or slower.sample_rate_Hz > below.sample_rate_Hz
-        ):
-            below = slower
-        if checked(faster, entries) and (
-            above is None or faster.sample_rate_Hz < above.sample_rate_Hz
-        ):
-            above = faster
-    return [rate for rate in (below, above) if rate is not None]
+        below.append(Rate(max(smallest, math.ceil(ticks * (1.0 - 1e-12))), dec, deca))
+        above.append(Rate(min(LARGEST_SRATE, math.floor(ticks * (1.0 + 1e-12))), dec, deca))
+    below, above = ([one for one in some if checked(one, entries)] for some in (below, above))
+    # Of equals, max and min take the first, which has the smallest decimation.
+    speed = attrgetter("sample_rate_Hz")
+    return [best(some, key=speed) for best, some in ((max, below), (min, above)) if some]
 
 
 def rate_for(sample_rate_Hz: float, entries: int) -> Rate:

@@ -26,7 +26,6 @@ def _crc16_table() -> NDArray[np.uint16]:
 
 _CRC8 = _crc8_table()
 _CRC16 = _crc16_table()
-_CRC16_LIST = _CRC16.tolist()
 
 
 def crc8(data: bytes) -> int:
@@ -39,10 +38,7 @@ def crc8(data: bytes) -> int:
 
 def crc16(data: bytes) -> int:
     """Return the CRC-16 of measured values: Modbus, sent low byte first."""
-    crc = 0xFFFF
-    for byte in data:
-        crc = (crc >> 8) ^ _CRC16_LIST[(crc ^ byte) & 0xFF]
-    return int(crc)
+    return int(crc16_of_rows(np.frombuffer(data, np.uint8)[None])[0])
 
 
 def crc16_of_rows(rows: NDArray[np.uint8]) -> NDArray[np.uint16]:

@@ -116,39 +116,29 @@ def encode_value_fault(fault: ValueFault) -> bytes:
     return bits.to_bytes(6, "big")
 
 
+_EIGHT = range(1, 9)
+_FLAGS: dict[int, tuple[str, tuple[str, ...]]] = {
+    1: (
+        "input saturated",
+        tuple(f"channel {n} {side} its range" for side in ("above", "below") for n in _EIGHT),
+    ),
+    2: ("measured value beyond its maximum", tuple(f"channel {n}" for n in _EIGHT)),
+    3: ("sensor or its cable is broken", tuple(f"channel {n} Ud{s}" for n in _EIGHT for s in "+-")),
+    4: (
+        "analog output",
+        (*(f"current loop {n} open" for n in _EIGHT), *(f"driver {n} too hot" for n in _EIGHT)),
+    ),
+    5: ("short circuit of a digital line", tuple(f"DIO {n}" for n in range(1, 17))),
+}
+"""What each kind of value error is, and what its flags mean from bit 0 up."""
+
+
 def value_fault_words(kind: int, flags: int) -> str:
     """Return a value error in words, with the channels that it names."""
-    if kind == 1:
-        return f"input saturated: {_listed(_signed_channels(flags))}"
-    if kind == 2:
-        channels = [f"channel {n + 1}" for n in range(8) if flags >> n & 1]
-        return f"measured value beyond its maximum: {_listed(channels)}"
-    if kind == 3:
-        wires = [
-            f"channel {n // 2 + 1} Ud{'-' if n % 2 else '+'}" for n in range(16) if flags >> n & 1
-        ]
-        return f"sensor or its cable is broken: {_listed(wires)}"
-    if kind == 4:
-        return f"analog output: {_output_words(flags)}"
-    if kind == 5:
-        lines = [f"DIO {n + 1}" for n in range(16) if flags >> n & 1]
-        return f"short circuit of a digital line: {_listed(lines)}"
-    return f"value error of unknown kind {kind} with flags {flags:04X}"
-
-
-def _signed_channels(flags: int) -> list[str]:
-    above = [f"channel {n + 1} above its range" for n in range(8) if flags >> n & 1]
-    below = [f"channel {n + 1} below its range" for n in range(8) if flags >> (8 + n) & 1]
-    return above + below
-
-
-def _output_words(flags: int) -> str:
-    if flags == 0xFFFF:
-        return "unknown output"
-    opened = [f"current loop {n + 1} open" for n in range(8) if flags >> n & 1]
-    hot = [f"driver {n + 1} too hot" for n in range(8) if flags >> (8 + n) & 1]
-    return _listed(opened + hot)
-
-
-def _listed(parts: list[str]) -> str:
-    return ", ".join(parts) if parts else "no channel named"
+    if kind not in _FLAGS:
+        return f"value error of unknown kind {kind} with flags {flags:04X}"
+    what, names = _FLAGS[kind]
+    if kind == 4 and flags == 0xFFFF:
+        return f"{what}: unknown output"
+    named = [name for bit, name in enumerate(names) if flags >> bit & 1]
+    return f"{what}: {', '.join(named) or 'no channel named'}"

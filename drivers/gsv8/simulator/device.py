@@ -6,8 +6,6 @@ second. Both quadrature inputs see the same encoder.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from drivers.api import RigSignals
@@ -28,10 +26,9 @@ class Gsv8Simulator:
     encoder_lines: lines of the encoder; counts_per_revolution, when given, are its edges (4 a
     line). firmware: text such as "1.56". usb: else a UART at uart_baud_rate. counter_present: with
     quadrature inputs. offset_binary: integers as the GSV-8 sends them. zero_prohibited: bit n
-    refuses to zero channel n+1. noise: the device's own noise. delays_s: delay of the analog
-    filter by channel number, for all by 0. counter_scale: user scale of the counters from the
-    factory; 8388608 makes the float equal to counts. faults: ``Fault`` records or tables of their
-    fields, see ``Gsv8Fault``.
+    refuses to zero channel n+1. counter_scale: user scale of the counters from the factory; 8388608
+    makes the float equal to counts. seed: of the garbage of faults. faults: ``Fault`` records or
+    tables of their fields, see ``Gsv8Fault``.
     """
 
     kinds = Gsv8Fault
@@ -49,8 +46,6 @@ class Gsv8Simulator:
         counter_present: bool = True,
         offset_binary: bool = True,
         zero_prohibited: int = 0,
-        noise: bool = False,
-        delays_s: Mapping[int, float] | None = None,
         counter_scale: float = 8388608.0,
         faults: Faults = (),
     ) -> None:
@@ -67,8 +62,7 @@ class Gsv8Simulator:
         self._device = Device(hardware, settings, counts_per_revolution or 4 * encoder_lines)
         self._plan = FaultPlan(Gsv8Fault, faults)
         self.inject, self.clear = self._plan.add, self._plan.clear
-        rng = np.random.default_rng(seed)
-        self._measured = MeasuredValues(self._device, self._plan, rng, noise, delays_s or {})
+        self._measured = MeasuredValues(self._device, self._plan, np.random.default_rng(seed))
         self._reader = RequestReader()
 
     # --- what the rig sees ----------------------------------------------------------------------

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,7 @@ from drivers.gsv8.simulator.inputs import (
     AnalogInputs,
     codes_of,
     open_inputs,
-    part_of_range,
+    parts_of_ranges,
 )
 from drivers.gsv8.simulator.state import Device, Gsv8Fault
 from drivers.simulated import FaultPlan
@@ -34,16 +33,14 @@ class MeasuredValues:
         device: Device,
         plan: FaultPlan,
         rng: np.random.Generator,
-        noise: bool,
-        delays_s: Mapping[int, float],
     ) -> None:
         self._device = device
         self._plan = plan
         self._rng = rng
-        self._inputs = AnalogInputs(rng, noise, delays_s)
+        self._inputs = AnalogInputs()
         self._codes = np.zeros((p.ANALOG_CHANNELS, 1), dtype=np.int64)
         self._counts = np.zeros((p.COUNTER_CHANNELS, 1), dtype=np.int64)
-        self._terminals: dict[int, float] = {}
+        self._terminals: dict[int, NDArray[np.float64]] = {}
         self._converted_as = list(device.settings.input_types)
         self._pending: tuple[NDArray[Any], NDArray[np.bool_]] | None = None
         self._to_drop = 0
@@ -57,9 +54,7 @@ class MeasuredValues:
         device, settings = self._device, self._device.settings
         active = self._plan.active
         samples = signals.shaft_revolutions.size
-        inputs = self._inputs.normalised(
-            signals.analog, samples, settings.input_types, settings.rate_Hz
-        )
+        inputs = parts_of_ranges(signals.analog, samples, settings.input_types)
         saturated = active(Gsv8Fault.SATURATED_INPUT, 1.0)
         stuck = active(Gsv8Fault.STUCK_INPUT, 1.0)
         inputs = self._inputs.faulty(
@@ -70,7 +65,7 @@ class MeasuredValues:
         broken = active(Gsv8Fault.SENSOR_BROKEN, 1.0)
         codes = codes_of(inputs)
         device.state.raw = codes[:, -1].tolist()
-        self._terminals = {n: float(signal[-1]) for n, signal in signals.analog.items()}
+        self._terminals = {n: signal[-1:] for n, signal in signals.analog.items()}
         self._converted_as = list(settings.input_types)
         self._count(signals.shaft_revolutions)
         over = self._over(inputs * CODE_PER_RANGE)
@@ -88,9 +83,7 @@ class MeasuredValues:
         kinds = self._device.settings.input_types
         if kinds == self._converted_as:
             return
-        inputs = np.zeros((p.ANALOG_CHANNELS, 1))
-        for channel, signal in self._terminals.items():
-            inputs[channel - 1] = part_of_range(signal, kinds[channel - 1])
+        inputs = parts_of_ranges(self._terminals, 1, kinds)
         self._converted_as = list(kinds)
         codes = codes_of(inputs)
         self._device.state.raw = codes[:, 0].tolist()

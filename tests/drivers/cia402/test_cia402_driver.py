@@ -537,18 +537,6 @@ def test_safe_torque_off_is_an_emergency_stop(
     wait_until(lambda: rig.speed_rpm == 60, "the next start")
 
 
-def test_quick_stop_is_the_drives_own(drive_rig: Any, connect: Any, wait_until: Any) -> None:
-    rig = drive_rig()
-    drive = connect(rig)
-    drive.set_speed(5.0, 1000.0)
-    wait_until(lambda: rig.speed_rpm == 300, "the speed")
-    drive.quick_stop()
-    wait_until(lambda: rig.speed_rpm == 0, "the stop")
-    assert state(rig) is State.QUICK_STOP
-    drive.set_speed(0.0, 10.0)
-    assert state(rig) is State.QUICK_STOP, "a stop does not enable"
-
-
 @pytest.mark.parametrize("fault", ["late_tpdo", "no_tpdo"])
 def test_late_and_missing_pdos_are_told_and_replaced(
     drive_rig: Any,

@@ -15,7 +15,6 @@ from drivers.gsv8.frames import FrameLayout, StreamParser
 from drivers.gsv8.protocol import (
     Command,
     CounterMode,
-    InputType,
     Quadrature,
     f32,
     request,
@@ -25,7 +24,6 @@ from drivers.gsv8.protocol import (
 )
 from drivers.gsv8.simulator import Gsv8Simulator
 from drivers.gsv8.simulator.counter import HIGHEST_COUNT, LOWEST_COUNT, QuadratureInput
-from drivers.gsv8.simulator.inputs import noise_sigma
 
 GOLDEN_DIALOGUE = [
     ("AA902385", "AA500085"),
@@ -292,34 +290,6 @@ def test_zero_acts_on_raw_values_before_user_scaling() -> None:
     assert _rows(data, FrameLayout(8))[0, -1] == pytest.approx(2.5, abs=1e-4)
     zero = struct.unpack(">i", _ask(simulator, Command.READ_ZERO, u8(1))[3:7])[0]
     assert zero == round(0.5 / 3.5 * 2**23 / 1.05)
-
-
-def test_noise_is_that_of_the_data_sheet() -> None:
-    simulator = Gsv8Simulator(seed=3, noise=True)
-    _ask(simulator, Command.WRITE_DATA_RATE, f32(1000.0))
-    data = simulator.sample(_signals(4000), 1.0)
-    row = _rows(data, FrameLayout(8))[0]
-    assert np.std(row) == pytest.approx(3.5 * noise_sigma(InputType.BRIDGE_5V, 1000.0), rel=0.1)
-    assert noise_sigma(InputType.BRIDGE_5V, 1000.0) * 6.6 == pytest.approx(1 / 2.5e4)
-    again = Gsv8Simulator(seed=3, noise=True)
-    _ask(again, Command.WRITE_DATA_RATE, f32(1000.0))
-    assert again.sample(_signals(4000), 1.0) == data
-
-
-def test_the_analog_path_is_late_and_the_counter_is_not() -> None:
-    simulator = Gsv8Simulator(delays_s={0: 0.0025, 2: 0.0})
-    layout = _set_up_counter(simulator, objects=3)
-    _ask(simulator, Command.WRITE_DATA_RATE, f32(1000.0))
-    ramp = np.arange(60) * 0.01
-    data = b""
-    for start in range(0, 60, 7):
-        part = ramp[start : start + 7]
-        shaft = np.arange(start, start + len(part)) / 3600.0
-        data += simulator.sample(RigSignals({1: part, 2: part}, shaft), 0.0)
-    rows = _rows(data, layout)
-    assert rows[0, 10:] == pytest.approx(ramp[10:] - 0.025, abs=1e-6)
-    assert rows[1] == pytest.approx(ramp, abs=1e-6)
-    assert rows[2] == pytest.approx(np.arange(60))
 
 
 # --- the counter ------------------------------------------------------------------------------
