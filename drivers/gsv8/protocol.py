@@ -195,30 +195,26 @@ class CounterMode:
 
     def encode(self) -> int:
         """Return the mode flags as they are written."""
-        return (
-            (COUNTER_ON if self.on else 0)
-            | self.quadrature << 3
-            | (COUNTER_USES_INDEX if self.use_index else 0)
-            | (COUNTER_SATURATES if self.saturate else 0)
-            | (COUNTER_STORES_LAST if self.store_last else 0)
-            | (0 if self.pull_ups else PULL_UPS_OFF)
-            | (INDEX_INVERTED if self.index_inverted else 0)
-            | (COUNTER_NOISE_FILTER if self.noise_filter else 0)
-        )
+        flags = self.quadrature << 3 ^ _COUNTER_INVERTED
+        return flags ^ sum(bit for name, bit in _COUNTER_BITS.items() if getattr(self, name))
+
+
+_COUNTER_BITS = {
+    "on": COUNTER_ON,
+    "use_index": COUNTER_USES_INDEX,
+    "saturate": COUNTER_SATURATES,
+    "store_last": COUNTER_STORES_LAST,
+    "pull_ups": PULL_UPS_OFF,
+    "index_inverted": INDEX_INVERTED,
+    "noise_filter": COUNTER_NOISE_FILTER,
+}
+_COUNTER_INVERTED = PULL_UPS_OFF  # set means off
 
 
 def decode_counter_mode(flags: int) -> CounterMode:
     """Return the settings in mode flags; speed measuring is not represented."""
-    return CounterMode(
-        on=bool(flags & COUNTER_ON),
-        quadrature=Quadrature(flags >> 3 & 3),
-        use_index=bool(flags & COUNTER_USES_INDEX),
-        saturate=bool(flags & COUNTER_SATURATES),
-        store_last=bool(flags & COUNTER_STORES_LAST),
-        pull_ups=not flags & PULL_UPS_OFF,
-        index_inverted=bool(flags & INDEX_INVERTED),
-        noise_filter=bool(flags & COUNTER_NOISE_FILTER),
-    )
+    on = {name: bool((flags ^ _COUNTER_INVERTED) & bit) for name, bit in _COUNTER_BITS.items()}
+    return CounterMode(quadrature=Quadrature(flags >> 3 & 3), **on)
 
 
 def request(command: int, parameters: bytes = b"", *, checksum: bool = False) -> bytes:

@@ -36,6 +36,15 @@ class SignalFault(enum.StrEnum):
     REVERSED_ENCODER = "reversed_encoder"  # lines A and B of the crank encoder are exchanged
 
 
+_SHAFT = "shaft"
+_DEFAULTS = {
+    SignalFault.SLIP_RING_SPIKES: 1.5,
+    SignalFault.SWINGING_WEIGHT: 0.03,
+    SignalFault.JAM: 1e3,
+}
+"""What stands behind a fault when nothing is said; 1 for the others."""
+
+
 class Disturbances:
     """Apply the signal faults that are on to the samples; the same for every cut into chunks."""
 
@@ -44,52 +53,41 @@ class Disturbances:
         self._channels: dict[tuple[SignalFault, str], float] = {}
         self._stuck: dict[str, float] = {}
         self._spike_rate = 0.0
-        self.jam_Nm = 0.0
-        self._reversed = False
+
+    @property
+    def jam_Nm(self) -> float:
+        """Return the dry friction on the shaft beyond the bearing's."""
+        return self._channels.get((SignalFault.JAM, _SHAFT), 0.0)
 
     def start(self, fault: SignalFault, channel: str, value: float | None, rate: float) -> None:
         """Let a fault begin; channel: force_1, force_2, probe_1 or probe_2, "" for both forces."""
-        if fault is SignalFault.JAM:
-            self.jam_Nm = 1e3 if value is None else value
-            return
-        if fault is SignalFault.REVERSED_ENCODER:
-            self._reversed = True
-            return
-        default = 1.0
         if fault is SignalFault.SLIP_RING_SPIKES:
-            default = 1.5
             self._spike_rate = rate
-        if fault is SignalFault.SWINGING_WEIGHT:
-            default = 0.03
-        for name in _terminals(channel):
-            self._channels[fault, name] = default if value is None else value
+        for name in _terminals(fault, channel):
+            self._channels[fault, name] = _DEFAULTS.get(fault, 1.0) if value is None else value
 
     def stop(self, fault: SignalFault, channel: str) -> None:
         """Let a fault end."""
-        if fault is SignalFault.JAM:
-            self.jam_Nm = 0.0
-            return
-        if fault is SignalFault.REVERSED_ENCODER:
-            self._reversed = False
-            return
-        for name in _terminals(channel):
+        for name in _terminals(fault, channel):
             self._channels.pop((fault, name), None)
             self._stuck.pop(name, None)
 
     def apply(self, samples: Samples, sample_rate_Hz: float) -> Samples:
         """Return the samples with the faults in them."""
         changed: dict[str, Array] = {}
-        if samples.shaft_revolutions.size == 0 or not (self._channels or self._reversed):
+        if samples.shaft_revolutions.size == 0:
             return samples
-        if self._reversed:
-            changed["shaft_revolutions"] = -samples.shaft_revolutions
         for (fault, name), value in self._channels.items():
+            if fault is SignalFault.REVERSED_ENCODER:
+                changed["shaft_revolutions"] = -samples.shaft_revolutions
+            if name == _SHAFT:
+                continue
             if fault is SignalFault.SWAPPED_BRIDGES:
                 changed[name] = getattr(samples, _OTHER.get(name, name))
                 continue
             signal = changed.get(name, getattr(samples, name))
             changed[name] = self._disturbed(fault, name, value, signal, samples, sample_rate_Hz)
-        return replace(samples, **changed)  # type: ignore[arg-type]
+        return replace(samples, **changed) if changed else samples  # type: ignore[arg-type]
 
     def _disturbed(
         self,
@@ -114,5 +112,7 @@ class Disturbances:
         return np.full_like(signal, np.copysign(size, value))
 
 
-def _terminals(channel: str) -> tuple[str, ...]:
+def _terminals(fault: SignalFault, channel: str) -> tuple[str, ...]:
+    if fault in (SignalFault.JAM, SignalFault.REVERSED_ENCODER):
+        return (_SHAFT,)
     return (CHANNELS[channel],) if channel else ("bridge_1", "bridge_2")

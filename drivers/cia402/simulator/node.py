@@ -43,9 +43,6 @@ HEARTBEAT_LOST: Final = 0x8130
 BUS_OFF: Final = 0x81FD
 PDO_LENGTH: Final = 0x8210
 _REGISTERS: Final = {0x2: 0x02, 0x3: 0x04, 0x4: 0x08, 0x5: 0x04, 0x6: 0x20, 0x7: 0x20, 0x8: 0x10}
-_SAVE: Final = int.from_bytes(b"save", "little")
-_LOAD: Final = int.from_bytes(b"load", "little")
-_SAVED_RANGE: Final = range(0x1010, 0x10000)
 
 
 class Cia402Fault(enum.StrEnum):
@@ -88,7 +85,6 @@ class Cia402Node:
         self._plan = plan
         self._motor = MotorState(0, 0.0, 0.0)
         self._observed = False
-        self._saved: dict[tuple[int, int], int] = {}
         self._queue: list[tuple[float, Frame]] = []
         self._silent_until_s = 0.0
         self._was_off_bus = False
@@ -109,8 +105,6 @@ class Cia402Node:
         self.pdos = Pdos(objects, options.node_id, options.tpdo1_period_s)
         self.sdo = SdoServer(objects)
         self.axis = Axis402(objects, 4 * options.encoder_pulses, self._acknowledge)
-        for key, value in self._saved.items():
-            objects.set(key[0], value, key[1])
         self._hook()
         self.state = NodeState.PRE_OPERATIONAL
         self._last_heartbeat_s: float | None = None
@@ -121,8 +115,6 @@ class Cia402Node:
     def _hook(self) -> None:
         entries = self.objects.entries
         entries[0x1003, 0].written = self._clear_history
-        entries[0x1010, 1].written = self._store
-        entries[0x1011, 1].written = self._restore
         entries[0x1016, 1].written = entries[0x1016, 2].written = self._consumer_written
         if (0x2200, 1) in entries:
             entries[0x2200, 1].read = lambda: round(self._motor.supply_V * 10)
@@ -133,7 +125,7 @@ class Cia402Node:
             entries[0x3202, 1].read = lambda: 0 if self.axis.torque_off else 3
 
     def power_on(self, time_s: float, silence_s: float) -> None:
-        """Begin anew: saved parameters, no power on the motor, a boot-up message."""
+        """Begin anew: default parameters, no power on the motor, a boot-up message."""
         self._build()
         self._queue.clear()
         self._silent_until_s = time_s + silence_s
@@ -310,23 +302,6 @@ class Cia402Node:
 
     def _consumer_written(self, value: int) -> None:
         self._heard.pop(value >> 16 & 0x7F, None)
-
-    def _store(self, value: int) -> None:
-        if value != _SAVE:
-            raise AbortTransfer(Abort.CANNOT_STORE)
-        self._saved = {
-            key: entry.value
-            for key, entry in self.objects.entries.items()
-            if key[0] in _SAVED_RANGE
-            and entry.access == "rw"
-            and isinstance(entry.value, int)
-            and key[0] not in (0x1010, 0x1011, 0x6040, 0x60FF)
-        }
-
-    def _restore(self, value: int) -> None:
-        if value != _LOAD:
-            raise AbortTransfer(Abort.CANNOT_STORE)
-        self._saved = {}
 
     # --- plant -----------------------------------------------------------------------------------
 

@@ -22,7 +22,6 @@ class Abort(enum.IntEnum):
     LENGTH = 0x0607_0010
     NO_SUBINDEX = 0x0609_0011
     VALUE = 0x0609_0030
-    CANNOT_STORE = 0x0800_0020
     STATE = 0x0800_0022
 
 
@@ -119,9 +118,6 @@ def add_communication(objects: Dictionary, name: str) -> None:
     objects.add(0x1001, 0, Entry("u8", 0, "ro", mappable=True))
     objects.add(0x1005, 0, Entry("u32", 0x80, "ro"))
     objects.add(0x1008, 0, Entry("text", name, "ro"))
-    for index in (0x1010, 0x1011):
-        objects.add(index, 0, Entry("u8", 1, "ro"))
-        objects.add(index, 1, Entry("u32", 1))
     objects.add(0x1016, 0, Entry("u8", 2, "ro"))
     objects.add(0x1016, 1, Entry("u32"))
     objects.add(0x1016, 2, Entry("u32"))

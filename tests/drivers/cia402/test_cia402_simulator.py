@@ -251,18 +251,12 @@ def test_the_heartbeat_tells_the_state_in_its_period() -> None:
     assert "705 7F" in bench.wait(0.2)
 
 
-def test_a_reset_of_the_node_says_boot_up_and_keeps_what_was_stored() -> None:
+def test_a_reset_of_the_node_says_boot_up_and_forgets_what_was_set() -> None:
     bench = Bench()
-    bench.write(0x6084, 777)
-    bench.write(0x1010, int.from_bytes(b"save", "little"), subindex=1)
     bench.write(0x6084, 888)
     bench.send("000 81 05")
     assert bench.send("605 40 00 10 00 00 00 00 00") == []
     assert "705 00" in bench.wait(0.2)
-    assert bench.read(0x6084) == 777
-    bench.write(0x1011, int.from_bytes(b"load", "little"), subindex=1)
-    bench.send("000 81 00")
-    bench.wait(0.2)
     assert bench.read(0x6084) == 10000
 
 
