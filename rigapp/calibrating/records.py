@@ -15,6 +15,7 @@ from calibration.problems import Problem
 from calibration.records import seal
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
 
 
 def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
@@ -54,18 +55,8 @@ def keep_record(
     }
     if taken is not None:
         content["taken"] = dict(taken)
-    part = to.with_name(f".{to.name}.part-{os.getpid()}")
-    try:
-        with part.open("xb") as stream:
-            stream.write(seal(content))
-            stream.flush()
-            os.fsync(stream.fileno())
-        part.chmod(0o444)
-        os.link(part, to)
-    except OSError as error:
-        raise UnusableInput(f"{to}: cannot be written ({error}).") from error
-    finally:
-        part.unlink(missing_ok=True)
+    with whole_file(to, new=True, mode=0o444) as part:
+        part.write_bytes(seal(content))
 
 
 def _day(seconds: int) -> str:

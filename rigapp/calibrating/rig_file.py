@@ -9,6 +9,7 @@ from pathlib import Path
 from rigapp.calibrating.records_in_use import LOAD_CELL, RecordPlace, with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
+from rigapp.config.writing import whole_file
 
 
 def name_record(rig: Path, record: Path, place: RecordPlace = LOAD_CELL) -> Path:
@@ -28,18 +29,8 @@ def name_record(rig: Path, record: Path, place: RecordPlace = LOAD_CELL) -> Path
     text = tomlkit.dumps(document)
     with_records(Document(rig, text, parse_rig(text, str(rig))))
     copy = _copy(rig, before.text)
-    part = rig.with_name(f".{rig.name}.part-{os.getpid()}")
-    try:
-        with part.open("x", encoding="utf-8", newline="") as stream:
-            stream.write(text)
-            stream.flush()
-            os.fsync(stream.fileno())
-        part.chmod(rig.stat().st_mode & 0o777)
-        part.replace(rig)
-    except OSError as error:
-        raise UnusableInput(f"{rig}: cannot be written ({error}); it is as it was.") from error
-    finally:
-        part.unlink(missing_ok=True)
+    with whole_file(rig) as part:
+        part.write_text(text, encoding="utf-8", newline="")
     return copy
 
 

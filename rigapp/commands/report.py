@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
 from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
 
 ENDINGS = (".html", ".pdf")
 
@@ -34,21 +33,7 @@ def write_report(path: Path, to: Path) -> int:
         from rigapp.report.page.pdf import as_pdf
 
         data = as_pdf(document)
-    _replace(to, data)
+    with whole_file(to) as part:
+        part.write_bytes(data)
     print(f"The report is {to}.")
     return 0
-
-
-def _replace(to: Path, data: bytes) -> None:
-    """Put the bytes in place at once: a reader never sees half a report."""
-    hidden = to.parent / f".{to.name}.part-{os.getpid()}"
-    try:
-        hidden.write_bytes(data)
-        os.replace(hidden, to)
-    except OSError as error:
-        raise UnusableInput(
-            f"{to}: the report cannot be written ({error.strerror}); choose another place"
-        ) from error
-    finally:
-        with contextlib.suppress(OSError):
-            hidden.unlink(missing_ok=True)

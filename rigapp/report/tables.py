@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
 
 
 def check_target(option: str, target: Path, source: Path | None = None) -> None:
@@ -23,15 +23,12 @@ def check_target(option: str, target: Path, source: Path | None = None) -> None:
 
 
 def write_table(option: str, target: Path, columns: Mapping[str, Any]) -> None:
-    """Write columns beside the target and rename, so that no half table is ever seen."""
+    """Write columns as CSV; an earlier table is replaced when all is written."""
     table = np.column_stack([np.asarray(column, dtype=np.float64) for column in columns.values()])
-    partial = target.with_name(f".{target.name}.{os.getpid()}.part")
-    try:
-        with partial.open("w", encoding="ascii", newline="\n") as file:
-            np.savetxt(
-                file, table + 0.0, fmt="%.15g", delimiter=",", header=",".join(columns), comments=""
-            )
-        partial.replace(target)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise UnusableInput(f"{option} {target}: cannot be written ({error.strerror}).") from error
+    with (
+        whole_file(target, f"{option} {target}") as part,
+        part.open("w", encoding="ascii", newline="\n") as file,
+    ):
+        np.savetxt(
+            file, table + 0.0, fmt="%.15g", delimiter=",", header=",".join(columns), comments=""
+        )

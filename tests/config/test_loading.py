@@ -19,6 +19,7 @@ from rigapp.config.parameters import ParameterFile
 from rigapp.config.ranges import keys_of
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
+from rigapp.config.writing import whole_file
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -156,3 +157,27 @@ def test_a_control_character_in_a_text_is_refused(text: str) -> None:
         parse_test(changed, "x.toml")
     with pytest.raises(UnusableInput, match=r"^x.toml: name holds the control character"):
         parse_rig(example("simulated.toml").replace("Simulated slider-crank", text), "x.toml")
+
+
+def rewritten(path: Path, text: str, *, new: bool = False, error: Exception | None = None) -> None:
+    with whole_file(path, new=new) as part:
+        part.write_text(text)
+        if error is not None:
+            raise error
+
+
+def test_a_file_is_written_whole_or_not_at_all(tmp_path: Path) -> None:
+    path, link = tmp_path / "a.toml", tmp_path / "link.toml"
+    path.write_text("before")
+    path.chmod(0o640)
+    link.symlink_to(path)
+    with pytest.raises(RuntimeError):
+        rewritten(path, "half", error=RuntimeError())
+    assert path.read_text() == "before"
+    rewritten(link, "after")
+    assert (path.read_text(), path.stat().st_mode & 0o777) == ("after", 0o640)
+    assert link.is_symlink()
+    with pytest.raises(UnusableInput, match=r"a\.toml: cannot be written"):
+        rewritten(path, "again", new=True)
+    assert path.read_text() == "after"
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["a.toml", "link.toml"]

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
 from rigapp.report.page.manuscript import Figure, Manuscript, Table
 
 Content = Mapping[str, Any]
@@ -49,10 +50,8 @@ def write_page(
     if writer is None:
         *first, last = writers
         raise UnusableInput(f"{to}: a {what} is {', '.join(first)} or {last}; name it so.")
-    try:
-        to.write_bytes(writer())
-    except OSError as error:
-        raise UnusableInput(f"{to}: cannot be written ({error}).") from error
+    with whole_file(to) as part:
+        part.write_bytes(writer())
 
 
 def scatter(

@@ -28,6 +28,7 @@ from rigapp.config.loading import as_test
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_tree
+from rigapp.config.writing import whole_file
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.testfile.fields import (
     FieldSpec,
@@ -180,9 +181,10 @@ class RecipePanel(QWidget):
                     good=False,
                 )
                 return False
-            path.write_text(text, encoding="utf-8")
-        except OSError as error:
-            self._say(f"{path}: cannot be written ({error}).", good=False)
+            with whole_file(path) as part:
+                part.write_text(text, encoding="utf-8")
+        except UnusableInput as error:
+            self._say(str(error), good=False)
             return False
         self._path, self._tree, self._text = path, tomllib.loads(text), text
         self._judge()

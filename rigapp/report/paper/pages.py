@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
 from rigapp.report.page.html import as_html
 from rigapp.report.page.manuscript import Block, Figure, Manuscript, Section, Table, Text
 from rigapp.report.paper.chapter import Chapter
@@ -111,7 +111,5 @@ def _block(block: Block) -> str:
 
 def save(path: Path, content: bytes) -> None:
     """Write a file; raise UnusableInput when that cannot be done."""
-    try:
-        path.write_bytes(content)
-    except OSError as error:
-        raise UnusableInput(f"--to {path}: cannot be written ({error.strerror}).") from error
+    with whole_file(path, f"--to {path}") as part:
+        part.write_bytes(content)
