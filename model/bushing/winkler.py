@@ -13,8 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from model.bushing.compliance import SurfaceCompliance, arc_ends, surface_angles
 from model.bushing.sector import SectorMesh
 
-Array = NDArray[np.float64]
-
 
 def winkler_half_angle(
     foundation: float, clearance: float, pin_radius: float, force: float

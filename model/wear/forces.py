@@ -9,7 +9,6 @@ from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from model.joints import continuous_contact
 from model.parameters import Joint, Parameters
@@ -22,8 +21,6 @@ from model.wear.loads import (
     loads_of_cycle,
     swing,
 )
-
-Array = NDArray[np.float64]
 
 DENSE = 1440
 """Crank angles from which positions are gathered where the force swings wide."""

@@ -116,82 +116,70 @@ def life(
         else constant_source(force, parameters.joint)
     )
     width, coefficient = parameters.joint.bushing_width, parameters.bushing.wear_coefficient
-    plan = plan_life(
-        ring,
-        width,
-        coefficient,
-        source.unworn,
-        cycles,
-        tolerance,
-        source.single,
-        lambda: tell(0.0),
-    )
+    one = (ring, width, coefficient)
+    plan = plan_life(*one, source.unworn, cycles, tolerance, source.single, lambda: tell(0.0))
     unworn = source.unworn(plan.positions)
-    chosen = (
-        extrapolation(ring, plan.sectors, coefficient, unworn, step)
-        if method == "explicit"
-        else None
-    )
+    explicit = None
+    if method == "explicit":
+        explicit = extrapolation(ring, plan.sectors, coefficient, unworn, step)
     simplified = simplification(ring, float(unworn.magnitude.max()) / width)
     sampling = sampling_errors(
-        ring,
-        width,
-        coefficient,
-        plan,
-        unworn.pressing(),
-        source.samples(plan.positions),
-        cycles,
+        *one, plan, unworn.pressing(), source.samples(plan.positions), cycles
     )
-    moments = _moments(parameters, ring, source, plan, cycles, tolerance, tell, chosen)
-    found = _life(
-        parameters, ring, source, plan, sampling, moments, technique, tolerance, cycles, chosen
-    )
+    task = _Task(parameters, ring, source, plan, technique, tolerance, cycles, explicit)
+    found = _life(task, sampling, _moments(task, tell))
     return replace(found, notes=simplified + found.notes)
 
 
-def _moments(
-    parameters: Parameters,
-    ring: Ring,
-    source: ForceSource,
-    plan: LifePlan,
-    cycles: float,
-    tolerance: float,
-    tell: Callable[[float], None],
-    explicit: Extrapolation | None,
-) -> list[Moment]:
+@dataclass(frozen=True, slots=True)
+class _Task:
+    """Hold what is to be computed, and with what."""
+
+    parameters: Parameters
+    ring: Ring
+    source: ForceSource
+    plan: LifePlan
+    technique: str
+    tolerance: float
+    cycles: float
+    explicit: Extrapolation | None
+
+
+def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
     """Run the life on its plan, again on a larger arc when the contact outgrows it.
 
     Where ``tell`` raises OutOfTime after the first step, what was reached is returned.
     """
+    plan, source, explicit = task.plan, task.source, task.explicit
     window = plan.half_angle
-    rows = row_cycles(cycles)
+    rows = row_cycles(task.cycles)
 
     def loads_at(front: Front, at: float) -> CycleLoads:
         return source.at(front, at, plan.positions)
 
     while True:
         problem = wear_problem(
-            ring,
+            task.ring,
             plan.sectors,
-            parameters.joint.bushing_width,
-            parameters.bushing.wear_coefficient,
+            task.parameters.joint.bushing_width,
+            task.parameters.bushing.wear_coefficient,
             source.unworn(plan.positions),
             window,
         )
         moments: list[Moment] = []
         try:
             course = (
-                integrate(problem, loads_at, rows, TIME_SHARE * tolerance)
+                integrate(problem, loads_at, rows, TIME_SHARE * task.tolerance)
                 if explicit is None
                 else explicit_moments(
-                    problem, loads_at, rows, explicit.step, lambda done: tell(done / cycles)
+                    problem, loads_at, rows, explicit.step, lambda done: tell(done / task.cycles)
                 )
             )
             for moment in course:
                 if not moments:
                     _refuse_overload(problem, moment)
                 moments.append(moment)
-                tell(moment.cycles / cycles)
+                tell(moment.cycles / task.cycles)
         except OutOfTime:
             if len(moments) < 2:
                 raise
@@ -245,36 +233,28 @@ def row_cycles(cycles: float) -> Array:
 
 
 def _life(
-    parameters: Parameters,
-    ring: Ring,
-    source: ForceSource,
-    plan: LifePlan,
-    sampling: tuple[RelativeError, RelativeError],
-    moments: list[Moment],
-    technique: str,
-    tolerance: float,
-    cycles: float,
-    explicit: Extrapolation | None,
+    task: _Task, sampling: tuple[RelativeError, RelativeError], moments: list[Moment]
 ) -> Life:
     """Return the record of a run's moments."""
+    parameters, source, cycles = task.parameters, task.source, task.cycles
     fronts = [Front(m.surface) for m in moments]
-    depth = np.array([f.depth(ring.inner).max() for f in fronts])
+    depth = np.array([f.depth(task.ring.inner).max() for f in fronts])
     done = np.array([m.cycles for m in moments])
     area = np.array([m.area for m in moments])
     mean_force = np.array([m.mean_force for m in moments])
-    by_depth, by_area = _errors(source, plan, sampling, moments, depth, area)
+    by_depth, by_area = _errors(task, sampling, moments, depth, area)
     error, area_error = (
         _SAFETY * sum(parts.values(), np.zeros(len(moments))) for parts in (by_depth, by_area)
     )
     mass_per_area = parameters.joint.bushing_width * parameters.bushing.density
-    met = bool(error[-1] <= tolerance * depth[-1] or depth[-1] == 0.0)
+    met = bool(error[-1] <= task.tolerance * depth[-1] or depth[-1] == 0.0)
     notes = list(source.notes(moments[-1].front))
     if not met:
         worst = max(by_depth, key=lambda name: float(by_depth[name][-1]))
-        shorter = explicit is not None and worst == "time steps"
+        shorter = task.explicit is not None and worst == "time steps"
         notes.append(
             f"The estimated error of the depth, {error[-1] / depth[-1]:.2g} of it, exceeds the"
-            f" tolerance of {tolerance:g}; most of it is by the {worst}"
+            f" tolerance of {task.tolerance:g}; most of it is by the {worst}"
             f"{': take shorter explicit steps' if shorter else ''}."
         )
     notes += below_archard(area[-1], area_error[-1], _least_area(parameters, done, mean_force))
@@ -283,9 +263,9 @@ def _life(
             f"Time ran out after {done[-1]:.6g} of {cycles:.0f} cycles; the last row is not the end"
             " of the life."
         )
-    ends = profile(moments[-1].surface, ring)
+    ends = profile(moments[-1].surface, task.ring)
     return Life(
-        technique=technique,
+        technique=task.technique,
         cycles=done,
         max_depth=depth,
         worn_area=area,
@@ -297,21 +277,20 @@ def _life(
         estimated_error=error,
         area_error=area_error,
         mass_error=area_error * mass_per_area,
-        angle=np.append(surface_angles(plan.sectors), np.pi),
+        angle=np.append(surface_angles(task.plan.sectors), np.pi),
         depth=np.append(ends, ends[0]),
-        positions=plan.positions,
-        sectors=plan.sectors,
+        positions=task.plan.positions,
+        sectors=task.plan.sectors,
         steps=sum(m.steps for m in moments),
         notes=tuple(notes),
         tolerance_met=met,
         complete=bool(done[-1] >= cycles),
-        extrapolation=explicit,
+        extrapolation=task.explicit,
     )
 
 
 def _errors(
-    source: ForceSource,
-    plan: LifePlan,
+    task: _Task,
     sampling: tuple[RelativeError, RelativeError],
     moments: list[Moment],
     depth: Array,
@@ -324,17 +303,17 @@ def _errors(
     """
     done = np.array([m.cycles for m in moments])
     mesh = mesh_error(np.array([0.5 * m.nodes_in_contact for m in moments])) + _SOLUTION_ERROR
-    kept = np.array([source.coupling_error(m.cycles) for m in moments])
+    kept = np.array([task.source.coupling_error(m.cycles) for m in moments])
     of_depth = {
         "time steps": np.array([m.time_error for m in moments]),
-        "crank positions": plan.depth_error.after(done) * depth,
+        "crank positions": task.plan.depth_error.after(done) * depth,
         "mesh": mesh * depth,
         "forces kept while the surface wears": kept,
         "sampling of revolutions with lost contact": sampling[0].after(done) * depth,
     }
     of_area = {
         "time steps": np.array([m.area_error for m in moments]),
-        "crank positions": plan.area_error.after(done) * area,
+        "crank positions": task.plan.area_error.after(done) * area,
         "mesh": mesh * area,
         "forces kept while the surface wears": area * kept / np.maximum(depth, 1e-300),
         "sampling of revolutions with lost contact": sampling[1].after(done) * area,

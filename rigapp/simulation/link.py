@@ -62,10 +62,6 @@ class OutputQueue:
             return memoryview(b"")
         return memoryview(self._deliveries[0].data)[self._sent :]
 
-    def next_due_s(self) -> float | None:
-        """Return when the next delivery is due, None when there is none."""
-        return self._deliveries[0].due_s if self._deliveries else None
-
     def sent(self, count: int) -> None:
         """Take note that ``count`` bytes of the head went."""
         self._sent += count

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import numpy as np
 import pyqtgraph as pg
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
@@ -15,8 +13,6 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.plots.palette import LinePen, Theme, line_pen
 from rigapp.gui.widgets.build import named
-
-Floats = NDArray[np.float64]
 
 
 class QuietPlot(pg.PlotWidget):  # type: ignore[misc]

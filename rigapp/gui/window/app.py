@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import sys
 from pathlib import Path
 
@@ -15,8 +14,6 @@ from rigapp.gui.plots.palette import THEMES, apply_theme
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import MainWindow
 from rigapp.process.ending import asked_to_end, end_at_once
-
-log = logging.getLogger(__name__)
 
 LOOK_MS = 200
 

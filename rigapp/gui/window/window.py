@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import logging
 from collections.abc import Sequence
 from getpass import getuser
 from pathlib import Path
@@ -41,7 +40,6 @@ if TYPE_CHECKING:
     from rigapp.gui.wizard.chooser import CalibrationChooser
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
-log = logging.getLogger(__name__)
 
 TICK_MS = 25
 """Between two looks for news: a revolution shall be on the screen 100 ms after its end."""
