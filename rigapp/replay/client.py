@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from dataclasses import dataclass
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 from rigapp.replay.alarms import RecordedAlarms
 from rigapp.replay.messages import newest_messages, profile_message, recipe_of
 from rigapp.schema.channels import BASE
-from rigapp.schema.columns import prediction_columns
+from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import (
     Cycle,
     Prediction,
@@ -47,6 +48,14 @@ class Recording:
     status: Status
     profiles: dict[str, NDArray[Any]]
     alarms: RecordedAlarms
+
+    def row(self, place: int) -> dict[str, float]:
+        """Return a revolution's values by column."""
+        return dict(zip(self.columns, self.rows[place].tolist(), strict=True))
+
+    def prediction(self, place: int) -> dict[str, float]:
+        """Return a prediction's values by column."""
+        return by_name(prediction_columns(), self.predictions[place])
 
 
 class ReplayClient:
@@ -201,22 +210,11 @@ class ReplayClient:
 
     def _status(self, done: int) -> Status:
         recording = self._recording
-        row = recording.rows[done - 1] if done else None
-        revolution = int(row[0]) if row is not None else 0
-        values = (
-            dict(zip(recording.columns, row.tolist(), strict=True)) if row is not None else None
-        )
-        margin, limit = (
-            recording.alarms.margin(revolution, values)
-            if values is not None
-            else (float("nan"), "")
-        )
-        shown = self._sent_predictions
-        left_s = (
-            (len(recording.rows) - done) * 60.0 / recording.rpm / self._speed
-            if self._speed
-            else 0.0
-        )
+        values = recording.row(done - 1) if done else {}
+        revolution = int(values.get("revolution", 0))
+        margin, limit = recording.alarms.margin(revolution, values) if values else (math.nan, "")
+        shown = recording.prediction(self._sent_predictions - 1) if self._sent_predictions else {}
+        left_s = (len(recording.rows) - done) * 60.0 / recording.rpm
         now = time.time()
         return msgspec.structs.replace(
             recording.status,
@@ -227,20 +225,13 @@ class ReplayClient:
             worst_margin=limit,
             alarms=recording.alarms.alarms(revolution),
             committed=done,
-            speed_rpm=values["speed"] if values is not None else 0.0,
+            speed_rpm=values.get("speed", 0.0),
             started_at=float(self._takes),
-            expected_end_at=now + left_s,
+            expected_end_at=now + (left_s / self._speed if self._speed else 0.0),
             host_time=now,
-            twin_revolution=int(recording.predictions[shown - 1, 0]) if shown else -1,
-            residual_rms_N=(
-                float(recording.predictions[shown - 1, _PREDICTION["residual_rms"]])
-                if shown
-                else float("nan")
-            ),
+            twin_revolution=int(shown.get("revolution", -1)),
+            residual_rms_N=shown.get("residual_rms", math.nan),
         )
-
-
-_PREDICTION = {column.name: index for index, column in enumerate(prediction_columns())}
 
 
 def read_recording(test: TestReader) -> Recording:
@@ -248,40 +239,27 @@ def read_recording(test: TestReader) -> Recording:
     metadata, summary = test.metadata(), test.summary()
     recipe = recipe_of(test)
     columns = BASE.units | test.column_units()
-    rows = _matrix(test.rows(), tuple(columns))
+    rows = _matrix(test.rows(), list(columns))
     rpm = recipe.run.speed_rpm if recipe is not None else 60.0
     status = Status(
-        state=RunState.RUNNING,
-        reason=summary["reason"] or summary["status"],
-        rig=metadata["rig"],
-        test=f"Replay of {metadata['title']}",
-        file=str(test.path),
-        revolution=0,
+        RunState.RUNNING,
+        summary["reason"] or summary["status"],
+        metadata["rig"],
+        f"Replay of {metadata['title']}",
+        str(test.path),
         planned=metadata["planned_revolutions"],
-        committed=0,
         first_revolution=summary["first_revolution"] or 1,
         target_rpm=rpm,
-        speed_rpm=0.0,
-        started_at=0.0,
-        expected_end_at=0.0,
-        data_age_s=0.0,
-        host_time=0.0,
         simulated=metadata["simulated"],
-        simulated_speed=0.0,
-        worst_margin_percent=float("nan"),
-        worst_margin="",
-        twin_revolution=-1,
-        twin_age_s=0.0,
-        residual_rms_N=float("nan"),
         operator=metadata["operator"],
     )
-    predictions = _matrix(test.predictions(), tuple(_PREDICTION))
+    predictions = _matrix(test.predictions(), [one.name for one in prediction_columns()])
     alarms = RecordedAlarms(test.events(), recipe.limits if recipe is not None else None)
     cycles = test.cycle_revolutions()
     return Recording(columns, rows, predictions, cycles, rpm, status, test.profiles(), alarms)
 
 
-def _matrix(columns: dict[str, NDArray[Any]], names: tuple[str, ...]) -> Floats:
+def _matrix(columns: dict[str, NDArray[Any]], names: list[str]) -> Floats:
     count = len(columns["revolution"])
     unknown = np.full(count, np.nan)
     return np.column_stack([columns.get(name, unknown) for name in names]).astype(np.float64)

@@ -6,6 +6,7 @@ Arrays travel as bytes (little-endian) and come back by ``as_array``. A message 
 from __future__ import annotations
 
 import enum
+import math
 from typing import Any
 
 import msgspec
@@ -194,27 +195,27 @@ class Status(msgspec.Struct, frozen=True):
     """Show the engine at one moment; what the window's header is made of."""
 
     state: RunState
-    reason: str
-    rig: str
-    test: str
-    file: str
-    revolution: int
-    planned: int
-    committed: int
-    first_revolution: int
-    target_rpm: float
-    speed_rpm: float
-    started_at: float
-    expected_end_at: float
-    data_age_s: float
-    host_time: float
-    simulated: bool
-    simulated_speed: float
-    worst_margin_percent: float
-    worst_margin: str
-    twin_revolution: int
-    twin_age_s: float
-    residual_rms_N: float
+    reason: str = ""
+    rig: str = ""
+    test: str = ""
+    file: str = ""
+    revolution: int = 0
+    planned: int = 0
+    committed: int = 0
+    first_revolution: int = 1
+    target_rpm: float = 0.0
+    speed_rpm: float = 0.0
+    started_at: float = 0.0
+    expected_end_at: float = 0.0
+    data_age_s: float = 0.0
+    host_time: float = 0.0
+    simulated: bool = False
+    simulated_speed: float = 0.0
+    worst_margin_percent: float = math.nan
+    worst_margin: str = ""
+    twin_revolution: int = -1
+    twin_age_s: float = 0.0
+    residual_rms_N: float = math.nan
     alarms: tuple[Alarm, ...] = ()
     drive: DriveView | None = None
     devices: tuple[DeviceView, ...] = ()

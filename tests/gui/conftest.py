@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 
-from rigapp.gui.data.recording import StoredTest
-
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("QT_LOGGING_RULES", "qt.qpa.*=false")
 
@@ -25,6 +23,7 @@ from PySide6.QtWidgets import QWidget
 
 from rigapp.config.loading import read_rig
 from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.recording import StoredTest
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import LIGHT, apply_theme
@@ -305,7 +304,7 @@ def alarm() -> Alarm:
 @pytest.fixture
 def no_history() -> Callable[[Path, int], StoredTest]:
     """Return a loader that finds an empty file."""
-    return lambda path, planned: StoredTest(LiveData(planned), None, np.empty(0, dtype=np.int64))
+    return lambda path, planned: StoredTest(LiveData(planned), None)
 
 
 @pytest.fixture(scope="session")

@@ -7,6 +7,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
+# The source before the tests, whose folders bear the names of its packages.
+sys.path.insert(0, str(Path(__file__).parents[1]))
+sys.path.insert(0, str(Path(__file__).parents[2]))
 sys.path.insert(0, str(Path(__file__).parent))
 
 import conftest

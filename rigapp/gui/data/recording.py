@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.recipe import TestFile
@@ -33,13 +32,12 @@ class StoredRevolution:
 class StoredTest:
     """Carry what a file holds of a test at one moment.
 
-    cycle_revolutions: the revolutions whose whole cycle is saved. recipe: None when the test file
-    inside cannot be read. newest: the newest saved cycle, None while there is none.
+    recipe: None when the test file inside cannot be read. newest: the newest saved cycle, None
+    while there is none.
     """
 
     data: LiveData
     recipe: TestFile | None
-    cycle_revolutions: NDArray[np.int64]
     newest: StoredRevolution | None = None
 
 
@@ -63,9 +61,9 @@ def load_history(path: Path, planned: int = 0) -> StoredTest:
             data.profile = shown_profile(profile_message(profiles, -1))
         data.rows.settle()
         data.predictions.settle()
-        saved = test.cycle_revolutions()
-        newest = _unpacked(newest_messages(test, len(saved) - 1)) if len(saved) else None
-        return StoredTest(data, recipe_of(test), saved, newest)
+        saved = len(test.cycle_revolutions())
+        newest = _unpacked(newest_messages(test, saved - 1)) if saved else None
+        return StoredTest(data, recipe_of(test), newest)
 
 
 def load_revolution(path: Path, revolution: int) -> StoredRevolution:

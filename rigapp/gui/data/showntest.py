@@ -8,9 +8,6 @@ from collections import deque
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.recording import (
     StoredRevolution,
@@ -58,7 +55,6 @@ class ShownTest:
         self._not_before = 0.0
         self.data = LiveData()
         self.recipe: TestFile | None = None
-        self.cycle_revolutions: NDArray[np.int64] = np.empty(0, dtype=np.int64)
         self.problem = ""
         self.events: list[Event] = []
         self.log_problem = ""
@@ -144,7 +140,6 @@ class ShownTest:
         self.data = LiveData(status.planned)
         self.recipe = None
         self.events, self.log_problem = [], ""
-        self.cycle_revolutions = np.empty(0, dtype=np.int64)
         self.problem = ""
 
     def _wants_history(self) -> bool:
@@ -176,7 +171,6 @@ class ShownTest:
         if self.data.missing_from is not None:
             self._replace(history, held)
         self.recipe = history.recipe
-        self.cycle_revolutions = history.cycle_revolutions
         self._attempts = 0
         self.problem = ""
 

@@ -76,9 +76,8 @@ Editor = QLineEdit | QComboBox | QCheckBox
 
 
 class RecipePanel(QWidget):
-    """Edit a test file. ``chosen`` carries the path of the file whenever it is opened or saved."""
+    """Edit a test file."""
 
-    chosen = Signal(Path)
     start_wanted = Signal(Path)
 
     def __init__(self, theme: Theme) -> None:
@@ -147,7 +146,6 @@ class RecipePanel(QWidget):
                 box.setChecked(get_path(tree, name) is not None)
         self.rules.fill(_rules(get_path(tree, "limits.rule")))
         self._judge()
-        self.chosen.emit(path)
 
     def tree(self) -> dict[str, Any]:
         """Return the test as nested tables; raise ValueError with one sentence."""
@@ -188,7 +186,6 @@ class RecipePanel(QWidget):
             return False
         self._path, self._tree, self._text = path, tomllib.loads(text), text
         self._judge()
-        self.chosen.emit(path)
         return True
 
     def _changed_elsewhere(self, path: Path) -> bool:
