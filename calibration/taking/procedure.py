@@ -38,22 +38,18 @@ class PlannedStep(Protocol):
     @property
     def series(self) -> str:
         """Return the series that the reading belongs to."""
-        ...
 
     @property
     def number(self) -> int:
         """Return the number of the reading in its series."""
-        ...
 
     @property
     def set_up(self) -> float | None:
         """Return what must be set up for the step (an angle, a probe); None for none."""
-        ...
 
     @property
     def effort(self) -> float:
         """Return the seconds that the step takes a technician."""
-        ...
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -30,12 +30,10 @@ class Stepwise(Protocol):
     @property
     def series(self) -> tuple[str, ...]:
         """Return the series of each reading."""
-        ...
 
     @property
     def step(self) -> Whole:
         """Return the step number of each reading."""
-        ...
 
 
 def place_of(readings: Stepwise, index: int) -> str:

@@ -29,7 +29,6 @@ class Solve(Protocol):
         angle (n,): rad; speed: rad/s; acceleration: rad/s^2; depth: of wear at the contact point,
         m.
         """
-        ...
 
 
 @dataclass(frozen=True, slots=True)

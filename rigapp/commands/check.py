@@ -106,7 +106,6 @@ class SelfChecking(Protocol):
 
     def half_scale(self) -> Sequence[Any]:
         """Return one result an input: name, measured, expected, unit, right."""
-        ...
 
 
 def self_check(

@@ -42,7 +42,6 @@ class Helper(Protocol):
 
     def do(self, session: AnySession) -> None:
         """Do what the step under way asks."""
-        ...
 
 
 class SimulatedHands:

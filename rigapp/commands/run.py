@@ -55,11 +55,9 @@ class Progress(Protocol):
 
     def notice(self, notice: Notice) -> None:
         """Show one milestone."""
-        ...
 
     def close(self) -> None:
         """Show nothing more."""
-        ...
 
 
 def run_test(

@@ -28,39 +28,30 @@ class Judge(Protocol):
 
     def begun(self, sample: int) -> None:
         """Take note that the test begins with this device sample."""
-        ...
 
     def overload(self, force_N: float) -> None:
         """Act on a force above the limit, or NaN."""
-        ...
 
     def cut_off(self, inputs: frozenset[str]) -> bool:
         """Act on a force above the limit that only these saturated inputs show; tell whether."""
-        ...
 
     def saturated(self, inputs: frozenset[str]) -> None:
         """Take note of the inputs that stay at the end of their range, channels."""
-        ...
 
     def calm(self) -> None:
         """Take note that the force is within its limit again."""
-        ...
 
     def motion(self, speed_rpm: float) -> None:
         """Act on the newest speed."""
-        ...
 
     def revolution(self, revolution: Revolution) -> None:
         """Take a revolution."""
-        ...
 
     def lost(self, samples: int) -> None:
         """Take note that samples were lost; all of them so far."""
-        ...
 
     def time_jump(self, seconds: float) -> None:
         """Take note that device and host time parted."""
-        ...
 
 
 @dataclass(slots=True, eq=False)

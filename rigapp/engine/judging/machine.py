@@ -38,31 +38,25 @@ class OpenTest(Protocol):
     @property
     def run(self) -> TestRun:
         """Return what numbers and judges its revolutions."""
-        ...
 
     @property
     def target_rpm(self) -> float:
         """Return the set speed."""
-        ...
 
     @property
     def ramp_rpm_per_s(self) -> float:
         """Return how fast the speed is changed."""
-        ...
 
     @property
     def rows(self) -> int:
         """Return the rows recorded."""
-        ...
 
     @property
     def stood(self) -> bool:
         """Tell whether the spindle was seen to stand at its end."""
-        ...
 
     def begin(self, sample: int) -> None:
         """Take note of the device sample at which its time starts."""
-        ...
 
 
 class JudgedRun(Protocol):
@@ -71,61 +65,48 @@ class JudgedRun(Protocol):
     @property
     def rig(self) -> Document[RigFile]:
         """Return the rig file."""
-        ...
 
     @property
     def table(self) -> ChannelTable:
         """Return the channels and columns of the rig."""
-        ...
 
     @property
     def timing(self) -> Timing:
         """Return the time-outs."""
-        ...
 
     @property
     def alarms(self) -> AlarmBook:
         """Return the alarm list."""
-        ...
 
     @property
     def state(self) -> RunState:
         """Return the present state."""
-        ...
 
     @property
     def limits(self) -> LimitsSection:
         """Return the limits in force."""
-        ...
 
     @property
     def test(self) -> OpenTest | None:
         """Return the test under way, or the last one."""
-        ...
 
     def warn(self, cause: Cause) -> None:
         """Raise an alarm that does nothing else."""
-        ...
 
     def act_on(self, cause: Cause, off: bool = False) -> None:
         """Raise an alarm and do what the table says of it; off: without power in any case."""
-        ...
 
     def trip(self, ending: Ending, cause: Cause | None = None) -> bool:
         """End the test under way; the drive is commanded before this returns."""
-        ...
 
     def fire_if(self, trigger: Trigger, reason: str = "", only: Iterable[RunState] = ()) -> bool:
         """Carry out a transition when it is possible (and the state is one of ``only``)."""
-        ...
 
     def note_limit(self, cause: Cause) -> None:
         """Write a limit that is passed to the log, and do nothing else."""
-        ...
 
     def record(self, row: Row) -> None:
         """Store a judged revolution of the test under way, then publish it."""
-        ...
 
 
 class JudgedSamples(Protocol):
@@ -134,27 +115,22 @@ class JudgedSamples(Protocol):
     @property
     def assembler(self) -> Assembler:
         """Return what cuts them into revolutions."""
-        ...
 
     @property
     def motion(self) -> MotionWindow:
         """Return how the crank moves."""
-        ...
 
     @property
     def calibration(self) -> Calibration:
         """Return the calibration in use."""
-        ...
 
     @property
     def next_sample(self) -> int:
         """Return the device sample that is expected next."""
-        ...
 
     @property
     def saturated_until(self) -> int:
         """Return the device sample behind the last block with a saturated one."""
-        ...
 
 
 class JudgedRig(Protocol):
@@ -163,41 +139,32 @@ class JudgedRig(Protocol):
     @property
     def source(self) -> DataSource:
         """Return the source of the samples."""
-        ...
 
     @property
     def spindle(self) -> Spindle:
         """Return the drive."""
-        ...
 
     @property
     def control(self) -> SpindleControl:
         """Return what commands the drive, with what it has said."""
-        ...
 
     @property
     def processor(self) -> JudgedSamples:
         """Return what the samples have come to."""
-        ...
 
     @property
     def slow_channels(self) -> SlowChannels:
         """Return what slow devices tell."""
-        ...
 
     @property
     def swinging(self) -> bool:
         """Tell whether the crank may turn as it likes: its power is off, or was asked to be."""
-        ...
 
     def pause(self, reason: str) -> None:
         """Begin to pause at the safe angle, when the state allows it."""
-        ...
 
     def queue_age_s(self) -> float:
         """Return the age of the oldest samples that are not processed yet."""
-        ...
 
     def age_s(self, since_s: float) -> float:
         """Return how long ago a host time was, as a silence is judged."""
-        ...

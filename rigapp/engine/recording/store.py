@@ -45,88 +45,69 @@ class Store(Protocol):
     @property
     def path(self) -> Path:
         """Return where the file is; another place when it had to be saved there."""
-        ...
 
     def look_after(self, notice: Callable[[str], object]) -> LookedAfter | None:
         """Give the file its name back when it lost it; None when it has not.
 
         It may take long; notice is told before.
         """
-        ...
 
     @property
     def revolutions(self) -> int:
         """Return the rows appended."""
-        ...
 
     @property
     def cycles_refused(self) -> int:
         """Return the whole cycles that had no room."""
-        ...
 
     def append_row(self, values: NDArray[np.float64]) -> None:
         """Append a row, in the order of the plan's columns."""
-        ...
 
     def append_cycle(
         self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
     ) -> bool:
         """Append a whole cycle and why it is kept; False when there is no room for it."""
-        ...
 
     def append_unfinished(
         self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
     ) -> bool:
         """Append a revolution that was cut off; False when there is no room for it."""
-        ...
 
     def append_prediction(self, values: NDArray[np.float64]) -> bool:
         """Append a prediction; False when there is no room for it."""
-        ...
 
     def append_curves(self, revolution: int, curves: Mapping[str, ArrayLike]) -> bool:
         """Append the predicted curves of a revolution; False when there is no room for them."""
-        ...
 
     def append_profile(self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike]) -> bool:
         """Append a worn profile; False when there is no room for it."""
-        ...
 
     def keep_checkpoint(self, revolution: int, state: bytes) -> None:
         """Keep what a new twin needs to go on after a revolution; the newest one counts."""
-        ...
 
     def append_event(self, event: Event) -> bool:
         """Append to the log; False when it is full."""
-        ...
 
     def note_gap(self, event: Event) -> None:
         """Count an interruption and log it."""
-        ...
 
     def place(self) -> None:
         """Put what waits in memory into the file, without making it safe."""
-        ...
 
     def extend(self, revolutions: int) -> None:
         """Make room for another number of revolutions and log it; raise UnusableInput."""
-        ...
 
     def commit(self) -> int:
         """Make everything safe and return the number of safe rows."""
-        ...
 
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
         """Commit, and say how the test ended: complete, stopped or fault."""
-        ...
 
     def close(self) -> None:
         """Let go of the file."""
-        ...
 
     def discard(self) -> None:
         """Let go of a file in which nothing is recorded, and delete it."""
-        ...
 
 
 HISTORY_ROWS = 100_000
