@@ -19,12 +19,10 @@ from collections.abc import Callable, Mapping
 from drivers.api import (
     Block,
     DataOverrun,
-    DataSource,
     DeviceError,
     Identity,
     SlowRequest,
     SlowSource,
-    Spindle,
     StreamSetup,
 )
 from rigapp.engine.core import Core
@@ -68,6 +66,7 @@ class Connection:
     ) -> None:
         self.core = core
         self.devices = devices
+        self.source, self.spindle = devices.source, devices.spindle
         self.setup = setup
         timing = core.timing
         self._simulated = simulated = core.rig.record.simulation is not None
@@ -115,16 +114,6 @@ class Connection:
         self.supervise = Worker("supervise", supervise(self), died, silence)
         self.workers = (self.reader, self.process, self.commit, self.drive, self.supervise)
 
-    @property
-    def source(self) -> DataSource:
-        """Return the source of the samples."""
-        return self.devices.source
-
-    @property
-    def spindle(self) -> Spindle:
-        """Return the drive."""
-        return self.devices.spindle
-
     # --- life ------------------------------------------------------------------------------------
 
     def start(self) -> None:
@@ -132,7 +121,7 @@ class Connection:
         if self.control.poll() is None and self.control.last_error is not None:
             raise self.control.last_error
         self._log.attach()
-        self.devices.source.start()
+        self.source.start()
         self.received_s = time.monotonic()
         for worker in (*self.workers, *self._askers):
             worker.start()
@@ -182,7 +171,7 @@ class Connection:
             if not worker.join(max(0.0, deadline - time.monotonic()))
         ]
         try:
-            self.devices.source.stop()
+            self.source.stop()
         except DeviceError as error:
             self.last_source_error = error.sentence
         self.devices.close()
@@ -197,7 +186,7 @@ class Connection:
         block = self._pending
         if block is None:
             try:
-                block = self.devices.source.read(self.core.timing.read)
+                block = self.source.read(self.core.timing.read)
             except DataOverrun as error:
                 self._note(error)
                 cause = because("device_overrun", device=error.device, sentence=error.sentence)

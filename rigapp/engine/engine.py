@@ -8,7 +8,8 @@ one with unusable words raises ``UnusableInput``; one that a device fails raises
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -29,8 +30,8 @@ from rigapp.engine.drive.driving import Ramp
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.limits import changed_limits
 from rigapp.engine.listening import SignalView, hear
-from rigapp.engine.publish import NoticeStream, Subscription
-from rigapp.engine.recording.store import OpenStore, open_file
+from rigapp.engine.publish import Subscription
+from rigapp.engine.recording.store import OpenRequest, OpenStore, open_file
 from rigapp.engine.resting import note_rest, signals_at_rest, take_zero
 from rigapp.engine.starting import check_overload, check_start, open_test, start_deadline_s
 from rigapp.engine.supervisor import Supervisor
@@ -92,7 +93,8 @@ class Engine:
 
     rig: the rig file as read. ports: device name -> port in place of the rig file's (the simulated
     rig's). load: finds drivers by name. open_store: makes the test file. on_measured: told of every
-    sound revolution, in the processing thread; must return at once.
+    sound revolution, in the processing thread; must return at once. ``subscribe`` and ``watch`` are
+    the publisher's.
     """
 
     def __init__(
@@ -114,6 +116,9 @@ class Engine:
         self._connection: Connection | None = None
         self._command = OneAtATime(COMMAND_WAIT_S)
         self._operator = ""
+        publisher = self._core.publisher
+        self.subscribe, self.unsubscribe = publisher.subscribe, publisher.unsubscribe
+        self.watch, self.unwatch = publisher.watch, publisher.unwatch
 
     # --- connection ------------------------------------------------------------------------------
 
@@ -246,18 +251,18 @@ class Engine:
         self._operator = operator
         monitor = check_start(core, connection, test)
         rest = signals_at_rest(core, connection)
-        active = open_test(
-            core,
-            connection,
-            test,
-            path,
-            monitor,
-            self._open_store,
+        request = OpenRequest(
+            path=path,
+            rig=core.rig,
+            test=test,
+            calibration=connection.processor.calibration,
+            devices=dict(connection.devices.readback),
             records=self._records,
             operator=operator,
             resume=resume,
             rest=rest,
         )
+        active = open_test(core, connection, request, monitor, self._open_store)
         core.publisher.restart(active.recorder.rows)
         core.test = active
         run = test.record.run
@@ -277,10 +282,16 @@ class Engine:
             core.event(remark.kind, remark.who, remark.text, remark.before, remark.after)
         note_rest(core, rest)
         connection.begin_test()
-        try:
+        with self._turning():
             connection.control.run()
+
+    @contextmanager
+    def _turning(self) -> Iterator[None]:
+        """End the test when the drive refuses to turn, and raise its DeviceError."""
+        try:
+            yield
         except DeviceError as error:
-            core.trip(Ending(FinishReason.DEVICE, str(error)))
+            self._core.trip(Ending(FinishReason.DEVICE, str(error)))
             raise
 
     def pause(self, operator: str = "", reason: str = "") -> None:
@@ -302,11 +313,8 @@ class Engine:
             active.deadline_s = start_deadline_s(core, connection, active.document.record)
             self._note_command("resume", operator, "")
             core.fire(Trigger.RESUME)
-            try:
+            with self._turning():
                 connection.control.resume()
-            except DeviceError as error:
-                core.trip(Ending(FinishReason.DEVICE, str(error)))
-                raise
 
     def stop(self, operator: str = "", reason: str = "") -> None:
         """End the test with a controlled stop; raise Refused when none is under way."""
@@ -332,7 +340,7 @@ class Engine:
             transition(self._core.state, Trigger.STOP)
         who = operator or "the operator"
         what = "switched the drive off" if off else "stopped the test"
-        sentence = f"{who} {what}" + (f": {reason.strip()}" if reason.strip() else ".")
+        sentence = f"{who} {what}{_why(reason) or '.'}"
         sentence = sentence[0].upper() + sentence[1:]
         active = self._core.test
         waits = active is not None and active.finishing.acquire(blocking=False)
@@ -426,11 +434,10 @@ class Engine:
             check_overload(self._core.rig.record, limits.overload_N)
             active.run.monitor.replace(limits.rule)
             active.limits = limits
-            why = f": {reason.strip()}" if reason.strip() else ""
             self._core.event(
                 LIMIT_CHANGED,
                 operator or "operator",
-                f"limit {name} changed{why}",
+                f"limit {name} changed{_why(reason)}",
                 before=f"{before:g}" if before is not None else "none",
                 after=f"{value:g}",
                 key=name,
@@ -459,8 +466,7 @@ class Engine:
             before = run.planned
             active.recorder.extend(revolutions)
             run.planned = revolutions
-            why = f": {reason.strip()}" if reason.strip() else ""
-            text = f"the test shall end after {revolutions} revolutions{why}"
+            text = f"the test shall end after {revolutions} revolutions{_why(reason)}"
             core.event("command", operator or "operator", text, str(before), str(revolutions))
 
     def zero(
@@ -482,13 +488,7 @@ class Engine:
     def set_tare(self, tare: Sequence[float]) -> None:
         """Use the tare of an earlier part of a test (mV/V); only while no test is under way."""
         with self._command:
-            connection = self._connection
-            self._core.require(
-                connection is not None and self._core.state not in ACTIVE,
-                "the tare is set before a test",
-            )
-            assert connection is not None
-            connection.processor.set_tare(tare)
+            self._before_a_test("the tare is set").processor.set_tare(tare)
 
     def rest(self) -> Rest:
         """Return calibration, device settings and the load cell's signals as they are now.
@@ -496,18 +496,16 @@ class Engine:
         Raises Refused without devices and while a test is under way.
         """
         with self._command:
-            connection = self._connection
-            self._core.require(
-                connection is not None and self._core.state not in ACTIVE,
-                "this is looked at before a test, with the devices connected",
-            )
-            assert connection is not None
+            connection = self._before_a_test("this is looked at")
             found = signals_at_rest(self._core, connection)
-            return Rest(
-                connection.processor.calibration,
-                connection.devices.readback,
-                None if found is None else found.pair,
-            )
+            signals = None if found is None else found.pair
+            return Rest(connection.processor.calibration, connection.devices.readback, signals)
+
+    def _before_a_test(self, what: str) -> Connection:
+        """Return the connection while no test is under way; raise Refused."""
+        if self._connection is None or self._core.state in ACTIVE:
+            raise Refused(f"{what} before a test, with the devices connected")
+        return self._connection
 
     def hear(self, window_s: float) -> SignalView:
         """Return the electrical signals of the last seconds and the angle, for a calibration.
@@ -547,22 +545,6 @@ class Engine:
         """Wait for one of some states; raise TimeoutError. A test has ended in ``run.ENDED``."""
         return self._core.wait(until, timeout_s)
 
-    def subscribe(self, rows: int = 100_000, events: int = 10_000) -> Subscription:
-        """Return a bounded collection of rows, events, predictions and the newest cycle."""
-        return self._core.publisher.subscribe(rows, events)
-
-    def unsubscribe(self, subscription: Subscription) -> None:
-        """Forget a viewer."""
-        self._core.publisher.unsubscribe(subscription)
-
-    def watch(self, bound: int = 4096) -> NoticeStream:
-        """Return a bounded stream of Committed, StateChanged, AlarmChanged and Finished."""
-        return self._core.publisher.watch(bound)
-
-    def unwatch(self, stream: NoticeStream) -> None:
-        """Forget a follower."""
-        self._core.publisher.unwatch(stream)
-
     def snapshot(self, subscription: Subscription) -> Snapshot:
         """Return what is new for a viewer, with the status, as one message."""
         update = subscription.take()
@@ -592,3 +574,8 @@ class Engine:
         core.publisher.prediction(values, prediction)
         if self._connection is not None:
             self._connection.guard.predicted(active, values)
+
+
+def _why(reason: str) -> str:
+    """Return a reason as it follows what was done; empty without one."""
+    return f": {reason.strip()}" if reason.strip() else ""

@@ -164,8 +164,8 @@ class Publisher:
         self._lock = threading.Lock()
         self.next_row = 0
 
-    def subscribe(self, rows: int, events: int) -> Subscription:
-        """Add a viewer."""
+    def subscribe(self, rows: int = 100_000, events: int = 10_000) -> Subscription:
+        """Return a bounded collection of rows, events, predictions and the newest cycle."""
         one = Subscription(self._columns, self._prediction_columns, rows, events)
         one.restart(self.next_row)
         with self._lock:
@@ -177,8 +177,8 @@ class Publisher:
         with self._lock:
             self._subscriptions = tuple(s for s in self._subscriptions if s is not one)
 
-    def watch(self, bound: int) -> NoticeStream:
-        """Add a follower of milestones."""
+    def watch(self, bound: int = 4096) -> NoticeStream:
+        """Return a bounded stream of Committed, StateChanged, AlarmChanged and Finished."""
         stream = NoticeStream(bound)
         with self._lock:
             self._streams = (*self._streams, stream)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
 from pathlib import Path
 
 from drivers.api import SampleClock
@@ -23,7 +22,6 @@ from rigapp.engine.judging.testrun import TestRun
 from rigapp.engine.recording.history import History
 from rigapp.engine.recording.recorder import Recorder
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
-from rigapp.schema.loglines import RestSignals
 from rigapp.schema.states import Refused
 
 
@@ -88,32 +86,14 @@ def check_overload(rig: RigFile, overload_N: float, where: str = "") -> None:
 def open_test(
     core: Core,
     connection: Connection,
-    test: Document[TestFile],
-    path: Path,
+    request: OpenRequest,
     monitor: RuleMonitor,
     open_store: OpenStore,
-    *,
-    records: Mapping[str, str],
-    operator: str,
-    resume: bool,
-    rest: RestSignals | None,
 ) -> ActiveTest:
     """Make the file of a test, or reopen it; raise UnusableInput."""
+    test, path, calibration = request.test, request.path, request.calibration
     run = test.record.run
-    calibration = connection.processor.calibration
-    opened = open_store(
-        OpenRequest(
-            path=path,
-            rig=core.rig,
-            test=test,
-            calibration=calibration,
-            devices=dict(connection.devices.readback),
-            records=records,
-            operator=operator,
-            resume=resume,
-            rest=rest,
-        )
-    )
+    opened = open_store(request)
     if opened.last_revolution >= run.revolutions:
         opened.store.close()
         raise UnusableInput(
@@ -133,7 +113,7 @@ def open_test(
             planned=run.revolutions,
             time_offset_s=offset_s,
             utc=core.utc,
-            resumed=resume,
+            resumed=request.resume,
             stops=stops,
             slow=connection.slow_channels.columns,
         ),
@@ -147,10 +127,10 @@ def open_test(
             opened.table,
         ),
         limits=test.record.limits,
-        operator=operator,
+        operator=request.operator,
         started_at=time.time(),
         deadline_s=start_deadline_s(core, connection, test.record),
-        fresh=not resume,
+        fresh=not request.resume,
     )
 
 
