@@ -20,9 +20,8 @@ from rigapp.process.ending import Background, asked_to_end, end_at_once, ending_
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.notices import Committed, Finished, Notice, StateChanged
 from rigapp.schema.states import ACTIVE, Ending, InFault, Refused
-from rigapp.service.host import (
-    EngineHost,
-    close_host,
+from rigapp.service.host import EngineHost, close_host
+from rigapp.service.recorded import (
     compress_complete,
     end_whole_test,
     recorded_test,

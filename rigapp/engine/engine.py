@@ -69,7 +69,7 @@ EXTENDABLE = frozenset({RunState.STARTING, RunState.RUNNING, RunState.PAUSING, R
 
 
 @dataclass(frozen=True, slots=True)
-class Remark:
+class LogEntry:
     """An entry for the log: kind, text, who, values before and after."""
 
     kind: str
@@ -80,7 +80,7 @@ class Remark:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Rest:
+class RigAtRest:
     """The rig before a test: calibration in use, device settings, the load cell at rest (mV/V)."""
 
     calibration: Calibration
@@ -220,7 +220,7 @@ class Engine:
         *,
         operator: str = "",
         resume: bool = False,
-        remarks: Sequence[Remark] = (),
+        remarks: Sequence[LogEntry] = (),
     ) -> None:
         """Make the file of a test (or reopen it: ``resume``) and start to turn.
 
@@ -242,7 +242,7 @@ class Engine:
         path: Path,
         operator: str,
         resume: bool,
-        remarks: Sequence[Remark],
+        remarks: Sequence[LogEntry],
     ) -> None:
         core, connection = self._core, self._connection
         transition(core.state, Trigger.START)
@@ -490,7 +490,7 @@ class Engine:
         with self._command:
             self._before_a_test("the tare is set").processor.set_tare(tare)
 
-    def rest(self) -> Rest:
+    def rest(self) -> RigAtRest:
         """Return calibration, device settings and the load cell's signals as they are now.
 
         Raises Refused without devices and while a test is under way.
@@ -499,7 +499,7 @@ class Engine:
             connection = self._before_a_test("this is looked at")
             found = signals_at_rest(self._core, connection)
             signals = None if found is None else found.pair
-            return Rest(connection.processor.calibration, connection.devices.readback, signals)
+            return RigAtRest(connection.processor.calibration, connection.devices.readback, signals)
 
     def _before_a_test(self, what: str) -> Connection:
         """Return the connection while no test is under way; raise Refused."""

@@ -6,7 +6,6 @@ Used by ``rigapp run`` (one test, then the end) and ``rigapp engine`` (until tol
 from __future__ import annotations
 
 import os
-import re
 import threading
 import time
 from collections.abc import Callable
@@ -20,20 +19,17 @@ import msgspec
 from drivers.api import DeviceError
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document, parse_test, read_rig, read_test
-from rigapp.config.ranges import refusal as range_refusal
+from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
-from rigapp.config.toml import toml_text
 from rigapp.engine.devices import plan_devices
-from rigapp.engine.engine import Engine, Remark
+from rigapp.engine.engine import Engine, LogEntry
 from rigapp.engine.starting import check_fit
 from rigapp.process.ending import Background, asked_to_end, finish_in_time
 from rigapp.process.logs import beside, in_file
 from rigapp.process.threads import OneAtATime
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
-    FinishReason,
     Reply,
     Request,
     RevolutionMeasured,
@@ -46,6 +42,13 @@ from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, Hand, Nothing, Resume, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import InCommand
+from rigapp.service.recorded import (
+    checkpoint,
+    compress_complete,
+    end_whole_test,
+    recorded_test,
+    with_revolutions,
+)
 from rigapp.service.registry import (
     EngineEntry,
     announce,
@@ -63,7 +66,7 @@ from rigapp.service.resumption import (
 )
 from rigapp.service.security import Bind, authorise_own_viewer, parse_bind, require_viewers
 from rigapp.service.server import Server
-from rigapp.service.simulated import SimulatedDevices, Speed, parse_speed
+from rigapp.service.simulated import SampleNumbers, SimulatedDevices, Speed, parse_speed
 from rigapp.simulation.handle import SimulationFailed
 from rigapp.twin.link import TwinLink
 from rigapp.twin.worker import TwinSetup
@@ -80,30 +83,7 @@ TWIN_START_S = 15.0
 
 
 HAND_LOOKS = 3
-
-
-class Behind:
-    """Relate the simulated rig's samples to the engine's, which lag by what is on the wire.
-
-    The engine's count less the rig's is at most the constant between the two numberings; the
-    largest difference seen is the best estimate of it.
-    """
-
-    def __init__(self) -> None:
-        """Know nothing."""
-        self._difference: int | None = None
-        self._processed = 0
-
-    def note(self, processed: int, made: int) -> None:
-        """Take a look at both; ``processed`` is read before ``made``."""
-        if self._difference is None or processed < self._processed:
-            self._difference = processed - made
-        self._processed = processed
-        self._difference = max(self._difference, processed - made)
-
-    def processed_at(self, made: int) -> int:
-        """Return the engine's number of the rig's sample ``made``."""
-        return made + (self._difference or 0)
+"""Looks at both counts before a hand: of three, one is not held up by the computer."""
 
 
 class EngineHost:
@@ -129,7 +109,7 @@ class EngineHost:
         self._starting = OneAtATime(START_WAIT_S)
         self._cancelled = ""
         self.ended = threading.Event()
-        self._behind = Behind()
+        self._behind = SampleNumbers()
         self._command = InCommand(
             lambda text, who, before, after: self.engine.log("command", text, who, before, after)
         )
@@ -149,20 +129,15 @@ class EngineHost:
 
     def _listen(self, bind: Bind | None) -> Server:
         folder = runtime_folder()
-        if bind is None:
-            return self._server_at(*local_endpoints(folder, os.getpid()), None)
-        if bind.curve:
+        keys = folder if bind is not None and bind.curve else None
+        if bind is not None and keys is not None:
             require_viewers(folder, bind)
             authorise_own_viewer(folder)
-        keys = folder if bind.curve else None
-        return self._server_at(*bind.endpoints(), keys)
-
-    def _server_at(self, commands: str, stream: str, keys: Path | None) -> Server:
+        addresses = local_endpoints(folder, os.getpid()) if bind is None else bind.endpoints()
         return Server(
             self.handle,
             self.snapshot,
-            commands,
-            stream,
+            *addresses,
             keys,
             on_failure=self.engine.service_failed,
             on_viewers=self._note_viewers,
@@ -204,20 +179,20 @@ class EngineHost:
             self._make_ready(test.record)
             self._go_on()
             notes = [
-                Remark("calibration", f"{section}: {words}", operator)
+                LogEntry("calibration", f"{section}: {words}", operator)
                 for section, words in self._records.remarks.items()
             ]
             specimen = test.record.metadata.specimen
             if self._simulated.fit(specimen) and past is None:
                 words = "an unworn bushing is in the simulated rig"
-                notes.append(Remark("specimen", f"{words}: {specimen or 'no name'}", operator))
+                notes.append(LogEntry("specimen", f"{words}: {specimen or 'no name'}", operator))
             if past is not None:
                 found = self._compare(past)
                 examined(found)
                 notes += remarks(found, operator, reason)
                 if self._simulated.needed and past.wear_depth_um is None:
                     words = "the file tells no wear depth: the simulated rig has an unworn bushing"
-                    notes.append(Remark("resumed", words, operator))
+                    notes.append(LogEntry("resumed", words, operator))
                 self._take_up(past)
             self._start_twin(test.record, out, past)
             self._go_on()
@@ -283,7 +258,7 @@ class EngineHost:
             setup = TwinSetup(test.model, test.prediction.joint)
             if past is not None:
                 setup = msgspec.structs.replace(
-                    setup, new_position_um=past.new_position_um, checkpoint=_checkpoint(file)
+                    setup, new_position_um=past.new_position_um, checkpoint=checkpoint(file)
                 )
             self._twin = TwinLink(
                 setup,
@@ -407,57 +382,6 @@ class EngineHost:
         return None
 
 
-def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Document[TestFile]:
-    """Return a test with another number of revolutions, in its text as well; UnusableInput."""
-    if revolutions is None or revolutions == test.record.run.revolutions:
-        return test
-    wrong = range_refusal("run.revolutions", revolutions)
-    if wrong:
-        raise UnusableInput(wrong + ".")
-    text, count = re.subn(
-        r"(?m)^(\s*revolutions\s*=\s*)\S+", rf"\g<1>{revolutions}", test.text, count=1
-    )
-    record = parse_test(text, str(test.path)) if count else test.record
-    if record.run.revolutions != revolutions:
-        run = msgspec.structs.replace(test.record.run, revolutions=revolutions)
-        record = msgspec.structs.replace(test.record, run=run)
-        text = toml_text(record)
-    return Document(test.path, text, record)
-
-
-def recorded_test(path: Path) -> Document[TestFile]:
-    """Return the test that a file records, to go on with it; raise UnusableInput."""
-    from rigapp.storage import open_test
-
-    with open_test(path) as reader:
-        text = reader.configuration()["test"]
-        planned = reader.state("planned_revolutions")
-    test = Document(path, text, parse_test(text, f"{path} (its test)"))
-    return with_revolutions(test, planned or None)
-
-
-def end_whole_test(path: Path) -> Finished | None:
-    """End an interrupted file that has all its revolutions already; None for any other."""
-    from rigapp.storage import finish_whole_test, open_test
-
-    revolutions = finish_whole_test(path)
-    if not revolutions:
-        return None
-    with open_test(path) as reader:
-        sentence = str(reader.summary()["reason"])
-    end = Finished(FinishReason.COMPLETE, sentence, "complete", revolutions, str(path))
-    compress_complete(end)
-    return end
-
-
-def _checkpoint(path: Path) -> bytes:
-    """Return what the twin of an earlier part of the test left in its file, or nothing."""
-    from rigapp.storage import open_test
-
-    with open_test(path) as reader:
-        return reader.checkpoint()
-
-
 def serve(rig_path: Path, speed: str | None, bind: str | None = None) -> int:
     """Host an engine for windows until one of them, or a signal, shuts it down.
 
@@ -491,17 +415,6 @@ def close_host(host: EngineHost, asked: list[str]) -> None:
         give_up=lambda: withdraw(os.getpid()),
         limit_s=CLOSE_S,
     )
-
-
-def compress_complete(end: Finished) -> None:
-    """Compress the file of a complete test in a process of its own that outlives this one.
-
-    A test that was stopped stays as it is: it can be resumed.
-    """
-    if end.status == "complete":
-        from rigapp.storage import compact_in_background
-
-        compact_in_background(Path(end.file))
 
 
 def _connect_quietly(host: EngineHost) -> None:

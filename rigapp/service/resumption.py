@@ -21,7 +21,7 @@ import numpy as np
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import parse_rig
 from rigapp.config.rig import RigFile
-from rigapp.engine.engine import Remark
+from rigapp.engine.engine import LogEntry
 from rigapp.engine.recording.store import calibration_record, missing_channels
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import ChannelTable, Kind
@@ -365,7 +365,7 @@ def stored_tare(past: Past) -> Pair | None:
     return float(tare[0]), float(tare[1])
 
 
-def remarks(found: Resumption, operator: str, reason: str) -> list[Remark]:
+def remarks(found: Resumption, operator: str, reason: str) -> list[LogEntry]:
     """Return what goes into the log.
 
     Raises Refused when the test cannot go on, or not without a reason.
@@ -384,12 +384,12 @@ def remarks(found: Resumption, operator: str, reason: str) -> list[Remark]:
         f"going on after {interval(found.gap_s)}; the test was {found.status}"
         f"{': ' + found.reason if found.reason else ''}"
     )
-    lines = [Remark("resumed", text, who)]
+    lines = [LogEntry("resumed", text, who)]
     for one in found.findings:
         if one.fit in (Fit.NOTED, Fit.REASON):
             because = f", accepted: {why}" if one.fit is Fit.REASON else ""
             sentence = one.sentence or f"{one.what} differs"
-            lines.append(Remark("resumed", f"{sentence}{because}", who, one.before, one.now))
+            lines.append(LogEntry("resumed", f"{sentence}{because}", who, one.before, one.now))
     return lines
 
 

@@ -108,3 +108,27 @@ class SimulatedDevices:
         if self._process is not None:
             self._process.close()
             self._process = None
+
+
+class SampleNumbers:
+    """Relate the simulated rig's samples to the engine's, which lag by what is on the wire.
+
+    The engine's count less the rig's is at most the constant between the two numberings; the
+    largest difference seen is the best estimate of it.
+    """
+
+    def __init__(self) -> None:
+        """Know nothing."""
+        self._difference: int | None = None
+        self._processed = 0
+
+    def note(self, processed: int, made: int) -> None:
+        """Take a look at both; ``processed`` is read before ``made``."""
+        if self._difference is None or processed < self._processed:
+            self._difference = processed - made
+        self._processed = processed
+        self._difference = max(self._difference, processed - made)
+
+    def processed_at(self, made: int) -> int:
+        """Return the engine's number of the rig's sample ``made``."""
+        return made + (self._difference or 0)

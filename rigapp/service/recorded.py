@@ -1,0 +1,71 @@
+"""The test that a file records: to go on with it, or to end it where nothing is left to do."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document, parse_test
+from rigapp.config.ranges import refusal
+from rigapp.config.recipe import TestFile
+from rigapp.config.toml import toml_text
+from rigapp.schema.messages import FinishReason
+from rigapp.schema.notices import Finished
+from rigapp.storage import compact_in_background, finish_whole_test, open_test
+
+
+def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Document[TestFile]:
+    """Return a test with another number of revolutions, in its text as well; UnusableInput."""
+    if revolutions is None or revolutions == test.record.run.revolutions:
+        return test
+    wrong = refusal("run.revolutions", revolutions)
+    if wrong:
+        raise UnusableInput(wrong + ".")
+    text, count = re.subn(
+        r"(?m)^(\s*revolutions\s*=\s*)\S+", rf"\g<1>{revolutions}", test.text, count=1
+    )
+    record = parse_test(text, str(test.path)) if count else test.record
+    if record.run.revolutions != revolutions:
+        run = msgspec.structs.replace(test.record.run, revolutions=revolutions)
+        record = msgspec.structs.replace(test.record, run=run)
+        text = toml_text(record)
+    return Document(test.path, text, record)
+
+
+def recorded_test(path: Path) -> Document[TestFile]:
+    """Return the test that a file records, to go on with it; raise UnusableInput."""
+    with open_test(path) as reader:
+        text = reader.configuration()["test"]
+        planned = reader.state("planned_revolutions")
+    test = Document(path, text, parse_test(text, f"{path} (its test)"))
+    return with_revolutions(test, planned or None)
+
+
+def end_whole_test(path: Path) -> Finished | None:
+    """End an interrupted file that has all its revolutions already; None for any other."""
+    revolutions = finish_whole_test(path)
+    if not revolutions:
+        return None
+    with open_test(path) as reader:
+        sentence = str(reader.summary()["reason"])
+    end = Finished(FinishReason.COMPLETE, sentence, "complete", revolutions, str(path))
+    compress_complete(end)
+    return end
+
+
+def checkpoint(path: Path) -> bytes:
+    """Return what the twin of an earlier part of the test left in its file, or nothing."""
+    with open_test(path) as reader:
+        return reader.checkpoint()
+
+
+def compress_complete(end: Finished) -> None:
+    """Compress the file of a complete test in a process of its own that outlives this one.
+
+    A test that was stopped stays as it is: it can be resumed.
+    """
+    if end.status == "complete":
+        compact_in_background(Path(end.file))
