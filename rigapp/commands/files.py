@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import json
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 
 from calibration.load_cell.force_uncertainty import force_uncertainty
+from rigapp.commands.progress import bar
 from rigapp.storage import export_test, open_test
 
 
@@ -33,24 +31,10 @@ def print_info(path: Path, *, as_json: bool) -> int:
 
 def export_file(path: Path, target: Path, *, cycles: bool, points: int | None = None) -> int:
     """Write a table of a test file and say how much was written; return the exit status."""
-    with _progress() as progress:
+    with bar("Export") as progress:
         rows = export_test(path, target, cycles=cycles, progress=progress, points=points)
     what = "samples" if cycles else "revolutions"
     if points is not None:
         what = f"{points} crank angles a cycle"
     print(f"{target}: {rows} rows ({what}).")
     return 0
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[int, int], None] | None]:
-    """Show a progress bar on a terminal, nothing on a pipe."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("Export", total=None)
-        yield lambda done, total: bar.update(task, completed=done, total=total)

@@ -63,7 +63,7 @@ def sentences(path: Path) -> Iterator[str]:
         ("rigapp/commands/model/forces.py", ("forces",)),
         ("rigapp/commands/model/impacts.py", ("forces",)),
         ("rigapp/commands/model/wear.py", ("wear", "pressure")),
-        ("rigapp/commands/model/progress.py", ("forces", "wear", "paper")),
+        ("rigapp/commands/progress.py", ("forces", "wear", "paper")),
         ("rigapp/commands/model/paper.py", ("paper",)),
         ("rigapp/report/paper/__init__.py", ("paper",)),
         ("rigapp/report/paper/pages.py", ("paper",)),

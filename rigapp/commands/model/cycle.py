@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -46,9 +47,20 @@ class CycleTable:
 
 def joint_technique(name: str) -> Technique:
     """Return what --joint names; raise UnusableInput for an unknown one."""
-    if name not in TECHNIQUES:
-        raise UnusableInput(f"--joint {name}: choose one of {', '.join(TECHNIQUES)}.")
+    demand(name in TECHNIQUES, "--joint", name, f"choose one of {', '.join(TECHNIQUES)}")
     return TECHNIQUES[name]
+
+
+def demand(good: bool, option: str, value: object, words: str) -> None:
+    """Raise UnusableInput unless the value of an option is good; words: what to do."""
+    if not good:
+        shown = f"{value:g}" if isinstance(value, float) else value
+        raise UnusableInput(f"{option} {shown}: {words}.")
+
+
+def check_rpm(rpm: float) -> None:
+    """Refuse a speed at which nothing turns."""
+    demand(math.isfinite(rpm) and rpm != 0.0, "--rpm", rpm, "give a finite speed other than 0")
 
 
 def columns_of(degrees: Array, motion: MechanismMotion, pin_radius: float) -> dict[str, Array]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from model.wear.techniques import TECHNIQUES, listed
-from rigapp.commands.model.cycle import CycleTable, columns_of, joint_technique
+from rigapp.commands.model.cycle import CycleTable, check_rpm, columns_of, demand, joint_technique
 from rigapp.commands.model.impacts import Impacting, check_impacting, impact_cycle
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
@@ -72,14 +72,13 @@ def _check(
     rpm: float, joint: str, clearance_mm: float | None, points: int, source: Path, target: Path
 ) -> None:
     """Refuse what the options cannot mean."""
-    if not math.isfinite(rpm) or rpm == 0.0:
-        raise UnusableInput(f"--rpm {rpm:g}: give a finite speed other than 0.")
+    check_rpm(rpm)
     technique = joint_technique(joint)
-    if not FEWEST_POINTS <= points <= MOST_POINTS:
-        raise UnusableInput(f"--points {points}: give {FEWEST_POINTS} to {MOST_POINTS}.")
+    enough = FEWEST_POINTS <= points <= MOST_POINTS
+    demand(enough, "--points", points, f"give {FEWEST_POINTS} to {MOST_POINTS}")
     if clearance_mm is not None:
-        if not math.isfinite(clearance_mm) or clearance_mm < 0.0:
-            raise UnusableInput(f"--clearance-mm {clearance_mm:g}: give 0 or more.")
+        usable = math.isfinite(clearance_mm) and clearance_mm >= 0.0
+        demand(usable, "--clearance-mm", clearance_mm, "give 0 or more")
         if "clearance" not in technique.needs and clearance_mm != 0.0:
             others = tuple(one.name for one in TECHNIQUES.values() if "clearance" in one.needs)
             raise UnusableInput(

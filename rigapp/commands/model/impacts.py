@@ -9,7 +9,7 @@ import numpy as np
 
 from model.wear.techniques import SOLVABLE, TECHNIQUES, listed
 from rigapp.commands.model.cycle import CycleTable, columns_of
-from rigapp.commands.model.progress import check_time_limit, watched
+from rigapp.commands.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rigapp.commands.model.progress import check_time_limit, watched
+from rigapp.commands.progress import check_time_limit, watched
 from rigapp.report.paper import make_paper
 
 

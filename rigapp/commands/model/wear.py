@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 
-from rigapp.commands.model.cycle import joint_technique
-from rigapp.commands.model.progress import check_time_limit, watched
+from rigapp.commands.model.cycle import check_rpm, demand, joint_technique
+from rigapp.commands.progress import check_time_limit, watched
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
 from rigapp.config.parameters import MM, MPA
@@ -110,8 +110,8 @@ def write_pressure(params_path: Path, force_N: float, target: Path) -> int:
     """
     from model.bushing.ring import pressure_distribution, ring_of
 
-    if not math.isfinite(force_N) or force_N <= 0.0:
-        raise UnusableInput(f"--force-N {force_N:g}: give a finite force above 0.")
+    presses = math.isfinite(force_N) and force_N > 0.0
+    demand(presses, "--force-N", force_N, "give a finite force above 0")
     check_target("--to", target, params_path)
     parameters = read_parameters(params_path)
     joint = parameters.joint
@@ -142,22 +142,19 @@ def _check_wear(
     profile: Path | None,
 ) -> None:
     """Refuse what the options cannot mean."""
-    if not math.isfinite(rpm) or rpm == 0.0:
-        raise UnusableInput(f"--rpm {rpm:g}: give a finite speed other than 0.")
-    if cycles < 1:
-        raise UnusableInput(f"--cycles {cycles}: give at least 1.")
+    check_rpm(rpm)
+    demand(cycles >= 1, "--cycles", cycles, "give at least 1")
     joint_technique(joint)
-    if force_N is not None and (not math.isfinite(force_N) or force_N == 0.0):
-        raise UnusableInput(f"--force-N {force_N:g}: give a finite force other than 0.")
-    if not SMALLEST_TOLERANCE <= tolerance <= LARGEST_TOLERANCE:
-        raise UnusableInput(
-            f"--tolerance {tolerance:g}: give {SMALLEST_TOLERANCE:g} to {LARGEST_TOLERANCE:g}."
-        )
+    pulls = force_N is None or (math.isfinite(force_N) and force_N != 0.0)
+    demand(pulls, "--force-N", force_N, "give a finite force other than 0")
+    reached = SMALLEST_TOLERANCE <= tolerance <= LARGEST_TOLERANCE
+    words = f"give {SMALLEST_TOLERANCE:g} to {LARGEST_TOLERANCE:g}"
+    demand(reached, "--tolerance", tolerance, words)
     check_target("--to", target, source)
     if profile is not None:
         check_target("--profile", profile, source)
-        if profile.absolute() == target.absolute():
-            raise UnusableInput(f"--profile {profile}: that is the --to file; give another name.")
+        another = profile.absolute() != target.absolute()
+        demand(another, "--profile", profile, "that is the --to file; give another name")
 
 
 def _check_scheme(scheme: Scheme) -> None:
@@ -166,15 +163,14 @@ def _check_scheme(scheme: Scheme) -> None:
         ("--method", scheme.method, METHODS),
         ("--contact", scheme.contact, CONTACTS),
     ):
-        if value not in known:
-            raise UnusableInput(f"{name} {value}: choose one of {', '.join(known)}.")
+        demand(value in known, name, value, f"choose one of {', '.join(known)}")
     step = scheme.extrapolation
     if step is not None and scheme.method != "explicit":
         raise UnusableInput(
             f"--extrapolation has no meaning for --method {scheme.method}; use --method explicit."
         )
-    if step is not None and not (math.isfinite(step) and step > 0.0):
-        raise UnusableInput(f"--extrapolation {step:g}: give a finite number of cycles above 0.")
+    forward = step is None or (math.isfinite(step) and step > 0.0)
+    demand(forward, "--extrapolation", step, "give a finite number of cycles above 0")
 
 
 def _wear_columns(result: Life) -> dict[str, Any]:

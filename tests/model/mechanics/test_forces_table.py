@@ -10,7 +10,7 @@ import pytest
 
 from model.dynamics import inverse_dynamics
 from model.parameters import Mechanism, Spring
-from rigapp.commands.model import progress as model_progress
+from rigapp.commands import progress as model_progress
 from rigapp.commands.model.cycle import COLUMNS
 from rigapp.commands.model.forces import write_forces
 from rigapp.commands.model.impacts import CONTACT_COLUMNS, Impacting

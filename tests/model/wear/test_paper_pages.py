@@ -144,7 +144,7 @@ def test_time_that_runs_out_leaves_pages_of_what_was_made(
 ) -> None:
     # Each look at the clock finds a second gone.
     clock = itertools.count()
-    monkeypatch.setattr("rigapp.commands.model.progress.monotonic", lambda: float(next(clock)))
+    monkeypatch.setattr("rigapp.commands.progress.monotonic", lambda: float(next(clock)))
     assert write_paper(tmp_path, None, 3.0) == 1
     printed = capsys.readouterr()
     assert "--time-limit-s 3: over before all comparisons were made" in printed.err

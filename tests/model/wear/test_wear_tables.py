@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from rigapp.cli import main
-from rigapp.commands.model import progress as model_progress
+from rigapp.commands import progress as model_progress
 from rigapp.commands.model.wear import write_pressure, write_wear
 from rigapp.config.errors import UnusableInput
 

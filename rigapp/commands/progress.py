@@ -1,0 +1,51 @@
+"""How far long work on a terminal is, and when it has taken long enough."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from time import monotonic
+
+from rigapp.config.errors import UnusableInput
+
+
+def check_time_limit(limit_s: float | None) -> None:
+    """Refuse a time limit that is not a finite time above 0."""
+    if limit_s is not None and not (math.isfinite(limit_s) and limit_s > 0.0):
+        raise UnusableInput(f"--time-limit-s {limit_s:g}: give a finite time above 0.")
+
+
+@contextmanager
+def bar(label: str) -> Iterator[Callable[[float, float], None] | None]:
+    """Yield what shows how much of all is done: a bar on a terminal, None on a pipe."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as shown:
+        task = shown.add_task(label, total=None)
+        yield lambda done, total: shown.update(task, completed=done, total=total)
+
+
+@contextmanager
+def watched(label: str, limit_s: float | None) -> Iterator[Callable[[float], None]]:
+    """Yield what a computation calls with the part done, 0 to 1, shown as ``bar`` does.
+
+    It raises the model's OutOfTime when ``limit_s`` seconds have passed since the beginning.
+    """
+    from model.errors import OutOfTime
+
+    begin = monotonic()
+    with bar(label) as show:
+
+        def tell(part: float) -> None:
+            if show is not None:
+                show(part, 1.0)
+            if limit_s is not None and monotonic() - begin >= limit_s:
+                raise OutOfTime(f"{limit_s:g} s have passed")
+
+        yield tell
