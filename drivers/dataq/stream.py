@@ -30,11 +30,11 @@ from drivers.dataq.sense import Sense
 _log = logging.getLogger(__name__)
 
 _SLICE_S: Final = 0.05
-_LATENESS_S: Final = 0.01
-_MOST_SENTENCES: Final = 100
-_MOST_RESTARTS: Final = 3
-_HEALTHY_SCANS: Final = 1000
-_STUCK_REVOLUTIONS: Final = 2.0
+_LATENESS_S: Final = 0.01  # a wait may end so much late on a free computer
+_MOST_SENTENCES: Final = 100  # of one test; the counters go on
+_MOST_RESTARTS: Final = 3  # a line that loses bytes again and again is broken
+_HEALTHY_SCANS: Final = 1000  # without a loss: the restarts before are forgotten
+_STUCK_REVOLUTIONS: Final = 2.0  # a signal of the crank repeats in one; two cannot show one value
 
 
 @dataclass(frozen=True, slots=True)
