@@ -12,8 +12,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from calibration.arrays import Array
+Array = NDArray[np.float64]
 
 ENOUGH = 8
 """Checks from which on the history has limits of its own."""

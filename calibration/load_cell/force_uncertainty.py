@@ -20,12 +20,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from calibration.arrays import Array
 from calibration.records import RecordError, unseal
 
-Floats = Array
+Floats = NDArray[np.float64]
 
 COVERAGE = 0.95
 RIG_FILE_FACTOR = 2.0

@@ -10,9 +10,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import stats
 
-from calibration.arrays import Array
+Array = NDArray[np.float64]
 
 HUBER = 2.0
 """Residuals longer than so many standard deviations of an axis lose weight: of honest readings one

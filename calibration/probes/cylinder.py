@@ -6,9 +6,9 @@ Round guarded sensing area of radius a, no fringe field, pin of radius R, gap d 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from calibration.arrays import Array
+Array = NDArray[np.float64]
 
 
 def apparent_gap(gap: ArrayLike, sensor_radius: float, target_radius: float) -> Array:

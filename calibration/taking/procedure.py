@@ -22,11 +22,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
-
-from calibration.arrays import Array
+from numpy.typing import NDArray
 
 Event = Mapping[str, Any]
-Signals = Sequence[float] | Array
+Signals = Sequence[float] | NDArray[np.float64]
 
 
 class ProcedureError(ValueError):

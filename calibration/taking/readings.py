@@ -9,8 +9,10 @@ from collections.abc import Hashable, Sequence
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
-from calibration.arrays import Array, Whole
+Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
 
 LARGEST = 1e12
 """No quantity of these tables comes near: a larger number is a slip of exponent or comma."""

@@ -16,7 +16,7 @@ from drivers.cia402.protocol import (
     parse_status_and_value,
 )
 
-HISTORY: Final = 64  # more than a fault and its followers
+HISTORY: Final = 64
 
 
 @dataclass(frozen=True, slots=True)

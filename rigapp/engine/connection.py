@@ -28,7 +28,7 @@ from drivers.api import (
 from rigapp.engine.core import Core
 from rigapp.engine.devices import Devices
 from rigapp.engine.drive.driving import SpindleControl
-from rigapp.engine.drive.sequences import Do, Seen
+from rigapp.engine.drive.sequences import DriveStep, Seen
 from rigapp.engine.judging.drivewatch import DriveWatch
 from rigapp.engine.judging.guard import Guard
 from rigapp.engine.judging.lateness import Lateness
@@ -282,21 +282,21 @@ class Connection:
         age = self.age_s(self.received_s)
         return all(one.well for one in others) and age < self.core.limits.stale_data_s
 
-    def follow(self, do: Do) -> None:
+    def follow(self, do: DriveStep) -> None:
         """Take note of what a step of a pause or a stop has come to."""
         core, control = self.core, self.control
         stop = control.stopping
         if stop is None:
-            if do is Do.STANDING:
+            if do is DriveStep.STANDING:
                 angle = self.processor.motion.angle_deg(time.monotonic())
                 where = f"at {angle:.1f} deg" if angle is not None else "at an unknown angle"
                 core.fire_if(Trigger.STANDING, f"paused {where}")
-            elif do is Do.GIVE_UP:
+            elif do is DriveStep.GIVE_UP:
                 core.act_on(because("pause_failed"))
             return
-        if do is Do.STANDING:
+        if do is DriveStep.STANDING:
             core.stood(stop.witnesses, stop.how)
-        elif do is Do.GIVE_UP:
+        elif do is DriveStep.GIVE_UP:
             core.will_not_stop(
                 f"The stop was commanded, the power was cut, and still the spindle is not seen to "
                 f"stand (asked: {stop.witnesses})."

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from drivers.api import Block
-from rigapp.engine.drive.sequences import CREEP_RPM, Do, PauseSequence, Seen, StopSequence
+from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
 from rigapp.engine.publish import NoticeStream
 from rigapp.engine.samples.blockqueue import BlockQueue
 from rigapp.engine.samples.motion import MotionWindow, Point
@@ -31,10 +31,10 @@ class Spinning:
     def __init__(self, obeys_ramp: bool, obeys_off: bool, takes: bool = True) -> None:
         self.rpm = 30.0
         self.obeys_ramp, self.obeys_off, self.takes = obeys_ramp, obeys_off, takes
-        self.done: list[Do] = []
+        self.done: list[DriveStep] = []
         self.drive = self.encoder = True
 
-    def run(self, sequence: StopSequence, start: float = 0.0) -> tuple[Do, float]:
+    def run(self, sequence: StopSequence, start: float = 0.0) -> tuple[DriveStep, float]:
         now = start
         slowing = False
         while True:
@@ -52,15 +52,15 @@ class Spinning:
                     encoder_s=now,
                 )
             )
-            if do in (Do.STANDING, Do.GIVE_UP):
-                assert sequence.step(Seen(now, 0.0, 0.0, True)) is Do.WAIT
+            if do in (DriveStep.STANDING, DriveStep.GIVE_UP):
+                assert sequence.step(Seen(now, 0.0, 0.0, True)) is DriveStep.WAIT
                 return do, now
-            if do is Do.WAIT:
+            if do is DriveStep.WAIT:
                 continue
             self.done.append(do)
             if self.takes:
                 sequence.commanded(do, now)
-                slowing |= self.obeys_ramp if do is Do.RAMP_DOWN else self.obeys_off
+                slowing |= self.obeys_ramp if do is DriveStep.RAMP_DOWN else self.obeys_off
             assert now < 1000.0
 
 
@@ -68,8 +68,8 @@ def test_a_controlled_stop_ends_without_power() -> None:
     spindle = Spinning(obeys_ramp=True, obeys_off=False)
     sequence = StopSequence(False, 0.0, ramp_s=2.0, coast_s=2.0)
     do, _ = spindle.run(sequence)
-    assert do is Do.STANDING
-    assert spindle.done == [Do.RAMP_DOWN, Do.POWER_OFF]
+    assert do is DriveStep.STANDING
+    assert spindle.done == [DriveStep.RAMP_DOWN, DriveStep.POWER_OFF]
     assert not sequence.escalated
     assert sequence.witnesses == "drive and encoder"
 
@@ -78,23 +78,23 @@ def test_a_stop_that_is_not_obeyed_is_escalated() -> None:
     spindle = Spinning(obeys_ramp=False, obeys_off=True)
     sequence = StopSequence(False, 0.0, ramp_s=2.0, coast_s=2.0)
     do, now = spindle.run(sequence)
-    assert do is Do.STANDING
+    assert do is DriveStep.STANDING
     assert sequence.escalated
     assert 2.0 < now < 3.0
 
 
 def test_a_spindle_that_obeys_nothing_is_given_up_in_time() -> None:
     do, now = Spinning(False, False).run(StopSequence(False, 0.0, ramp_s=2.0, coast_s=3.0))
-    assert do is Do.GIVE_UP
+    assert do is DriveStep.GIVE_UP
     assert 5.0 < now < 5.2
 
 
 def test_a_command_that_is_not_taken_is_given_again() -> None:
     spindle = Spinning(True, True, takes=False)
     do, _ = spindle.run(StopSequence(False, 0.0, ramp_s=1.0, coast_s=1.0))
-    assert do is Do.GIVE_UP
-    assert spindle.done.count(Do.RAMP_DOWN) > 2
-    assert spindle.done.count(Do.POWER_OFF) > 2
+    assert do is DriveStep.GIVE_UP
+    assert spindle.done.count(DriveStep.RAMP_DOWN) > 2
+    assert spindle.done.count(DriveStep.POWER_OFF) > 2
 
 
 def test_a_drive_that_does_not_hear_is_left_to_its_watchdog() -> None:
@@ -105,9 +105,9 @@ def test_a_drive_that_does_not_hear_is_left_to_its_watchdog() -> None:
         if now - heard > 0.5:  # what the watchdog does
             rpm = max(0.0, rpm - 1.0)
         do = sequence.step(Seen(now, None, rpm, rpm == 0.0, encoder_s=now))
-        if do is Do.STANDING:
+        if do is DriveStep.STANDING:
             break
-        if do in (Do.RAMP_DOWN, Do.POWER_OFF) or not sequence.quiet:
+        if do in (DriveStep.RAMP_DOWN, DriveStep.POWER_OFF) or not sequence.quiet:
             heard = now  # polled, or asked to stop: it hears and does not obey
         else:
             silences.append(now)
@@ -124,21 +124,21 @@ def test_one_witness_is_enough_and_none_is_not() -> None:
         spindle = Spinning(True, True)
         spindle.drive, spindle.encoder = drive, encoder
         sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)
-        assert spindle.run(sequence)[0] is Do.STANDING
+        assert spindle.run(sequence)[0] is DriveStep.STANDING
         assert sequence.witnesses == words
     spindle = Spinning(True, True)
     spindle.drive = spindle.encoder = False
     sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)
-    assert spindle.run(sequence)[0] is Do.GIVE_UP
+    assert spindle.run(sequence)[0] is DriveStep.GIVE_UP
     assert sequence.witnesses == "nobody"
 
 
 def test_what_was_seen_before_the_command_does_not_count() -> None:
     sequence = StopSequence(True, 0.0, ramp_s=1.0, coast_s=2.0)
-    sequence.commanded(Do.POWER_OFF, 0.5)
+    sequence.commanded(DriveStep.POWER_OFF, 0.5)
     old = Seen(0.6, 0.0, 0.0, True, drive_s=0.4, encoder_s=0.6)
-    assert sequence.step(old) is Do.WAIT
-    assert sequence.step(replace(old, drive_s=0.55)) is Do.STANDING
+    assert sequence.step(old) is DriveStep.WAIT
+    assert sequence.step(replace(old, drive_s=0.55)) is DriveStep.STANDING
 
 
 @settings(max_examples=40, deadline=None)
@@ -160,23 +160,23 @@ def test_a_pause_comes_to_rest_at_its_angle(
         angle = (angle + 6.0 * speed * step) % 360.0
         stands = speed == 0.0
         do = sequence.step(Seen(now, speed, speed, stands, angle, 6.0 * speed))
-        if do is Do.CREEP:
+        if do is DriveStep.CREEP:
             target = sequence.creep_rpm
             assert target == min(rpm, CREEP_RPM)
-        elif do is Do.RAMP_DOWN:
+        elif do is DriveStep.RAMP_DOWN:
             target = 0.0
-        elif do is Do.STANDING:
+        elif do is DriveStep.STANDING:
             break
-        assert do is not Do.GIVE_UP
+        assert do is not DriveStep.GIVE_UP
     error = (angle - wanted + 180.0) % 360.0 - 180.0
     assert abs(error) < 1.0
 
 
 def test_a_pause_that_does_not_come_is_given_up() -> None:
     sequence = PauseSequence(90.0, 30.0, 60.0, 0.0, limit_s=5.0)
-    assert sequence.step(Seen(0.1, 30.0, None, None)) is Do.CREEP
-    assert sequence.step(Seen(4.9, 30.0, None, None)) is Do.WAIT
-    assert sequence.step(Seen(5.1, 30.0, None, None)) is Do.GIVE_UP
+    assert sequence.step(Seen(0.1, 30.0, None, None)) is DriveStep.CREEP
+    assert sequence.step(Seen(4.9, 30.0, None, None)) is DriveStep.WAIT
+    assert sequence.step(Seen(5.1, 30.0, None, None)) is DriveStep.GIVE_UP
 
 
 # --- motion --------------------------------------------------------------------------------------

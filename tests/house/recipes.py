@@ -63,7 +63,7 @@ def follow(title: str, folder: Path) -> None:
             continue
         lines = path.read_text("utf-8").splitlines(keepends=True)
         (place,) = [n for n, line in enumerate(lines, 1) if line.strip() == step.after]
-        margin = lines[place][: len(lines[place]) - len(lines[place].lstrip())]
+        margin = lines[place][: len(lines[place]) - len(lines[place].lstrip(" "))]
         new = [margin + line if line.strip() else line for line in step.text.splitlines(True)]
         path.write_text("".join([*lines[:place], *new, *lines[place:]]), "utf-8")
 

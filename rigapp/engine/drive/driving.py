@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from drivers.api import DeviceError, DriveStatus, Spindle
-from rigapp.engine.drive.sequences import Do, PauseSequence, Seen, StopSequence
+from rigapp.engine.drive.sequences import DriveStep, PauseSequence, Seen, StopSequence
 from rigapp.engine.drive.timing import Timing
 
 
@@ -106,7 +106,7 @@ class SpindleControl:
                 self._stop = StopSequence(off, now, ramp_s, self._timing.coast, self._watchdog_s)
             elif off:
                 self._stop.cut_power(now)
-            self._carry_out(Do.POWER_OFF if off else Do.RAMP_DOWN)
+            self._carry_out(DriveStep.POWER_OFF if off else DriveStep.RAMP_DOWN)
 
     # --- the drive thread ------------------------------------------------------------------------
 
@@ -172,35 +172,35 @@ class SpindleControl:
         rpm = status.speed_rev_per_s * 60.0 if status is not None and known else None
         return self._look(rpm)
 
-    def step(self) -> Do:
+    def step(self) -> DriveStep:
         """Take the pause or stop under way one step further, and return what was done."""
         with self._command:
             stop, pause = self._stop, self._pause
             if stop is not None:
                 do = stop.step(self.seen())
-                if do in (Do.RAMP_DOWN, Do.POWER_OFF):
+                if do in (DriveStep.RAMP_DOWN, DriveStep.POWER_OFF):
                     self._carry_out(do)
                 return do
             if pause is None:
-                return Do.WAIT
+                return DriveStep.WAIT
             do = pause.step(self.seen())
             try:
-                if do is Do.CREEP:
+                if do is DriveStep.CREEP:
                     self._send(pause.creep_rpm)
-                elif do is Do.RAMP_DOWN:
+                elif do is DriveStep.RAMP_DOWN:
                     self._send(0.0)
             except DeviceError as error:
                 self.last_error = error
                 self.errors += 1
-                return Do.GIVE_UP
-            if do in (Do.STANDING, Do.GIVE_UP):
+                return DriveStep.GIVE_UP
+            if do in (DriveStep.STANDING, DriveStep.GIVE_UP):
                 self._pause = None
             return do
 
-    def _carry_out(self, do: Do) -> None:
+    def _carry_out(self, do: DriveStep) -> None:
         assert self._stop is not None
         try:
-            if do is Do.POWER_OFF:
+            if do is DriveStep.POWER_OFF:
                 self._spindle.drive_off()
             else:
                 self._send(0.0)

@@ -16,7 +16,7 @@ DEAF_S = 0.4
 CREEP_RPM = 10.0
 
 
-class Do(enum.Enum):
+class DriveStep(enum.Enum):
     """What to do now."""
 
     WAIT = "wait"
@@ -111,13 +111,13 @@ class StopSequence:
         """Tell whether the drive has accepted to be without power."""
         return self._off_done
 
-    def commanded(self, do: Do, now_s: float) -> None:
+    def commanded(self, do: DriveStep, now_s: float) -> None:
         """Take note that the drive has accepted a command."""
         self._commanded_s = now_s
         self._trying_since = now_s
-        if do is Do.RAMP_DOWN:
+        if do is DriveStep.RAMP_DOWN:
             self._ramp_done = True
-        elif do is Do.POWER_OFF:
+        elif do is DriveStep.POWER_OFF:
             self._off_done = True
 
     def cut_power(self, now_s: float) -> None:
@@ -127,10 +127,10 @@ class StopSequence:
             self._deadline = now_s + self._coast_s
             self._trying_since = now_s
 
-    def step(self, seen: Seen) -> Do:
+    def step(self, seen: Seen) -> DriveStep:
         """Return what to do now; STANDING and GIVE_UP come once, at the end."""
         if self.done:
-            return Do.WAIT
+            return DriveStep.WAIT
         stands = seen.stands and seen.later_than(self._commanded_s)
         if not self._off:
             if stands and (self._ramp_done or seen.drive_rpm is None):
@@ -139,32 +139,32 @@ class StopSequence:
                 self.escalated = True
                 self.cut_power(seen.now_s)
             elif not self._ramp_done:
-                return self._try(Do.RAMP_DOWN, seen.now_s)
+                return self._try(DriveStep.RAMP_DOWN, seen.now_s)
             else:
-                return Do.WAIT
+                return DriveStep.WAIT
             self._last_try = -1e9
         if stands and (self._off_done or seen.drive_rpm is None):
             self.witnesses = seen.witnesses
             self.done = True
-            return Do.STANDING
+            return DriveStep.STANDING
         if seen.now_s > self._deadline:
             self.witnesses = seen.witnesses
             self.done = True
-            return Do.GIVE_UP
+            return DriveStep.GIVE_UP
         if self._off_done:
-            return Do.WAIT
+            return DriveStep.WAIT
         if self._deaf(False, seen.now_s):
             self._quiet_until = seen.now_s + self._quiet_s
             self._trying_since = self._quiet_until
         self.quiet = seen.now_s < self._quiet_until
-        return Do.WAIT if self.quiet else self._try(Do.POWER_OFF, seen.now_s)
+        return DriveStep.WAIT if self.quiet else self._try(DriveStep.POWER_OFF, seen.now_s)
 
     def _deaf(self, accepted: bool, now_s: float) -> bool:
         return not accepted and now_s - self._trying_since > DEAF_S
 
-    def _try(self, do: Do, now_s: float) -> Do:
+    def _try(self, do: DriveStep, now_s: float) -> DriveStep:
         if now_s - self._last_try < RETRY_S:
-            return Do.WAIT
+            return DriveStep.WAIT
         self._last_try = now_s
         return do
 
@@ -187,7 +187,7 @@ class PauseSequence:
         self._creep = min(target_rpm, CREEP_RPM)
         self._deceleration = deceleration_rpm_per_s
         self._deadline = now_s + limit_s
-        self._phase = Do.CREEP
+        self._phase = DriveStep.CREEP
         self._before: float | None = None
 
     @property
@@ -195,23 +195,23 @@ class PauseSequence:
         """Return the speed at which the angle is approached."""
         return self._creep
 
-    def step(self, seen: Seen) -> Do:
+    def step(self, seen: Seen) -> DriveStep:
         """Return what to do now; the caller carries out every CREEP and RAMP_DOWN once."""
         if seen.now_s > self._deadline:
-            return Do.GIVE_UP
-        if self._phase is Do.CREEP:
-            self._phase = Do.WAIT
-            return Do.CREEP
-        if self._phase is Do.WAIT:
+            return DriveStep.GIVE_UP
+        if self._phase is DriveStep.CREEP:
+            self._phase = DriveStep.WAIT
+            return DriveStep.CREEP
+        if self._phase is DriveStep.WAIT:
             if seen.encoder_rpm is None or seen.angle_deg is None:
-                return Do.WAIT
+                return DriveStep.WAIT
             if abs(seen.encoder_rpm) > 1.15 * self._creep + 0.5:
-                return Do.WAIT
+                return DriveStep.WAIT
             if not self._reached(seen):
-                return Do.WAIT
-            self._phase = Do.RAMP_DOWN
-            return Do.RAMP_DOWN
-        return Do.STANDING if seen.stands else Do.WAIT
+                return DriveStep.WAIT
+            self._phase = DriveStep.RAMP_DOWN
+            return DriveStep.RAMP_DOWN
+        return DriveStep.STANDING if seen.stands else DriveStep.WAIT
 
     def _reached(self, seen: Seen) -> bool:
         assert seen.angle_deg is not None

@@ -17,7 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.api import Block
-from rigapp.engine.samples.counterstate import BEGIN, BREAK, CUT, E, P, S, new_state
+from rigapp.engine.samples.counterstate import BEGIN, BREAK, CUT, new_state
+from rigapp.engine.samples.counterstate import EventAt as E
+from rigapp.engine.samples.counterstate import ParameterAt as P
+from rigapp.engine.samples.counterstate import StateAt as S
 from rigapp.engine.samples.sampleclock import TICKS_PER_S
 from rigapp.engine.samples.unwrap import scan
 from rigapp.schema.messages import Flag

@@ -15,7 +15,7 @@ Counts = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
 
-class S(IntEnum):
+class StateAt(IntEnum):
     """Places in the state vector."""
 
     STARTED = 0
@@ -55,7 +55,7 @@ class S(IntEnum):
     SIZE = 34
 
 
-class P(IntEnum):
+class ParameterAt(IntEnum):
     """Places in the parameter vector."""
 
     COUNTS = 0
@@ -69,7 +69,7 @@ class P(IntEnum):
     SIZE = 8
 
 
-class E(IntEnum):
+class EventAt(IntEnum):
     """Columns of an event."""
 
     KIND = 0
@@ -94,4 +94,4 @@ BREAK = 3
 
 def new_state() -> tuple[Counts, Floats]:
     """Return the memory of a counter not seen yet: state, and its smoothed step (1,)."""
-    return np.zeros(int(S.SIZE), np.int64), np.zeros(1, np.float64)
+    return np.zeros(int(StateAt.SIZE), np.int64), np.zeros(1, np.float64)

@@ -19,7 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from model.compiled import njit
-from rigapp.engine.samples.counterstate import BEGIN, BREAK, CUT, Counts, Floats, P, S
+from rigapp.engine.samples.counterstate import BEGIN, BREAK, CUT, Counts, Floats
+from rigapp.engine.samples.counterstate import ParameterAt as P
+from rigapp.engine.samples.counterstate import StateAt as S
 from rigapp.schema.messages import Flag
 
 _CUT, _BEGIN, _BREAK = CUT, BEGIN, BREAK
@@ -478,9 +480,9 @@ def scan(
 
     counts: (n,) raw counts. quality: (n,) flags of ``drivers.api.Quality``. first_sample: device
     index of the first. lost: samples lost before it, 0 none, -1 unknown. state, mean_step: memory
-    between calls. parameters: see ``P``. position: (n,) out, unwrapped counts in the rig's positive
-    sense. keep: (n,) out, 0 for samples not worth keeping. events: (rows, E.SIZE) out, 2 n rows at
-    least.
+    between calls. parameters: see ``ParameterAt``. position: (n,) out, unwrapped counts in the
+    rig's positive sense. keep: (n,) out, 0 for samples not worth keeping. events:
+    (rows, EventAt.SIZE) out, 2 n rows at least.
     """
     found = 0
     i = 0
