@@ -9,6 +9,7 @@ import math
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Final
 
 from drivers.api import DriveRequest, ReplyTimeout, SettingRefused
@@ -247,8 +248,8 @@ class Commissioning:
             return False, control
         if not events & PDO_INVALID:
             self._node.listen(events & COB_MASK, self._monitor.take_status)
-        self._node.listen(position, self._monitor.take_position)
-        self._node.listen(velocity, self._monitor.take_velocity)
+        self._node.listen(position, partial(self._monitor.take_value, "position"))
+        self._node.listen(velocity, partial(self._monitor.take_value, "velocity"))
         return True, control
 
     def _map_control(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -44,10 +45,8 @@ class NodeMonitor:
         self._active: dict[int, Emergency] = {}
         self._unseen: list[Emergency] = []
         self._status_word: int | None = None
-        self._velocity: tuple[int, int] | None = None
-        self._position: tuple[int, int] | None = None
-        self._velocity_count = 0
-        self._position_count = 0
+        self._values: dict[str, int] = {}
+        self._counts = {"velocity": 0, "position": 0}
 
     # --- receiving thread ------------------------------------------------------------------------
 
@@ -85,24 +84,14 @@ class NodeMonitor:
                 self._status_word = word
             self._changed.notify_all()
 
-    def take_velocity(self, data: bytes, _: int) -> None:
-        """Take the TPDO with status word and velocity."""
+    def take_value(self, name: str, data: bytes, _: int) -> None:
+        """Take the TPDO with the status word and ``velocity`` or ``position``."""
         pair = parse_status_and_value(data)
         if pair is None:
             return
         with self._changed:
-            self._velocity, self._status_word = pair, pair[0]
-            self._velocity_count += 1
-            self._changed.notify_all()
-
-    def take_position(self, data: bytes, _: int) -> None:
-        """Take the TPDO with status word and position."""
-        pair = parse_status_and_value(data)
-        if pair is None:
-            return
-        with self._changed:
-            self._position, self._status_word = pair, pair[0]
-            self._position_count += 1
+            self._status_word, self._values[name] = pair
+            self._counts[name] += 1
             self._changed.notify_all()
 
     # --- other threads ---------------------------------------------------------------------------
@@ -174,21 +163,19 @@ class NodeMonitor:
         with self._changed:
             return self._changed.wait_for(is_young, timeout_s)
 
-    def marks(self) -> tuple[int, int]:
+    def marks(self) -> dict[str, int]:
         """Return marks to give to ``wait_for_motion`` after a SYNC."""
         with self._changed:
-            return self._velocity_count, self._position_count
+            return dict(self._counts)
 
-    def wait_for_motion(self, marks: tuple[int, int], timeout_s: float) -> AxisMotion | None:
+    def wait_for_motion(self, marks: Mapping[str, int], timeout_s: float) -> AxisMotion | None:
         """Wait until both motion TPDOs have come since the marks; None when they did not."""
 
         def have_come() -> bool:
-            return self._velocity_count > marks[0] and self._position_count > marks[1]
+            return all(count > marks[name] for name, count in self._counts.items())
 
         with self._changed:
             if not self._changed.wait_for(have_come, timeout_s):
                 return None
-            assert self._velocity is not None
-            assert self._position is not None
-            word = self._status_word if self._status_word is not None else self._velocity[0]
-            return AxisMotion(word, self._velocity[1], self._position[1])
+            assert self._status_word is not None
+            return AxisMotion(self._status_word, **self._values)

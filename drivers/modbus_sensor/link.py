@@ -96,4 +96,5 @@ class ModbusLink:
 
     def _asked(self, function: int, address: int, count: int) -> str:
         kind = "input" if function == 4 else "holding"
-        return f"{count} {kind} registers from {address} on at Modbus address {self.device}"
+        registers = f"{count} {kind} register{'s' * (count > 1)}"
+        return f"{registers} from {address} on at Modbus address {self.device}"

@@ -171,6 +171,7 @@ def advance(
     samples = 0
     size = ring.shape[1]
     table, wall_state = wall.table, wall.state
+    cooling = 1.0 - dt / k.heating_time_s
     for step in range(steps):
         if wall_state[LASTS] <= 0.0 or state[FORCE] > wall_state[TOP]:
             renew(wall, bore(k), state[FORCE])
@@ -231,6 +232,6 @@ def advance(
                 sense,
                 acceleration,
             )
-        state[RISE] *= 1.0 - dt / k.heating_time_s
+        state[RISE] *= cooling
         state[TIME] += dt
     return samples

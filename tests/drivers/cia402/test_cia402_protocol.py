@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -94,8 +96,8 @@ def test_any_frame_is_borne(data: bytes) -> None:
         monitor.take_heartbeat,
         monitor.take_emergency,
         monitor.take_status,
-        monitor.take_velocity,
-        monitor.take_position,
+        partial(monitor.take_value, "velocity"),
+        partial(monitor.take_value, "position"),
     ):
         take(data, 1)
     assert (protocol.parse_emergency(data, 1) is None) == (len(data) < 3)

@@ -182,7 +182,7 @@ def test_a_read_ends_within_the_time_that_was_asked_for(wire: Any) -> None:
         driver.open()
         driver.configure(SlowRequest(("temperature_C",), timeout_s=0.2))
         simulator.inject("no_reply")
-        with pytest.raises(ReplyTimeout, match="no answer to 1 input registers from 1 on"):
+        with pytest.raises(ReplyTimeout, match="no answer to 1 input register from 1 on"):
             driver.read()
         assert driver.counters()["retries"] == 0
     finally:
