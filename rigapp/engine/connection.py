@@ -36,7 +36,7 @@ from rigapp.engine.judging.watches import Watches, slow_silent
 from rigapp.engine.processing import Processor
 from rigapp.engine.recording.devicelog import DeviceLog
 from rigapp.engine.samples.blockqueue import BlockQueue
-from rigapp.engine.samples.slow import SlowChannels, SlowDevice
+from rigapp.engine.samples.slow import FIRST_S, SlowChannels, SlowDevice
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.process.threads import Worker
 from rigapp.schema.alarms import Cause, because
@@ -125,6 +125,9 @@ class Connection:
         self.received_s = time.monotonic()
         for worker in (*self.workers, *self._askers):
             worker.start()
+        deadline = time.monotonic() + FIRST_S
+        for slow in self.slow_channels.devices.values():
+            slow.await_first(max(0.0, deadline - time.monotonic()))
 
     def _ask(self, source: SlowSource, request: SlowRequest) -> SlowDevice:
         """Return a slow source with its thread, whose death is warned of and ends nothing."""

@@ -189,6 +189,7 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
             connected=one.answering,
             errors=one.errors,
             last_error=one.last_error,
+            needed=False,
         )
         for one in connection.slow_channels.devices.values()
     )

@@ -174,7 +174,8 @@ class DeviceView(msgspec.Struct, frozen=True):
 
     counters: what its driver counted on the line, by name (``bytes_received``, ``crc_errors``,
     ``retries``), in the order to show it; empty when it counts nothing. wiring: what goes to which
-    input, where the driver says so. advice: what to look at in this device.
+    input, where the driver says so. advice: what to look at in this device. needed: no test goes on
+    without it; one of slow channels may be missing.
     """
 
     name: str
@@ -189,6 +190,7 @@ class DeviceView(msgspec.Struct, frozen=True):
     counters: dict[str, int] = {}
     wiring: str = ""
     advice: str = ""
+    needed: bool = True
 
 
 class Status(msgspec.Struct, frozen=True):

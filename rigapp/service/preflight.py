@@ -246,8 +246,11 @@ def _of_device(device: DeviceView) -> Check:
         who = "; ".join(text for text in (device.identity or device.driver, device.wiring) if text)
         verdict = Checked.ATTENTION if device.advice else Checked.GOOD
         return Check(what, verdict, who, device.advice)
-    action = f"Check cable and power of {device.port}, reconnect"
-    return Check(what, Checked.BLOCKS, device.last_error or "not connected", action)
+    action = f"Check cable and power of {device.port}, "
+    why = device.last_error.rstrip(". ") or "not connected"
+    if not device.needed:
+        return Check(what, Checked.ATTENTION, why, f"{action}or go on without its channels")
+    return Check(what, Checked.BLOCKS, why, f"{action}reconnect")
 
 
 def _of_drive(status: Status) -> Iterator[Check]:

@@ -44,6 +44,7 @@ from rigapp.engine.values.table import follow
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.states import ENDED
+from rigapp.service.preflight import Check, Checked, preflight
 from rigapp.storage import open_test
 from rigapp.storage.structure.conventions import detectors
 from tests.engine.calibrations import calibration_by_hand
@@ -287,6 +288,32 @@ def test_a_silent_thermometer_costs_its_values_and_nothing_else(
     eventually(heard(rig.engine, "room_temperature"))
     eventually(lambda: key not in {one.key for one in rig.engine.status().alarms if one.active})
     assert rig.thermometer.opened == 2
+
+
+def test_the_first_answers_are_there_when_the_rig_is_connected() -> None:
+    rig = ChannelRig()
+    rig.engine.connect()
+    assert heard(rig.engine, "room_temperature")()
+    assert not any(one.verdict is Checked.BLOCKS for one in checks_of(rig, "Device climate"))
+    rig.engine.shutdown()
+
+
+def test_a_missing_thermometer_is_noted_before_a_test_and_blocks_nothing() -> None:
+    rig = ChannelRig()
+    rig.thermometer.lost = True
+    rig.engine.connect()
+    (check,) = checks_of(rig, "Device climate")
+    assert (check.verdict, check.finding) == (Checked.ATTENTION, "nothing answers")
+    assert check.action == "Check cable and power of memory, or go on without its channels"
+    ran(rig)
+    assert rig.engine.outcome is not None
+    assert rig.engine.outcome.status == "complete"
+    rig.engine.shutdown()
+
+
+def checks_of(rig: ChannelRig, what: str) -> list[Check]:
+    """Return the rows of a pre-flight that are about something."""
+    return [one for one in preflight(None, None, None, rig.engine.status()) if one.what == what]
 
 
 def test_a_thermometer_that_breaks_its_word_ends_its_thread_alone(rig: ChannelRig) -> None:

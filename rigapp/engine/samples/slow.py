@@ -8,6 +8,7 @@ silent gives no value and a growing age, is warned of, and is opened again for a
 from __future__ import annotations
 
 import math
+import threading
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -26,6 +27,11 @@ are no passing disturbance of the line."""
 
 REOPEN_S = 5.0
 """Between two attempts to open a device that was lost: a port that hangs takes some of it."""
+
+
+FIRST_S = 2.0
+"""A connection waits so long for the first answers, so that what is shown of it then is true; a
+device that is there answers within a fraction of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +67,7 @@ class SlowDevice:
         self._request = request
         self._on_open = on_open
         self._open = False
+        self._asked = threading.Event()
         self._readings: dict[str, Reading] = {}
 
     @property
@@ -71,6 +78,10 @@ class SlowDevice:
     def reading(self, quantity: str) -> Reading:
         """Return the newest reading of a quantity."""
         return self._readings.get(quantity, NEVER)
+
+    def await_first(self, timeout_s: float) -> bool:
+        """Wait until it has answered or failed to; False when neither came in time."""
+        return self._asked.wait(timeout_s)
 
     def close(self) -> None:
         """Release the device, after its thread has ended."""
@@ -89,11 +100,13 @@ class SlowDevice:
         now = time.monotonic()
         self._readings = {name: Reading(float(value), now) for name, value in found.items()}
         self.answered_s, self.last_error = now, ""
+        self._asked.set()
         self.worker.pause(PERIOD_S)
 
     def _failed(self, error: DeviceError) -> None:
         self.errors += 1
         self.last_error = error.sentence
+        self._asked.set()
         if self._open and not isinstance(error, DeviceLost):
             self.worker.pause(PERIOD_S)
             return
