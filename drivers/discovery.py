@@ -18,7 +18,7 @@ from typing import Final
 from drivers.api import DeviceError, DriverInfo, Identity
 from drivers.transport import SerialPort
 
-QUESTION_S: Final = 0.3
+QUESTION_S: Final = 0.3  # many times the slowest answer, and eight drivers may ask
 _PAUSE_S: Final = 0.03  # lets a device forget what was not meant for it
 _WITHOUT_SPEED: Final = re.compile(
     r"^[a-z0-9]+://|/pts/|/ttyACM\d+$|/(cu|tty)\.usbmodem|/ttyGS\d+$", re.IGNORECASE

@@ -25,8 +25,8 @@ except ImportError:  # Windows
 _PORT_ERRORS = (OSError, ValueError, termios_error)  # SerialException is an OSError
 _PARITIES = {"none": "N", "even": "E", "odd": "O"}
 _SLICE_S = 0.1  # a waiting reader looks this often whether the port was closed
-_DRAIN_QUIET_S = 0.02
-_DRAIN_LIMIT_S = 2.0
+_DRAIN_QUIET_S = 0.02  # longer than a USB adapter holds bytes back (16 ms)
+_DRAIN_LIMIT_S = 2.0  # a device that streams on is not waited for
 
 
 class SerialPort:

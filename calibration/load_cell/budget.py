@@ -8,14 +8,12 @@ from dataclasses import dataclass
 import GTC
 import numpy as np
 from GTC import reporting
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.load_cell.characteristics import Characteristics
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import TwoAxisFit
 from calibration.load_cell.weights import relative_force_uncertainty
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

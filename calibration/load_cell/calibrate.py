@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.load_cell.budget import (
     Budget,
     budget,
@@ -23,8 +23,6 @@ from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import TwoAxisFit, choose_terms
 from calibration.problems import Problem
-
-Array = NDArray[np.float64]
 
 STEADY_CODES = frozenset(
     {

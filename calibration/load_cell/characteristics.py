@@ -10,11 +10,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array, Marks, Whole
 from calibration.load_cell.readings import LoadCellReadings
-
-Array = NDArray[np.float64]
 
 ANGLE_STEP = np.radians(1.0)
 """Nearer pin angles are one: a technician sets them to half a degree by eye."""
@@ -50,12 +48,12 @@ class Loads:
     applied: Array
     along: Array
     across: Array
-    group: NDArray[np.int64]
-    rising: NDArray[np.bool_]
+    group: Whole
+    rising: Marks
     series: tuple[str, ...]
 
 
-def angle_groups(angle: Array) -> NDArray[np.int64]:
+def angle_groups(angle: Array) -> Whole:
     """Return the number of the pin angle of each reading; within one degree is the same angle."""
     turned = np.mod(angle, 2.0 * np.pi)
     turned = np.where(turned > 2.0 * np.pi - 0.5 * ANGLE_STEP, 0.0, turned)
@@ -105,7 +103,7 @@ def characteristics(found: Loads, full_scale: float, residual: Array) -> Charact
     )
 
 
-def _reversibility(found: Loads, enough: NDArray[np.bool_]) -> float | None:
+def _reversibility(found: Loads, enough: Marks) -> float | None:
     """Return the mean |falling - rising| over the loads taken both ways, per cent of the load."""
     both = _both_ways(found, enough)
     if not both:
@@ -114,13 +112,13 @@ def _reversibility(found: Loads, enough: NDArray[np.bool_]) -> float | None:
     return float(100.0 * np.mean([abs(d) / load for load, d in by_load.items()]))
 
 
-def _loop(found: Loads, enough: NDArray[np.bool_]) -> float | None:
+def _loop(found: Loads, enough: Marks) -> float | None:
     """Return the mean of falling - rising over all loads, per cent of the load, signed."""
     both = _both_ways(found, enough)
     return float(100.0 * np.mean([d / load for _, load, d in both])) if both else None
 
 
-def _both_ways(found: Loads, enough: NDArray[np.bool_]) -> list[tuple[int, float, float]]:
+def _both_ways(found: Loads, enough: Marks) -> list[tuple[int, float, float]]:
     """Return (angle group, load, falling - rising) of each load but the largest of each series."""
     rising = _means(found, enough & found.rising, by_series=True)
     falling = _means(found, enough & ~found.rising, by_series=True)
@@ -149,7 +147,7 @@ def hysteresis_by_load(found: Loads) -> dict[float, float]:
 Key = tuple[int, str, float]
 
 
-def _means(found: Loads, chosen: NDArray[np.bool_], *, by_series: bool) -> dict[Key, float]:
+def _means(found: Loads, chosen: Marks, *, by_series: bool) -> dict[Key, float]:
     collected: dict[Key, list[float]] = {}
     for index in np.flatnonzero(chosen):
         name = found.series[index] if by_series else ""
@@ -158,7 +156,7 @@ def _means(found: Loads, chosen: NDArray[np.bool_], *, by_series: bool) -> dict[
     return {key: float(np.mean(values)) for key, values in collected.items()}
 
 
-def _spread(found: Loads, enough: NDArray[np.bool_], *, between_angles: bool) -> float | None:
+def _spread(found: Loads, enough: Marks, *, between_angles: bool) -> float | None:
     rising = _means(found, enough & found.rising, by_series=not between_angles)
     by_load: dict[tuple[int, float], list[float]] = {}
     for (group, _, load), value in rising.items():
@@ -198,7 +196,7 @@ def _drift(found: Loads) -> float | None:
     return float(np.hypot(*slopes))
 
 
-def _rising(readings: LoadCellReadings) -> NDArray[np.bool_]:
+def _rising(readings: LoadCellReadings) -> Marks:
     """Tell which readings were reached by adding weights within their series."""
     rising = np.ones(len(readings), dtype=np.bool_)
     last: dict[str, float] = {}

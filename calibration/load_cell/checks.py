@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.load_cell.characteristics import hysteresis_by_load
 from calibration.load_cell.evidence import SURE, Evidence, applied_forces, examine
 from calibration.load_cell.reading_checks import coarse
@@ -21,8 +21,6 @@ from calibration.load_cell.reading_faults import single_faults
 from calibration.load_cell.two_axis import Terms, fit, huber_fit
 from calibration.problems import Problem
 from calibration.taking.readings import place_of
-
-Array = NDArray[np.float64]
 
 NOTED_TURN = np.radians(2.0)
 BLOCKING_TURN = np.radians(4.0)

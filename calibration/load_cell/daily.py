@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import pin_force, weight_force
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.load_cell.characteristics import Loads, loads
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import TwoAxisFit, robust_fit
 from calibration.load_cell.weights import force_per_mass, pin_force, weight_force
-
-Array = NDArray[np.float64]
 
 SURE = 5.0
 """Standard deviations from which on a difference is no noise."""

@@ -20,11 +20,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from calibration.arrays import Array
 from calibration.records import RecordError, unseal
 
-Floats = NDArray[np.float64]
+Floats = Array
 
 COVERAGE = 0.95
 RIG_FILE_FACTOR = 2.0

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from calibration.arrays import Array
 from calibration.load_cell.plans import LoadCellStep, StepKind
-from calibration.load_cell.two_axis import Array, forces
+from calibration.load_cell.two_axis import forces
 from calibration.taking.signals import (
     Demand,
     Judgement,

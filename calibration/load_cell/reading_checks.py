@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Marks, Whole
 from calibration.load_cell.characteristics import angle_groups
 from calibration.load_cell.plausible import check_settings, heaviest_mass
 from calibration.load_cell.readings import LoadCellReadings
@@ -204,9 +204,7 @@ def _copied(readings: LoadCellReadings) -> Iterator[Problem]:
             )
 
 
-def _repeating(
-    readings: LoadCellReadings, group: NDArray[np.int64], chosen: NDArray[np.bool_]
-) -> float:
+def _repeating(readings: LoadCellReadings, group: Whole, chosen: Marks) -> float:
     """Return how often two of the chosen readings of one load and angle have the same digits.
 
     A quiet cell with a coarse display repeats itself; 0 where nothing was taken twice.

@@ -8,14 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array, Marks
 from calibration.load_cell.evidence import SURE, Evidence
 from calibration.problems import Problem
 from calibration.taking.readings import place_of
-
-Array = NDArray[np.float64]
-Marks = NDArray[np.bool_]
 
 
 def single_faults(evidence: Evidence) -> Iterator[Problem]:

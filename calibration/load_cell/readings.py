@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibration.taking.readings import Array, Whole, numbers, read_table, series_and_steps
+from calibration.arrays import Array, Whole
+from calibration.taking.readings import numbers, read_table, series_and_steps
 
 LOAD_CELL_COLUMNS = ("series", "step", "mass_kg", "pin_angle_deg", "signal_1", "signal_2")
 

@@ -10,10 +10,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 
-Array = NDArray[np.float64]
+from calibration.arrays import Array
 
 HUBER = 2.0
 """Residuals longer than so many standard deviations of an axis lose weight: of honest readings one

@@ -8,7 +8,9 @@ from typing import Literal
 
 import GTC
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from calibration.arrays import Array
 
 REFERENCE_AIR_DENSITY = 1.2
 REFERENCE_MASS_DENSITY = 8000.0
@@ -70,7 +72,7 @@ def force_per_mass(weights: WeightSet, place: Place) -> float:
     return place.gravity * factor
 
 
-def weight_force(mass: ArrayLike, weights: WeightSet, place: Place) -> NDArray[np.float64]:
+def weight_force(mass: ArrayLike, weights: WeightSet, place: Place) -> Array:
     """Return the downward force (N) of stated masses (kg); the hanger adds to every mass > 0."""
     stated = np.asarray(mass, dtype=np.float64)
     hanging = np.where(stated > 0.0, stated + weights.hanger_mass, 0.0)
@@ -95,7 +97,7 @@ def relative_force_uncertainty(weights: WeightSet, place: Place) -> float:
     return float(GTC.uncertainty(force) / GTC.value(force))
 
 
-def pin_force(weight: ArrayLike, angle: ArrayLike, offset: float) -> NDArray[np.float64]:
+def pin_force(weight: ArrayLike, angle: ArrayLike, offset: float) -> Array:
     """Return the force on the pin (n, 2) in the pin (crank) frame of weights (N) at angles (rad).
 
     The weight pulls towards -y of the fixed frame; ``offset`` comes from the angle reference step.

@@ -21,12 +21,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
 
-Array = NDArray[np.float64]
 LARGEST_ANGLE = math.radians(15.0)
 """A probe that is mounted by eye stands within five degrees; three times that is a mistake."""
 

@@ -8,16 +8,14 @@ from dataclasses import dataclass
 import GTC
 import numpy as np
 from GTC import reporting
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.probes.checks import checks, unusable
 from calibration.probes.cylinder import apparent_gap, sensitivity_gain
 from calibration.probes.positions import robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

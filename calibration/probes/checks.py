@@ -7,15 +7,13 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Marks
 from calibration.probes.positions import RobustLine, falling, positions, robust_line
 from calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
 from calibration.taking.readings import numbered_twice, place_of
-
-Array = NDArray[np.float64]
 
 GOOD_POSITIONS = 11
 """With ten steps a bend of the line stands out from what single positions are off."""
@@ -168,7 +166,7 @@ def _copies(readings: ProbeReadings) -> Iterator[Problem]:
                 return
 
 
-def _rough(values: tuple[float, ...]) -> NDArray[np.bool_]:
+def _rough(values: tuple[float, ...]) -> Marks:
     """Tell which values are no round numbers: equal round numbers may be honest."""
     array = np.array(values)
     return np.asarray(np.abs(array * 1e3 - np.round(array * 1e3)) > 1e-6)

@@ -6,9 +6,9 @@ Round guarded sensing area of radius a, no fringe field, pin of radius R, gap d 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from calibration.arrays import Array
 
 
 def apparent_gap(gap: ArrayLike, sensor_radius: float, target_radius: float) -> Array:

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from calibration.arrays import Array
 from calibration.probes.procedure import ProbeStep, ProbeStepKind
 from calibration.taking.signals import (
     Demand,
@@ -19,7 +17,6 @@ from calibration.taking.signals import (
 )
 from calibration.taking.stability import Steadiness
 
-Array = NDArray[np.float64]
 SPREAD_OF_RANGE = 0.002
 """Part of the probe's range that a steady voltage may spread, beside the noise of its samples:
 a tenth of the smallest fault that the checks name (a hundredth of the span)."""

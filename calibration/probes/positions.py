@@ -7,13 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array, Marks
 from calibration.probes.readings import ProbeReadings
 from calibration.problems import Problem
 from calibration.taking.readings import place_of
-
-Array = NDArray[np.float64]
 
 WRONG_POSITION = 0.01
 """Part of the span from which one reading counts as wrong."""
@@ -122,7 +120,7 @@ def _wrong(readings: ProbeReadings, um: Array, at: int) -> Problem:
     )
 
 
-def falling(readings: ProbeReadings) -> NDArray[np.bool_]:
+def falling(readings: ProbeReadings) -> Marks:
     """Tell which readings were reached coming back, within their series.
 
     A position that is read twice in a row at the turning point belongs to both ways.

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from calibration.taking.readings import Array, Whole, numbers, read_table, series_and_steps
+from calibration.arrays import Array, Whole
+from calibration.taking.readings import numbers, read_table, series_and_steps
 
 FEWEST_POSITIONS = 5
 """Fewer do not tell a bend from a wrong position."""

@@ -22,10 +22,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+
+from calibration.arrays import Array
 
 Event = Mapping[str, Any]
-Signals = Sequence[float] | NDArray[np.float64]
+Signals = Sequence[float] | Array
 
 
 class ProcedureError(ValueError):

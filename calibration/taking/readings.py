@@ -9,10 +9,8 @@ from collections.abc import Hashable, Sequence
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
+from calibration.arrays import Array, Whole
 
 LARGEST = 1e12
 """No quantity of these tables comes near: a larger number is a slip of exponent or comma."""

@@ -8,11 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.taking.stability import Steadiness, judge
-
-Array = NDArray[np.float64]
 
 WINDOW_S = 3.0
 """Signals are judged over so long: a weight that swings at 0.7 Hz shows two periods."""

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from calibration.arrays import Array
 
 FEWEST_SAMPLES = 20
 """Means of 50 ms over a second: spread and slope are then known within some 15 %."""
@@ -13,12 +15,11 @@ FEWEST_SAMPLES = 20
 
 @dataclass(frozen=True, slots=True)
 class Steadiness:
-    """The judgement of one window: mean (2,), its standard uncertainty, spread and slope."""
+    """The judgement of one window: mean (2,), spread and slope."""
 
     steady: bool
     reason: str
-    mean: NDArray[np.float64]
-    mean_uncertainty: NDArray[np.float64]
+    mean: Array
     spread: float
     slope: float
 
@@ -35,20 +36,18 @@ def judge(
     t = np.asarray(time, dtype=np.float64)
     values = np.asarray(signal, dtype=np.float64)
     if len(t) < FEWEST_SAMPLES or t[-1] <= t[0]:
-        nothing = np.full(2, np.nan)
-        return Steadiness(False, "waiting for samples", nothing, nothing, np.inf, np.inf)
+        return Steadiness(False, "waiting for samples", np.full(2, np.nan), np.inf, np.inf)
     mean = values.mean(axis=0)
     centred = t - t.mean()
     slopes = centred @ (values - mean) / float(centred @ centred)
     rest = values - mean - centred[:, None] * slopes
     spread = float(rest.std(axis=0, ddof=2).max())
     slope = float(np.abs(slopes).max())
-    noise = rest.std(axis=0, ddof=2) / np.sqrt(len(t))
     slope_noise = spread / np.sqrt(float(centred @ centred))
     if not np.isfinite(values).all():
-        return Steadiness(False, "the signal is not a number", mean, noise, spread, slope)
+        return Steadiness(False, "the signal is not a number", mean, spread, slope)
     if spread > spread_limit:
-        return Steadiness(False, "swinging: wait until it hangs still", mean, noise, spread, slope)
+        return Steadiness(False, "swinging: wait until it hangs still", mean, spread, slope)
     if slope > slope_limit + 3.0 * slope_noise:
-        return Steadiness(False, "still changing", mean, noise, spread, slope)
-    return Steadiness(True, "steady", mean, noise, spread, slope)
+        return Steadiness(False, "still changing", mean, spread, slope)
+    return Steadiness(True, "steady", mean, spread, slope)

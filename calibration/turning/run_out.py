@@ -21,11 +21,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from GTC import reporting
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.problems import Problem
-
-Array = NDArray[np.float64]
 
 FEWEST_REVOLUTIONS = 5
 GOOD_REVOLUTIONS = 10

@@ -16,11 +16,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.problems import Problem
-
-Array = NDArray[np.float64]
 
 COVERAGE = 2.0
 """About 95 % (GUM 6.3.3)."""

@@ -39,11 +39,11 @@ from drivers.spindles import refuse_request
 
 ABORT_QUICK_STOP: Final = 3
 _UNITS: Final = {"rpm": RPM, "milli-rpm": MILLI_RPM}
-_MODE_S: Final = 1.0
-_START_S: Final = 2.0
-_LONGEST_HEARTBEAT_MS: Final = 0xFFFF
+_MODE_S: Final = 1.0  # a change of mode is done in some ms; no drive needs this
+_START_S: Final = 2.0  # of heartbeats of at most 1 s, one must come
+_LONGEST_HEARTBEAT_MS: Final = 0xFFFF  # 16 bits of object 1016
 _COARSE_RPM: Final = 0.1  # wear tests turn at some tens of rpm, and such a step is 0.3 % of 30 rpm
-_ROUNDING: Final = 0.01
+_ROUNDING: Final = 0.01  # of a speed: less is lost in the speed loop of any drive
 _CONTROL_ONLY: Final = (mapping_entry(0x6040, 0, 16),)
 
 Readback = dict[str, str | float | int]

@@ -18,7 +18,7 @@ from drivers.cia402.protocol import (
     step_towards_enabled,
 )
 
-STEP_S: Final = 1.0
+STEP_S: Final = 1.0  # a step of the state machine takes some ms, with a brake some hundred
 _POWERLESS: Final = (
     State.NOT_READY,
     State.SWITCH_ON_DISABLED,

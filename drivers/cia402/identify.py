@@ -8,7 +8,7 @@ from drivers.api import ConnectionFailed, Identity, ReplyTimeout, WrongDevice
 from drivers.cia402.network import CanNode
 from drivers.cia402.protocol import PROFILE_402, VENDOR_MAXON, Nmt
 
-_FIRST_TRIES: Final = 3
+_FIRST_TRIES: Final = 3  # the first is lost while a drive finds its bit rate
 
 
 def identify(node: CanNode, interface: str, objects: str) -> Identity:

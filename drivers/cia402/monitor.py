@@ -17,7 +17,7 @@ from drivers.cia402.protocol import (
     parse_status_and_value,
 )
 
-HISTORY: Final = 64
+HISTORY: Final = 64  # more than a fault and its followers
 
 
 @dataclass(frozen=True, slots=True)

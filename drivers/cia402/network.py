@@ -28,15 +28,15 @@ from drivers.cia402.protocol import (
 )
 from drivers.transport import SerialPort
 
-TRIES: Final = 3
+TRIES: Final = 3  # one lost frame must not stop a test; a node that is silent thrice is gone
 _SLCAN_BAUD_RATE: Final = 115200  # as python-can opens it
 _OBJECTS: Final = Path(__file__).with_name("objects.eds")
-_WAIT_S: Final = 0.05
+_WAIT_S: Final = 0.05  # so soon does the receiver see that it is to end
 _SEND_S: Final = 1.0
 """An adapter that takes no frame for so long is lost. Not shorter: pyserial calls a frame that went
 out whole late when the computer let the program wait; the drive's heartbeat stops it meanwhile."""
-_JOIN_S: Final = 2.0
-_MISSING: Final = (0x0602_0000, 0x0609_0011)
+_JOIN_S: Final = 2.0  # many times the wait of the receiver
+_MISSING: Final = (0x0602_0000, 0x0609_0011)  # no such object, no such sub-index (CiA 301)
 
 Taker = Callable[[bytes, int], None]
 

@@ -25,7 +25,7 @@ _USUAL_RATES: Final[Mapping[int, str]] = {
     125_000: "S4",
 }
 _MOST_BYTES: Final = 65536
-_LISTEN_S: Final = 0.6
+_LISTEN_S: Final = 0.6  # six periods of a usual heartbeat
 _MOST_NODES: Final = 127
 
 

@@ -9,7 +9,7 @@ from drivers.api import BytePort, ProtocolError, ReplyTimeout
 from drivers.dataq.protocol import BadReply, Info, line, query_value, split_replies
 
 READ_BYTES: Final = 1 << 18
-TRIES: Final = 2
+TRIES: Final = 2  # a command that is lost once is sent again; the echo proves it
 _SLICE_S: Final = 0.05
 _STOP: Final = line("stop")
 _SHOWN: Final = 40

@@ -14,7 +14,7 @@ from typing import Final
 
 from drivers.dataq.protocol import MASTER_CLOCK_HZ
 
-SMALLEST_SRATE: Final = 375
+SMALLEST_SRATE: Final = 375  # of the published range
 LARGEST_SRATE: Final = 65535
 TICKS_PER_ENTRY: Final = 375
 ENCODER_SRATE: Final = 3000
@@ -25,7 +25,7 @@ _FACTORS: Final = (
 DECIMATIONS: Final = (*((dec, 1) for dec in _FACTORS), (500, 10), (500, 100))
 """Pairs of dec (1 to 512) and deca (1 to 40000), by growing product."""
 
-_EXACT: Final = 1e-5
+_EXACT: Final = 1e-5  # 10 ppm, less than the error of the device's own quartz
 
 
 class NoSuchRate(ValueError):

@@ -33,8 +33,8 @@ from drivers.dataq.protocol import (
     without_echo,
 )
 
-GUARD: Final = 4
-MOST_LOST: Final = COUNTER_SPAN // 2
+GUARD: Final = 4  # odds of a wrong scan to pass as often: 65536^-4 with the encoder clock
+MOST_LOST: Final = COUNTER_SPAN // 2  # more and the 16-bit counter could have gone the other way
 GAP: Final = Quality.LOST_BEFORE | Quality.COUNT_SUSPECT
 
 Words = NDArray[np.uint16]

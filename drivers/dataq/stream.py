@@ -30,11 +30,11 @@ from drivers.dataq.sense import Sense
 _log = logging.getLogger(__name__)
 
 _SLICE_S: Final = 0.05
-_LATENESS_S: Final = 0.01
-_MOST_SENTENCES: Final = 100
-_MOST_RESTARTS: Final = 3
-_HEALTHY_SCANS: Final = 1000
-_STUCK_REVOLUTIONS: Final = 2.0
+_LATENESS_S: Final = 0.01  # a wait may end so much late on a free computer
+_MOST_SENTENCES: Final = 100  # of one test; the counters go on
+_MOST_RESTARTS: Final = 3  # a line that loses bytes again and again is broken
+_HEALTHY_SCANS: Final = 1000  # without a loss: the restarts before are forgotten
+_STUCK_REVOLUTIONS: Final = 2.0  # a signal of the crank repeats in one; two cannot show one value
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,6 @@ class Tally:
     gaps: int = 0
     lost_scans: int = 0
     restarts: int = 0
-    stuck_inputs: tuple[str, ...] = ()
     faults: tuple[InputFault, ...] = ()
     sentences: deque[str] = field(default_factory=lambda: deque(maxlen=_MOST_SENTENCES))
 
@@ -304,13 +303,12 @@ class Stream:
             self._still[row] += max(0, travel)
             name = self._plan.channels[row].name
             turns = self._still[row] / self._plan.pulses_per_revolution
-            if turns >= _STUCK_REVOLUTIONS and name not in self.tally.stuck_inputs:
+            if turns >= _STUCK_REVOLUTIONS and not any(name in f.inputs for f in self.tally.faults):
                 words = (
                     f"{name} has shown the very same value for {turns:.1f} turns; check its "
                     "sensor, amplifier and cable"
                 )
                 fault = InputFault(InputFaultKind.STUCK, (name,), words, time.monotonic_ns())
-                self.tally.stuck_inputs += (name,)
                 self.tally.faults += (fault,)
                 self._say(f"{words}.")
 

@@ -41,15 +41,14 @@ from drivers.gsv8.protocol import Command, u8
 from drivers.gsv8.registers import Registers
 from drivers.gsv8.settings import SETTINGS
 from drivers.gsv8.watch import StreamWatch
-from drivers.gsv8.words import ValueFault
 from drivers.transport import SerialPort, byte_counters
 
 _log = logging.getLogger(__name__)
 
 _INJECT_NOTHING, _INJECT_HALF_SCALE = 0, 1
 _HALF_SCALE_TOLERANCE = 1e-3  # of the expected value
-_SETTLING_S = 0.005
-_SETTLING_PERIODS = 5.0
+_SETTLING_S = 0.005  # of the injected test value, analog
+_SETTLING_PERIODS = 5.0  # of the digital filter, in samples
 _READ_SLICE_S = 0.05
 _ONLY_STREAMS_FROM_HZ = 24000.0  # from this rate on the device may leave commands unanswered
 
@@ -185,10 +184,6 @@ class Gsv8:
             registers.set_zero(channel)
             _log.info("%s: %s was zeroed in the device", self.name, name)
 
-    def value_faults(self) -> tuple[ValueFault, ...]:
-        """Return the faults of inputs, sensors and lines that the device stored, oldest first."""
-        return Registers(self._link, self._firmware).value_faults()
-
     def half_scale(self) -> tuple[HalfScale, ...]:
         """Feed the device's test value to all analog channels and return what arrives.
 
@@ -242,11 +237,6 @@ class Gsv8:
     def tally(self) -> Tally:
         """Return what went wrong on the line since the stream was started."""
         return self._link.tally
-
-    @property
-    def last_fault(self) -> ValueFault | None:
-        """Return the latest fault of the inputs that the device named since the start."""
-        return None if self._watch is None else self._watch.last_fault
 
     def input_faults(self) -> tuple[InputFault, ...]:
         """Return what the device said of its inputs since the start, oldest first."""

@@ -30,9 +30,9 @@ _TYPE_MASK = 0xF0  # third byte of measured values: bit 7 set, b6:4 data type, b
 _SATURATED = 0x01
 _LONG_FORM = 15
 
-_FIRST_BULK = 64
+_FIRST_BULK = 64  # frames that are checked together after damage
 _MAXIMUM_BULK = 1 << 15
-_FIRST_LOOK = 64
+_FIRST_LOOK = 64  # bytes that are searched at first after damage
 _MAXIMUM_LOOK = 1 << 16
 
 

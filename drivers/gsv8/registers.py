@@ -15,7 +15,6 @@ from drivers.gsv8.words import ValueFault, decode_value_fault
 SLOW = 5.0
 """Patience for commands that the device may take long for: they measure, or store much."""
 
-_MOST_STORED_FAULTS = 82  # the last index is 83 at most
 _MAPPING_NOT_READABLE = (1, 38)
 
 
@@ -166,17 +165,6 @@ class Registers:
         """Return the stored zero of an analog channel as a signed 24-bit code."""
         data = self._link.command(Command.READ_ZERO, u8(channel), reply=4)
         return int.from_bytes(data, "big", signed=True)
-
-    def value_faults(self) -> tuple[ValueFault, ...]:
-        """Return the value errors that the device stored, oldest first."""
-        stored = self._link.command(Command.GET_LAST_VALUE_ERROR, u8(0), reply=6)[1]
-        faults = []
-        for place in range(min(stored, _MOST_STORED_FAULTS)):
-            response = self._link.exchange(Command.GET_LAST_VALUE_ERROR, u8(2 + place), reply=6)
-            fault = decode_value_fault(response.data) if response.status == 0 else None
-            if fault is not None:
-                faults.append(fault)
-        return tuple(faults)
 
     def latest_fault(self) -> ValueFault | None:
         """Return the latest value error since the device's power came, None when there is none."""

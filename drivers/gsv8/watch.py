@@ -23,10 +23,10 @@ Question = tuple[Command, bytes, int]
 _LOST_DATA: Question = (Command.GET_LAST_PROTOCOL_ERROR, u8(1), 4)  # 1: asynchronous errors
 _FAULT: Question = (Command.GET_LAST_VALUE_ERROR, u8(1), 6)  # 1: the latest fault
 _RESET: Question = (Command.RESET_STATUS, b"", 0)
-_FAULT_EVERY = 4
-_MISSES_ALLOWED = 3
-_PATIENCE_S = 5.0
-_MOST_FAULTS = 64
+_FAULT_EVERY = 4  # lost data matter four times as much as a broken wire, which stays
+_MISSES_ALLOWED = 3  # so many polls unanswered and a loss could be missed for long
+_PATIENCE_S = 5.0  # an answer may stand behind so many measured values
+_MOST_FAULTS = 64  # more than anybody reads of one test
 
 
 class StreamWatch:

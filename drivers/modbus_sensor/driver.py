@@ -25,7 +25,7 @@ from drivers.modbus_sensor.registers import PRESETS, Question, questions, regist
 from drivers.modbus_sensor.settings import SETTINGS
 from drivers.transport import SerialPort, byte_counters
 
-_OPEN_S: Final = 2.0
+_OPEN_S: Final = 2.0  # two tries of some questions at the longest usual time-out
 
 
 class ModbusSensor:

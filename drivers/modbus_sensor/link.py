@@ -10,10 +10,10 @@ from drivers.modbus_sensor.protocol import ModbusReply, decode_reply, encode_req
 
 TRIES: Final = 2
 """A line without a checksum error a day needs one; a second bears a disturbance."""
-_MOST_BYTES: Final = 256
-_SILENT_CHARACTERS: Final = 3.5
+_MOST_BYTES: Final = 256  # an RTU frame (Modbus over serial line 1.02, 2.5.1)
+_SILENT_CHARACTERS: Final = 3.5  # between frames, same place
 _SHORTEST_PAUSE_S: Final = 0.00175  # above 19200 baud (Modbus over serial line 1.02, 2.5.1.1)
-_BITS: Final = 11.0
+_BITS: Final = 11.0  # of a character with start, parity and stop
 
 
 class ModbusLink:

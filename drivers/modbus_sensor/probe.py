@@ -8,7 +8,7 @@ from typing import Final
 from drivers.api import BytePort, DeviceFault, Identity, Probe, ProtocolError, ReplyTimeout
 from drivers.modbus_sensor.link import ModbusLink
 
-_USUAL_ADDRESS: Final = 1
+_USUAL_ADDRESS: Final = 1  # as transmitters are delivered
 _FUNCTION, _REGISTER, _COUNT = 4, 1, 2
 
 

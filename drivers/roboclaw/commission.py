@@ -29,7 +29,7 @@ from drivers.roboclaw.protocol import (
 from drivers.roboclaw.readings import can_combine
 from drivers.roboclaw.status import generation_of
 
-_MAXIMUM_TIMEOUT: Final = 255
+_MAXIMUM_TIMEOUT: Final = 255  # one byte
 _BOTH_WIDTHS: Final = 16 + 32
 
 

@@ -22,9 +22,9 @@ from drivers.roboclaw.protocol import (
     write_packet,
 )
 
-TRIES: Final = 3
-QUIET_S: Final = 0.012
-LONGEST_REPLY: Final = 58
+TRIES: Final = 3  # one disturbed packet must not stop a test; three in a row are a fault
+QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive forgets a packet
+LONGEST_REPLY: Final = 58  # bytes, of command 73
 BITS_PER_BYTE: Final = 10
 FLUSH_LIMIT: Final = 65536
 

@@ -9,9 +9,9 @@ from drivers.api import ProtocolError, ReplyTimeout
 from drivers.roboclaw.link import Link
 from drivers.roboclaw.protocol import Command, combined_status_of, count_of, speed_of
 
-SLOW_PERIOD: Final = 8
+SLOW_PERIOD: Final = 8  # supply and temperature change slowly; every eighth status asks
 _TICK_LIMIT: Final = 1 << 32
-_TICK_NEAR_WRAP: Final = 1_000_000
+_TICK_NEAR_WRAP: Final = 1_000_000  # ms before the clock wraps, far longer than between two calls
 
 
 @dataclass(frozen=True, slots=True)

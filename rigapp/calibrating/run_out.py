@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.turning.run_out import (
     Roll,
     RunOutError,
@@ -29,7 +29,6 @@ from rigapp.config.loading import parse_test
 from rigapp.config.parameters import ParameterFile
 from rigapp.schema.messages import Flag
 
-Array = NDArray[np.float64]
 GRID_DEG = 5
 """The record's picture of the map; its orders are what is applied."""
 RUN_OUT_COLUMNS = ("roll", "revolution", "probe", "order", "cos_um", "sin_um")

@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from calibration.arrays import Array
 from calibration.load_cell.daily import DailyCheck
 from calibration.taking.procedure import Event, Procedure, ProcedureError
 from calibration.taking.signals import Readiness, SignalState, SignalWindow
@@ -28,8 +28,6 @@ from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.channels import BASE
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,8 +28,8 @@ class Key:
     """A key of a file that holds no table: its path, type, default and what its number may be.
 
     hint: without None and annotations. choices: the texts that are allowed, if only these are.
-    default: NODEFAULT when the key is required. optional: the
-    section that holds it may be absent.
+    words: what its values mean, where that is told. default: NODEFAULT when the key is required.
+    optional: the section that holds it may be absent.
     """
 
     path: str
@@ -38,6 +38,7 @@ class Key:
     range: Range
     choices: tuple[str, ...] = ()
     optional: bool = False
+    words: str = ""
 
 
 @functools.cache
@@ -57,9 +58,9 @@ def _keys(kind: type[msgspec.Struct], prefix: str, *, optional: bool) -> Iterato
         if _is_struct(inner):
             star = ".*" if typing.get_origin(hint) is dict else ""
             yield from _keys(inner, f"{path}{star}.", optional=True)
-        yield Key(
-            path, hint, field.default, _range_in(field.type), tuple(_choices(field.type)), optional
-        )
+        choices, metas = tuple(_choices(field.type)), getattr(field.type, "__metadata__", ())
+        words = next((one.description for one in metas if one.description), "")
+        yield Key(path, hint, field.default, _range_in(field.type), choices, optional, words)
 
 
 def _is_struct(hint: Any) -> bool:

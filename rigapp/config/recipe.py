@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import msgspec
 
-from model.wear.techniques import SOLVABLE
+from model.wear.techniques import SOLVABLE, TECHNIQUES
 from rigapp.config.numbers import FORCE_N, IN_A_ROW, LEVEL, MOST, within
 from rigapp.config.parameters import ParameterFile
 
@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     PredictedJoint = str
 else:
     PredictedJoint = Literal[SOLVABLE]
+
+JOINT_WORDS = msgspec.Meta(
+    description="; ".join(f"{name}: {TECHNIQUES[name].sentence}" for name in SOLVABLE)
+)
 
 Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
@@ -98,7 +102,7 @@ class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[prediction]: the model that runs beside the data."""
 
-    joint: PredictedJoint = "continuous"
+    joint: Annotated[PredictedJoint, JOINT_WORDS] = "continuous"
     enabled: bool = True
 
 

@@ -17,9 +17,9 @@ CHANNELS = {
     "probe_1": "probe_1",
     "probe_2": "probe_2",
 }
-FAR_OUT = 1e3
+FAR_OUT = 1e3  # mV/V or V, beyond the range of any input
 _OTHER = {"bridge_1": "bridge_2", "bridge_2": "bridge_1"}
-SWINGS_PER_S = 0.8
+SWINGS_PER_S = 0.8  # a weight on a hook of 40 cm
 _SPIKES = np.uint64(17)
 
 

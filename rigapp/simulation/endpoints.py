@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Protocol
 
 _READ_SIZE = 65536
-_GAUGE_S = 0.05
+_GAUGE_S = 0.05  # a host that has gone is noticed in this time
 
 
 class Endpoint(Protocol):

@@ -20,12 +20,12 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.toml import toml_text
 
-ANSWER_S = 30.0
+ANSWER_S = 30.0  # of a process that answers in ms, on a computer that stands still now and then
 START_S = 180.0
 """After a change the first start compiles the kernels of the plant; a busy computer needs long."""
 FOLDER = "rigapp-sim-"
 """How the names of temporary folders begin; the process id of the owner follows."""
-_CLOSE_S = 5.0
+_CLOSE_S = 5.0  # then it is killed: nothing is lost in it
 _READ_SIZE = 65536
 
 

@@ -25,7 +25,7 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.simulation.plant import Plant
 
-BUOYANCY = 1.0 - 1.2 / 8000.0
+BUOYANCY = 1.0 - 1.2 / 8000.0  # conventional mass: air over steel
 LOCK_Nm = 1e6
 HEAVIEST_KG = 100.0
 

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import math
 
-LONGEST_CATCH_UP_S = 1.0
-BURST_S = 0.1
+LONGEST_CATCH_UP_S = 1.0  # what a host lost longer ago it would not get from a device either
+BURST_S = 0.1  # shorter than any time-out of a host
 
 
 class PlantPace:

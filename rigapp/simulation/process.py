@@ -29,7 +29,7 @@ from rigapp.simulation.handle import FOLDER, SimulatedRig, start_simulated_rig
 
 __all__ = ["SimulatedRig", "main", "start_simulated_rig"]
 
-ORPHAN_LIMIT_S = 10.0
+ORPHAN_LIMIT_S = 10.0  # many times the time-out of the drive, which stops it
 _READ_SIZE = 65536
 LEFT_BEHIND = FOLDER + r"(?P<pid>\d+)-.*"
 

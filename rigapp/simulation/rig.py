@@ -39,16 +39,16 @@ from rigapp.simulation.truth import TruthRecorder
 
 STANDING = 1e-6
 """A crank slower than this stands, rad/s."""
-CHUNK_S = 0.02
+CHUNK_S = 0.02  # a command takes effect as soon as in a real drive's loop
 SLOW_S = 1.0
 """So often do slow devices look at their surroundings, in plant time."""
-LONGEST_CHUNK_S = 0.1
-CHUNK_REVOLUTIONS = 1.0 / 20.0
-LONGEST_PASS_CHUNKS = 8
-IDLE_S = 0.01
-HOST_WAIT_S = 0.00015
+LONGEST_CHUNK_S = 0.1  # of plant time, at any speed
+CHUNK_REVOLUTIONS = 1.0 / 20.0  # see above: twice this is how far the host may lag
+LONGEST_PASS_CHUNKS = 8  # then other work is due, as the control channel
+IDLE_S = 0.01  # shorter than any time-out on the wire
+HOST_WAIT_S = 0.00015  # as long as a pty takes to hand over
 TURN = 2.0 * math.pi
-FULL_GAUGE_BYTES = 3072
+FULL_GAUGE_BYTES = 3072  # of the 4095 that a pty shows at most: more may stand behind
 
 
 class RigSimulation:

@@ -21,7 +21,7 @@ COLUMNS = (
     "wear_depth_m",
 )
 _NO_TRUTH = ("sample", "shaft_revolutions")
-ROOM = 1 << 20
+ROOM = 1 << 20  # 64 MB; then every second row goes
 
 
 class TruthRecorder:

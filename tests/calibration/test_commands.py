@@ -99,6 +99,11 @@ def test_bad_fit_is_refused_and_not_saved(folder: Path) -> None:
     result = json.loads(done.stdout)
     assert result["accepted"] is False
     assert "hysteresis" in [one["code"] for one in result["problems"]]
+    in_words = fit(folder, "record.json")
+    assert in_words.returncode == 1
+    assert in_words.stdout == ""  # no numbers that somebody could use all the same
+    assert "Going down the cell reads" in in_words.stderr
+    assert "the calibration is refused, nothing was saved" in in_words.stderr
     assert not os.path.lexists(folder / "record.json")
 
 

@@ -18,7 +18,7 @@ from rigapp.calibrating.certificate import certificate_of
 from rigapp.calibrating.probe_result import pair_result, probe_result
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.run_out import harmonics_csv, run_out_lines, run_out_result
-from rigapp.config.calibration_settings import PinSection, ProbeFile, ProbeSection, RunOutFile
+from rigapp.config.calibration_settings import ProbeFile, ProbeSection, RunOutFile, RunOutPinSection
 from rigapp.report.page.html import as_html
 from rigapp.report.page.pdf import as_pdf
 
@@ -70,7 +70,7 @@ def run_out(folder: Path, speeds: tuple[float, ...], elastic: Any = None) -> Rec
         for _ in speeds
     ]
     taken = {"rig": "rig", "files": files, "orders": 1}
-    given = RunOutFile(schema=1, pin=PinSection("Pin 7"))
+    given = RunOutFile(schema=1, pin=RunOutPinSection("Pin 7"))
     result = run_out_result(found)
     return record(folder, "run-out map", harmonics_csv(found), given, result, taken)
 

@@ -26,6 +26,7 @@ EXAMPLES = ROOT / "examples"
 def test_a_recipe_and_its_form_offer_the_joints_that_tell_forces_of_a_measured_revolution() -> None:
     field = next(one for one in form_fields() if one.path == "prediction.joint")
     assert field.choices == SOLVABLE
+    assert all(TECHNIQUES[name].sentence in field.hint for name in SOLVABLE)
     assert set(SOLVABLE) < set(TECHNIQUES)
 
 

@@ -112,5 +112,5 @@ def test_uncertainty_of_the_record_is_shown_beside_the_live_force(tmp_path: Path
     from rigapp.engine.views import uncertainty_of_force
 
     found = with_records(rig_with(tmp_path, CELL), IN_TIME)
-    assert uncertainty_of_force(Core(found.rig, Timing()), -100.0) == pytest.approx(2.6)
-    assert uncertainty_of_force(Core(read_rig(RIG), Timing()), 100.0) is None
+    assert uncertainty_of_force(Core(found.rig, Timing(), None), -100.0) == pytest.approx(2.6)
+    assert uncertainty_of_force(Core(read_rig(RIG), Timing(), None), 100.0) is None

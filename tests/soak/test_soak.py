@@ -87,7 +87,7 @@ def feed(path: Path, revolutions: int, monkeypatch: pytest.MonkeyPatch) -> None:
     threads, before = set(threading.enumerate()), footprint(os.getpid())
     rig = MemoryRig(crank=QuickCrank(), open_store=open_file)
     rig.measured = []
-    rig.engine._on_measured = collections.deque(maxlen=4).append
+    rig.engine._core._on_measured = collections.deque(maxlen=4).append
     rig.engine.connect()
     viewer = rig.engine.subscribe()
     rig.engine.start(long_test(revolutions), path, operator="Ada")

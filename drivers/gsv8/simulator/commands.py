@@ -120,14 +120,10 @@ def _protocol_error(d: Device, a: bytes) -> bytes:
 
 
 def _value_error(d: Device, a: bytes) -> bytes:
-    faults, stored, asked = d.state.faults, d.stored_faults, _among(a[0], 0, 83)
+    faults, asked = d.state.faults, _among(a[0], 0, 1)
     if asked == 0:
-        return u8(len(faults), len(stored), 0, 0, 0, 0)
-    if asked == 1 and faults:
-        return encode_value_fault(faults[-1])
-    if 2 <= asked < 2 + len(stored):
-        return encode_value_fault(stored[asked - 2])
-    return bytes(6)
+        return u8(len(faults), len(faults), 0, 0, 0, 0)
+    return encode_value_fault(faults[-1]) if faults else bytes(6)
 
 
 def _get_interface_setting(d: Device, a: bytes) -> bytes:

@@ -128,7 +128,6 @@ class Device:
         self.counters = tuple(QuadratureInput(counts_per_revolution) for _ in range(2))
         self.writes = 0
         self.write_access = True
-        self.stored_faults: list[ValueFault] = []
         self.state = Volatile()
         self.power_on()
 
@@ -160,7 +159,5 @@ class Device:
         self.state.present[kind] = flags
         if flags in (0, before):
             return
-        fault = ValueFault(kind, int(now_s / 60.0), flags)
-        for kept in (self.state.faults, self.stored_faults):
-            kept.append(fault)
-            del kept[:-_MOST_STORED_FAULTS]
+        self.state.faults.append(ValueFault(kind, int(now_s / 60.0), flags))
+        del self.state.faults[:-_MOST_STORED_FAULTS]

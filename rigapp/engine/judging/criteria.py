@@ -31,7 +31,7 @@ BLIND_REVOLUTIONS = 200
 RATE_BINS = 50
 """The wear rate is the slope through the means of so many equal parts of the window."""
 
-NOT_JUDGED = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
+NOT_JUDGED = int(Flag.RAMP | Flag.PAUSED | Flag.PARTIAL)
 
 HISTORY_COLUMNS = ("revolution", "speed", "quality")
 """What a criterion needs to know of the rows of an earlier segment."""

@@ -26,7 +26,8 @@ class FieldSpec:
     """One field of the form.
 
     path: dotted. kind: int, float, str, bool, "choice" or "pair". default: NODEFAULT when required.
-    range: what a number may be. optional: the section that holds it may be absent.
+    range: what a number may be. words: what its values mean. optional: the section that holds it
+    may be absent.
     """
 
     path: str
@@ -35,6 +36,7 @@ class FieldSpec:
     range: Range
     choices: tuple[str, ...] = ()
     optional: bool = False
+    words: str = ""
 
     @property
     def key(self) -> str:
@@ -60,13 +62,13 @@ class FieldSpec:
 
     @property
     def hint(self) -> str:
-        """Return key, range and default in one line."""
+        """Return key, range, default and what its values mean."""
         parts = [self.path]
         if math.isfinite(self.range.low):
             parts.append(f"{self.range.low:g} to {self.range.high:g} {self.unit}".rstrip())
         if self.default is not msgspec.NODEFAULT:
             parts.append(f"default {show_value(self.default) or 'off'}")
-        return "; ".join(parts)
+        return "; ".join(filter(None, (*parts, self.words)))
 
 
 @cache
@@ -74,7 +76,9 @@ def form_fields() -> tuple[FieldSpec, ...]:
     """Return the fields of a test file in the order of the file."""
     shown = (one for one in keys_of(TestFile) if not one.path.startswith(HIDDEN))
     return tuple(
-        FieldSpec(one.path, _kind(one), one.default, one.range, one.choices, one.optional)
+        FieldSpec(
+            one.path, _kind(one), one.default, one.range, one.choices, one.optional, one.words
+        )
         for one in shown
     )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
@@ -50,6 +51,7 @@ SHORT = {
     "rms": "RMS",
     "min": "minimum",
     "value": "value",
+    "speed": "speed",
 }
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
@@ -181,7 +183,8 @@ def trends(
                     with_model = True
             zoomed |= _leave_out_unsteady(axes, channel)
             axes.set_title(title_of(channel.channel), loc="left")
-            axes.set_ylabel(f"{SHORT.get(channel.name, channel.name)} ({symbol(channel.unit)})")
+            short = SHORT.get(channel.name, "")
+            axes.set_ylabel(f"{short} ({symbol(channel.unit)})".lstrip())
             axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
         _revolution_axis(panels[-1])
         words = f"{title}: " + " ".join(
@@ -320,7 +323,10 @@ def free_cycles(
 
         return draw
 
-    rows = [(f"{one.name}\n({symbol(one.unit)})", panel(one.name)) for one in channels]
+    rows = [
+        (f"{textwrap.fill(one.name.replace('_', ' '), 14)}\n({symbol(one.unit)})", panel(one.name))
+        for one in channels
+    ]
     title = f"Whole cycles of {', '.join(one.name for one in channels)}"
     words = " ".join(
         f"Revolution {picture.revolution}: {title_of(one)} between "

@@ -230,10 +230,10 @@ def test_an_input_that_is_stuck_is_named(bench: Callable[..., Any]) -> None:
     b.configure()
     b.driver.start()
     b.read_until(lambda: b.samples >= 100, "samples")
-    assert b.driver.tally.stuck_inputs == ()
+    assert b.driver.input_faults() == ()
     b.simulator.inject("stuck_input", value=2)
-    b.read_until(lambda: bool(b.driver.tally.stuck_inputs), "a stuck input")
-    assert b.driver.tally.stuck_inputs == ("analog_2",)
+    b.read_until(lambda: bool(b.driver.input_faults()), "a stuck input")
+    assert b.driver.input_faults()[0].inputs == ("analog_2",)
     assert "analog_2 has shown the very same value" in b.driver.tally.sentences[-1]
 
 
