@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +13,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_parameters
 
 if TYPE_CHECKING:
+    from model.parameters import Parameters
     from rigapp.report.paper.chapter import Chapter
 
 PARAMETERS = Path(__file__).with_name("parameters")
@@ -78,29 +78,18 @@ def parts(recorded: Path | None = None) -> tuple[Part, ...]:
         read_parameters(path) for path in (STEEL, SIMULATION, EXPERIMENT)
     )
     speed = SPEED_RPM * np.pi / 30.0
-    fig15 = partial(wear.constant_and_evolving, speed=speed)
+
+    def fig15(parameters: Parameters, name: str, bushing: str) -> Part:
+        return lambda tell: [wear.constant_and_evolving(parameters, speed, name, bushing, tell)]
+
     found: list[Part] = [
         lambda tell: kinematics.same_without_clearance(steel, speed),
         lambda tell: [kinematics.force_over_gap(steel, speed)],
         lambda tell: [techniques.forces(simulation, speed, tell)],
         lambda tell: [techniques.wear(simulation, speed, tell)],
         lambda tell: [kinematics.slip(steel, speed)],
-        lambda tell: [
-            fig15(
-                steel,
-                name="fig15_steel",
-                bushing="steel as in section 4.3, K = 1e-8 mm³/(N m)",
-                tell=tell,
-            )
-        ],
-        lambda tell: [
-            fig15(
-                simulation,
-                name="fig15_soft",
-                bushing="the soft bushing assumed for Table 2",
-                tell=tell,
-            )
-        ],
+        fig15(steel, "fig15_steel", "steel as in section 4.3, K = 1e-8 mm³/(N m)"),
+        fig15(simulation, "fig15_soft", "the soft bushing assumed for Table 2"),
     ]
     if recorded is not None:
         measured = tuple(recorded_chapters(recorded))

@@ -51,15 +51,7 @@ def same_without_clearance(parameters: Parameters, speed: float) -> list[Chapter
 
         def draw(axes: Sequence[Any], one: Any = one, two: Any = two, label: str = unit) -> None:
             for panel, (name, _, place) in zip(axes, curves, strict=True):
-                panel.plot(degrees, one[:, place], color=COLOURS[0], label="perfect, Eq. 4")
-                panel.plot(
-                    degrees[::12],
-                    two[::12, place],
-                    "o",
-                    ms=3,
-                    color=COLOURS[4],
-                    label="imperfect, Eq. 12",
-                )
+                _both(panel, degrees, one[:, place], two[:, place])
                 panel.set_title(name, loc="left")
                 panel.set_ylabel(label.replace("_per_", "/").replace("s2", "s²"))
             axes[-1].set_xlabel(DEGREES)
@@ -86,21 +78,20 @@ def same_without_clearance(parameters: Parameters, speed: float) -> list[Chapter
     return chapters
 
 
+def _both(panel: Any, degrees: np.ndarray, perfect: np.ndarray, other: np.ndarray) -> None:
+    """Draw what both models give: a line, and points on it."""
+    panel.plot(degrees, perfect, color=COLOURS[0], label="perfect, Eq. 4")
+    points = {"ms": 3, "color": COLOURS[4], "label": "imperfect, Eq. 12"}
+    panel.plot(degrees[::12], other[::12], "o", **points)
+
+
 def _reaction(degrees: np.ndarray, one: np.ndarray, two: np.ndarray) -> Chapter:
     """Return Fig. 9: the joint force by both models."""
     worst = largest_difference(one, two)
     size = np.hypot(*one)
 
     def draw(axes: Sequence[Any]) -> None:
-        axes[0].plot(degrees, size, color=COLOURS[0], label="perfect, Eq. 4")
-        axes[0].plot(
-            degrees[::12],
-            np.hypot(*two)[::12],
-            "o",
-            ms=3,
-            color=COLOURS[4],
-            label="imperfect, Eq. 12",
-        )
+        _both(axes[0], degrees, size, np.hypot(*two))
         axes[0].set_ylabel("|F|, N")
         axes[0].set_xlabel(DEGREES)
         axes[0].legend(loc="upper right")
