@@ -52,7 +52,7 @@ CALM_COMMITS = 20
 TRIGGERS = frozenset({"limit", "note"})
 """Kinds of events around which whole cycles are kept, beside every alarm that rises."""
 
-NO_FILE = "Nothing was measured, so no file is left."
+NO_FILE = "No revolution was made, so no file is left."
 """Told at the end of a test that failed at its start."""
 
 UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
@@ -420,7 +420,7 @@ class Core:
     def _close_file(self, test: ActiveTest, ending: Ending) -> Ending:
         """Finish a file and return how the test has ended: by the file when it cannot be.
 
-        A fault in whose test nothing was measured leaves no file behind that its own start made.
+        A fault before the first whole revolution leaves no file behind that its own start made.
         """
         recorder, keep_empty = test.recorder, not (test.fresh and ending.fault)
         try:

@@ -234,21 +234,24 @@ class Recorder:
     ) -> bool:
         """Keep what still waits and the revolution cut off, say how the test ended, and close.
 
-        keep_empty: False deletes a file in which nothing measured is. Return whether it is kept.
+        keep_empty: False deletes a file without a whole revolution. Return whether it is kept.
         """
+        with self._lock:
+            if not (keep_empty or self._closed or self._store.revolutions):
+                self._closed = True
+                self._store.discard()
+                return False
         cut_off = None if self._closed or self._whole else self._unfinished()
         with self._lock:
             if self._closed:
                 return True
             self._keep(self._history.close())
-            kept = cut_off is not None and self._keep_unfinished(cut_off)
+            if cut_off is not None:
+                self._keep_unfinished(cut_off)
             if self._waiting_profile is not None:
                 self._take_profile(msgspec.structs.replace(self._waiting_profile, keep=True))
             self._closed = True
         try:
-            if not (keep_empty or kept or self._store.revolutions):
-                self._store.discard()
-                return False
             self._store.finish(status, reason_code, sentence)
             self.committed = self._store.revolutions
         finally:
@@ -281,15 +284,15 @@ class Recorder:
             curves = {name: as_array(getattr(one, name)) for name in PREDICTED_CURVES}
             self._store.append_curves(one.revolution, curves)
 
-    def _keep_unfinished(self, revolution: Revolution) -> bool:
+    def _keep_unfinished(self, revolution: Revolution) -> None:
         """Keep a revolution that was cut off after the last row; one before the test is none."""
         if self._start_sample is None or revolution.first_sample < self._start_sample:
-            return False
+            return
         number, ordinal = self._last or (self._first - 1, revolution.ordinal - 1)
         if revolution.ordinal <= ordinal or revolution.samples == 0:
-            return False
+            return
         samples = self._samples(Measured(revolution, self._calibration))
-        return self._store.append_unfinished(
+        self._store.append_unfinished(
             number + revolution.ordinal - ordinal, samples, int(revolution.flags)
         )
 
