@@ -69,7 +69,7 @@ class Core:
         self,
         rig: Document[RigFile],
         timing: Timing,
-        on_measured: Callable[[RevolutionMeasured], None] | None,
+        on_measured: Callable[[RevolutionMeasured], None] | None = None,
     ) -> None:
         self.rig = rig
         self.timing = timing

@@ -402,7 +402,7 @@ class FakeStore:
 
     def discard(self) -> None:
         assert not self.rows
-        self.discarded = True
+        self.discarded = self.closed = True
 
     def column(self, name: str) -> NDArray[np.float64]:
         return np.array([row[BASE.place[name]] for row in self.rows])
