@@ -11,14 +11,19 @@ import msgspec
 from rigapp.config.channels import channel_faults, input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile, to_parameters
+from rigapp.config.ranges import refusals
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import Matrix, RigFile
 from rigapp.config.rules import check_rules
 from rigapp.schema.criteria import CRITERIA
 
 SECTIONS = ("spindle", "encoder", "load_cell", "probes")
-SINGULAR = 1e-9
-"""A matrix with a smaller determinant, against the product of its rows' lengths, has no inverse."""
+CELL_CONDITION = 1e6
+"""Condition number from which a load cell's bridges count as showing one force: its calibration
+resolves some 1e-4 of the full scale, so nothing is left of the second component before."""
+
+ALIGNMENT_CONDITION = 100.0
+"""The same of two probes: their axes would be 1 deg apart, which no mounting means."""
 
 
 def faults(record: msgspec.Struct) -> Iterator[str]:
@@ -78,13 +83,19 @@ def _of_inputs(rig: RigFile) -> Iterator[str]:
             yield f"{keys} both name {one!r}; each needs an input of its own"
 
 
+def number_faults(rig: RigFile) -> Iterator[str]:
+    """Yield what is wrong with the numbers of a rig, those of its calibration records too."""
+    yield from refusals(rig)
+    yield from _of_numbers(rig)
+
+
 def _of_numbers(rig: RigFile) -> Iterator[str]:
     cell, probes = rig.load_cell, rig.probes
-    for key, matrix in (
-        ("load_cell.matrix_N_per_mV_per_V", cell.matrix_N_per_mV_per_V),
-        ("probes.alignment", probes.alignment),
+    for key, matrix, most in (
+        ("load_cell.matrix_N_per_mV_per_V", cell.matrix_N_per_mV_per_V, CELL_CONDITION),
+        ("probes.alignment", probes.alignment, ALIGNMENT_CONDITION),
     ):
-        if _singular(matrix):
+        if not _condition(matrix) <= most:
             yield f"{key} = {_listed(matrix)} cannot be inverted; two rows say the same, or nothing"
     for place, zero in enumerate(cell.zero_mV_per_V, 1):
         if abs(zero) >= cell.range_mV_per_V:
@@ -105,12 +116,18 @@ def _of_numbers(rig: RigFile) -> Iterator[str]:
                 f"probes.run_out_cos_um {place} has {len(cosines)} orders and"
                 f" probes.run_out_sin_um {place} has {len(sines)}; give as many"
             )
+    if len({len(orders) for orders in probes.run_out_cos_um}) > 1:
+        yield "probes.run_out_cos_um has other orders for one probe than the other; give as many"
 
 
-def _singular(matrix: Matrix) -> bool:
+def _condition(matrix: Matrix) -> float:
+    """Return the condition number (2-norm) of a matrix, infinite where it is singular."""
     (a, b), (c, d) = matrix
-    size = math.hypot(a, b) * math.hypot(c, d)
-    return abs(a * d - b * c) <= SINGULAR * size
+    determinant = abs(a * d - b * c)
+    if determinant == 0.0:
+        return math.inf
+    half = math.hypot(a, b, c, d) ** 2 / (2.0 * determinant)
+    return half + math.sqrt(max(half * half - 1.0, 0.0))
 
 
 def _listed(matrix: Matrix) -> str:

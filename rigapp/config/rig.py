@@ -33,7 +33,7 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     force_drift_N_per_hour: Annotated[float, within(-10_000.0, 10_000.0)] = 0.2
     pin_run_out_um: Annotated[float, within(0.0, 1000.0)] = 3.0
     probe_noise_um: Annotated[float, within(0.0, 1000.0)] = 0.2
-    filter_delay_ms: Annotated[float, LATENCY_MS] = 1.0
+    filter_delay_ms: Annotated[float, within(0.0, 1000.0)] = 1.0
     outboard_mass_factor: Annotated[float, within(0.0, 100.0)] = 1.0
     probe_misalignment_deg: Annotated[Pair, TURN_DEG] = (0.0, 0.0)
     probe_sensitivity_error_percent: Annotated[Pair, within(-99.0, 1000.0)] = (0.0, 0.0)

@@ -28,7 +28,7 @@ WRONG = [
     ("a", GOOD + "scale = 0.0", "channels.a.scale = 0 is outside"),
     ("a", GOOD + "scale = nan", "channels.a.scale = nan is not a finite number"),
     ("a", GOOD + "range_V = 0.0", "channels.a.range_V = 0 is outside 0.001 to 1000 V"),
-    ("a", GOOD + "latency_ms = -1.0", "channels.a.latency_ms = -1 is outside 0 to 1000 ms"),
+    ("a", GOOD + "latency_ms = -1.0", "channels.a.latency_ms = -1 is outside 0 to 100 ms"),
     ("a", GOOD + "scale = 2.0\ntable = [[0, 1], [1, 2]]", "a.table stands beside scale"),
     ("a", GOOD + "table = [[0, 1]]", "channels.a.table has one point"),
     ("a", GOOD + "table = [[0, 1], [0, 2]]", "a.table 2: voltage 0 V is not above 0 V before"),

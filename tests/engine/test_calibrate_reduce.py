@@ -165,12 +165,12 @@ SETUP = StreamSetup(
 @pytest.mark.parametrize(
     ("section", "change", "words"),
     [
-        ("load_cell", {"matrix_N_per_mV_per_V": ((1.0, 2.0), (2.0, 4.0))}, "singular"),
-        ("load_cell", {"matrix_N_per_mV_per_V": ((math.nan, 0.0), (0.0, 1.0))}, "not a number"),
+        ("load_cell", {"matrix_N_per_mV_per_V": ((1.0, 2.0), (2.0, 4.0))}, "cannot be inverted"),
+        ("load_cell", {"matrix_N_per_mV_per_V": ((math.nan, 0.0), (0.0, 1.0))}, "not a finite"),
         ("load_cell", {"zero_mV_per_V": (math.inf, 0.0)}, "zero_mV_per_V"),
         ("load_cell", {"latency_ms": (1.0, 1000.0)}, "latency_ms"),
         ("load_cell", {"input_2": "analog_9"}, "load_cell.input_2 = 'analog_9'"),
-        ("probes", {"sensitivity_um_per_V": (0.0, 1.0)}, "calibrate the probes"),
+        ("probes", {"sensitivity_um_per_V": (0.0, 1.0)}, "outside 0.001"),
         ("encoder", {"input": "counter_7"}, "encoder.input"),
     ],
 )

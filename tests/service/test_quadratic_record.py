@@ -146,7 +146,10 @@ def test_terms_that_cannot_be_inverted_are_refused(rig: Document[RigFile]) -> No
     cell = rig.record.load_cell
     assert cell.quadratic_mV_per_V_per_N2 is not None
     steep = tuple(tuple(50.0 * one for one in row) for row in cell.quadratic_mV_per_V_per_N2)
-    for quadratic, words in ((steep, "two forces"), (((math.nan,) * 3,) * 2, "not a number")):
+    for quadratic, words in (
+        (steep, "two forces"),
+        (((math.nan,) * 3,) * 2, "not a finite number"),
+    ):
         section = msgspec.structs.replace(cell, quadratic_mV_per_V_per_N2=quadratic)
         with pytest.raises(UnusableInput, match=words):
             frozen(msgspec.structs.replace(rig.record, load_cell=section))

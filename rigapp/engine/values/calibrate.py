@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from drivers.api import ChannelSpec, SampleClock, StreamSetup
 from rigapp.config.channels import channel_table, input_keys
+from rigapp.config.consistency import number_faults
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
 from rigapp.engine.samples.assembler import EncoderSetup, Margins, Revolution, Values
@@ -36,8 +37,6 @@ from rigapp.engine.values.table import follow
 from rigapp.schema.channels import LOAD_CELL, PROBES, ChannelTable, Kind
 
 Array = NDArray[np.float64]
-
-LARGEST_CONDITION = 1e6
 
 
 @dataclass(frozen=True, eq=False)
@@ -257,16 +256,13 @@ class Measured:
 
 def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
     """Freeze the calibration of a rig file for a device set up so; raise UnusableInput."""
+    for wrong in number_faults(rig):
+        raise UnusableInput(f"rig file: {wrong}")
     table = channel_table(rig)
     keys = {name: key for key, name in input_keys(rig).items()}
     wires = []
     for channel in table.sampled:
         row, spec = _spec(setup, channel.input, keys[channel.input])
-        if not abs(channel.latency_s) <= 0.1:
-            raise UnusableInput(
-                f"rig file: latency_ms of {channel.name} must lie between -100 and 100 ms; correct"
-                " it"
-            )
         wires.append(Wire(channel, row, spec.unit, spec.scale, spec.offset))
     counter_row, counter = _spec(setup, rig.encoder.input, "encoder.input")
     encoder = _encoder(rig, counter)
@@ -311,22 +307,18 @@ def _encoder(rig: RigFile, counter: ChannelSpec) -> EncoderSetup:
 
 def _load_cell(rig: RigFile) -> LoadCell:
     matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, np.float64)
-    _check_matrix(matrix)
     return LoadCell(
         matrix=matrix,
-        zero=_numbers("load_cell.zero_mV_per_V", rig.load_cell.zero_mV_per_V),
+        zero=np.array(rig.load_cell.zero_mV_per_V, np.float64),
         bend=_bend(rig, matrix),
         record=rig.load_cell.calibration,
     )
 
 
 def _probes(rig: RigFile, turn: int, index_angle_rad: float) -> ProbePair:
-    sensitivity = _numbers("probes.sensitivity_um_per_V", rig.probes.sensitivity_um_per_V)
-    if (sensitivity == 0).any():
-        raise UnusableInput("rig file: probes.sensitivity_um_per_V holds 0; calibrate the probes")
     return ProbePair(
-        sensitivity=sensitivity,
-        offset=_numbers("probes.offset_V", rig.probes.offset_V),
+        sensitivity=np.array(rig.probes.sensitivity_um_per_V, np.float64),
+        offset=np.array(rig.probes.offset_V, np.float64),
         correction=probe_correction(rig.probes, turn, index_angle_rad),
         uncertainty_um=rig.probes.uncertainty_um,
         record=rig.probes.calibration_name,
@@ -338,13 +330,6 @@ def _scalar(rig: RigFile, name: str) -> InputLine:
     if not section.table:
         return InputLine(section.scale, section.offset_V)
     return InputLine(table=np.ascontiguousarray(np.array(section.table, np.float64).T))
-
-
-def _numbers(key: str, values: Sequence[float]) -> Array:
-    found = np.array(values, np.float64)
-    if not np.isfinite(found).all():
-        raise UnusableInput(f"rig file: {key} holds a value that is not a number; correct it")
-    return found
 
 
 def _pulse_rate(rig: RigFile, setup: StreamSetup) -> PulseRate | None:
@@ -372,29 +357,17 @@ def _spec(setup: StreamSetup, name: str, key: str) -> tuple[int, ChannelSpec]:
     )
 
 
-def _check_matrix(matrix: NDArray[np.float64]) -> None:
-    key = "rig file: load_cell.matrix_N_per_mV_per_V"
-    if not np.isfinite(matrix).all():
-        raise UnusableInput(f"{key} holds a value that is not a number; calibrate the load cell")
-    if np.linalg.cond(matrix) > LARGEST_CONDITION:
-        raise UnusableInput(
-            f"{key} is singular: its two bridges would show the same force; calibrate the load cell"
-        )
-
-
 def _bend(rig: RigFile, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the quadratic terms for joint forces (2, 3), 1/N; raise UnusableInput."""
     cell = rig.load_cell
     if cell.quadratic_mV_per_V_per_N2 is None:
         return np.zeros((2, 3))
     bend = np.ascontiguousarray(matrix @ np.array(cell.quadratic_mV_per_V_per_N2, np.float64))
-    key = "rig file: load_cell.quadratic_mV_per_V_per_N2"
-    if not np.isfinite(bend).all():
-        raise UnusableInput(f"{key} holds a value that is not a number; calibrate the load cell")
     reach = math.sqrt(2.0) * cell.range_mV_per_V * float(np.linalg.norm(matrix, 2))
     if not invertible(bend, reach):
         raise UnusableInput(
-            f"{key}: the quadratic terms are so large that signals within the input range mean"
-            " two forces; calibrate the load cell again over the range that is used"
+            "rig file: load_cell.quadratic_mV_per_V_per_N2: the quadratic terms are so large that"
+            " signals within the input range mean two forces; calibrate the load cell again over"
+            " the range that is used"
         )
     return bend

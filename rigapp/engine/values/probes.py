@@ -12,11 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import ProbesSection
 
 Array = NDArray[np.float64]
-LARGEST_CONDITION = 100.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,26 +48,10 @@ class ProbeCorrection:
 def probe_correction(
     probes: ProbesSection, counts_per_revolution: int, index_angle_rad: float
 ) -> ProbeCorrection | None:
-    """Return what the rig's records ask for, None for nothing; raise UnusableInput."""
+    """Return what the rig's records ask for, None for nothing."""
     cosines = np.array(probes.run_out_cos_um, np.float64).reshape(2, -1)
     sines = np.array(probes.run_out_sin_um, np.float64).reshape(2, -1)
     matrix = np.array(probes.alignment, np.float64)
-    if cosines.shape != sines.shape:
-        raise UnusableInput(
-            "rig file: probes.run_out_cos_um and run_out_sin_um differ in length; give as many"
-            " orders of each, for both probes"
-        )
-    for key, values in (
-        ("alignment", matrix),
-        ("run_out_cos_um", cosines),
-        ("run_out_sin_um", sines),
-    ):
-        if not np.isfinite(values).all():
-            raise UnusableInput(f"rig file: probes.{key} holds a value that is not a number")
-    if np.linalg.cond(matrix) > LARGEST_CONDITION:
-        raise UnusableInput(
-            "rig file: probes.alignment is singular: both probes would show the same motion"
-        )
     if cosines.size == 0 and np.array_equal(matrix, np.eye(2)):
         return None
     angle = index_angle_rad + np.arange(counts_per_revolution) * (
