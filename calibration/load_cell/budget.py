@@ -3,38 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
-import GTC
 import numpy as np
-from GTC import reporting
 
 from calibration.arrays import Array
 from calibration.load_cell.characteristics import Characteristics
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import TwoAxisFit
 from calibration.load_cell.weights import relative_force_uncertainty
-
-
-@dataclass(frozen=True, slots=True)
-class Contribution:
-    """One line of the budget: name, standard uncertainty (N), degrees of freedom."""
-
-    name: str
-    uncertainty: float
-    degrees: float
-
-
-@dataclass(frozen=True, slots=True)
-class Budget:
-    """The uncertainty at one force: contributions, combined (N), coverage factor, expanded (N)."""
-
-    force: float
-    contributions: tuple[Contribution, ...]
-    combined: float
-    degrees: float
-    coverage_factor: float
-    expanded: float
+from calibration.taking.uncertainty import Budget, Contribution, combine
 
 
 def turn_derivative(sensitivity: Array) -> Array:
@@ -87,35 +64,24 @@ def budget(
     load = force * np.stack((np.cos(directions), np.sin(directions)), axis=-1)
     variance = float(np.linalg.eigvalsh(found.force_covariance(load)).max())
     lines = [
-        Contribution("applied force (mass, gravity, buoyancy)", relative * force, math.inf),
-        Contribution("angle reference", settings.angle_uncertainty * force, math.inf),
+        Contribution("applied force (mass, gravity, buoyancy)", relative * force),
+        Contribution("angle reference", settings.angle_uncertainty * force),
         Contribution("fit", math.sqrt(variance), 2.0 * found.degrees),
         Contribution("repeatability of one reading", found.residual_std, 2.0 * found.degrees),
-        Contribution("resolution", settings.cell.resolution / math.sqrt(6.0), math.inf),
+        Contribution("resolution", settings.cell.resolution / math.sqrt(6.0)),
     ]
     if traits.reversibility is not None:
         hysteresis = traits.reversibility / 100.0 * force / math.sqrt(3.0)
-        lines.append(Contribution("reversibility", hysteresis, math.inf))
+        lines.append(Contribution("reversibility", hysteresis))
     if traits.zero_return is not None:
         zero = traits.zero_return / 100.0 * settings.cell.full_scale / math.sqrt(3.0)
-        lines.append(Contribution("zero return", zero, math.inf))
+        lines.append(Contribution("zero return", zero))
     return combine(force, tuple(lines))
-
-
-def combine(force: float, lines: tuple[Contribution, ...]) -> Budget:
-    """Combine contributions; the coverage factor gives 95 % by the Welch-Satterthwaite formula."""
-    total = GTC.constant(force)
-    for line in lines:
-        total = total + GTC.ureal(0.0, line.uncertainty, df=line.degrees, label=line.name)
-    combined = float(GTC.uncertainty(total))
-    degrees = float(GTC.dof(total))
-    factor = float(reporting.k_factor(degrees if combined > 0.0 else math.inf))
-    return Budget(force, lines, combined, degrees, factor, factor * combined)
 
 
 def expanded_line(budgets: tuple[Budget, ...]) -> tuple[float, float]:
     """Return a (N) and b of U(F) = a + b F that bounds the expanded uncertainties from above."""
-    force = np.array([one.force for one in budgets])
+    force = np.array([one.value for one in budgets])
     expanded = np.array([one.expanded for one in budgets])
     slope, intercept = np.polyfit(force, expanded, 1)
     lift = float(np.max(expanded - intercept - slope * force))

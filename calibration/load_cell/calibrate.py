@@ -8,7 +8,6 @@ import numpy as np
 
 from calibration.arrays import Array
 from calibration.load_cell.budget import (
-    Budget,
     budget,
     classification,
     expanded_line,
@@ -23,6 +22,7 @@ from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import TwoAxisFit, choose_terms
 from calibration.problems import Problem
+from calibration.taking.uncertainty import Budget
 
 STEADY_CODES = frozenset(
     {

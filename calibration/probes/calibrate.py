@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import GTC
 import numpy as np
-from GTC import reporting
 
 from calibration.arrays import Array
 from calibration.probes.checks import checks, unusable
@@ -16,6 +14,7 @@ from calibration.probes.positions import robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
+from calibration.taking.uncertainty import Contribution, combine
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,25 +85,19 @@ def _result(
     spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
     relative = std / spread
     hysteresis = _hysteresis(readings, residual)
-    parts = [
-        GTC.ureal(0.0, std, df=count - 2, label="residual of the line"),
-        GTC.ureal(0.0, 0.5 * span * relative, df=count - 2, label="slope"),
-        GTC.ureal(0.0, settings.micrometer_uncertainty, label="micrometer"),
-        GTC.ureal(
-            0.0, settings.resolution_volts / abs(slope) / math.sqrt(12.0), label="resolution"
-        ),
-        GTC.ureal(0.0, abs(hysteresis or 0.0) / 2.0 / math.sqrt(3.0), label="backlash"),
-        GTC.ureal(0.0, bending / math.sqrt(3.0), label="cylindrical target, change of sensitivity"),
-        GTC.ureal(0.0, _off_axis(settings) / math.sqrt(3.0), label="motion across the axis"),
-        GTC.ureal(
-            0.0,
-            settings.direction * settings.off_axis / math.sqrt(3.0),
-            label="direction of the probe",
-        ),
-    ]
-    total = sum(parts[1:], parts[0])
-    combined = float(GTC.uncertainty(total))
-    factor = float(reporting.k_factor(float(GTC.dof(total))))
+    free, even = float(count - 2), math.sqrt(3.0)
+    resolution = settings.resolution_volts / abs(slope) / math.sqrt(12.0)
+    lines = (
+        Contribution("residual of the line", std, free),
+        Contribution("slope", 0.5 * span * relative, free),
+        Contribution("micrometer", settings.micrometer_uncertainty),
+        Contribution("resolution", resolution),
+        Contribution("backlash", abs(hysteresis or 0.0) / 2.0 / even),
+        Contribution("cylindrical target, change of sensitivity", bending / even),
+        Contribution("motion across the axis", _off_axis(settings) / even),
+        Contribution("direction of the probe", settings.direction * settings.off_axis / even),
+    )
+    total = combine(0.0, lines)
     return ProbeCalibration(
         accepted=not any(problem.blocks for problem in problems),
         problems=tuple(problems),
@@ -115,11 +108,11 @@ def _result(
         residual_std=std,
         hysteresis=hysteresis,
         gain=gain,
-        combined=combined,
-        expanded=factor * combined,
-        coverage_factor=factor,
+        combined=total.combined,
+        expanded=total.expanded,
+        coverage_factor=total.coverage_factor,
         residual=residual,
-        budget=tuple((part.label, float(part.u)) for part in parts),
+        budget=tuple((line.name, line.uncertainty) for line in lines),
     )
 
 

@@ -79,7 +79,7 @@ def load_cell_outcome(found: LoadCellCalibration, settings: LoadCellSettings) ->
         *("    " + "  ".join(f"{value:12.5f}" for value in row) for row in rows),
         f"Zero: {zero} {unit}.  Model: {found.terms}.",
         f"Residual standard deviation: {found.fit.residual_std:.3f} N.",
-        f"Expanded uncertainty at {found.budget.force:g} N: {found.budget.expanded:.2f} N"
+        f"Expanded uncertainty at {found.budget.value:g} N: {found.budget.expanded:.2f} N"
         f" (k = {found.budget.coverage_factor:.2f}); U(F) = {constant:.2f} N + {slope:.5f} F.",
         found.classification,
     )

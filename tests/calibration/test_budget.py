@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from calibration.load_cell.budget import Contribution, combine, expanded_line
+from calibration.load_cell.budget import expanded_line
 from calibration.load_cell.calibrate import calibrate_load_cell
+from calibration.taking.uncertainty import Contribution, combine
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 
 TRIALS = 1_000_000
@@ -45,4 +46,4 @@ def test_line_bounds_the_uncertainty_from_above() -> None:
     )
     constant, slope = expanded_line(budgets)
     for one in budgets:
-        assert constant + slope * one.force >= one.expanded - 1e-9
+        assert constant + slope * one.value >= one.expanded - 1e-9

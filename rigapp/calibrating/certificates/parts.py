@@ -16,7 +16,6 @@ from rigapp.report.page.manuscript import Figure, Manuscript, Table
 
 Content = Mapping[str, Any]
 """The content of a record, or a part of it."""
-MICROMETRE = "µm"
 
 STYLES = (("#0072B2", "o", "-"), ("#D55E00", "s", "--"))
 

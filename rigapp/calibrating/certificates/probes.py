@@ -6,7 +6,7 @@ import numpy as np
 
 from calibration.probes.alignment import split_pair
 from calibration.probes.readings import ProbeReadings, parse_probe
-from rigapp.calibrating.certificates.parts import MICROMETRE, Content, Parts, scatter
+from rigapp.calibrating.certificates.parts import Content, Parts, scatter
 from rigapp.report.page.manuscript import Figure, Row, Table
 
 
@@ -20,7 +20,7 @@ def _conditions(content: Content) -> Table:
     """Return micrometer, range and geometry."""
     probe = content["settings"]["probe"]
     rows: list[Row] = [
-        ("Micrometer", f"u = {probe['micrometer_standard_uncertainty_um']:g} {MICROMETRE}"),
+        ("Micrometer", f"u = {probe['micrometer_standard_uncertainty_um']:g} µm"),
         ("Range", f"{probe['range_V']:g} V"),
     ]
     if probe.get("target_radius_mm"):
@@ -29,12 +29,11 @@ def _conditions(content: Content) -> Table:
         rows.append(
             (
                 "Sensing area, gap at position 0",
-                f"radius {probe['sensor_radius_mm']:g} mm, {probe['gap_at_zero_um']:g}"
-                f" {MICROMETRE}",
+                f"radius {probe['sensor_radius_mm']:g} mm, {probe['gap_at_zero_um']:g} µm",
             )
         )
     if probe.get("off_axis_um"):
-        rows.append(("Motion across the axis in use", f"{probe['off_axis_um']:g} {MICROMETRE}"))
+        rows.append(("Motion across the axis in use", f"{probe['off_axis_um']:g} µm"))
     taken = content.get("taken")
     if taken is not None:
         rows.append(("Readings", _how_taken(taken)))
@@ -60,7 +59,7 @@ def _statements(content: Content) -> list[str]:
         "Method: micrometer steps up and down; voltage fitted as a straight line of position (least"
         " squares, best-fit line). Linearity is the largest residual over the range.",
         f"The expanded uncertainty of one position is {least}"
-        f"{result['expanded_uncertainty_um']:.2f} {MICROMETRE} with a coverage factor"
+        f"{result['expanded_uncertainty_um']:.2f} µm with a coverage factor"
         f" k = {result['coverage_factor']:.2f} (about 95 %).",
     ]
     probe = content["settings"]["probe"]
@@ -78,19 +77,22 @@ def _statements(content: Content) -> list[str]:
     return texts
 
 
+def _each(content: Content) -> list[tuple[str, Content, ProbeReadings]]:
+    """Return name, result and readings of the one probe, or of both."""
+    result, readings = content["result"], parse_probe(content["readings_csv"])
+    if "probes" not in result:
+        return [("", result, readings)]
+    both = zip(result["probes"], split_pair(readings), strict=True)
+    return [(f"Probe {number}: ", one, taken) for number, (one, taken) in enumerate(both, 1)]
+
+
 def _tables(content: Content) -> list[Table]:
     """Return the line and the budget of each probe, the alignment, and the readings."""
-    result = content["result"]
-    readings = parse_probe(content["readings_csv"])
-    if "probes" not in result:
-        return [*_line_tables(result, ""), _readings_table(readings, result, "")]
-    tables = []
-    for number, (one, taken) in enumerate(
-        zip(result["probes"], split_pair(readings), strict=True), 1
-    ):
-        name = f"Probe {number}: "
-        tables += [*_line_tables(one, name), _readings_table(taken, one, name)]
-    return [_alignment_table(result["alignment"]), *tables]
+    alignment = content["result"].get("alignment")
+    tables = [] if alignment is None else [_alignment_table(alignment)]
+    for name, result, readings in _each(content):
+        tables += [*_line_tables(result, name), _readings_table(readings, result, name)]
+    return tables
 
 
 def _line_tables(result: Content, name: str) -> list[Table]:
@@ -98,14 +100,14 @@ def _line_tables(result: Content, name: str) -> list[Table]:
     line = Table(
         f"{name}Position = sensitivity (voltage - offset)",
         (
-            ("Sensitivity", f"{result['sensitivity_um_per_V']:.5f} {MICROMETRE}/V"),
+            ("Sensitivity", f"{result['sensitivity_um_per_V']:.5f} µm/V"),
             ("relative u", f"{result['sensitivity_relative_standard_uncertainty']:.2e}"),
             ("Offset", f"{result['offset_V']:.6f} V"),
             ("Linearity, best-fit line", f"{result['linearity_percent']:.3f} %"),
-            ("Residual standard deviation", f"{result['residual_std_um']:.3f} {MICROMETRE}"),
+            ("Residual standard deviation", f"{result['residual_std_um']:.3f} µm"),
             (
                 "Backlash",
-                "not measured" if hysteresis is None else f"{hysteresis:.3f} {MICROMETRE}",
+                "not measured" if hysteresis is None else f"{hysteresis:.3f} µm",
             ),
             ("Cylinder gain", f"{result['cylinder_gain']:.5f}"),
         ),
@@ -113,8 +115,8 @@ def _line_tables(result: Content, name: str) -> list[Table]:
     shares = result.get("budget")
     if not shares:
         return [line]
-    rows = [(one["name"], f"{one['standard_uncertainty_um']:.4f} {MICROMETRE}") for one in shares]
-    expanded = f"{result['expanded_uncertainty_um']:.3f} {MICROMETRE}"
+    rows = [(one["name"], f"{one['standard_uncertainty_um']:.4f} µm") for one in shares]
+    expanded = f"{result['expanded_uncertainty_um']:.3f} µm"
     return [line, Table(f"{name}Uncertainty", (*rows, ("expanded", expanded)))]
 
 
@@ -153,25 +155,17 @@ def _readings_table(readings: ProbeReadings, result: Content, name: str) -> Tabl
             result["residual_um"], strict=True,
         )
     ]  # fmt: skip
-    header = ("series", "step", f"position {MICROMETRE}", "V", f"residual {MICROMETRE}")
+    header = ("series", "step", "position µm", "V", "residual µm")
     return Table(f"{name}Readings", tuple(rows), header)
 
 
 def _figures(content: Content) -> list[Figure]:
     """Return the residuals over the position."""
-    result = content["result"]
-    readings = parse_probe(content["readings_csv"])
-    if "probes" not in result:
-        return [_residuals(readings, result, "Residual against position")]
-    return [
-        _residuals(taken, one, f"Probe {number}: residual against position")
-        for number, (one, taken) in enumerate(
-            zip(result["probes"], split_pair(readings), strict=True), 1
-        )
-    ]
-
-
-def _residuals(readings: ProbeReadings, result: Content, title: str) -> Figure:
-    residual = np.array(result["residual_um"])[:, None]
-    x = 1e6 * readings.position
-    return scatter(title, f"position ({MICROMETRE})", x, residual, f"residual ({MICROMETRE})")
+    figures = []
+    for name, result, readings in _each(content):
+        title = f"{name}residual against position"
+        residual = np.array(result["residual_um"])[:, None]
+        x = 1e6 * readings.position
+        title = title[:1].upper() + title[1:]
+        figures.append(scatter(title, "position (µm)", x, residual, "residual (µm)"))
+    return figures

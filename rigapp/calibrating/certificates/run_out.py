@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import MICROMETRE, Content, Parts, bands
+from rigapp.calibrating.certificates.parts import Content, Parts, bands
 from rigapp.report.page.manuscript import Figure, Table
 
 
@@ -42,8 +42,8 @@ def _statements(content: Content) -> list[str]:
     texts = [
         f"Method: whole slow revolutions, each developed in Fourier orders 1 to {orders} of the"
         " crank angle by least squares, each probe for itself; the map is their mean.",
-        f"The expanded uncertainty of the map is {one:.3f} {MICROMETRE} (probe 1) and {two:.3f}"
-        f" {MICROMETRE} (probe 2) where it is largest, with a coverage factor k = {factor:.2f}"
+        f"The expanded uncertainty of the map is {one:.3f} µm (probe 1) and {two:.3f}"
+        f" µm (probe 2) where it is largest, with a coverage factor k = {factor:.2f}"
         " (about 95 %), from the spread of the revolutions and of the rolls.",
         "The mean over the turn is where the pin rests in its seat, not run-out: the map has none.",
     ]
@@ -56,14 +56,14 @@ def _statements(content: Content) -> list[str]:
         moved = max(result["inertia_um"])
         texts.append(
             "The rolls were extrapolated to speed 0; the motion with the square of the speed, up to"
-            f" {moved:.3f} {MICROMETRE} in the slowest roll, was taken off, and 30 % of it (one"
+            f" {moved:.3f} µm in the slowest roll, was taken off, and 30 % of it (one"
             " standard deviation) counted as uncertainty."
         )
     if result.get("elastic_um"):
         texts.append(
             "Elasticity moves the pin into the bushing with the force: by the measured force and"
             " the model of the unworn bushing this motion, up to"
-            f" {max(result['elastic_um']):.3f} {MICROMETRE} about its mean, was taken off, and its"
+            f" {max(result['elastic_um']):.3f} µm about its mean, was taken off, and its"
             " size (20 %) and direction (0.1 rad, one standard deviation) counted as uncertainty."
         )
     if result["between_rolls_um"] is None:
@@ -100,7 +100,7 @@ def _tables(content: Content) -> list[Table]:
     )
     return [
         Table(
-            f"Run-out = sum of cos and sin of the orders of the crank angle, {MICROMETRE}",
+            "Run-out = sum of cos and sin of the orders of the crank angle, µm",
             tuple(rows),
             ("probe", "order", "cos", "u", "sin", "u"),
         ),
@@ -116,7 +116,7 @@ def _tables(content: Content) -> list[Table]:
 def _pair(values: Sequence[float] | None) -> tuple[str, str]:
     if values is None:
         return "not known", "not known"
-    return f"{values[0]:.3f} {MICROMETRE}", f"{values[1]:.3f} {MICROMETRE}"
+    return f"{values[0]:.3f} µm", f"{values[1]:.3f} µm"
 
 
 def _turns_table(content: Content) -> Table:
@@ -128,7 +128,7 @@ def _turns_table(content: Content) -> Table:
             at = np.degrees(np.arctan2(float(row["sin_um"]), float(row["cos_um"]))) % 360.0
             turns[row["roll"], row["revolution"]][row["probe"]] = f"{size:.4f} at {at:.2f}°"
     rows = tuple((roll, number, one["1"], one["2"]) for (roll, number), one in turns.items())
-    header = ("roll", "revolution", f"probe 1, {MICROMETRE}", f"probe 2, {MICROMETRE}")
+    header = ("roll", "revolution", "probe 1, µm", "probe 2, µm")
     return Table("First order of every revolution: size, angle of its maximum", rows, header)
 
 
@@ -139,7 +139,7 @@ def _figures(content: Content) -> list[Figure]:
     half = result["coverage_factor"] * np.array(result["map_standard_uncertainty_um"]).T
     angle = result["map_step_deg"] * np.arange(len(curves))
     names = ("probe 1", "probe 2")
-    label = f"run-out ({MICROMETRE})"
+    label = "run-out (µm)"
     return [
         bands(
             "Run-out over the crank angle", "crank angle (deg)", angle, curves, half, label, names
