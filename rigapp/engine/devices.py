@@ -108,11 +108,9 @@ def plan_devices(
         settings=drive_settings,
     )
     _check_inputs(rig, info, data, where)
-    if drive_info.check is not None:
-        try:
-            drive_info.check(wanted)
-        except ValueError as error:
-            raise UnusableInput(f"{where}: [spindle] on devices.{drive}: {error}") from error
+    wrong = _objection(drive_info, wanted)
+    if wrong:
+        raise UnusableInput(f"{where}: [spindle] on devices.{drive}: {wrong}")
     _check_drive_quantities(rig, drive_info, drive_settings, where)
     slow = dict(_slow_requests(rig, where, load))
     return DevicePlan(name, info, data, drive, drive_info, wanted, slow)
@@ -180,7 +178,7 @@ def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: s
     raise UnusableInput(f"{where}: [devices.{rig.encoder.device}.settings]: {wrong}")
 
 
-def _objection(info: DriverInfo, request: DataRequest | SlowRequest) -> str:
+def _objection(info: DriverInfo, request: DataRequest | DriveRequest | SlowRequest) -> str:
     if info.check is not None:
         try:
             info.check(request)

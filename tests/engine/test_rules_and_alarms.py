@@ -28,7 +28,7 @@ from rigapp.schema.states import ACTIVE, ENDED, TABLE, Ending, Refused, Trigger,
 def judged(rule: LimitRule, values: list[float]) -> list[tuple[int, bool, str]]:
     monitor = RuleMonitor((rule,))
     return [
-        (i, verdict.active, verdict.severity.value)
+        (i, verdict.active, verdict.cause.kind.severity.value)
         for i, value in enumerate(values)
         for verdict in monitor.judge({rule.quantity: value})
     ]

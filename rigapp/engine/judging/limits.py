@@ -20,20 +20,9 @@ from rigapp.schema.messages import Severity
 class LevelPassed:
     """Say that a level was passed (``active``) or that the value came back."""
 
-    quantity: str
-    severity: Severity
-    above: bool
-    value: float
-    limit: float
+    cause: Cause
     active: bool
     action: Action
-
-    @property
-    def cause(self) -> Cause:
-        """Return the alarm that it raises or ends."""
-        return exceeded(
-            self.quantity, self.severity, self.value, self.limit, self.above, self.action
-        )
 
 
 @dataclass(slots=True)
@@ -49,6 +38,10 @@ class _Watch:
     action: Action
     beyond: int = 0
     active: bool = False
+
+    def cause(self, value: float) -> Cause:
+        """Return the alarm that a value raises or ends."""
+        return exceeded(self.quantity, self.severity, value, self.limit, self.above, self.action)
 
     def look(self, value: float) -> bool | None:
         """Return True when the level is passed for good, False when the value came back."""
@@ -96,11 +89,9 @@ class RuleMonitor:
     """Judge every revolution by the rules; one thread calls it."""
 
     def __init__(self, rules: Iterable[LimitRule], table: ChannelTable | None = None) -> None:
-        rules = tuple(rules)
-        check_rules(rules, table)
         self._table = table
-        self.rules = rules
-        self._watches = _watches(rules)
+        self._watches: list[_Watch] = []
+        self.replace(rules)
 
     def replace(self, rules: Iterable[LimitRule]) -> None:
         """Judge by other rules from the next revolution on; raise UnusableInput.
@@ -126,22 +117,8 @@ class RuleMonitor:
                 continue
             change = watch.look(value)
             if change is not None:
-                found.append(
-                    LevelPassed(
-                        watch.quantity,
-                        watch.severity,
-                        watch.above,
-                        value,
-                        watch.limit,
-                        change,
-                        watch.action,
-                    )
-                )
+                found.append(LevelPassed(watch.cause(value), change, watch.action))
         return found
-
-    def active(self) -> list[tuple[str, Severity, bool]]:
-        """Return the levels that are passed at present."""
-        return [(w.quantity, w.severity, w.above) for w in self._watches if w.active]
 
     def worst_margin(self, values: Mapping[str, float]) -> tuple[float, str]:
         """Return the smallest distance to a level in percent of the level, and its name."""

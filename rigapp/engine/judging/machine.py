@@ -1,7 +1,7 @@
 """What those who judge see of the run and of the rig, and the few things they may do to them.
 
 ``JudgedRun`` is what all threads share, ``JudgedRig`` the devices as they are connected now; no
-more of the engine is needed to judge.
+more of the engine is needed to judge. An attribute that stands here is set by its owner alone.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ from rigapp.schema.states import Ending, Trigger
 class OpenTest(Protocol):
     """The test under way, or the last one.
 
-    steady_from: ordinal of the first whole revolution at the set speed, None while it changes.
+    run: numbers and judges its revolutions. steady_from: ordinal of the first whole revolution at
+    the set speed, None while it changes; the guard sets it. stood: the spindle was seen to stand at
+    its end.
     """
 
+    run: TestRun
     steady_from: int | None
-
-    @property
-    def run(self) -> TestRun:
-        """Return what numbers and judges its revolutions."""
+    stood: bool
 
     @property
     def target_rpm(self) -> float:
@@ -51,32 +51,20 @@ class OpenTest(Protocol):
     def rows(self) -> int:
         """Return the rows recorded."""
 
-    @property
-    def stood(self) -> bool:
-        """Tell whether the spindle was seen to stand at its end."""
-
     def begin(self, sample: int) -> None:
         """Take note of the device sample at which its time starts."""
 
 
 class JudgedRun(Protocol):
-    """The state of the run, its limits and alarms, and what follows from a judgement."""
+    """The state of the run, its limits and alarms, and what follows from a judgement.
 
-    @property
-    def rig(self) -> Document[RigFile]:
-        """Return the rig file."""
+    rig: the rig file. table: its channels and columns.
+    """
 
-    @property
-    def table(self) -> ChannelTable:
-        """Return the channels and columns of the rig."""
-
-    @property
-    def timing(self) -> Timing:
-        """Return the time-outs."""
-
-    @property
-    def alarms(self) -> AlarmBook:
-        """Return the alarm list."""
+    rig: Document[RigFile]
+    table: ChannelTable
+    timing: Timing
+    alarms: AlarmBook
 
     @property
     def state(self) -> RunState:
@@ -110,51 +98,30 @@ class JudgedRun(Protocol):
 
 
 class JudgedSamples(Protocol):
-    """What the samples have come to so far."""
+    """What the samples have come to so far.
 
-    @property
-    def assembler(self) -> Assembler:
-        """Return what cuts them into revolutions."""
+    calibration: the one in use. next_sample: device sample that is expected next; saturated_until:
+    the same behind the last block with a saturated one.
+    """
 
-    @property
-    def motion(self) -> MotionWindow:
-        """Return how the crank moves."""
-
-    @property
-    def calibration(self) -> Calibration:
-        """Return the calibration in use."""
-
-    @property
-    def next_sample(self) -> int:
-        """Return the device sample that is expected next."""
-
-    @property
-    def saturated_until(self) -> int:
-        """Return the device sample behind the last block with a saturated one."""
+    assembler: Assembler
+    motion: MotionWindow
+    calibration: Calibration
+    next_sample: int
+    saturated_until: int
 
 
 class JudgedRig(Protocol):
     """The devices of a rig and what they show."""
 
-    @property
-    def source(self) -> DataSource:
-        """Return the source of the samples."""
-
-    @property
-    def spindle(self) -> Spindle:
-        """Return the drive."""
-
-    @property
-    def control(self) -> SpindleControl:
-        """Return what commands the drive, with what it has said."""
+    source: DataSource
+    spindle: Spindle
+    control: SpindleControl
+    slow_channels: SlowChannels
 
     @property
     def processor(self) -> JudgedSamples:
         """Return what the samples have come to."""
-
-    @property
-    def slow_channels(self) -> SlowChannels:
-        """Return what slow devices tell."""
 
     @property
     def swinging(self) -> bool:
