@@ -13,7 +13,7 @@ from calibration.load_cell.plausible import check_settings, heaviest_mass
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.problems import Problem
-from calibration.taking.readings import numbered_twice, place_of
+from calibration.taking.readings import not_numbers, numbered_twice, place_of
 
 FEWEST_LOADED = 12
 """Twice the coefficients of the linear model: fewer leave no mistake to be seen."""
@@ -27,7 +27,8 @@ WIDEST_GAP = np.radians(130.0)
 
 def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
     """Yield what makes readings or settings unusable whatever the fit says."""
-    yield from _not_numbers(readings)
+    columns = np.column_stack((readings.mass, readings.angle, readings.signal))
+    yield from not_numbers(readings, columns)
     yield from _impossible_masses(readings, settings)
     yield from _angles(readings)
     yield from check_settings(settings)
@@ -41,18 +42,6 @@ def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> It
         )
     if not np.any(readings.mass == 0.0):
         yield Problem("no_zero", "There is no reading without weights; take a zero in each series.")
-
-
-def _not_numbers(readings: LoadCellReadings) -> Iterator[Problem]:
-    columns = np.column_stack((readings.mass, readings.angle, readings.signal))
-    bad = np.flatnonzero(~np.isfinite(columns).all(axis=1))
-    if len(bad):
-        yield Problem(
-            "not_a_number",
-            f"The reading at {place_of(readings, int(bad[0]))} is not a number"
-            + (f" (and {len(bad) - 1} more)" if len(bad) > 1 else "")
-            + "; take it again.",
-        )
 
 
 def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:

@@ -13,7 +13,7 @@ from calibration.probes.positions import RobustLine, falling, positions, robust_
 from calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
-from calibration.taking.readings import numbered_twice, place_of
+from calibration.taking.readings import not_numbers, numbered_twice, place_of
 
 GOOD_POSITIONS = 11
 """With ten steps a bend of the line stands out from what single positions are off."""
@@ -36,12 +36,9 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
     columns = [readings.position, readings.signal]
     if readings.other is not None:
         columns.append(readings.other)
-    bad = np.flatnonzero(~np.isfinite(np.column_stack(columns)).all(axis=1))
-    if len(bad):
-        yield Problem(
-            "not_a_number",
-            f"The reading at {place_of(readings, int(bad[0]))} is not a number; take it again.",
-        )
+    odd = list(not_numbers(readings, np.column_stack(columns)))
+    if odd:
+        yield from odd
         return
     count = len(np.unique(readings.position))
     if count < FEWEST_POSITIONS:

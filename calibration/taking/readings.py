@@ -5,12 +5,13 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from typing import Protocol
 
 import numpy as np
 
 from calibration.arrays import Array, Whole
+from calibration.problems import Problem
 
 LARGEST = 1e12
 """No quantity of these tables comes near: a larger number is a slip of exponent or comma."""
@@ -37,6 +38,15 @@ class Stepwise(Protocol):
 def place_of(readings: Stepwise, index: int) -> str:
     """Return where a reading stands, in words."""
     return f"series {readings.series[index]}, step {readings.step[index]}"
+
+
+def not_numbers(readings: Stepwise, columns: Array) -> Iterator[Problem]:
+    """Yield which reading has a value that is no number; columns (n, any)."""
+    bad = np.flatnonzero(~np.isfinite(columns).all(axis=1))
+    if len(bad):
+        more = f" (and {len(bad) - 1} more)" if len(bad) > 1 else ""
+        words = f"The reading at {place_of(readings, int(bad[0]))} is not a number{more}"
+        yield Problem("not_a_number", f"{words}; take it again.")
 
 
 FEWEST_OF_A_RUN = 3
