@@ -21,10 +21,10 @@ SIZE = next(
 
 _DIRECTIONS = dict(zip(COMPONENTS, COMPONENT_NAMES[ForceFrame.CRANK], strict=True))
 
-_QUANTITIES = {"N": "Force", "um": "Position", "degC": "Temperature", "%": "Share"}
+_QUANTITIES = {"N": "Force", "um": "Position", "degC": "Temperature"}
 """What a unit alone tells of the quantity, for the words at an axis."""
 
-_SPANS = {"N": 5.0, "um": 5.0, "rpm": 1.0, "mm": 0.002, "degC": 0.5}
+_SPANS = {"N": 5.0, "um": 5.0, "rpm": 1.0, "mm": 0.002, "degC": 0.5, "%": 1.0}
 """The smallest range drawn, by unit: about twice the noise of a good instrument."""
 
 OTHER_SPAN = 1e-3

@@ -23,13 +23,14 @@ _PREDICTED = frozenset(column.name for column in prediction_columns())
 class TrendLine:
     """One line of a trend: its column, the role of its colour, its name in the legend.
 
-    doubt: the column of its expanded uncertainty (k = 2), where it has one.
+    doubt: the column of its expanded uncertainty (k = 2), age: of its age, where it has one.
     """
 
     column: str
     role: str
     text: str
     doubt: str = ""
+    age: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +94,9 @@ def _ordered(table: ChannelTable) -> list[Channel]:
 
 def _of_channel(channel: Channel) -> TrendQuantity:
     if channel.kind is Kind.SLOW:
-        lines: tuple[TrendLine, ...] = (TrendLine(channel.name, "main", "newest"),)
+        lines: tuple[TrendLine, ...] = (
+            TrendLine(channel.name, "main", "newest", age=f"{channel.name}_age"),
+        )
     else:
         lines = tuple(
             TrendLine(f"{channel.name}_{name}", role, text)

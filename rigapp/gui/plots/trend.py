@@ -16,6 +16,7 @@ from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantities
 from rigapp.gui.data.ranges import SteadyRange, nice_step
 from rigapp.gui.data.series import LiveData, SeriesTable
+from rigapp.gui.data.texts import duration
 from rigapp.gui.plots.palette import MODEL, LinePen, Theme
 from rigapp.gui.plots.plotting import CursorPlot, LegendRow, PlotPanel, Pointed
 from rigapp.gui.widgets.build import button, choice, column, row
@@ -175,7 +176,9 @@ class TrendPanel(PlotPanel):
 
     def _doubt(self, table: SeriesTable, line: TrendLine) -> str:
         doubt = self._value(table, line.doubt) if line.doubt else float("nan")
-        return f" ± {doubt:.2g} (k = 2)" if np.isfinite(doubt) else ""
+        age_s = self._value(table, line.age) if line.age else float("nan")
+        old = f", {duration(age_s)} old" if np.isfinite(age_s) else ""
+        return f" ± {doubt:.2g} (k = 2)" if np.isfinite(doubt) else old
 
     def _place_view(self, rows: SeriesTable, predictions: SeriesTable) -> None:
         if self._mode == "free":
