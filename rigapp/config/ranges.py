@@ -27,13 +27,13 @@ from rigapp.schema.units import MISTAKEN, unit_of_key
 class Key:
     """A key of a file that holds no table: its path, type, default and what its number may be.
 
-    hint: without None and annotations. choices: the texts that are allowed, if only these are.
+    value_type: without None and annotations. choices: what is allowed, if only these texts are.
     words: what its values mean, where that is told. default: NODEFAULT when the key is required.
     optional: the section that holds it may be absent.
     """
 
     path: str
-    hint: Any
+    value_type: Any
     default: Any
     range: Range
     choices: tuple[str, ...] = ()

@@ -107,17 +107,17 @@ def parts(hint: object) -> Iterator[object]:
 
 @pytest.mark.parametrize("kind", FILES)
 def test_every_number_of_a_file_says_what_it_may_be(kind: type[msgspec.Struct]) -> None:
-    numbers = [one for one in keys_of(kind) if {int, float} & {*parts(one.hint)}]
+    numbers = [one for one in keys_of(kind) if {int, float} & {*parts(one.value_type)}]
     missing = {one.path for one in numbers if one.range is ANY}
     assert all(path.endswith("schema") for path in missing)
     for one in numbers:
-        assert one.path in missing or one.range.whole == (int in parts(one.hint)), one.path
+        assert one.path in missing or one.range.whole == (int in parts(one.value_type)), one.path
 
 
 @pytest.mark.parametrize("kind", FILES)
 def test_what_says_a_range_is_a_number(kind: type[msgspec.Struct]) -> None:
     for one in keys_of(kind):
-        assert one.range is ANY or {int, float} & {*parts(one.hint)}, one.path
+        assert one.range is ANY or {int, float} & {*parts(one.value_type)}, one.path
 
 
 def test_a_byte_order_mark_does_not_matter(tmp_path: Path) -> None:

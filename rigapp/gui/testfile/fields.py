@@ -11,7 +11,6 @@ from typing import Any
 
 import msgspec
 
-from rigapp.config.numbers import Range
 from rigapp.config.ranges import Key, keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.texts import unit_text
@@ -22,21 +21,17 @@ HIDDEN = ("schema", "model.schema", "limits.rule")
 
 
 @dataclass(frozen=True, slots=True)
-class FieldSpec:
-    """One field of the form.
+class FieldSpec(Key):
+    """One field of the form."""
 
-    path: dotted. kind: int, float, str, bool, "choice" or "pair". default: NODEFAULT when required.
-    range: what a number may be. words: what its values mean. optional: the section that holds it
-    may be absent.
-    """
-
-    path: str
-    kind: str
-    default: Any
-    range: Range
-    choices: tuple[str, ...] = ()
-    optional: bool = False
-    words: str = ""
+    @property
+    def kind(self) -> str:
+        """Return what is edited: int, float, str, bool, "choice" or "pair"."""
+        if self.choices:
+            return "choice"
+        if typing.get_origin(self.value_type) is tuple:
+            return "pair"
+        return {int: "int", float: "float", bool: "bool"}.get(self.value_type, "str")
 
     @property
     def key(self) -> str:
@@ -75,20 +70,7 @@ class FieldSpec:
 def form_fields() -> tuple[FieldSpec, ...]:
     """Return the fields of a test file in the order of the file."""
     shown = (one for one in keys_of(TestFile) if not one.path.startswith(HIDDEN))
-    return tuple(
-        FieldSpec(
-            one.path, _kind(one), one.default, one.range, one.choices, one.optional, one.words
-        )
-        for one in shown
-    )
-
-
-def _kind(key: Key) -> str:
-    if key.choices:
-        return "choice"
-    if typing.get_origin(key.hint) is tuple:
-        return "pair"
-    return {int: "int", float: "float", bool: "bool"}.get(key.hint, "str")
+    return tuple(FieldSpec(*(getattr(one, name) for name in Key.__slots__)) for one in shown)
 
 
 def parse_value(field: FieldSpec, text: str) -> Any:
