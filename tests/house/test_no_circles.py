@@ -94,37 +94,9 @@ def test_a_circle_is_found() -> None:
     assert circles(graph) == [("b", "c")]
 
 
-KNOWN_MODULES = {
-    ("model.bushing.ring", "model.bushing.winkler"),
-}
-"""Imports between two modules, either way, that close a circle; to be mended, never to grow."""
-
-KNOWN_PACKAGES: set[tuple[str, str]] = set()
-"""(package, another that it imports and must not): to be mended, never to grow."""
-
-
-def without(graph: Graph, known: set[tuple[str, str]]) -> Graph:
-    return {node: {one for one in used if (node, one) not in known} for node, used in graph.items()}
-
-
-BOTH_WAYS = KNOWN_MODULES | {(second, first) for first, second in KNOWN_MODULES}
-
-
 def test_no_module_stands_in_a_circle() -> None:
-    assert circles(without(module_graph(), BOTH_WAYS)) == []
+    assert circles(module_graph()) == []
 
 
 def test_no_package_stands_in_a_circle() -> None:
-    assert circles(without(package_graph(), KNOWN_PACKAGES)) == []
-
-
-def test_what_is_known_is_still_so() -> None:
-    """Take an entry out of its list once it is mended."""
-    of_modules, of_packages = module_graph(), package_graph()
-    mended = {
-        pair
-        for pair in KNOWN_MODULES
-        if not any(b in of_modules.get(a, ()) for a, b in (pair, pair[::-1]))
-    }
-    mended |= {pair for pair in KNOWN_PACKAGES if pair[1] not in of_packages.get(pair[0], ())}
-    assert mended == set()
+    assert circles(package_graph()) == []
