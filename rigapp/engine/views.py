@@ -62,7 +62,6 @@ def build_status(core: Core, connection: Connection | None, operator: str) -> St
         data_age_s=connection.data_age_s() if connection is not None else math.inf,
         host_time=time.time(),
         simulated=simulation is not None,
-        simulated_speed=_simulated_speed(core, connection),
         worst_margin_percent=margin,
         worst_margin=margin_name,
         twin_revolution=prediction.revolution if prediction is not None else 0,
@@ -115,15 +114,6 @@ def _margin(
         values = judged.named
         margin = min(margin, least_margin(active.run.monitor, limits, values))
     return margin if math.isfinite(margin[0]) else (NO_MARGIN, "")
-
-
-def _simulated_speed(core: Core, connection: Connection | None) -> float:
-    simulation = core.rig.record.simulation
-    if simulation is None:
-        return 1.0
-    if connection is not None:
-        return connection.processor.motion.pace()
-    return simulation.speed if isinstance(simulation.speed, float) else 0.0
 
 
 def _expected_end(core: Core, connection: Connection | None, active: ActiveTest | None) -> float:

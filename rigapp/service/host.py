@@ -305,7 +305,6 @@ class EngineHost:
         return msgspec.structs.replace(
             status,
             simulated_speed=0.0 if speed == "max" else float(speed or 1.0),
-            engine_pid=os.getpid(),
             in_command=self._command.holder,
         )
 
