@@ -537,10 +537,10 @@ def status(
 @app.command()
 def keys() -> None:
     """Make this user's key pair as a viewer of rigs elsewhere; print the file to hand over."""
-    from rigapp.service.registry import runtime_folder
+    from rigapp.service.registry import lasting_folder
     from rigapp.service.security import viewer_keys
 
-    folder = runtime_folder()
+    folder = lasting_folder()
     viewer_keys(folder)
     print(folder / "keys" / "viewer.key")
 

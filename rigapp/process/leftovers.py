@@ -9,19 +9,17 @@ import shutil
 import stat
 from pathlib import Path
 
+import psutil
+
 
 def process_alive(pid: int) -> bool:
     """Tell whether a process exists (a zombie counts as dead)."""
-    if Path("/proc/self").exists():
-        fields = _stat_fields(pid)
-        return bool(fields) and fields[0] != "Z"
     try:
-        os.kill(pid, 0)
-    except ProcessLookupError:
+        return bool(psutil.Process(pid).status() != psutil.STATUS_ZOMBIE)
+    except psutil.NoSuchProcess:
         return False
-    except OSError:
+    except psutil.AccessDenied:
         return True
-    return True
 
 
 def owner_lives(pid: int) -> bool:
@@ -32,10 +30,10 @@ def owner_lives(pid: int) -> bool:
     if not process_alive(pid):
         return False
     try:
-        line = Path(f"/proc/{pid}/cmdline").read_bytes().lower()
-    except OSError:
+        line = " ".join(psutil.Process(pid).cmdline()).lower()
+    except psutil.Error:
         return True
-    return not line or b"python" in line or b"rigapp" in line
+    return not line or "python" in line or "rigapp" in line
 
 
 def left_behind(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
@@ -72,11 +70,3 @@ def _abandoned(entry: os.DirEntry[str], pid: int) -> bool:
     if stat.S_ISLNK(found.st_mode) or (hasattr(os, "getuid") and found.st_uid != os.getuid()):
         return False
     return not owner_lives(pid)
-
-
-def _stat_fields(pid: int) -> list[str]:
-    """Return /proc/PID/stat after the name, from the state on; nothing for no process."""
-    try:
-        return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
-    except (OSError, IndexError):
-        return []

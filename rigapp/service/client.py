@@ -17,7 +17,7 @@ import zmq
 
 from rigapp.schema.messages import PROTOCOL_VERSION, Reply, Request, Snapshot
 from rigapp.schema.verbs import verb_of
-from rigapp.service.registry import EngineEntry, other_version, runtime_folder
+from rigapp.service.registry import EngineEntry, lasting_folder, other_version
 
 if TYPE_CHECKING:
     from rigapp.service.security import KeyPair
@@ -163,7 +163,7 @@ class Client:
         if self._keys is None:
             return "; is it still running?"
         return (
-            f"; if it is running, the public key in {runtime_folder() / 'keys' / 'viewer.key'} is"
+            f"; if it is running, the public key in {lasting_folder() / 'keys' / 'viewer.key'} is"
             " not among its authorised viewers, or its own key has changed"
         )
 
@@ -194,7 +194,7 @@ def _viewer_keys(entry: EngineEntry) -> KeyPair | None:
         return None
     from rigapp.service.security import viewer_keys
 
-    return viewer_keys(runtime_folder())
+    return viewer_keys(lasting_folder())
 
 
 def joins(parts: Sequence[Snapshot], following: Snapshot) -> bool:

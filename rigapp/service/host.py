@@ -52,6 +52,7 @@ from rigapp.service.recorded import (
 from rigapp.service.registry import (
     EngineEntry,
     announce,
+    lasting_folder,
     local_endpoints,
     runtime_folder,
     withdraw,
@@ -128,12 +129,12 @@ class EngineHost:
         )
 
     def _listen(self, bind: Bind | None) -> Server:
-        folder = runtime_folder()
-        keys = folder if bind is not None and bind.curve else None
+        keys = lasting_folder() if bind is not None and bind.curve else None
         if bind is not None and keys is not None:
-            require_viewers(folder, bind)
-            authorise_own_viewer(folder)
-        addresses = local_endpoints(folder, os.getpid()) if bind is None else bind.endpoints()
+            require_viewers(keys, bind)
+            authorise_own_viewer(keys)
+        own = os.getpid()
+        addresses = bind.endpoints() if bind is not None else local_endpoints(runtime_folder(), own)
         return Server(
             self.handle,
             self.snapshot,

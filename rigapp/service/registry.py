@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
 import tempfile
 import time
@@ -11,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import msgspec
+import platformdirs
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_bytes
@@ -52,6 +54,21 @@ def runtime_folder() -> Path:
         user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
         folder = Path(tempfile.gettempdir()) / f"rigapp-{user}"
     return private_folder(folder, "; or name another folder with RIGAPP_RUNTIME_DIR")
+
+
+def lasting_folder() -> Path:
+    """Return the private folder for what outlives a restart of the computer: keys.
+
+    The folder that RIGAPP_RUNTIME_DIR names, else the user's folder for data; keys that an earlier
+    version made in the runtime folder come along. Raises UnusableInput.
+    """
+    before = runtime_folder()
+    if os.environ.get("RIGAPP_RUNTIME_DIR"):
+        return before
+    folder = private_folder(platformdirs.user_data_path("rigapp"))
+    if (before / "keys").is_dir() and not (folder / "keys").exists():
+        shutil.move(before / "keys", folder / "keys")
+    return folder
 
 
 def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:

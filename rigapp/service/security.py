@@ -1,7 +1,7 @@
 """Where an engine listens, and who may attach: Unix sockets and loopback freely, others by key.
 
 Beyond this computer every viewer needs a CurveZMQ key pair whose public half lies in the engine's
-folder of authorised viewers. Keys lie in ``keys`` in the runtime folder (``RIGAPP_RUNTIME_DIR``):
+folder of authorised viewers. Keys lie in ``keys`` in the lasting folder (see ``registry``):
 ``server.key_secret``, ``viewer.key_secret`` (both readable by their owner alone) and
 ``authorised/*.key``. A key that is put into or taken out of that folder counts at once for
 viewers that attach from then on.
@@ -81,7 +81,7 @@ def parse_bind(text: str) -> Bind:
 def server_keys(folder: Path) -> KeyPair:
     """Return the engine's key pair, made when missing; raise UnusableInput when it is not private.
 
-    folder: the runtime folder.
+    folder: the lasting one.
     """
     return _keys(folder, "server")
 

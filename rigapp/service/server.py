@@ -61,7 +61,7 @@ class Server:
 
         on_failure: told in the serving thread that viewers get no snapshots, or nothing at all.
         on_viewers: told when the first viewer comes and when the last one has gone.
-        keys: the runtime folder with the keys, when viewers must show theirs. Raises UnusableInput
+        keys: the folder with the keys, when viewers must show theirs. Raises UnusableInput
         when an address cannot be had.
         """
         self._handler = handler

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import stat
 import subprocess
 import sys
@@ -16,7 +17,14 @@ from stories import until
 from rigapp.config.errors import UnusableInput
 from rigapp.process.leftovers import owner_lives, remove_left_behind
 from rigapp.service.private import SMALL_BYTES
-from rigapp.service.registry import EngineEntry, announce, running_engines, runtime_folder
+from rigapp.service.registry import (
+    EngineEntry,
+    announce,
+    lasting_folder,
+    running_engines,
+    runtime_folder,
+)
+from rigapp.service.security import viewer_keys
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "getuid"), reason="needs owners of files")
 
@@ -81,8 +89,6 @@ def test_folder_of_somebody_else_is_refused(folder: Path, monkeypatch: pytest.Mo
 
 
 def test_keys_folder_that_is_a_link_is_refused(folder: Path, tmp_path: Path) -> None:
-    from rigapp.service.security import viewer_keys
-
     (tmp_path / "elsewhere").mkdir()
     (runtime_folder() / "keys").symlink_to(tmp_path / "elsewhere")
     with pytest.raises(UnusableInput, match="keys: is a link"):
@@ -158,3 +164,20 @@ def test_a_process_that_only_has_the_number_of_the_owner_is_not_the_owner(tmp_pa
         other.kill()
         other.wait()
     assert list(tmp_path.iterdir()) == [own]
+
+
+def test_keys_outlive_a_restart_and_those_of_before_come_along(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("RIGAPP_RUNTIME_DIR", raising=False)
+    for name, folder in (("XDG_RUNTIME_DIR", "run"), ("XDG_DATA_HOME", "data")):
+        (tmp_path / folder).mkdir()
+        monkeypatch.setenv(name, str(tmp_path / folder))
+    before = viewer_keys(runtime_folder())
+    lasting = lasting_folder()
+    assert lasting == tmp_path / "data" / "rigapp"
+    assert viewer_keys(lasting) == before
+    assert (lasting / "keys" / "viewer.key_secret").stat().st_mode & 0o077 == 0
+    assert not (runtime_folder() / "keys").exists()
+    shutil.rmtree(tmp_path / "run" / "rigapp")
+    assert viewer_keys(lasting_folder()) == before
