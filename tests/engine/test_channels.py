@@ -293,6 +293,7 @@ def test_a_silent_thermometer_costs_its_values_and_nothing_else(
 def test_the_first_answers_are_there_when_the_rig_is_connected() -> None:
     rig = ChannelRig()
     rig.engine.connect()
+    eventually(heard(rig.engine, "probe_1"))  # nothing is shown before the first sample
     assert heard(rig.engine, "room_temperature")()
     assert not any(one.verdict is Checked.BLOCKS for one in checks_of(rig, "Device climate"))
     rig.engine.shutdown()
