@@ -49,10 +49,11 @@ class Devices:
         """Open and configure source and spindle; raise DeviceError. On failure both are closed."""
         try:
             self.identities[self.spindle.name] = self.spindle.open()
-            self.readback[self.spindle.name] = self.spindle.configure(self.drive_request)
             self.identities[self.source.name] = self.source.open()
             setup = self.source.configure(self.data_request)
             self.readback[self.source.name] = setup.readback
+            # Last: from here on the drive's watchdog runs, and many inputs take long to set up.
+            self.readback[self.spindle.name] = self.spindle.configure(self.drive_request)
         except BaseException:
             self.close()
             raise

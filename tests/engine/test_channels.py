@@ -259,6 +259,21 @@ def test_a_saturated_free_input_is_told_by_its_name_and_ends_nothing(rig: Channe
     assert rig.engine.outcome.status == "complete"
 
 
+def test_the_drives_watchdog_does_not_run_while_many_inputs_are_set_up() -> None:
+    rig = ChannelRig()
+    order: list[str] = []
+    for device in (rig.source, rig.spindle):
+        _noting(device, order)
+    rig.engine.connect()
+    rig.engine.shutdown()
+    assert order.index("daq") < order.index("drive")
+
+
+def _noting(device: Any, order: list[str]) -> None:
+    configure = device.configure
+    device.configure = lambda request: (order.append(device.name), configure(request))[1]
+
+
 def test_a_rule_on_a_channel_that_the_rig_has_not_is_refused(rig: ChannelRig) -> None:
     with pytest.raises(UnusableInput, match=r"did you mean bushing_temperature_max"):
         rig.start(a_test(10, rules=(LimitRule("bushing_temperature_maxi", critical_above=1.0),)))
