@@ -58,6 +58,7 @@ def follow(title: str, folder: Path) -> None:
         path = folder / step.file
         if not step.after:
             assert path.exists() == step.is_addition, path
+            path.parent.mkdir(parents=True, exist_ok=True)
             with path.open("a", encoding="utf-8") as file:
                 file.write(step.text)
             continue
