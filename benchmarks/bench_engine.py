@@ -98,6 +98,14 @@ class Path5:
         """No sample of the benchmark is above the limit."""
         raise SystemExit(f"overload of {force_N} N in the benchmark")
 
+    def cut_off(self, inputs: frozenset[str]) -> bool:
+        """No input of the benchmark is saturated."""
+        raise SystemExit(f"{inputs} cut off in the benchmark")
+
+    def saturated(self, inputs: frozenset[str]) -> None:
+        """Likewise."""
+        raise SystemExit(f"{inputs} saturated in the benchmark")
+
     def calm(self) -> None:
         """Nothing to do."""
 

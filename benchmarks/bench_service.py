@@ -26,7 +26,8 @@ from typing import Any
 import numpy as np
 
 ROOT = Path(__file__).parents[1]
-sys.path.insert(0, str(ROOT / "tests" / "engine"))
+# The project itself stands first: tests has folders named as its packages.
+sys.path += [str(ROOT), str(ROOT / "tests"), str(ROOT / "tests" / "engine")]
 
 from engine_doubles import MemoryRig, a_test, eventually  # noqa: E402
 
