@@ -133,7 +133,9 @@ def test_a_test_has_its_log_beside_its_file(tmp_path: Path) -> None:
     run = ["run", quick, "--rig", rig, "--out", out, "--revolutions", "3", "--speed", "max"]
     done = rigapp(tmp_path, *run)
     assert done.returncode == 0, done.stderr
-    assert len(done.stderr.splitlines()) == 1
+    # Beside the end a busy computer may bring a warning of a late answer, and nothing else.
+    said = [line for line in done.stderr.splitlines() if "WARNING: drive" not in line]
+    assert len(said) == 1, done.stderr
     text = beside(out).read_text()
     assert beside(out) == tmp_path / "t.log"
     assert "started by" in text
