@@ -17,6 +17,7 @@ A subject adds its steps, its readings and its own events (``calibration.load_ce
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Generic, Protocol, Self, TypeVar
@@ -73,7 +74,7 @@ ProcedureType = TypeVar("ProcedureType", bound="Procedure[Any, Any]")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Procedure(Generic[StepType, ReadingType]):
+class Procedure(ABC, Generic[StepType, ReadingType]):
     """The state of a calibration: steps in the order taken, the present one, all readings."""
 
     steps: tuple[StepType, ...]
@@ -100,9 +101,9 @@ class Procedure(Generic[StepType, ReadingType]):
         """Return what the operator does now, as a technician would say it."""
         return "All readings are taken. Look at the result." if self.done else self.instruct()
 
+    @abstractmethod
     def instruct(self) -> str:
         """Return what the operator does at the present step."""
-        raise NotImplementedError
 
     @property
     def progress(self) -> str:
@@ -122,9 +123,9 @@ class Procedure(Generic[StepType, ReadingType]):
 
     # --- events ----------------------------------------------------------------------------------
 
+    @abstractmethod
     def stands_for(self, step: StepType) -> bool:
         """Tell whether the rig is still set up for a step of a series that is taken again."""
-        raise NotImplementedError
 
     def reject(self, index: int, reason: str) -> Self:
         """Reject the reading number ``index`` (from 0) with a reason; its series is taken again.

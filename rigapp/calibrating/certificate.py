@@ -19,9 +19,10 @@ def write_certificate(record: Path, to: Path) -> None:
     """Write the certificate of a record as PDF or HTML; raise UnusableInput."""
     try:
         sealed = unseal(record.read_bytes())
+        subject_of(sealed.kind)
     except FileNotFoundError as error:
         raise UnusableInput(f"{record}: there is no such record; check the name.") from error
-    except (OSError, RecordError) as error:
+    except (OSError, RecordError, UnusableInput) as error:
         raise UnusableInput(f"{record}: {error}.") from error
     write_page(to, "certificate", lambda: certificate_of(sealed))
 

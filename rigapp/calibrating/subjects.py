@@ -117,5 +117,11 @@ SUBJECTS: Mapping[str, Subject] = {
 
 
 def subject_of(kind: str) -> Subject:
-    """Return the subject whose records are of a kind; raise KeyError for an unknown kind."""
-    return next((one for one in SUBJECTS.values() if kind in one.kinds), None) or SUBJECTS[kind]
+    """Return the subject whose records are of a kind; raise UnusableInput for an unknown kind."""
+    known = {one: subject for subject in SUBJECTS.values() for one in subject.kinds}
+    if kind not in known:
+        raise UnusableInput(
+            f"the record is of the kind {kind!r}, and this version knows only {', '.join(known)};"
+            " a newer one may have made it"
+        )
+    return known[kind]

@@ -7,10 +7,13 @@ from pathlib import Path
 
 import pytest
 
+from calibration.records import seal
+from rigapp.calibrating.certificate import write_certificate
 from rigapp.calibrating.records_in_use import PLACES
 from rigapp.calibrating.session import LiveSession
 from rigapp.calibrating.subjects import SUBJECTS, Subject, subject_of
 from rigapp.config.calibration_settings import CalibrationFile
+from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -21,8 +24,14 @@ def test_each_kind_of_record_is_of_one_subject() -> None:
     kinds = Counter(kind for one in ALL for kind in one.kinds)
     assert set(kinds.values()) == {1}
     assert all(subject_of(kind) in ALL for kind in kinds)
-    with pytest.raises(KeyError):
-        subject_of("thermometer")
+
+
+def test_the_certificate_of_a_record_of_an_unknown_kind_is_refused(tmp_path: Path) -> None:
+    record = tmp_path / "record.json"
+    record.write_bytes(seal({"kind": "thermometer", "schema": 1}))
+    with pytest.raises(UnusableInput, match=r"record\.json: .*kind 'thermometer', .* only load"):
+        write_certificate(record, tmp_path / "c.pdf")
+    assert not (tmp_path / "c.pdf").exists()
 
 
 def test_each_place_for_records_in_a_rig_file_is_of_a_subject() -> None:
