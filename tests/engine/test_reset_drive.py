@@ -10,6 +10,7 @@ from engine_doubles import MemoryRig
 
 from drivers.api import DeviceFault, DeviceLost
 from rigapp.commands.reset import reset_drive
+from rigapp.config.toml import toml_text
 
 
 @pytest.fixture
@@ -19,14 +20,8 @@ def rig_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     record = msgspec.to_builtins(MemoryRig().rig_file())
     for device in record["devices"].values():
         device["port"] = "memory"
-    path.write_bytes(msgspec.toml.encode(without_none(record)))
+    path.write_text(toml_text(record), encoding="utf-8")
     return path
-
-
-def without_none(tree: object) -> object:
-    if isinstance(tree, dict):
-        return {key: without_none(value) for key, value in tree.items() if value is not None}
-    return tree
 
 
 def test_a_latched_stop_is_reset_once_the_button_is_released(
