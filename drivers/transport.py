@@ -218,6 +218,7 @@ def _set_low_latency(opened: Any) -> bool:
     try:
         opened.set_low_latency_mode(True)
     except (AttributeError, NotImplementedError, *_PORT_ERRORS):
+        # So pyserial tells that this system, or this kind of port, has no such mode.
         return False
     return True
 
