@@ -3,5 +3,6 @@
 ``api`` says what a driver offers and raises, ``registry`` finds drivers by name, ``discovery`` asks
 who is on a port, ``transport`` opens ports: the application enters by these. Each device's package
 has ``driver`` (the entry point), ``probe``, and ``simulator``, a package of its own that only the
-simulated rig and tests load; ``simulated`` is what simulators share.
+simulated rig and tests load; ``simulator_api`` is what the simulated rig sees of a simulator,
+``simulated`` what simulators share.
 """

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from drivers.api import DriverInfo, DriverKind, RigSignals
+from drivers.api import DriverInfo, DriverKind
 from drivers.registry import (
     DriverNotFound,
     SettingsError,
@@ -16,6 +16,7 @@ from drivers.registry import (
     load_driver,
     load_simulator,
 )
+from drivers.simulator_api import RigSignals
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import DeviceSection, RigFile
 from rigapp.simulation.endpoints import Endpoint

@@ -13,7 +13,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from drivers.api import DriveCommand, DriveMode, MotorState
+from drivers.simulator_api import DriveCommand, DriveMode, MotorState
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile

@@ -25,7 +25,8 @@ from typing import Any
 
 import numpy as np
 
-from drivers.api import DriveCommand, DriveMode, DriveRequest, MotorState
+from drivers.api import DriveRequest
+from drivers.simulator_api import DriveCommand, DriveMode, MotorState
 from rigapp.process.owntime import OwnTime
 
 Respond = Callable[[bytes, float], bytes]

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.api import DriveCommand, DriveMode, MotorState, RigSignals
+from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile

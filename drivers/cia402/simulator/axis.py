@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from drivers.api import DriveCommand, DriveMode, MotorState
 from drivers.cia402.protocol import (
     INTERNAL_LIMIT_BIT,
     PROFILE_VELOCITY,
@@ -15,6 +14,7 @@ from drivers.cia402.protocol import (
     velocity_unit_rev_per_s,
 )
 from drivers.cia402.simulator.objects import Abort, AbortTransfer, Dictionary
+from drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
 _BITS: Final = {
     State.NOT_READY: 0x00,

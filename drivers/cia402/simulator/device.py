@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from typing import Final
 
-from drivers.api import DriveCommand, MotorState
 from drivers.cia402.protocol import RPM, VENDOR_MAXON
 from drivers.cia402.simulator.node import Cia402Fault, Cia402Node, NodeOptions
 from drivers.cia402.slcan import SlcanAdapter, encode_frame
 from drivers.simulated import FaultPlan, Faults
+from drivers.simulator_api import DriveCommand, MotorState
 
 _GARBLED: Final = b"t1x5zz\r"
 
 
 class Cia402Simulator:
-    """Answer as an EPOS4, or another CiA 402 drive, does; a ``drivers.api.SimulatedDrive``.
+    """Answer as an EPOS4, or another CiA 402 drive, does; see ``SimulatedDrive``.
 
     node_id and bit_rate: as set on the drive; at another bit rate of the adapter it hears nothing.
     counts_per_revolution: of the motor's encoder after quadrature, a multiple of 4 (object 3010

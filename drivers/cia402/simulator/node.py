@@ -10,7 +10,6 @@ import struct
 from dataclasses import dataclass
 from typing import Final
 
-from drivers.api import DriveCommand, MotorState
 from drivers.cia402.protocol import (
     EMERGENCY_BASE,
     HEARTBEAT_BASE,
@@ -37,6 +36,7 @@ from drivers.cia402.simulator.pdo import Pdos
 from drivers.cia402.simulator.sdo import SdoServer
 from drivers.cia402.slcan import Frame
 from drivers.simulated import FaultPlan
+from drivers.simulator_api import DriveCommand, MotorState
 
 BOOT_S: Final = 0.1
 HEARTBEAT_LOST: Final = 0x8130

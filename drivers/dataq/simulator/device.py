@@ -12,11 +12,11 @@ from typing import Any, Final
 
 import numpy as np
 
-from drivers.api import RigSignals
 from drivers.dataq import protocol as p
 from drivers.dataq.rates import LARGEST_SRATE, SMALLEST_SRATE, TICKS_PER_ENTRY
 from drivers.dataq.simulator.terminals import Terminals, known_word, words_of
 from drivers.simulated import FaultPlan, Faults
+from drivers.simulator_api import RigSignals
 
 COMMANDS: Final = (
     *("start", "stop", "info", "slist", "srate", "dec", "deca", "filter", "ps", "encode"),

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import RigSignals
 from drivers.dataq.protocol import (
     ANALOG_CHANNELS,
     COUNTER_SPAN,
@@ -16,6 +15,7 @@ from drivers.dataq.protocol import (
     Function,
     Model,
 )
+from drivers.simulator_api import RigSignals
 
 Floats = NDArray[np.float64]
 _LINE_A = (2, 3, 6)  # rate, counter and scan clock

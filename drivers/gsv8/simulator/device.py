@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from drivers.api import RigSignals
 from drivers.gsv8.frames import Response, encode_response
 from drivers.gsv8.protocol import Command
 from drivers.gsv8.simulator.commands import WRITE_ACCESS_ELSEWHERE, RequestRefused, obey
@@ -16,12 +15,13 @@ from drivers.gsv8.simulator.requests import Asked, RequestReader
 from drivers.gsv8.simulator.state import Device, Gsv8Fault, Hardware, Memory
 from drivers.gsv8.simulator.values import OVERRUN, MeasuredValues
 from drivers.simulated import FaultPlan, Faults
+from drivers.simulator_api import RigSignals
 
 _BROKEN_REQUEST = 0x42
 
 
 class Gsv8Simulator:
-    """Answer and stream as a GSV-8 does; implements ``drivers.api.SimulatedDataSource``.
+    """Answer and stream as a GSV-8 does; implements ``drivers.simulator_api.SimulatedDataSource``.
 
     encoder_lines: lines of the encoder; counts_per_revolution, when given, are its edges (4 a
     line). firmware: text such as "1.56". usb: else a UART at uart_baud_rate. counter_present: with

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from drivers.api import RigSignals
 from drivers.gsv8 import protocol as p
 from drivers.gsv8.frames import FrameLayout, encode_frames
 from drivers.gsv8.numbers import OVERRANGE, DataType
@@ -20,6 +19,7 @@ from drivers.gsv8.simulator.inputs import (
 )
 from drivers.gsv8.simulator.state import Device, Gsv8Fault
 from drivers.simulated import FaultPlan
+from drivers.simulator_api import RigSignals
 
 OVERRUN = 0x91
 _SATURATED, _SENSOR_BROKEN = 1, 3  # kinds of value errors

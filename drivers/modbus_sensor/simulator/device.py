@@ -42,7 +42,7 @@ def crc16(data: bytes) -> int:
 
 
 class ModbusSensorSimulator:
-    """Answer reads of the registers that the settings name; a ``drivers.api.SimulatedSlowSource``.
+    """Answer reads of the registers that the settings name; see ``SimulatedSlowSource``.
 
     preset, registers, address: as in the driver's settings. quantities: those that it tells.
     faults: ``Fault`` records or tables of their fields, see ``ModbusSensorFault``.

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from drivers.api import DriveCommand, DriveMode, MotorState
 from drivers.roboclaw.protocol import MAXIMUM_DUTY
+from drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
 _INT32 = 1 << 32
 

@@ -11,7 +11,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Final
 
-from drivers.api import DriveCommand, MotorState
 from drivers.roboclaw.protocol import (
     ACKNOWLEDGE,
     TIMEOUT_UNIT_S,
@@ -23,6 +22,7 @@ from drivers.roboclaw.protocol import (
 from drivers.roboclaw.simulator.registers import Registers, RoboClawFault, Saved
 from drivers.roboclaw.status import generation_of
 from drivers.simulated import FaultPlan, Faults
+from drivers.simulator_api import DriveCommand, MotorState
 
 _BOOT_S: Final = 0.2
 _SLOW_S: Final = 0.15
@@ -30,7 +30,7 @@ _WRONG_ACKNOWLEDGE: Final = 0x7F
 
 
 class RoboClawSimulator:
-    """Answer as a RoboClaw does; implements ``drivers.api.SimulatedDrive``.
+    """Answer as a RoboClaw does; implements ``drivers.simulator_api.SimulatedDrive``.
 
     address, motor: packet address and the motor that the plant turns (1 or 2); the other motor
     turns free. any_address: answer to every address, as over USB. firmware: its text; the packet

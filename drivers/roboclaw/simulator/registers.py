@@ -9,7 +9,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
-from drivers.api import DriveMode, MotorState
 from drivers.roboclaw.protocol import (
     NVM_KEY,
     Command,
@@ -19,6 +18,7 @@ from drivers.roboclaw.protocol import (
 )
 from drivers.roboclaw.simulator.axis import Axis, AxisSettings
 from drivers.simulated import FaultPlan
+from drivers.simulator_api import DriveMode, MotorState
 
 Numbers = tuple[int, ...]
 

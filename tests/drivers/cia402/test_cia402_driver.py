@@ -15,7 +15,6 @@ from drivers.api import (
     ConnectionFailed,
     DeviceFault,
     DeviceLost,
-    DriveMode,
     ReplyTimeout,
     SettingRefused,
     Spindle,
@@ -27,6 +26,7 @@ from drivers.cia402.settings import SETTINGS, bus_options
 from drivers.cia402.simulator import Cia402Simulator
 from drivers.cia402.slcan import Frame, encode_frame
 from drivers.registry import check_settings, load_driver, load_simulator
+from drivers.simulator_api import DriveMode
 
 QUICK = {"sleep_after_open_s": 0.0}
 

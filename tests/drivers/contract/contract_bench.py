@@ -19,18 +19,15 @@ from drivers.api import (
     Block,
     DataRequest,
     DataSource,
-    DriveCommand,
-    DriveMode,
     DriveRequest,
-    MotorState,
     Quality,
-    RigSignals,
     SlowRequest,
     SlowSource,
     Spindle,
     StreamSetup,
 )
 from drivers.registry import check_settings, load_simulator
+from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 from rigapp.process.owntime import OwnTime
 from rigapp.simulation.endpoints import PtyEndpoint
 from rigapp.simulation.link import SimulatedWire, WireFault

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from drivers.api import Block, DataRequest, Quality, RigSignals
+from drivers.api import Block, DataRequest, Quality
 from drivers.dataq.driver import Dataq
 from drivers.dataq.simulator import DataqSimulator
+from drivers.simulator_api import RigSignals
 
 LINES = 900
 VOLTS_PER_REVOLUTION = 0.25

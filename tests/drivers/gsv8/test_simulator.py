@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from drivers.api import RigSignals, SimulatedDataSource
 from drivers.gsv8.frames import FrameLayout, StreamParser
 from drivers.gsv8.protocol import (
     Command,
@@ -24,6 +23,7 @@ from drivers.gsv8.protocol import (
 )
 from drivers.gsv8.simulator import Gsv8Simulator
 from drivers.gsv8.simulator.counter import HIGHEST_COUNT, LOWEST_COUNT, QuadratureInput
+from drivers.simulator_api import RigSignals, SimulatedDataSource
 
 GOLDEN_DIALOGUE = [
     ("AA902385", "AA500085"),

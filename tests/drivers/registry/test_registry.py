@@ -138,5 +138,6 @@ def test_the_import_rules_cover_every_simulator() -> None:
     simulators = {
         str(registry.load_driver(name).simulator) for name in registry.available_drivers()
     }
-    for module in ("drivers.simulated", *(one.partition(":")[0] for one in simulators)):
+    shared = ("drivers.simulated", "drivers.simulator_api")
+    for module in (*shared, *(one.partition(":")[0] for one in simulators)):
         assert any(fnmatch.fnmatch(module, one) for one in rule["forbidden_modules"]), module

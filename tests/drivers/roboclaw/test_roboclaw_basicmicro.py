@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
-from drivers.api import MotorState
 from drivers.roboclaw.link import Link
 from drivers.roboclaw.protocol import Command
 from drivers.roboclaw.simulator import RoboClawSimulator
+from drivers.simulator_api import MotorState
 from drivers.transport import SerialPort
 
 try:

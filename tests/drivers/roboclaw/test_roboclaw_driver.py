@@ -14,7 +14,6 @@ from drivers.api import (
     ConnectionFailed,
     DeviceFault,
     DeviceLost,
-    DriveMode,
     ProtocolError,
     ReplyTimeout,
     SettingRefused,
@@ -26,6 +25,7 @@ from drivers.roboclaw.driver import DRIVER, RoboClaw
 from drivers.roboclaw.protocol import Command, EmergencyStopLock, write_packet
 from drivers.roboclaw.simulator import RoboClawSimulator
 from drivers.roboclaw.status import describe_status
+from drivers.simulator_api import DriveMode
 
 OLDER = "Roboclaw 2x60a v4.1.34"
 NEWER = "USB Roboclaw 2x30a v4.2.4"

@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from drivers.api import DriverInfo, DriverKind, RigSignals, SettingSpec
+from drivers.api import DriverInfo, DriverKind, SettingSpec
+from drivers.simulator_api import RigSignals
 
 
 class DoubleSimulator:
-    """Implements drivers.api.SimulatedDataSource."""
+    """Implements drivers.simulator_api.SimulatedDataSource."""
 
     def __init__(self, *, sample_rate_Hz: float = 10.0, counts_per_revolution: int = 0) -> None:
         if counts_per_revolution != 3600:
