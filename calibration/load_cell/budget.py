@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -50,33 +51,51 @@ def matrix_covariance(
     return _through_inverse(found.matrix, sensitivity_covariance(found, traits, settings))
 
 
-def budget(
-    found: TwoAxisFit, traits: Characteristics, settings: LoadCellSettings, force: float
-) -> Budget:
-    """Return the budget at a force (N): the worst direction of the load is taken.
+@dataclass(frozen=True, slots=True)
+class LoadUncertainty:
+    """The uncertainty of one reading at a load (N): of a component (worst direction), of |F|.
 
-    Contributions after ISO 376 annex C: applied force, angle reference, fit, single reading
-    (repeatability), resolution, reversibility, zero return. A single reading is assumed; averaging
-    n readings divides repeatability and resolution by sqrt(n).
+    ``Budget.of_mean`` tells that of a mean of readings.
+    """
+
+    load: float
+    component: Budget
+    magnitude: Budget
+
+
+def uncertainty_at(
+    found: TwoAxisFit, traits: Characteristics, settings: LoadCellSettings, load: float
+) -> LoadUncertainty:
+    """Return the budgets of one reading at a load (N): the worst direction of the load is taken.
+
+    An error of the angle turns the force: it is in the components, |F| stays.
     """
     relative = relative_force_uncertainty(settings.weights, settings.place)
     directions = np.linspace(0.0, 2.0 * np.pi, 73)
-    load = force * np.stack((np.cos(directions), np.sin(directions)), axis=-1)
-    variance = float(np.linalg.eigvalsh(found.force_covariance(load)).max())
-    lines = [
-        Contribution("applied force (mass, gravity, buoyancy)", relative * force),
-        Contribution("angle reference", settings.angle_uncertainty * force),
-        Contribution("fit", math.sqrt(variance), 2.0 * found.degrees),
-        Contribution("repeatability of one reading", found.residual_std, 2.0 * found.degrees),
-        Contribution("resolution", settings.cell.resolution / math.sqrt(6.0)),
+    force = load * np.stack((np.cos(directions), np.sin(directions)), axis=-1)
+    variance = float(np.linalg.eigvalsh(found.force_covariance(force)).max())
+    free = 2.0 * found.degrees
+    common = [
+        Contribution("applied force (mass, gravity, buoyancy)", relative * load),
+        Contribution("fit", math.sqrt(variance), free, "A"),
+        Contribution("repeatability", found.residual_std, free, "A", averages=True),
     ]
-    if traits.reversibility is not None:
-        hysteresis = traits.reversibility / 100.0 * force / math.sqrt(3.0)
-        lines.append(Contribution("reversibility", hysteresis))
+    if traits.loop is not None:
+        half = abs(traits.loop) / 200.0 * load
+        common.append(Contribution("reversibility", half, math.inf, "A", "two-point"))
     if traits.zero_return is not None:
         zero = traits.zero_return / 100.0 * settings.cell.full_scale / math.sqrt(3.0)
-        lines.append(Contribution("zero return", zero))
-    return combine(force, tuple(lines))
+        common.append(Contribution("zero return", zero, math.inf, "A", "rectangular"))
+    turned = Contribution("angle reference", settings.angle_uncertainty * load)
+    return LoadUncertainty(load, combine(load, (turned, *common)), combine(load, tuple(common)))
+
+
+def zero_uncertainty(found: TwoAxisFit) -> Budget:
+    """Return the budget of the zero, N, of the axis where it is larger."""
+    place = [2, found.terms.count + 2]
+    covariance = found.covariance[np.ix_(place, place)]
+    spread = float(np.sqrt(np.linalg.eigvalsh(found.matrix @ covariance @ found.matrix.T).max()))
+    return combine(0.0, (Contribution("fit", spread, 2.0 * found.degrees, "A"),))
 
 
 def expanded_line(budgets: tuple[Budget, ...]) -> tuple[float, float]:

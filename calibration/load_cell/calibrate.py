@@ -8,10 +8,12 @@ import numpy as np
 
 from calibration.arrays import Array
 from calibration.load_cell.budget import (
-    budget,
+    LoadUncertainty,
     classification,
     expanded_line,
     matrix_covariance,
+    uncertainty_at,
+    zero_uncertainty,
 )
 from calibration.load_cell.characteristics import Characteristics, characteristics, loads
 from calibration.load_cell.checks import check_fit
@@ -40,7 +42,7 @@ STEADY_CODES = frozenset(
     }
 )
 """Problems without whose cure there is nothing to fit."""
-BUDGET_AT = (0.1, 0.4, 0.7, 1.0)
+BUDGET_AT = (0.0, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0)
 """Shares of full scale at which the uncertainty is told; U = a + b F bounds it between them."""
 
 
@@ -49,7 +51,8 @@ class LoadCellCalibration:
     """The result. force on the pin = matrix (signal - zero), pin frame; SI, signal unit as read.
 
     matrix, zero and what follows are None when nothing could be fitted. covariance: of the matrix
-    elements 11, 12, 21, 22. expanded_line: a (N), b of U(F) = a + b F at the coverage factor.
+    elements 11, 12, 21, 22. by_load: the uncertainty from no load to full scale. zero: of
+    the zero, N. expanded_line: a (N), b of U(F) = a + b F of one reading of a component.
     """
 
     problems: tuple[Problem, ...]
@@ -58,9 +61,15 @@ class LoadCellCalibration:
     fit: TwoAxisFit | None = None
     covariance: Array | None = None
     traits: Characteristics | None = None
-    budget: Budget | None = None
+    by_load: tuple[LoadUncertainty, ...] = ()
+    zero: Budget | None = None
     expanded_line: tuple[float, float] | None = None
     applied: Array | None = None
+
+    @property
+    def budget(self) -> Budget | None:
+        """Return the budget of one reading of a component at full scale."""
+        return self.by_load[-1].component if self.by_load else None
 
     @property
     def accepted(self) -> bool:
@@ -87,7 +96,7 @@ def calibrate_load_cell(
     measured = found.force(readings.signal)
     full = settings.cell.full_scale
     traits = characteristics(loads(readings, applied, measured), full, found.residual)
-    budgets = tuple(budget(found, traits, settings, share * full) for share in BUDGET_AT)
+    by_load = tuple(uncertainty_at(found, traits, settings, share * full) for share in BUDGET_AT)
     return LoadCellCalibration(
         problems=tuple(problems),
         classification=classification(settings, found.residual_std),
@@ -95,7 +104,8 @@ def calibrate_load_cell(
         fit=found,
         covariance=matrix_covariance(found, traits, settings),
         traits=traits,
-        budget=budgets[-1],
-        expanded_line=expanded_line(budgets),
+        by_load=by_load,
+        zero=zero_uncertainty(found),
+        expanded_line=expanded_line(tuple(one.component for one in by_load)),
         applied=applied,
     )

@@ -14,7 +14,7 @@ from calibration.probes.positions import robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
-from calibration.taking.uncertainty import Contribution, combine
+from calibration.taking.uncertainty import Budget, Contribution, combine
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,8 +23,7 @@ class ProbeCalibration:
 
     linearity: largest residual over the range, best-fit line, per cent. residual_std in m.
     hysteresis: mean difference between falling and rising steps, m. gain: cylinder correction
-    included in the sensitivity (1 without). expanded: uncertainty of one position, m. budget: names
-    and standard uncertainties, m.
+    included in the sensitivity (1 without). budget: of one position, m.
     """
 
     accepted: bool
@@ -36,11 +35,18 @@ class ProbeCalibration:
     residual_std: float | None = None
     hysteresis: float | None = None
     gain: float = 1.0
-    combined: float | None = None
-    expanded: float | None = None
-    coverage_factor: float | None = None
     residual: Array | None = None
-    budget: tuple[tuple[str, float], ...] = ()
+    budget: Budget | None = None
+
+    @property
+    def expanded(self) -> float | None:
+        """Return the expanded uncertainty of one position, m."""
+        return None if self.budget is None else self.budget.expanded
+
+    @property
+    def coverage_factor(self) -> float | None:
+        """Return the coverage factor."""
+        return None if self.budget is None else self.budget.coverage_factor
 
 
 def calibrate_probe(readings: ProbeReadings, settings: ProbeSettings) -> ProbeCalibration:
@@ -88,16 +94,23 @@ def _result(
     free, even = float(count - 2), math.sqrt(3.0)
     resolution = settings.resolution_volts / abs(slope) / math.sqrt(12.0)
     lines = (
-        Contribution("residual of the line", std, free),
-        Contribution("slope", 0.5 * span * relative, free),
+        Contribution("residual of the line", std, free, "A", averages=True),
+        Contribution("slope", 0.5 * span * relative, free, "A"),
         Contribution("micrometer", settings.micrometer_uncertainty),
-        Contribution("resolution", resolution),
-        Contribution("backlash", abs(hysteresis or 0.0) / 2.0 / even),
-        Contribution("cylindrical target, change of sensitivity", bending / even),
-        Contribution("motion across the axis", _off_axis(settings) / even),
-        Contribution("direction of the probe", settings.direction * settings.off_axis / even),
+        Contribution("resolution", resolution, distribution="rectangular"),
+        Contribution("backlash", abs(hysteresis or 0.0) / 2.0, math.inf, "A", "two-point"),
+        Contribution(
+            "cylindrical target, change of sensitivity", bending / even, distribution="rectangular"
+        ),
+        Contribution(
+            "motion across the axis", _off_axis(settings) / even, distribution="rectangular"
+        ),
+        Contribution(
+            "direction of the probe",
+            settings.direction * settings.off_axis / even,
+            distribution="rectangular",
+        ),
     )
-    total = combine(0.0, lines)
     return ProbeCalibration(
         accepted=not any(problem.blocks for problem in problems),
         problems=tuple(problems),
@@ -108,11 +121,8 @@ def _result(
         residual_std=std,
         hysteresis=hysteresis,
         gain=gain,
-        combined=total.combined,
-        expanded=total.expanded,
-        coverage_factor=total.coverage_factor,
         residual=residual,
-        budget=tuple((line.name, line.uncertainty) for line in lines),
+        budget=combine(0.0, lines),
     )
 
 

@@ -1,26 +1,57 @@
-"""An uncertainty budget: contributions, combined and expanded after the GUM."""
+"""An uncertainty budget after the GUM: contributions, combined (JCGM 100), expanded (JCGM 101).
+
+What is normal, or estimated from scatter, combines to a t distribution with the Welch-Satterthwaite
+degrees of freedom. Where bounded contributions (rectangular, two-point) are added, the factor for
+95 % is that of the convolved distributions: 1.96 would cover too little of two branches and too
+much of an interval.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import GTC
+import numpy as np
 from GTC import reporting
+from scipy import optimize
+
+COVERAGE = 0.95
+Evaluation = Literal["A", "B"]
+Distribution = Literal["normal", "rectangular", "two-point"]
+NORMAL_FACTOR = float(reporting.k_factor(math.inf))
+FINEST = 1e-3
+"""Part of the combined uncertainty by which bounded parts are blurred at least: far below what an
+uncertainty is known to; it keeps the integral short."""
+REACH = 6.0
+"""Standard deviations of a normal part beyond which its characteristic function is 0 (1e-8)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Contribution:
-    """One line of the budget: name, standard uncertainty, degrees of freedom (without: known)."""
+    """One line of the budget: name, standard uncertainty, degrees of freedom (without: known).
+
+    evaluation: A from the scatter of these readings, B from elsewhere. distribution: two-point for
+    a deviation of known size whose sign is not known (one of two branches). averages: it is of one
+    reading and falls with the root of their number.
+    """
 
     name: str
     uncertainty: float
     degrees: float = math.inf
+    evaluation: Evaluation = "B"
+    distribution: Distribution = "normal"
+    averages: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Budget:
-    """The uncertainty at one value, in its unit: contributions, combined, coverage, expanded."""
+    """The uncertainty at one value, in its unit: contributions, combined, coverage, expanded.
+
+    degrees: effective degrees of freedom, infinite where nothing was estimated from few readings.
+    """
 
     value: float
     contributions: tuple[Contribution, ...]
@@ -29,13 +60,62 @@ class Budget:
     coverage_factor: float
     expanded: float
 
+    def of_mean(self, readings: float) -> Budget:
+        """Return the budget of a mean of so many readings (``inf``: only what does not average)."""
+        return combine(self.value, self.contributions, readings)
 
-def combine(value: float, lines: tuple[Contribution, ...]) -> Budget:
-    """Combine contributions; the coverage factor gives 95 % by the Welch-Satterthwaite formula."""
+
+def combine(value: float, lines: tuple[Contribution, ...], readings: float = 1.0) -> Budget:
+    """Combine contributions to a mean of so many readings; the coverage factor gives 95 %."""
     total = GTC.constant(value)
-    for line in lines:
-        total = total + GTC.ureal(0.0, line.uncertainty, df=line.degrees, label=line.name)
+    sizes = [
+        line.uncertainty / math.sqrt(readings) if line.averages else line.uncertainty
+        for line in lines
+    ]
+    for line, size in zip(lines, sizes, strict=True):
+        total = total + GTC.ureal(0.0, size, df=max(line.degrees, 1.0), label=line.name)
     combined = float(GTC.uncertainty(total))
-    degrees = float(GTC.dof(total))
-    factor = float(reporting.k_factor(degrees if combined > 0.0 else math.inf))
+    degrees = float(GTC.dof(total)) if combined > 0.0 else math.inf
+    factor = _factor(lines, sizes, combined)
     return Budget(value, lines, combined, degrees, factor, factor * combined)
+
+
+def _factor(lines: tuple[Contribution, ...], sizes: list[float], combined: float) -> float:
+    """Return the expanded over the combined uncertainty."""
+    bounded = [
+        (line.distribution, size)
+        for line, size in zip(lines, sizes, strict=True)
+        if line.distribution != "normal" and size > FINEST * combined
+    ]
+    free = GTC.constant(0.0)
+    for line, size in zip(lines, sizes, strict=True):
+        if line.distribution == "normal":
+            free = free + GTC.ureal(0.0, size, df=max(line.degrees, 1.0))
+    spread = float(GTC.uncertainty(free))
+    own = float(reporting.k_factor(float(GTC.dof(free)) if spread > 0.0 else math.inf))
+    if not bounded:
+        return own
+    # Widened so that 95 % of it alone is right.
+    normal = max(spread * own / NORMAL_FACTOR, FINEST * combined)
+    return _half_width(normal, bounded) / combined
+
+
+def _half_width(normal: float, bounded: Sequence[tuple[Distribution, float]]) -> float:
+    """Return the half width that holds 95 % of a normal part and bounded parts.
+
+    P(|x| < U) = 2/pi integral of sin(U t)/t times the characteristic function; by the trapezoidal
+    rule, exact to the mass beyond half its period.
+    """
+    edge = {"rectangular": math.sqrt(3.0), "two-point": 1.0}
+    widest = sum(edge[kind] * size for kind, size in bounded) + REACH * normal
+    step = math.pi / widest
+    t = step * np.arange(1, 2 + int(REACH / normal / step))
+    weight = np.exp(-0.5 * (normal * t) ** 2) / t
+    for kind, size in bounded:
+        reach = edge[kind] * size * t
+        weight *= np.cos(reach) if kind == "two-point" else np.sinc(reach / math.pi)
+
+    def missing(width: float) -> float:
+        return step / math.pi * (width + 2.0 * float(weight @ np.sin(width * t))) - COVERAGE
+
+    return float(optimize.brentq(missing, 0.0, widest, xtol=1e-6 * widest))

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from calibration.load_cell.calibrate import LoadCellCalibration
 from calibration.load_cell.settings import LoadCellSettings
+from rigapp.calibrating.budget_lines import budget_lines, finite
 from rigapp.calibrating.records import problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
 
 
 def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
-    fit, traits, budget = found.fit, found.traits, found.budget
+    fit, traits, budget, zero = found.fit, found.traits, found.budget, found.zero
     result: dict[str, Any] = {
         "accepted": found.accepted,
         "problems": problems_of(found.problems),
@@ -22,7 +24,14 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "full_scale_N": settings.cell.full_scale,
     }
     applied, covariance = found.applied, found.covariance
-    if fit is None or traits is None or budget is None or applied is None or covariance is None:
+    if (
+        fit is None
+        or traits is None
+        or budget is None
+        or zero is None
+        or applied is None
+        or covariance is None
+    ):
         return {
             **result,
             "matrix_N_per_unit": None,
@@ -47,10 +56,27 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "expanded_uncertainty_N": budget.expanded,
         "coverage_factor": budget.coverage_factor,
         "uncertainty_line_N": {"constant_N": line[0], "per_N": line[1]},
-        "budget": [
-            {"name": one.name, "standard_uncertainty_N": one.uncertainty}
-            for one in budget.contributions
+        "effective_degrees_of_freedom": finite(budget.degrees),
+        "budget": budget_lines(budget.contributions, "N"),
+        "uncertainty_by_load": [
+            {
+                "load_N": one.load,
+                **{
+                    f"{name}_{words}_N": budget_of.of_mean(readings).expanded
+                    for name, budget_of in (
+                        ("component", one.component),
+                        ("magnitude", one.magnitude),
+                    )
+                    for words, readings in (("one_reading", 1.0), ("mean_of_many", math.inf))
+                },
+                "coverage_factor": one.component.coverage_factor,
+                "effective_degrees_of_freedom": finite(one.component.degrees),
+            }
+            for one in found.by_load
         ],
+        "zero_expanded_uncertainty_N": zero.expanded,
+        "zero_coverage_factor": zero.coverage_factor,
+        "zero_budget": budget_lines(zero.contributions, "N"),
         "characteristics_percent": {
             "reproducibility_b": traits.reproducibility,
             "repeatability_b_prime": traits.repeatability,

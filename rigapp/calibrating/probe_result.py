@@ -9,6 +9,7 @@ import numpy as np
 
 from calibration.probes.alignment import Alignment, PairCalibration
 from calibration.probes.calibrate import ProbeCalibration
+from rigapp.calibrating.budget_lines import budget_lines, finite
 from rigapp.calibrating.records import problems_of
 from rigapp.calibrating.session import Outcome
 
@@ -17,6 +18,7 @@ UM = 1e6
 
 def probe_result(found: ProbeCalibration) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
+    budget = found.budget
     return {
         "accepted": found.accepted,
         "problems": problems_of(found.problems),
@@ -29,9 +31,8 @@ def probe_result(found: ProbeCalibration) -> dict[str, Any]:
         "cylinder_gain": found.gain,
         "expanded_uncertainty_um": _times(found.expanded),
         "coverage_factor": found.coverage_factor,
-        "budget": [
-            {"name": name, "standard_uncertainty_um": UM * value} for name, value in found.budget
-        ],
+        "effective_degrees_of_freedom": None if budget is None else finite(budget.degrees),
+        "budget": [] if budget is None else budget_lines(budget.contributions, "um", UM),
         "residual_um": None if found.residual is None else (UM * found.residual).tolist(),
     }
 

@@ -14,7 +14,11 @@ TRIALS = 1_000_000
 
 
 def drawn(line: Contribution, rng: np.random.Generator) -> np.ndarray:
-    """Draw what a contribution stands for: a scaled t distribution (JCGM 101, 6.4.9)."""
+    """Draw what a contribution stands for: with few degrees of freedom a scaled t (JCGM 101)."""
+    if line.distribution == "two-point":
+        return line.uncertainty * rng.choice([-1.0, 1.0], TRIALS)
+    if line.distribution == "rectangular":
+        return line.uncertainty * rng.uniform(-np.sqrt(3.0), np.sqrt(3.0), TRIALS)
     if np.isinf(line.degrees):
         return line.uncertainty * rng.standard_normal(TRIALS)
     shrink = np.sqrt((line.degrees - 2.0) / line.degrees)
@@ -28,6 +32,35 @@ def test_expanded_uncertainty_agrees_with_monte_carlo() -> None:
     total = sum(drawn(line, rng) for line in found.budget.contributions)
     low, high = np.percentile(total, [2.5, 97.5])
     assert found.budget.expanded == pytest.approx(0.5 * (high - low), rel=0.02)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        [Contribution("branch", 1.0, distribution="two-point")],
+        [Contribution("half width", 1.0, distribution="rectangular")],
+        [Contribution("noise", 1.0), Contribution("branch", 1.0, distribution="two-point")],
+        [
+            Contribution("noise", 0.3, 20.0, "A"),
+            Contribution("branch", 1.0, distribution="two-point"),
+            Contribution("half width", 1.0, distribution="rectangular"),
+        ],
+    ],
+)
+def test_bounded_parts_get_the_factor_of_their_distribution(lines: list[Contribution]) -> None:
+    rng = np.random.default_rng(6)
+    drawn_sums = np.abs(sum(drawn(line, rng) for line in lines))
+    assert combine(0.0, tuple(lines)).expanded == pytest.approx(
+        np.percentile(drawn_sums, 95.0), rel=0.01
+    )
+
+
+def test_a_mean_has_less_of_what_scatters_and_all_of_the_rest() -> None:
+    one = combine(
+        100.0, (Contribution("scale", 0.3), Contribution("noise", 2.0, 30.0, "A", averages=True))
+    )
+    assert one.of_mean(25).combined == pytest.approx(np.hypot(0.3, 0.4))
+    assert one.of_mean(np.inf).expanded == pytest.approx(0.3 * 1.96, rel=1e-3)
 
 
 def test_few_degrees_of_freedom_widen_the_interval() -> None:
