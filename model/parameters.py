@@ -103,6 +103,11 @@ class Joint:
         """Return the radial clearance R2 - R1, m."""
         return self.bushing_radius - self.pin_radius
 
+    @property
+    def projected_area(self) -> float:
+        """Return what a force is divided by for the nominal pressure: diameter x width, m^2."""
+        return 2.0 * self.pin_radius * self.bushing_width
+
 
 @dataclass(frozen=True, slots=True)
 class Material:

@@ -31,8 +31,11 @@ def cycle_messages(test: TestReader, index: int) -> tuple[Cycle, Prediction | No
     predicted = test.predicted_curve(stored.revolution)
     if predicted is None:
         return cycle, None
-    force_1, force_2, force = (_bytes(predicted[name]) for name in PREDICTED_CURVES)
-    return cycle, Prediction(stored.revolution, b"", force_1, force_2, force)
+    force_1, force_2, force, *joint = (
+        _bytes(predicted[name]) if name in predicted else b"" for name in PREDICTED_CURVES
+    )
+    sent = Prediction(stored.revolution, b"", force_1, force_2, force, None, b"", *joint)
+    return cycle, sent
 
 
 def newest_messages(test: TestReader, index: int) -> tuple[Cycle, Prediction | None]:

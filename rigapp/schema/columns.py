@@ -66,13 +66,92 @@ def prediction_columns() -> tuple[Column, ...]:
             " follow, 0 when none",
         ),
     )
-    return head + body + sure
+    return head + body + sure + _joint_columns() + identified_columns()
 
+
+def _joint_columns() -> tuple[Column, ...]:
+    """Return what the measured force tells of the joint in a revolution."""
+    return (
+        Column(
+            "friction_coefficient",
+            "<f8",
+            "1",
+            "friction coefficient of the joint, from the measured force that the model without"
+            " friction does not explain; NaN while the load cell has no stated uncertainty",
+        ),
+        Column(
+            "friction_coefficient_uncertainty",
+            "<f8",
+            "1",
+            "expanded uncertainty (k = 2) of the friction coefficient",
+        ),
+        *(
+            Column(f"{one.name}_max", "<f8", one.unit, f"largest {one.description}")
+            for one in JOINT_CURVES
+        ),
+    )
+
+
+@cache
+def identified_columns() -> tuple[Column, ...]:
+    """Return what is known of the wear by the revolutions so far; NaN while nothing is."""
+    level = f"{IDENTIFIED_LEVEL:.0%} limit"
+    return (
+        *_with_limits("wear_coefficient", "mm^3/(N m)", "wear coefficient now", level),
+        *_with_limits(
+            "remaining_revolutions", "1", "revolutions until stop.wear_depth_um is reached", level
+        ),
+        Column(
+            "wear_consistency",
+            "<f8",
+            "1",
+            "how far the newest depth is from what the ones before let expect, in standard"
+            " deviations",
+        ),
+        Column(
+            "wear_model",
+            "<f8",
+            "1",
+            "what explains the depth best: "
+            + ", ".join(f"{n} {name}" for n, name in enumerate(WEAR_MODELS)),
+        ),
+        Column("wear_model_weight", "<f8", "1", "probability of that among these, 0 to 1"),
+        Column("wear_change_revolution", "<f8", "1", "revolution at which the wear changed, if so"),
+    )
+
+
+def _with_limits(name: str, unit: str, words: str, level: str) -> tuple[Column, ...]:
+    """Return a column and those of its credible limits."""
+    return (
+        Column(name, "<f8", unit, words),
+        Column(f"{name}_low", "<f8", unit, f"lower {level} of it"),
+        Column(f"{name}_high", "<f8", unit, f"upper {level} of it"),
+    )
+
+
+WEAR_MODELS = ("constant", "running-in", "change")
+"""What can be said of the wear coefficient over a test; ``wear_model`` is a place in it."""
+
+IDENTIFIED_LEVEL = 0.95
+"""Probability within the credible limits of what is identified."""
 
 PREDICTION_POINTS = 360
 """Points of a predicted curve, crank angles 0 .. 359 degrees."""
 
-PREDICTED_CURVES = ("force_1", "force_2", "force")
+JOINT_CURVES = (
+    Column("nominal_pressure", "<f4", "MPa", "measured |F| over pin diameter and bushing width"),
+    Column("sliding_speed", "<f4", "m/s", "speed of the pin's surface in the bushing"),
+    Column("pressure_velocity", "<f4", "MPa m/s", "product of nominal pressure and sliding speed"),
+)
+"""How the joint is stressed, against the crank angle."""
+
+CURVES = (
+    *(Column(name, "<f4", "N", f"predicted {name}") for name in ("force_1", "force_2", "force")),
+    *JOINT_CURVES,
+)
+"""The curves kept of a revolution that is kept whole, on PREDICTION_POINTS crank angles."""
+
+PREDICTED_CURVES = tuple(one.name for one in CURVES)
 
 PROFILE_ANGLES_DEG = tuple(range(-180, 181))
 """Angles of a worn profile, 0 at the initial contact point: the follower frame turned by 180."""

@@ -261,7 +261,8 @@ class Prediction(msgspec.Struct, frozen=True):
     """Carry the twin's answer for one revolution.
 
     values: the columns of ``prediction_columns`` in order, float64.
-    force_1, force_2, force: float32 on PREDICTION_POINTS crank angles.
+    force_1, force_2, force (N), nominal_pressure (MPa), sliding_speed (m/s), pressure_velocity
+    (MPa m/s): float32 on PREDICTION_POINTS crank angles, empty where they are not known.
     profile: a new worn profile, None for most revolutions. checkpoint: what a twin needs to go on
     from here, empty when nothing changed that it keeps.
     """
@@ -273,6 +274,9 @@ class Prediction(msgspec.Struct, frozen=True):
     force: bytes
     profile: WornProfile | None = None
     checkpoint: bytes = b""
+    nominal_pressure: bytes = b""
+    sliding_speed: bytes = b""
+    pressure_velocity: bytes = b""
 
 
 class RevolutionMeasured(msgspec.Struct, frozen=True):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,13 +14,23 @@ from model.dynamics import MechanismMotion
 from model.history import FEWEST_SAMPLES, smooth_history
 from model.parameters import Parameters
 from model.wear.techniques import solve_of
-from rigapp.schema.columns import PREDICTION_POINTS, in_order, prediction_columns
+from rigapp.schema.columns import (
+    PREDICTION_POINTS,
+    identified_columns,
+    in_order,
+    prediction_columns,
+)
 from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
+from rigapp.twin.jointload import UNKNOWN, JointLoad
 from rigapp.twin.uncertainty import PredictionUncertainty, prediction_uncertainty
 
 Array = NDArray[np.float64]
 
 GRID: Array = np.arange(PREDICTION_POINTS, dtype=np.float64) * (2.0 * np.pi / PREDICTION_POINTS)
+
+
+NOTHING: Mapping[str, float] = dict.fromkeys((one.name for one in identified_columns()), math.nan)
+"""The columns of what is identified while nothing is."""
 
 
 class Unpredictable(ValueError):
@@ -112,8 +123,13 @@ def compare(
     motion: MechanismMotion,
     wear: Wear,
     doubt: PredictionUncertainty | None = None,
+    load: JointLoad = UNKNOWN,
+    identified: Mapping[str, float] = NOTHING,
 ) -> Prediction:
-    """Say what was predicted for a revolution, how surely, and how far the measurement is off."""
+    """Say what was predicted for a revolution, how surely, and how far the measurement is off.
+
+    identified: columns of what is known of the wear by then.
+    """
     force_1, force_2 = motion.force_crank
     force = motion.force_magnitude
     curves = {"force_1": force_1, "force_2": force_2, "force": force}
@@ -131,13 +147,14 @@ def compare(
         "force_uncertainty": math.nan if doubt is None else doubt.largest,
         "unfollowed_acceleration": math.nan if doubt is None else doubt.unfollowed,
     }
+    values |= {**load.values, **identified}
     for name, curve in curves.items():
         statistics = {"max": np.max(curve), "min": np.min(curve), "rms": _rms(curve)}
         values |= {f"{name}_{statistic}": one for statistic, one in statistics.items()}
     return Prediction(
         revolution=measured.revolution,
         values=in_order(prediction_columns(), values).tobytes(),
-        **{name: curve.astype("<f4").tobytes() for name, curve in curves.items()},
+        **{name: one.astype("<f4").tobytes() for name, one in (curves | load.curves).items()},
     )
 
 

@@ -19,12 +19,14 @@ from numpy.typing import NDArray
 from model.dynamics import MechanismMotion
 from model.errors import ModelError
 from model.frames import into_frame
+from model.friction_circle import CellDoubt
 from model.parameters import Parameters
 from model.wear.state import WearState, unworn_state
 from rigapp.schema.columns import PROFILES_PER_DECADE, in_order, profile_columns
 from rigapp.schema.messages import Prediction, WornProfile
 from rigapp.twin.ahead import BushingAhead, bushing_ahead
 from rigapp.twin.approach import RIGID, Approach
+from rigapp.twin.jointload import joint_load
 from rigapp.twin.measureddepth import (
     ELASTIC_DOUBT,
     FIRST_STEADY,
@@ -120,13 +122,15 @@ class Twin:
     """Predict revolutions in the order in which they come; gaps in the numbers count as worn.
 
     new_position_um: mean reading of the probes in the new bushing, for a test whose first
-    revolutions this twin has not seen and of which no checkpoint is left. changed: whether the
+    revolutions this twin has not seen and of which no checkpoint is left. cell: what is stated of
+    the load cell, None where nothing is. changed: whether the
     last revolution changed what a checkpoint keeps.
     """
 
     parameters: Parameters
     joint: str
     new_position_um: tuple[float, float] | None = None
+    cell: CellDoubt | None = None
     predicted: TrackedBushing = field(default_factory=TrackedBushing)
     driven: TrackedBushing = field(default_factory=TrackedBushing)
     reference: Reference | None = None
@@ -147,7 +151,8 @@ class Twin:
         )
         slip = motion.slip_increments(self.parameters.joint.pin_radius)
         cycles = float(measured.revolution)
-        force = _in_follower(measured, motion)
+        in_crank = measured_force(measured)
+        force = _in_follower(in_crank, motion)
         changed = self.predicted.wear_to(cycles, motion.force_follower, slip, self.parameters)
         changed |= self.driven.wear_to(cycles, force, slip, self.parameters)
         path = _path(measured, motion)
@@ -161,7 +166,9 @@ class Twin:
         self.newest = measured.revolution
         profile = self._profile(measured.revolution, path)
         self.changed = changed or profile is not None
-        return msgspec.structs.replace(compare(measured, motion, wear, doubt), profile=profile)
+        load = joint_load(self.parameters, in_crank, motion, self.cell)
+        found = compare(measured, motion, wear, doubt, load)
+        return msgspec.structs.replace(found, profile=profile)
 
     def _learn(self, revolution: int, path: PathSum) -> bool:
         """Gather the new bushing's revolutions into the reference; True when something is new."""
@@ -272,12 +279,10 @@ def profile_is_due(kept: int, revolution: int) -> bool:
     return kept <= 0 or (revolution > kept and step(revolution) > step(kept))
 
 
-def _in_follower(measured: MeasuredRevolution, motion: MechanismMotion) -> Array:
-    """Turn the measured force from the crank frame into the follower's at ``GRID``."""
+def _in_follower(force: Array, motion: MechanismMotion) -> Array:
+    """Turn the measured force at ``GRID`` from the crank frame into the follower's."""
     turn = motion.follower_angle - GRID
-    return np.asarray(
-        into_frame(measured_force(measured), np.cos(turn), np.sin(turn)), dtype=np.float64
-    )
+    return np.asarray(into_frame(force, np.cos(turn), np.sin(turn)), dtype=np.float64)
 
 
 def _path(measured: MeasuredRevolution, motion: MechanismMotion) -> PathSum:

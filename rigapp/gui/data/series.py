@@ -140,7 +140,8 @@ def measured_cycle(message: Cycle) -> MeasuredCycle:
 
 def predicted_cycle(message: Prediction) -> PredictedCycle:
     """Unpack a prediction message (views, no copy)."""
-    curves = {name: as_array(getattr(message, name)) for name in PREDICTED_CURVES}
+    sent = {name: getattr(message, name) for name in PREDICTED_CURVES}
+    curves = {name: as_array(curve) for name, curve in sent.items() if curve}
     points = len(curves[SIZE])
     return PredictedCycle(
         message.revolution, 360.0 / max(points, 1) * np.arange(points, dtype=np.float64), curves

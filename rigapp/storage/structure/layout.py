@@ -15,6 +15,7 @@ import numpy as np
 
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Column
 from rigapp.schema.columns import (
+    CURVES,
     PREDICTED_CURVES,
     PREDICTION_POINTS,
     PROFILE_ANGLES_DEG,
@@ -199,8 +200,11 @@ def streams_of(plan: FilePlan) -> dict[str, FileStream]:
             "curve_revolution", "<i8", "1", "number of the revolution of the predicted curve"
         ),
         *(
-            FileColumn(f"curve_{name}", "<f4", "N", f"predicted {name}", (plan.prediction_points,))
-            for name in plan.predicted_curves
+            FileColumn(
+                f"curve_{one.name}", one.dtype, one.unit, one.description, (plan.prediction_points,)
+            )
+            for one in CURVES
+            if one.name in plan.predicted_curves
         ),
     )
     found: tuple[FileStream, ...] = (
