@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 import msgspec
 
@@ -10,11 +10,14 @@ NotNegative = Annotated[float, msgspec.Meta(ge=0)]
 
 
 class FaultRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """One fault: what, where, when, for how long, how much; see ``simulation.faults``."""
+    """One fault: what, where, when, for how long, how much; see ``simulation.faults``.
+
+    channel: of a signal fault, by its name in the rig's channel table.
+    """
 
     kind: str
     device: str = ""
-    channel: Literal["", "force_1", "force_2", "probe_1", "probe_2"] = ""
+    channel: str = ""
     at_s: NotNegative | None = None
     at_revolution: NotNegative | None = None
     duration_s: NotNegative | None = None

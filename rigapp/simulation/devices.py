@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,12 +17,13 @@ from drivers.registry import (
     load_simulator,
 )
 from drivers.simulator_api import RigSignals
+from rigapp.config.channels import input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import DeviceSection, RigFile
+from rigapp.schema.channels import ChannelTable
+from rigapp.simulation.disturbances import Terminals
 from rigapp.simulation.endpoints import Endpoint
-from rigapp.simulation.layout import Array
 from rigapp.simulation.link import SimulatedWire
-from rigapp.simulation.plant import Samples
 
 MakeEndpoint = Callable[[str], Endpoint]
 
@@ -37,37 +38,22 @@ class SimulatedDevice:
     quantities: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Inputs:
-    """Tell which analog input carries which signal; free: numbers of the free channels' inputs."""
-
-    instruments: tuple[int, int, int, int]
-    free: tuple[int, ...]
-
-    def signals(self, samples: Samples, free: Sequence[Array]) -> RigSignals:
-        """Return what the terminals of the data acquisition device see."""
-        wired = (samples.bridge_1, samples.bridge_2, samples.probe_1, samples.probe_2)
-        return RigSignals(
-            analog=dict(zip((*self.instruments, *self.free), (*wired, *free), strict=True)),
-            shaft_revolutions=samples.shaft_revolutions,
-        )
-
-
-def inputs_of(rig: RigFile, free: Mapping[str, str]) -> Inputs:
-    """Return the analog inputs of load cell, probes and free channels; raise UnusableInput."""
-    names = {
-        "load_cell.input_1": rig.load_cell.input_1,
-        "load_cell.input_2": rig.load_cell.input_2,
-        "probes.input_1": rig.probes.input_1,
-        "probes.input_2": rig.probes.input_2,
-        **free,
-    }
-    first, second, third, fourth, *rest = (_input_number(*item) for item in names.items())
-    numbers = (first, second, third, fourth)
-    if len({*numbers, *rest}) < len(names):
+def inputs_of(rig: RigFile, channels: ChannelTable) -> dict[str, int]:
+    """Return channel -> number of its analog input; raise UnusableInput."""
+    names = {key: name for key, name in input_keys(rig).items() if key != "encoder.input"}
+    numbers = [_input_number(*item) for item in names.items()]
+    if len(set(numbers)) < len(numbers):
         taken = ", ".join(f"{key} = {name!r}" for key, name in names.items())
         raise UnusableInput(f"{taken}: two signals cannot share one input; give each its own.")
-    return Inputs(numbers, tuple(rest))
+    return dict(zip((one.name for one in channels.sampled), numbers, strict=True))
+
+
+def signals(seen: Terminals, inputs: Mapping[str, int]) -> RigSignals:
+    """Return what the inputs of the data acquisition device see; inputs: from ``inputs_of``."""
+    return RigSignals(
+        analog={inputs[name]: values for name, values in seen.analog.items()},
+        shaft_revolutions=seen.shaft_revolutions,
+    )
 
 
 def data_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> SimulatedDevice:

@@ -3,24 +3,38 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from rigapp.schema.channels import BASE, LOAD_CELL
 from rigapp.simulation.layout import Array
 from rigapp.simulation.plant import Samples
 from rigapp.simulation.sensing import uniform
 
-CHANNELS = {
-    "force_1": "bridge_1",
-    "force_2": "bridge_2",
-    "probe_1": "probe_1",
-    "probe_2": "probe_2",
-}
+BRIDGES = BASE.names_of(LOAD_CELL)
+_OTHER = dict(zip(BRIDGES, reversed(BRIDGES), strict=True))
 FAR_OUT = 1e3  # mV/V or V, beyond the range of any input
-_OTHER = {"bridge_1": "bridge_2", "bridge_2": "bridge_1"}
 SWINGS_PER_S = 0.8  # a weight on a hook of 40 cm
 _SPIKES = np.uint64(17)
+
+
+@dataclass(frozen=True, slots=True)
+class Terminals:
+    """Carry what the data acquisition sees: the shaft in revolutions, mV/V or V by channel."""
+
+    first_sample: int
+    shaft_revolutions: Array
+    analog: Mapping[str, Array]
+
+
+def terminals(samples: Samples, free: Mapping[str, Array]) -> Terminals:
+    """Return the plant's signals by the names of their channels, those of free ones beside them."""
+    wired = (samples.bridge_1, samples.bridge_2, samples.probe_1, samples.probe_2)
+    names = (one.name for one in BASE.sampled)
+    analog = {**dict(zip(names, wired, strict=True)), **free}
+    return Terminals(samples.first_sample, samples.shaft_revolutions, analog)
 
 
 class SignalFault(enum.StrEnum):
@@ -60,7 +74,7 @@ class Disturbances:
         return self._channels.get((SignalFault.JAM, _SHAFT), 0.0)
 
     def start(self, fault: SignalFault, channel: str, value: float | None, rate: float) -> None:
-        """Let a fault begin; channel: force_1, force_2, probe_1 or probe_2, "" for both forces."""
+        """Let a fault begin; channel: by its name, "" for both forces."""
         if fault is SignalFault.SLIP_RING_SPIKES:
             self._spike_rate = rate
         for name in _terminals(fault, channel):
@@ -72,22 +86,21 @@ class Disturbances:
             self._channels.pop((fault, name), None)
             self._stuck.pop(name, None)
 
-    def apply(self, samples: Samples, sample_rate_Hz: float) -> Samples:
-        """Return the samples with the faults in them."""
-        changed: dict[str, Array] = {}
-        if samples.shaft_revolutions.size == 0:
-            return samples
+    def apply(self, seen: Terminals, sample_rate_Hz: float) -> Terminals:
+        """Return the signals with the faults in them."""
+        if seen.shaft_revolutions.size == 0 or not self._channels:
+            return seen
+        shaft, analog = seen.shaft_revolutions, dict(seen.analog)
         for (fault, name), value in self._channels.items():
             if fault is SignalFault.REVERSED_ENCODER:
-                changed["shaft_revolutions"] = -samples.shaft_revolutions
-            if name == _SHAFT:
-                continue
-            if fault is SignalFault.SWAPPED_BRIDGES:
-                changed[name] = getattr(samples, _OTHER.get(name, name))
-                continue
-            signal = changed.get(name, getattr(samples, name))
-            changed[name] = self._disturbed(fault, name, value, signal, samples, sample_rate_Hz)
-        return replace(samples, **changed) if changed else samples  # type: ignore[arg-type]
+                shaft = -seen.shaft_revolutions
+            elif fault is SignalFault.SWAPPED_BRIDGES:
+                analog[name] = seen.analog[_OTHER[name]]
+            elif name != _SHAFT:
+                analog[name] = self._disturbed(
+                    fault, name, value, analog[name], seen.first_sample, sample_rate_Hz
+                )
+        return replace(seen, shaft_revolutions=shaft, analog=analog)
 
     def _disturbed(
         self,
@@ -95,16 +108,16 @@ class Disturbances:
         name: str,
         value: float,
         signal: Array,
-        samples: Samples,
+        first_sample: int,
         rate: float,
     ) -> Array:
         if fault is SignalFault.STUCK_VALUE:
             return np.full_like(signal, self._stuck.setdefault(name, float(signal[0])))
         if fault is SignalFault.SWINGING_WEIGHT:
-            seconds = (samples.first_sample + np.arange(signal.size)) / rate
+            seconds = (first_sample + np.arange(signal.size)) / rate
             return signal * (1.0 + value * np.sin(2.0 * np.pi * SWINGS_PER_S * seconds))
         if fault is SignalFault.SLIP_RING_SPIKES:
-            chance = uniform(self._seed, _SPIKES, samples.first_sample, signal.size)
+            chance = uniform(self._seed, _SPIKES, first_sample, signal.size)
             threshold = self._spike_rate / rate
             spikes = np.where(chance < 0.5 * threshold, value, -value)
             return signal + np.where(chance < threshold, spikes, 0.0)
@@ -115,4 +128,4 @@ class Disturbances:
 def _terminals(fault: SignalFault, channel: str) -> tuple[str, ...]:
     if fault in (SignalFault.JAM, SignalFault.REVERSED_ENCODER):
         return (_SHAFT,)
-    return (CHANNELS[channel],) if channel else ("bridge_1", "bridge_2")
+    return (channel,) if channel else BRIDGES

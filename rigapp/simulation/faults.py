@@ -10,7 +10,7 @@ A fault file is TOML::
     duration_s = 2.0          # for how long; without it, for good
     [[fault]]
     kind = "stuck_value"
-    channel = "probe_1"       # signal faults: force_1, force_2, probe_1, probe_2
+    channel = "probe_1"       # signal faults: force_1 ... probe_2, or a free channel with an input
     at_s = 30.0
 
 Triggers are in plant time. The duration of a signal fault is plant time; that of a wire or device
@@ -34,8 +34,9 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_text
 from rigapp.config.toml import toml_tree
+from rigapp.schema.channels import ChannelTable
 from rigapp.schema.faults import FaultRecord
-from rigapp.simulation.disturbances import CHANNELS, SignalFault
+from rigapp.simulation.disturbances import BRIDGES, SignalFault
 from rigapp.simulation.link import WireFault
 
 WIRE_KINDS = frozenset(WireFault)
@@ -79,18 +80,31 @@ def fault_of(tree: dict[str, Any]) -> FaultRecord:
         raise UnusableInput(f"fault: {error}.") from error
 
 
-def check_fault(fault: FaultRecord, devices: Sequence[str]) -> None:
-    """Refuse a fault that names no device of the rig or no channel; raise UnusableInput."""
+def check_fault(fault: FaultRecord, devices: Sequence[str], channels: ChannelTable) -> None:
+    """Refuse a fault that names no device of the rig or no input; raise UnusableInput."""
     if fault.kind in SIGNAL_KINDS:
-        if fault.kind == SignalFault.STUCK_VALUE and not fault.channel:
-            known = ", ".join(CHANNELS)
-            raise UnusableInput(f"fault {fault.kind}: channel is missing; choose one of {known}.")
+        _check_channel(fault, channels)
         return
     if fault.device not in devices:
         known = ", ".join(devices)
         raise UnusableInput(
             f"fault {fault.kind}: device = {fault.device!r} is not in the rig; it has {known}."
         )
+
+
+def _check_channel(fault: FaultRecord, channels: ChannelTable) -> None:
+    """Refuse a signal fault whose channel has no input that it could be on."""
+    where, name = f"fault {fault.kind}: channel", fault.channel
+    known = [one.name for one in channels.sampled]
+    if fault.kind == SignalFault.SWAPPED_BRIDGES:
+        known = list(BRIDGES)
+    if not name and fault.kind == SignalFault.STUCK_VALUE:
+        raise UnusableInput(f"{where} is missing; choose one of {', '.join(known)}.")
+    if name in channels and channels[name] in channels.slow:
+        device = channels[name].device
+        raise UnusableInput(f"{where} = {name!r} has no input; give device = {device!r} a fault.")
+    if name and name not in known:
+        raise UnusableInput(f"{where} = {name!r} cannot have it; choose one of {', '.join(known)}.")
 
 
 class Timetable:

@@ -11,9 +11,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from drivers.simulator_api import DriveCommand, DriveMode, MotorState
+from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import RigFile
@@ -25,15 +27,16 @@ from rigapp.simulation.devices import (
     data_device,
     drive_device,
     inputs_of,
+    signals,
     slow_devices,
 )
-from rigapp.simulation.disturbances import Disturbances, SignalFault
+from rigapp.simulation.disturbances import Disturbances, SignalFault, Terminals, terminals
 from rigapp.simulation.faults import SIGNAL_KINDS, WIRE_KINDS, Timetable, check_fault
 from rigapp.simulation.hands import PlantHands
 from rigapp.simulation.layout import Drive
 from rigapp.simulation.link import WireFault
 from rigapp.simulation.pacing import PlantPace
-from rigapp.simulation.plant import Plant, Samples
+from rigapp.simulation.plant import Plant
 from rigapp.simulation.surroundings import DRIVE_WARMER_K, FreeInputs, slow_values
 from rigapp.simulation.truth import TruthRecorder
 
@@ -71,7 +74,8 @@ class RigSimulation:
         """Open all ports; raise UnusableInput."""
         seed = seed_of(rig)
         self._free = FreeInputs(rig)
-        self._inputs = inputs_of(rig, self._free.names())
+        self._channels = channel_table(rig)
+        self._inputs = inputs_of(rig, self._channels)
         self._section = plant_section(rig)
         self._machine = Machine()
         constants = plant_constants(parameters, rig, self._machine)
@@ -232,16 +236,16 @@ class RigSimulation:
         command = self._drive.simulator.command(chunk_s, self._device_s)
         samples = self.plant.advance(steps, self._act(command))
         self._observe()
-        samples = self._disturbances.apply(samples, self.plant.sample_rate_Hz)
+        seen = terminals(samples, self._free.voltages(samples))
+        seen = self._disturbances.apply(seen, self.plant.sample_rate_Hz)
         if self._truth is not None:
-            self._truth.take(samples)
-        self._deliver(samples, now_s)
+            self._truth.take(replace(samples, shaft_revolutions=seen.shaft_revolutions))
+        self._deliver(seen, now_s)
 
-    def _deliver(self, samples: Samples, now_s: float) -> None:
-        if samples.shaft_revolutions.size == 0:
+    def _deliver(self, seen: Terminals, now_s: float) -> None:
+        if seen.shaft_revolutions.size == 0:
             return
-        signals = self._inputs.signals(samples, self._free.voltages(samples))
-        data = self._daq.simulator.sample(signals, self._device_s)
+        data = self._daq.simulator.sample(signals(seen, self._inputs), self._device_s)
         self._chunk_bytes = len(data)
         if not self._daq.wire.send(data, now_s, droppable=True):
             self._daq.simulator.overrun(self._device_s)
@@ -319,7 +323,7 @@ class RigSimulation:
 
     def _check(self, fault: FaultRecord, *, later: bool) -> None:
         """Refuse a fault that nothing here can have, before it is due; raise UnusableInput."""
-        check_fault(fault, list(self._wires))
+        check_fault(fault, list(self._wires), self._channels)
         if later and fault.kind not in WIRE_KINDS | SIGNAL_KINDS:
             self._strike(fault)
             self._devices[fault.device].simulator.clear(fault.kind)

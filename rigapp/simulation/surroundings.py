@@ -66,21 +66,17 @@ class FreeInputs:
         """Return how many there are."""
         return len(self._channels)
 
-    def names(self) -> dict[str, str]:
-        """Return the input of each, by its key in the rig file."""
-        return {f"channels.{name}.input": one.input for name, one in self._channels.items()}
-
-    def voltages(self, samples: Samples) -> list[Array]:
-        """Return (samples,) in V for each, in the order of ``names``."""
-        found = []
+    def voltages(self, samples: Samples) -> dict[str, Array]:
+        """Return (samples,) in V for each, by the name of its channel."""
+        found = {}
         for row, (name, section) in enumerate(self._channels.items()):
             noise = samples.free_noise[row]
             values = QUANTITIES.get(name)
             if values is None:
-                found.append(FLOATING_NOISE_V * noise)
+                found[name] = FLOATING_NOISE_V * noise
                 continue
             value = values(self._plant, samples.bushing_rise_K, samples.warm_s)
-            found.append(_volts(section, value) + CONNECTED_NOISE_V * noise)
+            found[name] = _volts(section, value) + CONNECTED_NOISE_V * noise
         return found
 
 

@@ -31,7 +31,7 @@ from rigapp.gui.plots.wearprofile import ANGLES_DEG, WearProfilePanel, worn_prof
 from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.watchdog import STALL_S, Watchdog
 from rigapp.schema.loglines import newest_limits
-from rigapp.schema.messages import DeviceView, DriveView, Event, RunState, Status
+from rigapp.schema.messages import ChannelView, DeviceView, DriveView, Event, RunState, Status
 from rigapp.service.faults import fault_choices
 from rigapp.storage.reading.oldlog import translated
 
@@ -332,7 +332,14 @@ def test_faults_of_the_simulated_rig_are_caused_and_ended(
     qtbot.waitUntil(offered, timeout=PATIENCE_MS)
     assert panel.kind.currentText() == panel.kind.itemText(0)  # not what is shown before
     panel.kind.setCurrentIndex(panel.kind.findText("signal: stuck value"))
-    panel.channel.setCurrentText("probe_1")
+    free = ChannelView("bushing_temperature", 0.21, "V", 21.0, "degC", "by its line", None)
+    slow = ChannelView("room_temperature", 21.0, "degC", 21.0, "degC", "", None, 0.5)
+    channels = (*make_status().channels, free, slow)
+    panel.show_news(News(make_status(channels=channels)))
+    panel.channel.setCurrentText("bushing_temperature")
+    panel.show_news(News(make_status(channels=channels)))
+    offered_now = [panel.channel.itemText(at) for at in range(panel.channel.count())]
+    assert offered_now == ["force_1", "force_2", "probe_1", "probe_2", "bushing_temperature"]
     panel.cause.click()
     panel.kind.setCurrentIndex(panel.kind.findText("drive: cable pull"))
     panel.duration.setText("")
@@ -340,7 +347,10 @@ def test_faults_of_the_simulated_rig_are_caused_and_ended(
     panel.cause.click()
     panel.end.click()
     assert asked == [
-        ("inject_fault", {"kind": "stuck_value", "channel": "probe_1", "duration_s": 2.0}),
+        (
+            "inject_fault",
+            {"kind": "stuck_value", "channel": "bushing_temperature", "duration_s": 2.0},
+        ),
         ("inject_fault", {"kind": "cable_pull", "device": "drive", "value": 3.0}),
         ("clear_fault", {"kind": "cable_pull"}),
     ]

@@ -6,17 +6,18 @@ import math
 import os
 import select
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 
 from drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile
-from rigapp.config.rig import RigFile
+from rigapp.config.rig import ChannelSection, RigFile
 from rigapp.schema.faults import FaultRecord
 from rigapp.simulation import devices
 from rigapp.simulation.control import Lines, answer
@@ -24,6 +25,12 @@ from rigapp.simulation.endpoints import PtyEndpoint
 from rigapp.simulation.rig import RigSimulation
 from rigapp.simulation.truth import COLUMNS, TruthRecorder
 
+NONE: Mapping[str, ChannelSection] = {}
+FREE = {
+    "third_probe": ChannelSection(device="daq", input="analog_5", unit="um"),
+    "bushing_temperature": ChannelSection(device="daq", input="analog_6", unit="degC", scale=100.0),
+    "room": ChannelSection(source="climate.temperature_C"),
+}
 FRAME = 24
 PTY_S = 17408 / FRAME / 960.0
 """Plant time of what a pty takes in before it shows that the host does not read."""
@@ -144,8 +151,11 @@ def make(
     def endpoint(name: str) -> PtyEndpoint:
         return PtyEndpoint(tmp_path / name, lambda: benches[0].now if benches else 1e3)
 
-    def build(speed: float = 1.0, **options: Any) -> Bench:
-        simulation = RigSimulation(rig, parameters, endpoint, speed=speed, now_s=1e3, **options)
+    def build(
+        speed: float = 1.0, channels: Mapping[str, ChannelSection] = NONE, **options: Any
+    ) -> Bench:
+        wanted = msgspec.structs.replace(rig, channels=dict(channels))
+        simulation = RigSimulation(wanted, parameters, endpoint, speed=speed, now_s=1e3, **options)
         benches.append(Bench(simulation, source, motor))
         return benches[0]
 
@@ -282,12 +292,15 @@ def test_faults_come_and_go_on_their_clocks(make: Callable[..., Bench]) -> None:
         (FaultRecord("cable_pull", device="dac"), "'dac' is not in the rig"),
         (FaultRecord("stuck_value"), "channel is missing"),
         (FaultRecord("rust", device="drive"), "cannot have it"),
+        (FaultRecord("saturated_input", channel="probe_3"), "choose one of force_1, .*third_probe"),
+        (FaultRecord("swapped_bridges", channel="third_probe"), "choose one of force_1, force_2"),
+        (FaultRecord("stuck_value", channel="room"), "has no input; give device = 'climate'"),
     ],
 )
 def test_impossible_fault_is_refused(
     make: Callable[..., Bench], fault: FaultRecord, sentence: str
 ) -> None:
-    bench = make()
+    bench = make(channels=FREE)
     with pytest.raises(UnusableInput, match=sentence):
         bench.rig.inject(fault)
 
@@ -307,6 +320,20 @@ def test_signal_faults_do_what_they_say(make: Callable[..., Bench]) -> None:
     bench.rig.clear("broken_bridge_wire")
     bench.run(0.1)
     assert np.all(np.abs(bench.source.signals[-1].analog[1]) < 5.0)
+
+
+def test_the_signal_of_a_free_channel_is_spoilt_alone(make: Callable[..., Bench]) -> None:
+    bench = make(channels=FREE)
+    bench.rig.inject(FaultRecord("saturated_input", channel="third_probe", duration_s=1.0))
+    bench.rig.inject(FaultRecord("stuck_value", channel="bushing_temperature"))
+    bench.run(0.5)
+    analog = bench.source.signals[-1].analog
+    assert set(analog) == {1, 2, 3, 4, 5, 6}
+    assert np.all(analog[5] > 100.0)
+    assert np.ptp(analog[6]) == 0.0
+    assert all(np.ptp(analog[k]) > 0.0 and np.abs(analog[k]).max() < 10.0 for k in (1, 2, 3, 4))
+    bench.run(1.0)
+    assert np.abs(bench.source.signals[-1].analog[5]).max() < 1.0
 
 
 def test_jam_stalls_the_motor_at_its_torque_limit(make: Callable[..., Bench]) -> None:

@@ -104,10 +104,11 @@ def test_a_free_input_carries_what_its_channel_is_named_after(
         },
     )
     free = FreeInputs(rig)  # type: ignore[arg-type]
-    assert list(free.names().values()) == ["analog_5", "analog_6", "analog_7"]
     plant = rubbing(free_inputs=len(free))
     samples = plant.advance(3000, TURNING)
-    bushing, room, nothing = free.voltages(samples)
+    voltages = free.voltages(samples)
+    assert list(voltages) == ["bushing_temperature", "room_temperature", "third_probe"]
+    bushing, room, nothing = voltages.values()
     assert 100.0 * (bushing - 0.5) == pytest.approx(21.0 + samples.bushing_rise_K, abs=0.2)
     assert room * 5.0 == pytest.approx(np.full(room.size, 21.0), abs=0.02)
     assert abs(float(nothing.mean())) < 1e-3

@@ -7,15 +7,13 @@ from typing import Any
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QLabel, QVBoxLayout, QWidget
 
+from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.panel import Host
 from rigapp.gui.widgets.build import button, choice, edit, filled, named, prose
 from rigapp.schema.channels import BASE
 from rigapp.service.faults import FaultChoice, fault_choices
-
-CHANNELS = tuple(one.name for one in BASE.sampled)
-"""The inputs whose signal can be spoilt."""
 
 
 class FaultPanel(QWidget):
@@ -34,7 +32,6 @@ class FaultPanel(QWidget):
         self.kind.setMaxVisibleItems(30)
         self.kind.setPlaceholderText("Looking for the faults of the devices …")
         self.channel = choice("fault_channel", "Channel of a signal fault", ())
-        self.channel.addItems(CHANNELS)
         self.duration = edit("fault_duration", "Duration in seconds, empty: until ended")
         self.duration.setText("2")
         self.value = edit("fault_value", "Value of the fault, empty: its default", hint="default")
@@ -64,10 +61,12 @@ class FaultPanel(QWidget):
         filled(QVBoxLayout(self), (note, inside, None))
 
     def show_news(self, news: News) -> None:
-        """Offer the faults of the devices that are there."""
+        """Offer the faults of the devices that are there, and the inputs of the rig."""
         status = news.status
         if status is None:
             return
+        views = [one.name for one in status.channels if one.age_s is None and one.name != SIZE]
+        self._offer_channels(views or [one.name for one in BASE.sampled])
         devices = tuple((device.name, device.driver) for device in status.devices)
         if devices == self._devices or not devices:
             return
@@ -85,6 +84,15 @@ class FaultPanel(QWidget):
         for one in self._choices:
             self.kind.addItem(f"{one.where}: {one.kind.replace('_', ' ')}")
         self.kind.setCurrentIndex(0 if choices else -1)
+
+    def _offer_channels(self, names: list[str]) -> None:
+        """Offer the channels with an input; what was chosen stays, where it is still there."""
+        if names == [self.channel.itemText(place) for place in range(self.channel.count())]:
+            return
+        chosen = self.channel.currentText()
+        self.channel.clear()
+        self.channel.addItems(names)
+        self.channel.setCurrentIndex(max(self.channel.findText(chosen), 0))
 
     def _choice(self) -> FaultChoice | None:
         index = self.kind.currentIndex()
