@@ -22,8 +22,11 @@ from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.panels.limits import LimitPanel
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
+from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.plots.trend import TrendPanel
+from rigapp.gui.plots.wearprofile import WearProfilePanel
 from rigapp.gui.testfile.rules import RuleTable
 from rigapp.gui.window.window import MainWindow
 from rigapp.replay.client import ReplayClient
@@ -103,6 +106,32 @@ def test_a_free_channel_is_watched_live_with_its_unit_and_age(
     engine.say(first=1, count=3)  # another rig, without them
     attach()
     assert not window.header.free
+
+
+def test_a_plot_without_data_says_what_it_waits_for_and_shows_no_axes(
+    qtbot: Any, qapp: Any, warm_snapshot: Any
+) -> None:
+    wear, curves = TrendPanel("x", LIGHT, "wear"), ChannelCurvePanel("x", LIGHT)
+    overlay, profile = OverlayPanel("x", LIGHT), WearProfilePanel("x", LIGHT)
+    panels = (wear, curves, overlay, profile)
+    for panel in panels:
+        qtbot.addWidget(panel)
+        panel.show_news(News())
+    plots = [plot for panel in panels for plot in panel.findChildren(QuietPlot)]
+    assert len(plots) == 5
+    for plot in plots:
+        assert plot.instead.startswith("No ")
+        assert not plot.getPlotItem().isVisible()
+        assert plot.accessibleDescription() == plot.instead
+    data = LiveData()
+    unpredicted = {"predictions": b"", "prediction": None}
+    data.take(msgspec.structs.replace(warm_snapshot(), **unpredicted))
+    for panel in panels:
+        panel.show_news(News(data=data))
+    assert curves.plot.instead == overlay.plot.instead == ""
+    assert overlay.plot.getPlotItem().isVisible()
+    assert overlay.residual_plot.instead == "No prediction yet: measured − model is drawn here."
+    assert wear.plot.instead == "No value yet of Wear depth, which the model beside the test tells."
 
 
 def test_a_free_channel_is_drawn_in_the_trend_and_against_the_angle(

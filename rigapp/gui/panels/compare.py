@@ -24,6 +24,7 @@ from rigapp.schema.channels import BASE
 
 Floats = NDArray[np.float64]
 
+CHOOSE = "Choose one or more tests above and press Compare."
 MOST = 6
 BUCKETS = 1500
 COLOURS = {
@@ -80,7 +81,8 @@ class ComparePanel(PlotPanel):
         )
         self.axis = choice("compare_axis", "Axis to compare on", _items(AXES), self._draw)
         self.message = ElidedLabel("compare_message", "State of the comparison")
-        self.message.show_text("Choose one or more tests above and press Compare.")
+        self.message.show_text(CHOOSE)
+        self.plot.empty(CHOOSE)
         self.legend = LegendRow("compare_legend", theme)
         top = row("&Quantity", self.quantity, "Against", self.axis, (self.message, 1))
         column(top, self.legend, (self.plot, 1), on=self)
@@ -160,6 +162,9 @@ class ComparePanel(PlotPanel):
         self.plot.label("bottom", AXES[axis])
         if np.isfinite(limits).all():
             self._place(*limits)
+        else:
+            missing = f"None of the chosen tests has {self.quantity.currentText()}."
+            self.plot.empty(missing if self._runs else CHOOSE)
 
     def _place(self, left: float, right: float, low: float, high: float) -> None:
         self.plot.setXRange(left, max(right, left + 1e-6), padding=0.02)

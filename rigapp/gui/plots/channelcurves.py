@@ -14,7 +14,7 @@ from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import MeasuredCycle
 from rigapp.gui.data.texts import unit_text
 from rigapp.gui.plots.palette import LinePen, Theme
-from rigapp.gui.plots.plotting import LegendRow, PlotPanel, QuietPlot, clear
+from rigapp.gui.plots.plotting import NO_REVOLUTION, LegendRow, PlotPanel, QuietPlot, clear
 from rigapp.gui.widgets.build import choice, column, row
 from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind
 
@@ -68,6 +68,7 @@ class ChannelCurvePanel(PlotPanel):
         self._curves = [self.plot.curve(LinePen(role)) for role in ROLES]
         column(row(self.choice, None), self.legend, (self.plot, 1), on=self)
         self._offer(BASE)
+        self._nothing(NO_REVOLUTION)
 
     @property
     def group(self) -> CurveGroup:
@@ -83,7 +84,7 @@ class ChannelCurvePanel(PlotPanel):
             return
         self._drawn = cycle
         if cycle is None:
-            clear(*self._curves)
+            self._nothing(NO_REVOLUTION)
             return
         angle = cycle.angle_deg.astype(np.float64)
         shown = [
@@ -91,6 +92,8 @@ class ChannelCurvePanel(PlotPanel):
             for one in self.group.channels
             if one.name in cycle.channels
         ]
+        if not shown:
+            self._nothing(f"Revolution {cycle.revolution} does not have it")
         self._means = tuple(float(values.mean()) for values in shown)
         if self.group.centred:
             shown = [values - mean for values, mean in zip(shown, self._means, strict=True)]
@@ -121,6 +124,10 @@ class ChannelCurvePanel(PlotPanel):
         self.plot.label("left", group.axis)
         clear(*self._curves)
         self._show_legend()
+
+    def _nothing(self, why: str) -> None:
+        clear(*self._curves)
+        self.plot.empty(f"{why}: {self.group.title} over one turn of the crank is drawn here.")
 
     def _show_legend(self) -> None:
         group, entries = self.group, []

@@ -21,7 +21,7 @@ from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.plots.palette import MODEL_CURVE, STALE_CURVE, LinePen, Theme
-from rigapp.gui.plots.plotting import CursorPlot, LegendRow, PlotPanel, clear
+from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, LegendRow, PlotPanel, clear
 from rigapp.gui.widgets.build import choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.messages import ChannelView
@@ -31,6 +31,7 @@ RESIDUAL_BIN_DEG = 2.0
 
 PENS = dict(zip(CURVES, map(LinePen, ("main", "first", "second")), strict=True))
 STORED = LinePen("frozen")
+NO_PREDICTION = "No prediction yet: measured − model is drawn here."
 
 
 class AnglePlot(CursorPlot):
@@ -85,6 +86,10 @@ class OverlayPanel(PlotPanel):
         self.residual_plot.show_crank_angle()
         self.residual_plot.guide(0.0, horizontal=True)
         self.residual_plot.steady = SteadyRange(4.0, symmetric=True)
+        self.plot.empty(
+            f"{NO_REVOLUTION}: the joint force over one turn of the crank is drawn here."
+        )
+        self.residual_plot.empty(NO_PREDICTION)
         self._band = self.residual_plot.band()
         self._raw_residual = self.residual_plot.curve(LinePen("grid"))
         self._references = {name: self.plot.curve(STORED) for name in CURVES}
@@ -169,14 +174,16 @@ class OverlayPanel(PlotPanel):
             self.draw(compose(cycle, prediction, self.frame, self._ratio))
 
     def _clear(self) -> None:
-        self.title.show_text("No revolution measured yet")
+        self.title.show_text(NO_REVOLUTION)
         if self.shown is not None:
             self.shown, self._drawn = None, ()
             clear(*self._measured.values())
+            self.plot.empty(f"{NO_REVOLUTION}.")
             self._clear_model()
 
     def _clear_model(self) -> None:
         clear(*self._model.values(), *self._residual.values(), self._raw_residual)
+        self.residual_plot.empty(NO_PREDICTION)
 
     def draw(self, shown: RevolutionCurves) -> None:
         """Draw arrays."""

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from rigapp.gui.data.ranges import SteadyRange
@@ -33,6 +34,11 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         )
         self._pens: dict[Any, LinePen] = {}
         self.steady = SteadyRange(1.0)
+        self._instead = QLabel(self)
+        self._instead.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._instead.setWordWrap(True)
+        self._instead.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._instead.hide()
         self.getAxis("left").setWidth(metrics.horizontalAdvance("−00.00") + 2 * metrics.height())
         for side in ("left", "bottom"):
             self.getAxis(side).enableAutoSIPrefix(False)
@@ -42,6 +48,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         """Take a theme: background, axes, every curve and line."""
         self.theme = theme
         self.setBackground(theme.base)
+        self._instead.setStyleSheet(f"color: {theme.muted}; border: 1px dashed {theme.border}")
         for side in ("left", "bottom"):
             axis = self.getAxis(side)
             axis.setPen(line_pen(theme.border))
@@ -52,6 +59,27 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     def label(self, side: str, text: str) -> None:
         """Write an axis label; the unit is part of the text."""
         self.getAxis(side).setLabel(text)
+
+    @property
+    def instead(self) -> str:
+        """Return the sentence that stands in place of axes and curves, empty when these show."""
+        return self._instead.text()
+
+    def empty(self, sentence: str) -> None:
+        """Show a sentence in place of axes and curves, which mean nothing yet; "": show these."""
+        if sentence == self._instead.text():
+            return
+        self._instead.setText(sentence)
+        self._instead.setVisible(bool(sentence))
+        self.setAccessibleDescription(sentence)
+        self.getPlotItem().setVisible(not sentence)
+
+    def resizeEvent(self, event: QResizeEvent | None) -> None:
+        """Keep the sentence of an empty plot in its middle."""
+        super().resizeEvent(event)
+        if event is not None:
+            gap = QFontMetrics(self.font()).height()
+            self._instead.setGeometry(self.rect().adjusted(gap, gap // 2, -gap, -gap // 2))
 
     def curve(self, pen: LinePen) -> pg.PlotCurveItem:
         """Add an empty curve for data known to be finite."""
@@ -72,7 +100,9 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.removeItem(item)
 
     def fit(self, low: float, high: float) -> None:
-        """Show values from low to high, by steps that keep still; nothing when they are NaN."""
+        """Show values from low to high, by steps that keep still; nothing new when they are NaN."""
+        if math.isfinite(low) and math.isfinite(high):
+            self.empty("")
         if self.steady.update(low, high) and self.steady.range is not None:
             self.setYRange(*self.steady.range, padding=0.0)
 
@@ -146,6 +176,9 @@ class CursorPlot(QuietPlot):
         if view.sceneBoundingRect().contains(event.scenePos()):
             self._pointed(float(view.mapSceneToView(event.scenePos()).x()))
 
+
+NO_REVOLUTION = "No revolution measured yet"
+"""The beginning of the sentence of a plot that waits for the first one."""
 
 LegendEntry = tuple[str, LinePen]
 """One line of a legend: text and the pen that the curve has."""

@@ -9,11 +9,12 @@ from rigapp.gui.data.comparison import RevolutionCurves
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.ranges import nice_step
 from rigapp.gui.plots.palette import MODEL_CURVE, LinePen, Theme
-from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, clear
+from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, clear
 from rigapp.gui.widgets.build import column
 
 CIRCLE = np.linspace(0.0, 2.0 * np.pi, 91)
 POINTS = 720
+WAITING = f"{NO_REVOLUTION}: the force is drawn here where it points."
 
 
 class PolarPanel(PlotPanel):
@@ -28,6 +29,7 @@ class PolarPanel(PlotPanel):
         self._circles = [self.plot.curve(LinePen("grid")) for _ in range(2)]
         self.plot.guide(0.0, horizontal=True)
         self.plot.guide(0.0, horizontal=False)
+        self.plot.empty(WAITING)
         self._measured = self.plot.curve(LinePen("main"))
         self._model = self.plot.curve(MODEL_CURVE)
         column(self.plot, on=self)
@@ -39,7 +41,9 @@ class PolarPanel(PlotPanel):
         self._drawn = shown
         if shown is None:
             clear(self._measured, self._model)
+            self.plot.empty(WAITING)
             return
+        self.plot.empty("")
         first, second = COMPONENT_NAMES[frame]
         self.plot.label("bottom", f"Force {first} (N)")
         self.plot.label("left", f"Force {second} (N)")

@@ -18,7 +18,7 @@ from rigapp.gui.data.ranges import SteadyRange, nice_step
 from rigapp.gui.data.series import LiveData, SeriesTable
 from rigapp.gui.data.texts import duration
 from rigapp.gui.plots.palette import MODEL, LinePen, Theme
-from rigapp.gui.plots.plotting import CursorPlot, LegendRow, PlotPanel, Pointed
+from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, LegendRow, PlotPanel, Pointed
 from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.channels import BASE, ChannelTable
@@ -147,6 +147,16 @@ class TrendPanel(PlotPanel):
         when = "Now" if self._cursor is None else f"At cycle {self._cursor:.0f}"
         self.values.show_text(f"{when}: " + ", ".join(texts) if texts else "")
         self.plot.fit(low, high)
+        if not np.isfinite(low) and (self._mode != "free" or not len(data.rows)):
+            self.plot.empty(self._nothing(len(data.rows)))
+
+    def _nothing(self, revolutions: int) -> str:
+        """Return why nothing is drawn."""
+        title = self.quantity.title
+        if not revolutions:
+            return f"{NO_REVOLUTION}: {title} against cycle is drawn here."
+        teller = "" if self.quantity.measured else ", which the model beside the test tells"
+        return f"No value yet of {title}{teller}."
 
     def _offer(self, table: ChannelTable) -> None:
         """Offer what a table has; what was chosen stays, where it is still there."""

@@ -23,6 +23,7 @@ from rigapp.gui.widgets.build import column
 
 Floats = NDArray[np.float64]
 
+NO_DEPTH = "No depth of wear known yet: the worn profile of the bushing is drawn here."
 ANGLES_DEG = np.linspace(-180.0, 180.0, 721)
 
 
@@ -67,6 +68,7 @@ class WearProfilePanel(PlotPanel):
         column(self.legend, (self.plot, 1), on=self)
         self._band.setBrush(QColor(theme.band))
         self._show_entries("measured: not known", "model: not known", "")
+        self.plot.empty(NO_DEPTH)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -86,16 +88,18 @@ class WearProfilePanel(PlotPanel):
         if joint is None or token == self._drawn:
             return
         self._drawn = token
-        deepest = 0.0
+        deepest = np.nan
         self._draw_band(None)
         for curve, depth in ((self._measured, measured), (self._model, predicted)):
             if math.isfinite(depth):
                 sunk = max(depth, 0.0)
                 profile = worn_profile(sunk, joint.pin_radius_mm, joint.bushing_radius_mm)
                 curve.setData(ANGLES_DEG, profile)
-                deepest = max(deepest, depth)
+                deepest = np.fmax(deepest, depth)
             else:
                 clear(curve)
+        if math.isnan(deepest):
+            self.plot.empty(NO_DEPTH)
         self.plot.fit(0.0, deepest)
         self._show_entries(
             _depth("measured", measured),
