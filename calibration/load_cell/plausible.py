@@ -65,8 +65,31 @@ AIR_DENSITY = Plausible(
 )
 
 
+SIGNAL_UNIT = "mV/V"
+"""What the engine reads a strain-gauge cell in: bridge voltage over excitation. A record in another
+unit serves no rig."""
+RATED_OUTPUT = Plausible(
+    0.05,
+    4.5,
+    SIGNAL_UNIT,
+    "a full bridge of foil gauges gives its gauge factor, 2, times the strain: 4 at the 0.2 % that"
+    " hardened steel bears, about 2 in most cells",
+    (("uV/V", 1e-3), ("V/V", 1e3)),
+)
+"""Signal at full scale. Its low end: a two-hundredth of that, a step of the resolution, is what a
+good amplifier's noise is."""
+
+
 def impossible(settings: LoadCellSettings) -> Iterator[Problem]:
-    """Yield what cannot be true of the weights, the air and the place: no force is told by it."""
+    """Yield what cannot be true of cell, weights, air and place: no force is told by it."""
+    unit = settings.cell.signal_unit
+    if unit != SIGNAL_UNIT:
+        yield Problem(
+            "signal_unit",
+            f"signal_unit = {unit!r}, but a rig reads its load cell in {SIGNAL_UNIT}; write"
+            f" signal_unit = {SIGNAL_UNIT!r} and the signals as the amplifier's mV of the bridge"
+            " per V of excitation.",
+        )
     for code, key, plausible, value in (
         ("weight_density", "density_kg_per_m3", WEIGHT_DENSITY, settings.weights.density),
         ("air_density", "air_density_kg_per_m3", AIR_DENSITY, settings.place.air_density),

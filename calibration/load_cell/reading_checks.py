@@ -9,11 +9,12 @@ import numpy as np
 
 from calibration.arrays import Marks, Whole
 from calibration.load_cell.characteristics import angle_groups
-from calibration.load_cell.plausible import check_settings, heaviest_mass
+from calibration.load_cell.plausible import RATED_OUTPUT, check_settings, heaviest_mass
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
+from calibration.load_cell.weights import weight_force
 from calibration.problems import Problem
-from calibration.taking.readings import not_numbers, numbered_twice, place_of
+from calibration.taking.readings import check_columns, check_steps, not_numbers, place_of
 
 FEWEST_LOADED = 12
 """Twice the coefficients of the linear model: fewer leave no mistake to be seen."""
@@ -28,11 +29,17 @@ WIDEST_GAP = np.radians(130.0)
 def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
     """Yield what makes readings or settings unusable whatever the fit says."""
     columns = np.column_stack((readings.mass, readings.angle, readings.signal))
+    yield from check_columns(readings)
     yield from not_numbers(readings, columns)
-    yield from _impossible_masses(readings, settings)
     yield from _angles(readings)
-    yield from check_settings(settings)
-    yield from _dead_or_stuck(readings, settings)
+    scale = [
+        *_impossible_masses(readings, settings),
+        *check_settings(settings),
+        *_dead_or_stuck(readings, settings),
+    ]
+    yield from scale
+    if not any(problem.blocks for problem in scale):
+        yield from _rated_output(readings, settings)
     loaded = int(np.count_nonzero(readings.mass > 0.0))
     if loaded < FEWEST_LOADED:
         yield Problem(
@@ -110,15 +117,26 @@ def _dead_or_stuck(readings: LoadCellReadings, settings: LoadCellSettings) -> It
                 f"signal_{axis + 1} never changes ({signal[0, axis]:g}); is the bridge connected"
                 " and switched on?",
             )
-    largest = float(np.abs(signal).max())
-    if settings.cell.signal_unit == "mV/V" and not 5e-3 < largest < 100.0:
-        yield Problem(
-            "signal_unit",
-            f"The largest signal is {largest:g} mV/V; a strain-gauge bridge gives about 0.5 to 4."
-            " Write the signals in the unit of the settings.",
-        )
     yield from _copied(readings)
     yield from _duplicated(readings)
+
+
+def _rated_output(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
+    """Judge the signal at full scale where mass and force are right: is it in the unit written?"""
+    loaded = readings.mass > 0.0
+    rows = loaded & np.isfinite(readings.signal).all(axis=1)
+    if not rows.any() or loaded.all():
+        return
+    at_rest = np.nanmedian(readings.signal[~loaded], axis=0)
+    change = np.hypot(*(readings.signal[rows] - at_rest).T)
+    force = weight_force(readings.mass[rows], settings.weights, settings.place)
+    # Of a cell with one dead bridge half of the readings tell: the upper quartile is one of them.
+    rated = float(np.percentile(change / force, 75.0)) * settings.cell.full_scale
+    words = RATED_OUTPUT.objection("The signal at full scale", rated)
+    if words:
+        yield Problem(
+            "signal_unit", f"{words} Are the signals volts of an amplifier, counts, or N?"
+        )
 
 
 def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
@@ -127,7 +145,7 @@ def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
     Where a coarse display lets readings repeat themselves this cannot be told.
     """
     if coarse(readings):
-        yield from _numbered_twice(readings)
+        yield from _numbering(readings)
         return
     rows: dict[tuple[object, ...], int] = {}
     twice = []
@@ -150,18 +168,12 @@ def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
             " remove what was pasted twice.",
         )
     else:
-        yield from _numbered_twice(readings)
+        yield from _numbering(readings)
 
 
-def _numbered_twice(readings: LoadCellReadings) -> Iterator[Problem]:
-    runs = list(zip(readings.series, angle_groups(readings.angle).tolist(), strict=True))
-    index = numbered_twice(runs, readings.step.tolist())
-    if index is not None:
-        yield Problem(
-            "duplicated_step",
-            f"The step number of {place_of(readings, index)} stands twice at this pin angle; give"
-            " each reading of a series a number of its own, in the order taken.",
-        )
+def _numbering(readings: LoadCellReadings) -> Iterator[Problem]:
+    groups = angle_groups(readings.angle).tolist()
+    return check_steps(readings, list(zip(readings.series, groups, strict=True)))
 
 
 def coarse(readings: LoadCellReadings) -> bool:

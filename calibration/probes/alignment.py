@@ -150,4 +150,5 @@ def _of(readings: ProbeReadings, series: NDArray[np.str_], start: str) -> ProbeR
         position=readings.position[rows],
         signal=readings.signal[rows],
         other=None if readings.other is None else readings.other[rows],
+        unused=readings.unused,
     )

@@ -52,13 +52,13 @@ class ProbeCalibration:
 def calibrate_probe(readings: ProbeReadings, settings: ProbeSettings) -> ProbeCalibration:
     """Fit, check and judge; a calibration with a blocking problem is not accepted."""
     problems = list(unusable(readings, settings))
-    if problems:
+    if any(problem.blocks for problem in problems):
         return ProbeCalibration(False, tuple(problems))
     line = robust_line(readings.position, readings.signal)
     if line.slope == 0.0:
         flat = Problem("probe_dead", "The voltage does not change with the position.")
         return ProbeCalibration(False, (flat,))
-    return _result(readings, settings, list(checks(readings, settings, line)))
+    return _result(readings, settings, [*problems, *checks(readings, settings, line)])
 
 
 def _hysteresis(readings: ProbeReadings, residual: Array) -> float | None:

@@ -13,7 +13,7 @@ from calibration.probes.positions import RobustLine, falling, positions, robust_
 from calibration.probes.readings import FEWEST_POSITIONS, ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
-from calibration.taking.readings import not_numbers, numbered_twice, place_of
+from calibration.taking.readings import check_columns, check_steps, not_numbers
 
 GOOD_POSITIONS = 11
 """With ten steps a bend of the line stands out from what single positions are off."""
@@ -36,6 +36,7 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
     columns = [readings.position, readings.signal]
     if readings.other is not None:
         columns.append(readings.other)
+    yield from check_columns(readings)
     odd = list(not_numbers(readings, np.column_stack(columns)))
     if odd:
         yield from odd
@@ -48,13 +49,9 @@ def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Probl
             f" {GOOD_POSITIONS}, up and down.",
         )
         return
-    again = numbered_twice(readings.series, readings.step.tolist())
-    if again is not None:
-        yield Problem(
-            "duplicated_step",
-            f"The step number of {place_of(readings, again)} stands twice in its series; give each"
-            " reading a number of its own, in the order taken.",
-        )
+    numbering = list(check_steps(readings, readings.series))
+    yield from numbering
+    if any(problem.blocks for problem in numbering):
         return
     if settings.gap_at_zero and settings.gap_at_zero + float(readings.position.min()) <= 0.0:
         yield Problem(

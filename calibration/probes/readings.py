@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from calibration.arrays import Array, Whole
-from calibration.taking.readings import numbers, read_table, series_and_steps
+from calibration.taking.readings import numbers, read_table, series_and_steps, unused_columns
 
 FEWEST_POSITIONS = 5
 """Fewer do not tell a bend from a wrong position."""
@@ -18,7 +18,8 @@ OTHER_COLUMN = "other_signal_V"
 class ProbeReadings:
     """Micrometer readings in the order taken; position in m, signal in V.
 
-    other: voltage of the probe that is not calibrated, None where it was not read.
+    other: voltage of the probe that is not calibrated, None where it was not read. unused: the
+    columns of their table that nothing reads.
     """
 
     series: tuple[str, ...]
@@ -26,6 +27,7 @@ class ProbeReadings:
     position: Array
     signal: Array
     other: Array | None = None
+    unused: tuple[str, ...] = ()
 
 
 def parse_probe(text: str) -> ProbeReadings:
@@ -37,4 +39,5 @@ def parse_probe(text: str) -> ProbeReadings:
         position=1e-6 * numbers(rows, "position_um"),
         signal=numbers(rows, "signal_V"),
         other=numbers(rows, OTHER_COLUMN) if other else None,
+        unused=unused_columns(rows, (*PROBE_COLUMNS, OTHER_COLUMN)),
     )

@@ -7,13 +7,16 @@ import os
 import stat
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from calibration.load_cell.readings import LoadCellReadings
+from calibration.probes.readings import parse_probe
 from calibration.records import RecordError, seal, unseal
+from calibration.taking.readings import ReadingsError
 from tests.calibration.simulated_cell import Cell, take
 
 SETTINGS = """
@@ -112,10 +115,11 @@ def test_bad_fit_is_refused_and_not_saved(folder: Path) -> None:
     [
         ("mass_kg", "mass_g", "column mass_kg is missing"),
         ("1,2,8.0", "1,2,eight", "line 3: mass_kg 'eight' is not a number"),
-        ("1,2,8.0", "1,2,", "line 3 has an empty field"),
-        ("1,2,8.0", "1,2,8,0", "line 3 has more fields than the header's 6"),
+        ("1,2,8.0", "1,2,", "line 3 has an empty field (mass_kg)"),
+        ("1,2,8.0", "1,2,8,0", "line 3 has more fields than the header's 6: '"),
         ("1,2,8.0", "1,2.5,8.0", "line 3: step '2.5' is not a whole number"),
         ("1,2,8.0", "1,inf,8.0", "line 3: step 'inf' is not a whole number"),
+        ("1,2,8.0", "1,-2,8.0", "line 3: step '-2' is not a whole number from 0 on"),
         ("series,step", "series,series,step", "the header names column series twice"),
     ],
 )
@@ -128,6 +132,61 @@ def test_unreadable_readings_are_named(folder: Path, old: str, new: str, needle:
     assert done.returncode == 2
     assert needle in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("separator", "name"), [(";", "semicolons"), ("\t", "tabs"), ("|", "vertical bars")]
+)
+def test_another_separator_is_named(folder: Path, separator: str, name: str) -> None:
+    path = folder / "readings.csv"
+    path.write_text(path.read_text().replace(",", separator))
+    done = fit(folder, "record.json")
+    assert done.returncode == 2
+    assert f"readings.csv: the fields are separated by {name}; separate them by commas" in (
+        done.stderr
+    )
+    with pytest.raises(ReadingsError, match=name):
+        parse_probe(probe_csv().replace(",", separator))
+
+
+def test_a_column_that_nothing_reads_is_a_note(folder: Path) -> None:
+    path = folder / "readings.csv"
+    first, *rest = path.read_text().splitlines()
+    path.write_text("\n".join([f"{first},remark", *(f"{line},calm" for line in rest)]))
+    done = fit(folder, "record.json")
+    assert done.returncode == 0
+    assert "note: The table has columns that are passed over: remark;" in done.stderr
+    text = probe_csv(0.001).replace("signal_V", "signal_V,other_signal_v").replace("\n1", ",0\n1")
+    text = text.replace("\n2", ",0\n2").replace("\n3", ",0\n3").replace("v,0", "v") + ",0"
+    made = probes(folder, text.replace("\n,0", ",0"))
+    assert made.returncode == 0, made.stderr
+    assert [one["code"] for one in json.loads(made.stdout)["problems"]] == ["unused_columns"]
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor", "needle"),
+    [
+        ("V", 1.0, "signal_unit = 'V', but a rig reads its load cell in mV/V"),
+        ("counts", 1.0, "signal_unit = 'counts', but"),
+        ("mV/V", 5.0, "The signal at full scale = 9.9"),
+        ("mV/V", 1e-3, "did you mean V/V? Then write 1.99"),
+        ("mV/V", 1e3, "did you mean uV/V? Then write 1.99"),
+        ("mV/V", 4e6, "Are the signals volts of an amplifier, counts, or N?"),
+    ],
+)
+def test_a_wrong_signal_unit_is_refused(
+    folder: Path, unit: str, factor: float, needle: str
+) -> None:
+    (folder / "settings.toml").write_text(
+        SETTINGS.replace('load cell"', f'load cell"\nsignal_unit = "{unit}"')
+    )
+    taken = take(Cell(), np.random.default_rng(4), angles=4)
+    (folder / "readings.csv").write_text(as_csv(replace(taken, signal=factor * taken.signal)))
+    done = fit(folder, "record.json", "--json")
+    assert done.returncode == 1
+    problems = {one["code"]: one["sentence"] for one in json.loads(done.stdout)["problems"]}
+    assert needle in problems["signal_unit"]
+    assert not os.path.lexists(folder / "record.json")
 
 
 @pytest.mark.parametrize(
@@ -184,6 +243,19 @@ def test_a_step_number_twice_is_refused(folder: Path) -> None:
     assert done.returncode == 1
     problems = {one["code"]: one["sentence"] for one in json.loads(done.stdout)["problems"]}
     assert "series 1, step 4 stands twice" in problems["duplicated_step"]
+
+
+def test_steps_out_of_order_are_refused_and_one_left_out_is_told(folder: Path) -> None:
+    path = folder / "readings.csv"
+    lines = path.read_text().splitlines()
+    path.write_text("\n".join([*lines[:2], *lines[10:12], *lines[2:10], *lines[12:]]))
+    done = fit(folder, "record.json")
+    assert done.returncode == 1
+    assert "The step numbers go back at series 1, step 2; write the readings in the" in done.stderr
+    path.write_text("\n".join([*lines[:4], *lines[5:]]))
+    done = fit(folder, "record.json")
+    assert done.returncode == 0
+    assert "note: A step number is left out before series 1, step 5:" in done.stderr
 
 
 def test_missing_gravity_is_asked_for(folder: Path) -> None:
