@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rigapp.storage.filesystem.disk import Disk
 from rigapp.storage.structure.layout import FileStream
@@ -130,27 +130,29 @@ class RecordPlacer:
     def __init__(self, backlog: Backlog, stream: FileStream, offsets: Offsets, room: Room) -> None:
         self._backlog = backlog
         self._stream = stream
-        self._offsets = offsets
+        self._fields = [
+            (one, np.dtype(one.dtype), one.row_bytes, offsets[one.name]) for one in stream.fields
+        ]
         self._room = room
 
     def holds(self, rows: int) -> bool:
         """Tell whether the first ``rows`` rows of the stream fit."""
         return rows <= self._room.reserved or self._room.holds(rows)
 
-    def place(self, first: int, rows: int, value_of: Callable[[str], Any]) -> None:
-        """Place ``rows`` rows from row ``first`` on; ``value_of`` gives each field's array.
+    def place(self, first: int, rows: int, values: Mapping[str, ArrayLike]) -> None:
+        """Place ``rows`` rows from row ``first`` on; values: each field's array by name.
 
         An array that has the field's type already is not copied: it must not change afterwards.
         """
         writes = []
-        for one in self._stream.fields:
-            data = np.ascontiguousarray(value_of(one.name), dtype=one.dtype)
-            if data.size * data.itemsize != rows * one.row_bytes:
+        for one, dtype, row_bytes, offset in self._fields:
+            data = np.ascontiguousarray(values[one.name], dtype=dtype)
+            if data.nbytes != rows * row_bytes:
                 raise ValueError(
                     f"{self._stream.path(one.name)}: got {data.shape}, "
                     f"wanted {(rows, *one.shape)} values"
                 )
-            writes.append((_bytes_of(data), self._offsets[one.name] + first * one.row_bytes))
+            writes.append((_bytes_of(data), offset + first * row_bytes))
         self._backlog.put(writes)
 
 

@@ -199,7 +199,7 @@ class TestWriter:
             samples, index = self._records[samples_name], self._records[index_name]
             if not (samples.holds(first + number) and index.holds(row + 1)):
                 return False
-            samples.place(first, number, values.__getitem__)
+            samples.place(first, number, values)
             place: dict[str, ArrayLike] = {
                 "revolution": [revolution],
                 "first": [first],
@@ -207,7 +207,7 @@ class TestWriter:
                 "quality": [quality],
                 "why": [why],
             }
-            index.place(row, 1, place.__getitem__)
+            index.place(row, 1, place)
             with self._count_lock:
                 setattr(counts, samples_name, first + number)
                 setattr(counts, index_name, row + 1)
@@ -263,7 +263,7 @@ class TestWriter:
             row = getattr(self._counts, stream)
             if not self._records[stream].holds(row + 1):
                 return False
-            self._records[stream].place(row, 1, values.__getitem__)
+            self._records[stream].place(row, 1, values)
             with self._count_lock:
                 setattr(self._counts, stream, row + 1)
         return True
@@ -286,7 +286,7 @@ class TestWriter:
             offset = self._places["/entry/prediction/checkpoint_revolution"][0]
             first, second = np.frombuffer(os.pread(self._disk.fd, 16, offset), "<i8")
             self._slot = 0 if first <= second else 1
-        self._records["checkpoints"].place(self._slot, 1, values.__getitem__)
+        self._records["checkpoints"].place(self._slot, 1, values)
         self._slot = 1 - self._slot
 
     def append_event(self, event: Event) -> bool:
@@ -490,7 +490,7 @@ class TestWriter:
                 with self._count_lock:
                     self._counts.events_refused += 1
                 return False
-            self._records["events"].place(first, len(rows), columns_of(rows, fields).__getitem__)
+            self._records["events"].place(first, len(rows), columns_of(rows, fields))
             self._digest = rows[-1]["digest"]
             with self._count_lock:
                 self._counts.events = first + len(rows)
