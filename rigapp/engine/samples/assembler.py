@@ -17,10 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from drivers.api import Block
-from rigapp.engine.samples.counterstate import BEGIN, BREAK, CUT, new_state
-from rigapp.engine.samples.counterstate import EventAt as E
-from rigapp.engine.samples.counterstate import ParameterAt as P
-from rigapp.engine.samples.counterstate import StateAt as S
+from rigapp.engine.samples.counterstate import (
+    BEGIN,
+    BREAK,
+    CUT,
+    EventAt,
+    ParameterAt,
+    StateAt,
+    new_state,
+)
 from rigapp.engine.samples.sampleclock import TICKS_PER_S
 from rigapp.engine.samples.unwrap import scan
 from rigapp.schema.messages import Flag
@@ -177,17 +182,17 @@ class Assembler:
         self._scale = scale
         self._offset = offset
         turn = encoder.counts_per_revolution
-        parameters = np.zeros(int(P.SIZE), np.int64)
-        parameters[P.COUNTS] = turn
-        parameters[P.DIRECTION] = encoder.direction
-        parameters[P.RESTARTS] = int(encoder.restarts_at_index)
-        parameters[P.MODULUS] = encoder.modulus
-        parameters[P.TOLERANCE] = math.ceil(
+        parameters = np.zeros(int(ParameterAt.SIZE), np.int64)
+        parameters[ParameterAt.COUNTS] = turn
+        parameters[ParameterAt.DIRECTION] = encoder.direction
+        parameters[ParameterAt.RESTARTS] = int(encoder.restarts_at_index)
+        parameters[ParameterAt.MODULUS] = encoder.modulus
+        parameters[ParameterAt.TOLERANCE] = math.ceil(
             max(1.0, min(MAXIMUM_ACCELERATION_REV_PER_S2 * turn / sample_rate_Hz**2, turn / 16))
         )
-        parameters[P.MISSED_AFTER] = max(4, turn // 8)
-        parameters[P.IDLE_AFTER] = max(16, round(STANDSTILL_S * sample_rate_Hz))
-        parameters[P.CAPACITY] = capacity
+        parameters[ParameterAt.MISSED_AFTER] = max(4, turn // 8)
+        parameters[ParameterAt.IDLE_AFTER] = max(16, round(STANDSTILL_S * sample_rate_Hz))
+        parameters[ParameterAt.CAPACITY] = capacity
         self._parameters = parameters
         self._state, self._mean_step = new_state()
         self._next_sample: int | None = None
@@ -198,7 +203,7 @@ class Assembler:
         self._ticks: NDArray[np.int64] | None = None
         self._scratch = np.empty(0, np.int64)
         self._keep = np.empty(0, np.uint8)
-        self._events = np.empty((0, int(E.SIZE)), np.int64)
+        self._events = np.empty((0, int(EventAt.SIZE)), np.int64)
         self._origin = 0  # kept index of the buffer's place 0
         self._fill = 0
         self._begin: tuple[int, int] | None = None  # kept index, device sample
@@ -210,18 +215,18 @@ class Assembler:
 
     def discard(self) -> None:
         """Forget the revolution under way: the next one begins at the next index."""
-        self._state[S.INSIDE] = 0
+        self._state[StateAt.INSIDE] = 0
         self._begin = None
         self._waiting.clear()
 
     def flag_time_jump(self) -> None:
         """Flag the revolution under way: device and host time have parted."""
-        self._state[S.FLAGS] |= int(Flag.TIME_JUMP)
+        self._state[StateAt.FLAGS] |= int(Flag.TIME_JUMP)
 
     @property
     def ordinal(self) -> int:
         """Return the ordinal of the revolution under way."""
-        return int(self._state[S.ORDINAL])
+        return int(self._state[StateAt.ORDINAL])
 
     def push(self, block: Block, ticks: NDArray[np.int64] | None = None) -> list[Revolution]:
         """Take a Block and return the revolutions that it completes, in order.
@@ -240,9 +245,9 @@ class Assembler:
         if n > self._scratch.size:
             self._scratch = np.empty(2 * n, np.int64)
             self._keep = np.empty(2 * n, np.uint8)
-            self._events = np.empty((4 * n, int(E.SIZE)), np.int64)
+            self._events = np.empty((4 * n, int(EventAt.SIZE)), np.int64)
         position, keep, events = self._scratch[:n], self._keep[:n], self._events
-        kept_before = int(self._state[S.KEPT])
+        kept_before = int(self._state[StateAt.KEPT])
         found = scan(
             counts,
             quality,
@@ -255,7 +260,7 @@ class Assembler:
             keep,
             events,
         )
-        kept = int(self._state[S.KEPT]) - kept_before
+        kept = int(self._state[StateAt.KEPT]) - kept_before
         self._append(block.values, position, keep, kept, ticks)
         if kept_before == 0:
             self._breaks.append((0, block.first_sample))
@@ -273,13 +278,13 @@ class Assembler:
         if self._begin is None or self._begin[0] >= end:
             return None
         state, (start, begin_sample) = self._state, self._begin
-        event = np.zeros(int(E.SIZE), np.int64)
-        event[E.SAMPLE] = self._next_sample or 0
-        event[E.ORDINAL] = state[S.ORDINAL]
-        event[E.FLAGS] = int(state[S.FLAGS]) | int(Flag.PARTIAL)
-        event[E.LOST] = state[S.LOST]
-        event[E.IDLE] = state[S.IDLE]
-        event[E.END_POSITION] = state[S.POSITION]
+        event = np.zeros(int(EventAt.SIZE), np.int64)
+        event[EventAt.SAMPLE] = self._next_sample or 0
+        event[EventAt.ORDINAL] = state[StateAt.ORDINAL]
+        event[EventAt.FLAGS] = int(state[StateAt.FLAGS]) | int(Flag.PARTIAL)
+        event[EventAt.LOST] = state[StateAt.LOST]
+        event[EventAt.IDLE] = state[StateAt.IDLE]
+        event[EventAt.END_POSITION] = state[StateAt.POSITION]
         return self._build(
             _Waiting(
                 start=start,
@@ -288,7 +293,7 @@ class Assembler:
                 begin_sample=begin_sample,
                 host_time_ns=self._host_time_ns,
                 later_samples=0,
-                base=int(state[S.BASE]),
+                base=int(state[StateAt.BASE]),
             )
         )
 
@@ -314,7 +319,7 @@ class Assembler:
         if not good.all():
             # A count that is no number: hold the last good one and say so.
             held = np.maximum.accumulate(np.where(good, np.arange(signal.size), -1))
-            last = float(self._state[S.PREVIOUS] * self.encoder.direction)
+            last = float(self._state[StateAt.PREVIOUS] * self.encoder.direction)
             signal = np.where(held >= 0, signal[np.maximum(held, 0)], last)
             quality = quality | np.where(good, 0, 8).astype(np.uint8)
         return np.rint(signal).astype(np.int64), quality
@@ -377,7 +382,11 @@ class Assembler:
         self._origin, self._fill = oldest, alive
 
     def _take(self, event: NDArray[np.int64], block: Block, n: int) -> None:
-        kind, kept, sample = int(event[E.KIND]), int(event[E.KEPT]), int(event[E.SAMPLE])
+        kind, kept, sample = (
+            int(event[EventAt.KIND]),
+            int(event[EventAt.KEPT]),
+            int(event[EventAt.SAMPLE]),
+        )
         if kind == BREAK:
             self._breaks.append((kept, sample))
             return
@@ -393,7 +402,7 @@ class Assembler:
                     begin_sample=begin_sample,
                     host_time_ns=block.host_time_ns,
                     later_samples=max(0, block.first_sample + n - sample),
-                    base=int(event[E.BASE]),
+                    base=int(event[EventAt.BASE]),
                 )
             )
         self._begin = (kept, sample)
@@ -401,16 +410,16 @@ class Assembler:
     def _look(self, position: NDArray[np.int64], block: Block, n: int) -> None:
         state, turn = self._state, self.encoder.counts_per_revolution
         motion = self.motion
-        motion.travel = (int(state[S.TRAVEL_FIRST]), int(state[S.TRAVEL]))
+        motion.travel = (int(state[StateAt.TRAVEL_FIRST]), int(state[StateAt.TRAVEL]))
         motion.count = int(position[-1])
         motion.phase = motion.count % turn
-        motion.locked = bool(state[S.LOCKED])
-        motion.standing_samples = block.first_sample + n - 1 - int(state[S.LAST_MOVED])
+        motion.locked = bool(state[StateAt.LOCKED])
+        motion.standing_samples = block.first_sample + n - 1 - int(state[StateAt.LAST_MOVED])
         motion.turned_without_index = (
-            0.0 if motion.locked else abs(int(state[S.UNLOCKED_TURN])) / turn
+            0.0 if motion.locked else abs(int(state[StateAt.UNLOCKED_TURN])) / turn
         )
-        motion.index_events = int(state[S.INDEX_EVENTS])
-        motion.count_errors = int(state[S.COUNT_ERRORS])
+        motion.index_events = int(state[StateAt.INDEX_EVENTS])
+        motion.count_errors = int(state[StateAt.COUNT_ERRORS])
 
     def _ready(self) -> list[Revolution]:
         end = self._origin + self._fill
@@ -441,20 +450,20 @@ class Assembler:
         offset = self._origin
         counts = self._positions[start - offset : end - offset] - item.base
         revolution = Revolution(
-            ordinal=int(event[E.ORDINAL]),
+            ordinal=int(event[EventAt.ORDINAL]),
             values=self._values[:, first - offset : last - offset],
             before=start - first,
             counts=counts,
-            end_count=int(event[E.END_POSITION]) - item.base,
+            end_count=int(event[EventAt.END_POSITION]) - item.base,
             segments=np.array(segments, np.int64),
             first_sample=item.begin_sample,
-            end_sample=int(event[E.SAMPLE]),
+            end_sample=int(event[EventAt.SAMPLE]),
             sample_rate_Hz=self.sample_rate_Hz,
             host_time_ns=item.host_time_ns,
             later_samples=item.later_samples,
-            lost_samples=int(event[E.LOST]),
-            idle_samples=int(event[E.IDLE]),
-            flags=Flag(int(event[E.FLAGS])),
+            lost_samples=int(event[EventAt.LOST]),
+            idle_samples=int(event[EventAt.IDLE]),
+            flags=Flag(int(event[EventAt.FLAGS])),
         )
         if self._ticks is None:
             return revolution

@@ -1,8 +1,4 @@
-"""The memory of the compiled functions that follow the counter: named places in plain vectors.
-
-Compiled code has these numbers in it, and its cache watches ``unwrap.py`` only: whoever renumbers
-something here saves that file too.
-"""
+"""The memory of the compiled functions that follow the counter: named places in plain vectors."""
 
 from __future__ import annotations
 
