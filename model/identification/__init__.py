@@ -1,0 +1,33 @@
+"""Know the wear coefficient while it wears: posterior, remaining life, and whether it still holds.
+
+Bins of the measured depth and one computed life in, probabilities and sentences out; no input or
+output. ``docs/model-wear.md`` says what is assumed.
+"""
+
+from model.identification.bins import Bin, Bins, bins_of
+from model.identification.errors import CannotBeTold, Prior, ProbeErrors, probe_errors
+from model.identification.forecast import Band, Remaining, predictive_band, remaining
+from model.identification.identify import Credible, Identification, Verdict, identify
+from model.identification.life import DepthLife, depth_life, weight, worn_ahead
+
+__all__ = [
+    "Band",
+    "Bin",
+    "Bins",
+    "CannotBeTold",
+    "Credible",
+    "DepthLife",
+    "Identification",
+    "Prior",
+    "ProbeErrors",
+    "Remaining",
+    "Verdict",
+    "bins_of",
+    "depth_life",
+    "identify",
+    "predictive_band",
+    "probe_errors",
+    "remaining",
+    "weight",
+    "worn_ahead",
+]

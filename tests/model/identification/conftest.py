@@ -1,0 +1,6 @@
+"""The virtual tests, which the benchmark shares."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))

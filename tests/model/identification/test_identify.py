@@ -1,0 +1,140 @@
+"""The wear coefficient from bins: what is known, what remains, and what is refused."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import virtual_tests as virtual
+
+from model.identification import (
+    CannotBeTold,
+    bins_of,
+    depth_life,
+    identify,
+    predictive_band,
+    probe_errors,
+    remaining,
+)
+
+LIFE = virtual.a_life()
+TRUE = 1.1 * virtual.NOMINAL
+
+
+def identified(depth, prior=virtual.PRIOR):
+    return identify(virtual.gathered(depth), LIFE, virtual.ERRORS, prior)
+
+
+def test_the_limits_narrow_and_hold_the_coefficient() -> None:
+    depth = virtual.readings(LIFE, 4, 20000)
+    breadth = []
+    for last in (200, 2000, 20000):
+        found = identified(depth[:last]).coefficient
+        assert found.low < TRUE < found.high
+        breadth.append((found.high - found.low) / found.median)
+    assert breadth[0] > breadth[1] > breadth[2]
+    assert breadth[2] < 0.09
+
+
+def test_a_certain_sensitivity_would_make_the_limits_narrower() -> None:
+    bins = virtual.gathered(virtual.readings(LIFE, 4, 20000))
+    usual = identify(bins, LIFE, virtual.ERRORS, virtual.PRIOR)
+    certain = identify(bins, LIFE, replace(virtual.ERRORS, sensitivity=1e-6), virtual.PRIOR)
+    assert certain.spread < 0.7 * usual.spread
+    unsure = replace(LIFE, relative_error=0.03)
+    assert identify(bins, unsure, virtual.ERRORS, virtual.PRIOR).spread > 1.4 * usual.spread
+
+
+def test_bins_go_on_from_their_numbers_as_if_nothing_had_been() -> None:
+    depth = virtual.readings(LIFE, 5, 3000)
+    through = virtual.gathered(depth)
+    kept = json.loads(json.dumps(virtual.gathered(depth[:1717]).numbers()))
+    again = bins_of(kept)
+    for number in range(1718, 3001):
+        again.add(number, float(number), float(depth[number - 1]))
+    assert again == through
+    assert (
+        identified(depth).coefficient
+        == identify(again, LIFE, virtual.ERRORS, virtual.PRIOR).coefficient
+    )
+
+
+def test_two_wrong_readings_in_eight_move_nothing() -> None:
+    depth = virtual.readings(LIFE, 5, 3000)
+    wrong = depth.copy()
+    wrong[1000::8] += 1e-3
+    wrong[1001::8] = np.nan
+    good, bad = identified(depth).coefficient, identified(wrong).coefficient
+    assert bad.median == pytest.approx(good.median, abs=0.2 * (good.high - good.low))
+
+
+def test_the_depth_reaches_what_remains_within_its_limits() -> None:
+    depth = virtual.readings(LIFE, 7, 40000)
+    known = identified(depth[:10000])
+    end = float(depth[29900:30100].mean())
+    found = remaining(known, LIFE, end)
+    assert found.revolutions is not None
+    turned = 30000 - known.revolution
+    assert found.revolutions.low < turned < found.revolutions.high
+    assert found.revolutions.high < 1.1 * turned
+    true = remaining(known, LIFE, end, measured=False).revolutions
+    assert true is not None
+    assert true.high - true.low > found.revolutions.high - found.revolutions.low
+
+
+def test_beyond_the_computed_life_there_is_no_number_but_a_reason() -> None:
+    known = identified(virtual.readings(LIFE, 7, 10000))
+    found = remaining(known, LIFE, LIFE.reach)
+    assert found.revolutions is None
+    assert "beyond what the model computes" in found.reason
+    band = predictive_band(known, LIFE, [20000.0, 1e7])
+    assert np.isfinite(band.median[0])
+    assert np.isnan(band.median[1])
+
+
+def test_a_depth_that_is_passed_has_nothing_left() -> None:
+    known = identified(virtual.readings(LIFE, 7, 10000))
+    found = remaining(known, LIFE, 10e-6).revolutions
+    assert found is not None
+    assert found.high < 1.0
+
+
+def test_the_band_holds_what_comes() -> None:
+    depth = virtual.readings(LIFE, 9, 40000)
+    known = identified(depth[:5000])
+    at = np.geomspace(6000, 39000, 12)
+    band = predictive_band(known, LIFE, at)
+    seen = np.array([depth[int(n) - 50 : int(n) + 50].mean() for n in at])
+    assert ((band.low < seen) & (seen < band.high)).sum() >= 11
+    assert (np.diff(band.high - band.low) > 0.0).all()
+
+
+def test_too_little_is_refused_in_words() -> None:
+    with pytest.raises(CannotBeTold, match="known in 3 bins"):
+        identified(virtual.readings(LIFE, 1, 32))
+    with pytest.raises(CannotBeTold, match="no calibration record that states drift"):
+        probe_errors(0.01, 1e-6, None)
+
+
+def test_a_life_that_ends_before_the_measured_depth_is_refused() -> None:
+    progress = np.linspace(0.0, 5000.0, 50)
+    short = depth_life(virtual.NOMINAL, progress, LIFE.stretches[0].at(progress)[0])
+    bins = virtual.gathered(virtual.readings(LIFE, 1, 10000))
+    with pytest.raises(CannotBeTold, match="compute it further"):
+        identify(bins, short, virtual.ERRORS, virtual.PRIOR)
+
+
+def test_another_load_goes_on_from_the_depth_that_each_coefficient_had_reached() -> None:
+    """A load of the same course, worn on from an earlier profile, changes nothing."""
+    progress = np.concatenate([[0.0], np.geomspace(1.0, 6e4, 200)])
+    start = 4000.0
+    depth = LIFE.stretches[0].at(3000.0 + progress)[0]
+    two = LIFE.continued(start, progress, depth)
+    bins = virtual.gathered(virtual.readings(LIFE, 11, 20000))
+    one, other = (
+        identify(bins, life, virtual.ERRORS, virtual.PRIOR).coefficient for life in (LIFE, two)
+    )
+    assert other.median == pytest.approx(one.median, rel=1e-4)
+    assert other.high - other.low == pytest.approx(one.high - one.low, rel=1e-2)
