@@ -6,17 +6,31 @@ other keys, and ``number`` its first twelve digits: the unique number of the cer
 
 from __future__ import annotations
 
+import calendar
 import hashlib
 import json
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 SCHEMA = 1
+EVALUATION = 2
+"""Of the fits, checks and budgets: raised when the same readings give another result than before.
+
+A record of another evaluation is compared only in what every evaluation must give alike.
+"""
+
+CLOCKS_S = 86400.0
+"""A date is in the future when it is later by more than a day: two computers' clocks may differ."""
 
 
 class RecordError(ValueError):
     """Say why a record cannot be used."""
+
+
+class RecordChanged(RecordError):
+    """Say that a record is not what was sealed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +44,11 @@ class Record:
     def kind(self) -> str:
         """Return what was calibrated."""
         return str(self.content["kind"])
+
+    @property
+    def evaluation(self) -> int:
+        """Return the evaluation by which the result was made; 1 of records that do not say."""
+        return int(self.content.get("evaluation", 1))
 
 
 def seal(content: Mapping[str, Any]) -> bytes:
@@ -56,8 +75,21 @@ def unseal(data: bytes) -> Record:
     body = {key: value for key, value in sealed.items() if key not in ("digest", "number")}
     digest = _digest(body)
     if sealed["digest"] != digest or sealed.get("number") != digest[:12]:
-        raise RecordError("it was changed after it was made: its digest does not fit its content")
+        raise RecordChanged("it was changed after it was made: its digest does not fit its content")
     return Record(content=body, number=digest[:12])
+
+
+def in_future(record: Record, now: float) -> str:
+    """Return why the date of a record cannot be, empty when it can."""
+    stated = str(record.content["calibrated_at"])
+    if moment(stated) <= now + CLOCKS_S:
+        return ""
+    return f"states that it was made on {stated[:10]}, which is in the future"
+
+
+def moment(stamp: str) -> float:
+    """Return the UTC seconds of a record's time stamp."""
+    return calendar.timegm(time.strptime(stamp, "%Y-%m-%dT%H:%M:%SZ"))
 
 
 def _digest(body: Mapping[str, Any]) -> str:

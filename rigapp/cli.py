@@ -511,6 +511,17 @@ def calibrate_certificate(
     return certify(record, to)
 
 
+@calibrate_app.command("verify")
+def calibrate_verify(
+    record: Annotated[Path, typer.Argument(help="Calibration record.")],
+    json: JsonOption = False,
+) -> int:
+    """Fit the readings of a record again and compare; status 1 where they differ."""
+    from rigapp.commands.calibrate import verify_record
+
+    return verify_record(record, as_json=json)
+
+
 @app.command()
 def doctor(
     port: Annotated[

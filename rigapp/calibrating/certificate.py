@@ -6,9 +6,10 @@ certificate again and compare it byte for byte.
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
-from calibration.records import Record, RecordError, unseal
+from calibration.records import Record, RecordError, in_future, unseal
 from rigapp.calibrating.certificates.parts import Content, write_page
 from rigapp.calibrating.subjects import subject_of
 from rigapp.config.errors import UnusableInput
@@ -17,13 +18,19 @@ from rigapp.report.page.manuscript import Manuscript, Section, Table, Text
 
 def write_certificate(record: Path, to: Path) -> None:
     """Write the certificate of a record as PDF or HTML; raise UnusableInput."""
+    from rigapp.calibrating.verification import verified
+
     try:
-        sealed = unseal(record.read_bytes())
+        data = record.read_bytes()
+        sealed = unseal(data)
         subject_of(sealed.kind)
     except FileNotFoundError as error:
         raise UnusableInput(f"{record}: there is no such record; check the name.") from error
     except (OSError, RecordError, UnusableInput) as error:
         raise UnusableInput(f"{record}: {error}.") from error
+    against = (in_future(sealed, time.time()), *verified(data).differences)
+    for one in filter(None, against):
+        raise UnusableInput(f"{record}: there is no certificate of it: {one}")
     write_page(to, "certificate", lambda: certificate_of(sealed))
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 
 from calibration.problems import Problem
-from calibration.records import seal
+from calibration.records import EVALUATION, seal
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
@@ -48,6 +48,7 @@ def keep_record(
         "kind": kind,
         "calibrated_at": _day(now),
         "due_at": _day(now + 86400 * settings.paperwork.valid_days),
+        "evaluation": EVALUATION,
         "software": f"rigapp {metadata.version('rigapp')}",
         "settings": msgspec.to_builtins(settings),
         "readings_csv": readings,

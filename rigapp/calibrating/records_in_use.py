@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-import calendar
 import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from calibration.records import Record, RecordError, unseal
+from calibration.records import Record, RecordError, in_future, moment, unseal
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.reading import read_bytes
 from rigapp.config.rig import LoadCellSection, ProbesSection, RigFile
+
+if TYPE_CHECKING:
+    from rigapp.calibrating.verification import Verification
 
 Rig = Document[RigFile]
 
@@ -25,7 +27,8 @@ Rig = Document[RigFile]
 class RigRecords:
     """A rig with the numbers of its records. texts: label -> the record as stored, sealed.
 
-    blocking: label -> why the record forbids a start (expired), empty when none does.
+    blocking: label -> why the record forbids a start (expired), empty when none does. remarks:
+    label -> the record's number and date, and what of it cannot be verified.
     """
 
     rig: Rig
@@ -55,13 +58,14 @@ class RecordPlace:
 def with_records(rig: Rig, now: float | None = None) -> RigRecords:
     """Read the records that a rig file names (``PLACES``).
 
-    Paths are relative to the rig file. Raises UnusableInput for a record that is missing, changed
-    after it was made, or of something else.
+    Paths are relative to the rig file. Each record is fitted again from its readings and compared.
+    Raises UnusableInput for a record that is missing, changed after it was made, or of something
+    else.
     """
     texts: dict[str, str] = {}
     blocking: dict[str, str] = {}
     remarks: dict[str, str] = {}
-    moment = time.time() if now is None else now
+    now = time.time() if now is None else now
     used = rig.record
     for place in PLACES:
         section = getattr(used, place.section)
@@ -72,14 +76,18 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
         allowed = place.kinds if one else place.kinds[:1]
         key = f"{place.section}.{place.key}"
         found = [_read(rig, key, name, allowed) for name in ((names,) if one else names)]
+        from rigapp.calibrating.verification import verified  # GTC and SciPy: only where needed
+
         with_numbers, labels = place.use(rig, section, [record for _, record in found])
         used = msgspec.structs.replace(used, **{place.section: with_numbers})
         override = getattr(section, f"{place.key}_override")
         for label, (text, record) in zip(labels, found * len(labels), strict=False):
             texts[label] = text
-            against = " and ".join(_faults(rig, record, moment))
+            found_again = verified(text.encode())
+            against = " and ".join(_faults(rig, record, found_again, now))
             if not against:
-                remarks[label] = f"record {record.number}, due {str(record.content['due_at'])[:10]}"
+                due = f"record {record.number}, due {str(record.content['due_at'])[:10]}"
+                remarks[label] = ". ".join((due, *found_again.unverified))
             elif override.strip():
                 remarks[label] = (
                     f"record {record.number} {against}, used all the same: {override.strip()}"
@@ -111,16 +119,19 @@ def _read(rig: Rig, key: str, name: str, kinds: tuple[str, ...]) -> tuple[str, R
     return data.decode(), record
 
 
-def _faults(rig: Rig, record: Record, now: float) -> list[str]:
-    """Return what stands against the use of a record: it has expired, or it is foreign.
+def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[str]:
+    """Return what stands against the use of a record: untrue, expired, dated ahead, or foreign.
 
-    Foreign: taken on another rig, on a simulated one for a real one or the reverse, or of a load
-    cell of another full scale. Readings that came as a table do not say where they were taken.
+    Untrue: its readings give something else. Foreign: taken on another rig, on a simulated one for
+    a real one or the reverse, or of a load cell of another full scale. Readings that came as a
+    table do not say where they were taken.
     """
-    found = []
     content, here = record.content, rig.record
-    due = str(content["due_at"])
-    if now > calendar.timegm(time.strptime(due, "%Y-%m-%dT%H:%M:%SZ")):
+    found = [f"does not follow from its readings ({one.rstrip('.')})" for one in again.differences]
+    ahead, due = in_future(record, now), str(content["due_at"])
+    if ahead:
+        found.append(ahead)
+    if now > moment(due):
         found.append(f"expired on {due[:10]}")
     taken = content.get("taken") or {}
     where = str(taken.get("rig") or "")

@@ -1,0 +1,183 @@
+"""Does a record follow from its own readings? They are fitted again and compared with its result.
+
+A digest shows that a record is what was sealed, not that what was sealed is true: whoever can write
+a record can seal one. What is applied to every sample must therefore follow from the readings that
+stand beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import msgspec
+
+from calibration.load_cell.calibrate import calibrate_load_cell
+from calibration.load_cell.readings import parse_load_cell
+from calibration.probes.alignment import calibrate_pair, split_pair
+from calibration.probes.calibrate import calibrate_probe
+from calibration.probes.readings import parse_probe
+from calibration.records import EVALUATION, Record, unseal
+from calibration.taking.readings import ReadingsError
+from rigapp.calibrating.load_cell_result import load_cell_result
+from rigapp.calibrating.probe_result import pair_result, probe_result
+from rigapp.config.calibration_settings import (
+    LoadCellFile,
+    ProbeFile,
+    load_cell_meaning,
+    probe_meaning,
+)
+from rigapp.config.errors import UnusableInput
+
+SAME = 1e-6
+"""Relative: a fit repeats to rounding, some 1e-12 on any computer; a certificate prints 1e-5."""
+NOTHING = 1e-12
+"""What is smaller than this in its unit is rounding: quadratic terms that matter are above 1e-8."""
+ALIKE = 1e-3
+"""Relative, between evaluations: a tenth of what the best class of ISO 376 in reach (1) allows."""
+
+Content = Mapping[str, Any]
+Result = Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """What came of fitting the stored readings again.
+
+    compared: how many numbers. differences: sentences, none when all agree. unverified: sentences
+    on what could not be compared.
+    """
+
+    compared: int
+    differences: tuple[str, ...] = ()
+    unverified: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Kind:
+    """How records of a kind are fitted again. applied: keys of the result that samples get."""
+
+    fit: Callable[[Content], Result]
+    applied: tuple[str, ...]
+
+
+def _load_cell(content: Content) -> Result:
+    given = msgspec.convert(content["settings"], LoadCellFile)
+    settings = load_cell_meaning(given, "the record's settings")
+    found = calibrate_load_cell(parse_load_cell(content["readings_csv"]), settings)
+    return load_cell_result(found, settings)
+
+
+def _probe(content: Content) -> Result:
+    given = msgspec.convert(content["settings"], ProbeFile)
+    return probe_result(calibrate_probe(parse_probe(content["readings_csv"]), probe_meaning(given)))
+
+
+def _pair(content: Content) -> Result:
+    settings = probe_meaning(msgspec.convert(content["settings"], ProbeFile))
+    readings = split_pair(parse_probe(content["readings_csv"]))
+    return pair_result(calibrate_pair(readings, (settings, settings)))
+
+
+KINDS: Mapping[str, _Kind] = {
+    "load cell": _Kind(_load_cell, ("matrix_N_per_unit", "zero", "quadratic_unit_per_N2")),
+    "probe": _Kind(_probe, ("sensitivity_um_per_V", "offset_V")),
+    "probe pair": _Kind(_pair, ("sensitivity_um_per_V", "offset_V", "matrix")),
+}
+
+
+@lru_cache(maxsize=32)
+def verified(data: bytes) -> Verification:
+    """Return what comes of fitting a sealed record's readings again; raise RecordError."""
+    return verify(unseal(data))
+
+
+def verify(record: Record) -> Verification:
+    """Fit the readings of a record again and compare with what it states."""
+    content, kind = record.content, KINDS.get(record.kind)
+    if kind is None or not content.get("readings_csv"):
+        missing = "holds no readings" if kind else f"is of a {record.kind}"
+        return Verification(0, (), (f"The record {missing}: its result cannot be verified.",))
+    try:
+        again = kind.fit(content)
+    except (ReadingsError, UnusableInput, msgspec.ValidationError, KeyError) as error:
+        words = (f"Its readings cannot be fitted by this version: {error}.",)
+        newer = record.evaluation > EVALUATION
+        return Verification(0, (), words) if newer else Verification(0, words)
+    same = record.evaluation == EVALUATION
+    stated, found = dict(numbers(content["result"])), dict(numbers(again))
+    keys = [one for one in stated if same or _name(one) in kind.applied]
+    within = SAME if same else ALIKE
+    differences = tuple(_differences(keys, stated, found, within))
+    refused = tuple(one["sentence"] for one in again["problems"] if one["blocks"])
+    if same:
+        differences += tuple(f"Its readings are refused: {one}" for one in refused)
+        return Verification(len(keys), differences)
+    return Verification(len(keys), differences, tuple(_of_another(record, again, refused)))
+
+
+def numbers(value: Any, name: str = "") -> Iterator[tuple[str, tuple[float, ...]]]:
+    """Yield every key of a result whose value is numbers, flat, with its whole name.
+
+    Numbers that are missing (None) are an empty tuple.
+    """
+    if isinstance(value, Mapping):
+        for key, one in value.items():
+            if key not in ("accepted", "problems"):
+                yield from numbers(one, f"{name}.{key}" if name else str(key))
+    elif isinstance(value, list) and any(isinstance(one, Mapping) for one in value):
+        for place, one in enumerate(value, 1):
+            yield from numbers(one, f"{name}.{place}")
+    elif not isinstance(value, str):
+        yield name, tuple(_flat(value))
+
+
+def _flat(value: Any) -> Iterator[float]:
+    if isinstance(value, Sequence):
+        for one in value:
+            yield from _flat(one)
+    elif value is not None:
+        yield float(value)
+
+
+def _name(key: str) -> str:
+    return key.rpartition(".")[2]
+
+
+def _differences(
+    keys: Sequence[str],
+    stated: Mapping[str, tuple[float, ...]],
+    found: Mapping[str, tuple[float, ...]],
+    within: float,
+) -> Iterator[str]:
+    for key in keys:
+        if key not in found:
+            yield f"{key}: its readings do not give this number."
+            continue
+        one, other = stated[key], found[key]
+        if len(one) != len(other):
+            yield f"{key}: the record states {len(one)} numbers, its readings give {len(other)}."
+            continue
+        size = max(map(abs, (*one, *other)), default=0.0)
+        off = [abs(a - b) for a, b in zip(one, other, strict=True)]
+        if off and max(off) > within * size + NOTHING:
+            at = off.index(max(off))
+            yield f"{key}: the record states {one[at]:.9g}, its readings give {other[at]:.9g}."
+
+
+def _of_another(record: Record, again: Result, refused: Sequence[str]) -> Iterator[str]:
+    result = record.content["result"]
+    words = "; what is applied to the samples was compared, the uncertainty cannot be verified"
+    for key, unit in (("expanded_uncertainty_N", "N"), ("expanded_uncertainty_um", "um")):
+        before, now = result.get(key), again.get(key)
+        if before is not None and now is not None:
+            words = (
+                "; what is applied to the samples was compared, the uncertainty cannot be"
+                f" verified: it states U = {before:.3g} {unit}, this evaluation gives"
+                f" {now:.3g} {unit}"
+            )
+    yield f"It was made by evaluation {record.evaluation}, this program has {EVALUATION}{words}."
+    for one in refused:
+        yield f"Today's checks would refuse its readings: {one}"
