@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from calibration.load_cell.plans import StepKind
 from calibration.probes.procedure import ProbeProcedure, ProbeStepKind
 
 
@@ -81,23 +80,23 @@ def _plant_fault(mistake: WeighingMistake) -> Actions:
 
 
 def _weigh(session: Any, mistake: WeighingMistake, since: int) -> Actions:
-    """Turn the pin, hang weights. A wrong weight: half a piece less, or a kilogram too much."""
+    """Bring pin and weights to where the step wants them.
+
+    Wherever they are, since a step may be the first one after a restart. A wrong weight: half a
+    piece less, or a kilogram too much.
+    """
     procedure, settings = session.procedure, session.settings
     if procedure.done:
         return ()
-    step = procedure.step
-    if step.kind is StepKind.ANGLE_REFERENCE:
-        return (_hand("turn_pin", angle_deg=0.0),)
-    gravity = settings.place.gravity
-    if step.kind is StepKind.TURN:
-        turn = _hand("turn_pin", angle_deg=math.degrees(step.angle))
-        return (_hand("hang_weight", mass_kg=0.0, gravity_m_s2=gravity), turn)
+    step, bare = procedure.step, procedure.step.mass == 0.0
+    turn = _hand("turn_pin", angle_deg=math.degrees(step.angle))
     mass = 0.0
-    if step.mass > 0.0:
+    if not bare:
         mass = procedure.change.mass + settings.weights.hanger_mass
         if mistake is WeighingMistake.WRONG_WEIGHT:
             mass += _wrong_by(procedure.change.hanging)
-    return (_hand("hang_weight", mass_kg=mass, gravity_m_s2=gravity),)
+    hang = _hand("hang_weight", mass_kg=mass, gravity_m_s2=settings.place.gravity)
+    return (hang, turn) if bare else (turn, hang)
 
 
 def _wrong_by(hanging: Sequence[float]) -> float:

@@ -9,8 +9,7 @@ import math
 import os
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager, suppress
-from dataclasses import dataclass
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 from calibration.turning.run_out import FASTEST
@@ -20,12 +19,13 @@ from rigapp.calibrating.records import keep_record, refuse_existing
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.run_out import map_of
 from rigapp.calibrating.running_check import check_of, known_term
+from rigapp.calibrating.spindle import SLOWEST_RPM, SpindleRun, SpindleRuns, speeds_of
 from rigapp.commands.calibrate import say_outcome
 from rigapp.commands.engine_line import Ask, engine_line
 from rigapp.commands.live_terminal import Say, sayer
 from rigapp.config.calibration_settings import CellSection, LoadCellFile, RunOutFile
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import Document, parse_test, read_document, read_rig, read_test
+from rigapp.config.loading import Document, read_document, read_rig, read_test
 from rigapp.config.recipe import (
     CyclesSection,
     LimitsSection,
@@ -35,36 +35,11 @@ from rigapp.config.recipe import (
     TestFile,
 )
 from rigapp.config.rig import RigFile
-from rigapp.config.toml import toml_text
-from rigapp.schema.messages import RunState
-from rigapp.schema.states import ENDED
 
 LOOK_EVERY_S = 0.1
-IDLE = frozenset(state.value for state in (*ENDED, RunState.READY, RunState.IDLE))
 ROLL_RAMP = 2
 RUN_RAMP = 3
 """Revolutions beyond those wanted: the first ones carry the ramp."""
-SLOWEST_RPM = 0.5
-"""Slower no spindle turns evenly."""
-
-
-@dataclass(frozen=True, slots=True)
-class SpindleRun:
-    """One run of the spindle: speed (rpm), its test, the name of its files without ending."""
-
-    rpm: float
-    test: TestFile
-    stem: Path
-
-    @property
-    def recipe(self) -> Path:
-        """Return the test file."""
-        return self.stem.with_name(f"{self.stem.name}.toml")
-
-    @property
-    def out(self) -> Path:
-        """Return the file of what is recorded."""
-        return self.stem.with_name(f"{self.stem.name}.h5")
 
 
 def take_runs(
@@ -75,64 +50,25 @@ def take_runs(
     line: to the engine; what: the runs are, in words. An interrupt stops the spindle under control
     first.
     """
-    from rigapp.storage import StorageFailed, compact_test
-
-    for path in (path for run in runs for path in (run.recipe, run.out)):
-        if path.exists():
-            raise UnusableInput(f"{path}: exists and is not overwritten; name another record.")
-    for run in runs:
-        text = toml_text(run.test)
-        parse_test(text, what)
-        run.recipe.write_text(text, encoding="utf-8")
+    taken = SpindleRuns(runs, what)
     with line as ask:
-        for run in runs:
-            planned = run.test.run.revolutions
-            say(f"{run.rpm:g} rpm for {planned} revolutions; {run.out} records it.")
-            ask("start", {"test": str(run.recipe.resolve()), "out": str(run.out.resolve())})
-            _wait_for_the_end(ask, run, what, say)
-    for run in runs:
-        # An engine that goes on running compresses its files itself.
-        with suppress(UnusableInput, StorageFailed):
-            compact_test(run.out)
-    return [run.out for run in runs]
-
-
-def _wait_for_the_end(ask: Ask, run: SpindleRun, what: str, say: Say) -> None:
-    """Wait while the test is active; an interrupt stops the spindle and is passed on."""
-    planned, shown = run.test.run.revolutions, -1
-    try:
-        while True:
-            status = ask("status", {})
-            done = int(status["revolution"])
-            if done != shown:
-                shown = done
-                say(f"  revolution {done} of {planned}")
-            if status["state"] in IDLE:
-                break
-            time.sleep(LOOK_EVERY_S)
-    except BaseException:
-        ask("stop", {"reason": f"the {what} was interrupted"})
-        raise
-    if done < planned or status["state"] == RunState.FAULT.value:
-        raise UnusableInput(
-            f"the {what} ended after {done} of {planned} revolutions: {status['reason']};"
-            f" {run.out} holds what was recorded."
-        )
-
-
-def speeds_of(option: str, text: str, least: float, most: float, fewest: int) -> list[float]:
-    """Return different speeds (rpm) of a text such as ``3,6``; raise UnusableInput."""
-    try:
-        speeds = [float(word) for word in text.replace(";", ",").split(",") if word.strip()]
-    except ValueError as error:
-        raise UnusableInput(f"{option} {text}: write speeds in rpm, such as 3,6.") from error
-    different = len(set(speeds)) == len(speeds) >= fewest
-    if not different or not all(least <= one <= most for one in speeds):
-        raise UnusableInput(
-            f"{option} {text}: give {fewest} or more different speeds from {least:g} to {most:g}"
-            " rpm."
-        )
-    return speeds
+        said = ""
+        try:
+            while not taken.done:
+                action = taken.go_on(ask("status", {}))
+                if taken.words != said:
+                    said = taken.words
+                    say(said)
+                if action is not None:
+                    ask(action.verb, dict(action.arguments))
+                elif not taken.done:
+                    time.sleep(LOOK_EVERY_S)
+        except BaseException:
+            if taken.turning:
+                ask("stop", {"reason": f"the {what} was interrupted"})
+            raise
+    taken.compress()
+    return taken.files
 
 
 # --- run-out --------------------------------------------------------------------------------------

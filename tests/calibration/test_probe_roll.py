@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from calibration.records import seal, unseal
-from rigapp.commands.spindle_runs import calibrate_run_out, roll_test, speeds_of, take_rolls
+from rigapp.calibrating.spindle import speeds_of
+from rigapp.commands.spindle_runs import calibrate_run_out, roll_test, take_rolls
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 

@@ -37,7 +37,7 @@ class ScriptedProbes:
     """Obey hands at the micrometer and answer ``signals``; each question comes 4 s later."""
 
     def __init__(self) -> None:
-        self.rng = np.random.default_rng(5)
+        self.noise = np.random.default_rng(5)
         self.now = 50.0
         self.micrometers = np.zeros(2)
         self.off = False
@@ -69,7 +69,7 @@ class ScriptedProbes:
         one = math.cos(ANGLE[0]) * x + math.sin(ANGLE[0]) * y
         two = -math.sin(ANGLE[1]) * x + math.cos(ANGLE[1]) * y
         volts = np.array([one, two]) / SENSITIVITY + OFFSET
-        signal = volts[:, None] + self.rng.normal(0.0, 3e-4 + self.shakes, (2, len(end)))
+        signal = volts[:, None] + self.noise.normal(0.0, 3e-4 + self.shakes, (2, len(end)))
         return Reply(
             ok=True,
             result={

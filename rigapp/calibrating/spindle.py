@@ -1,0 +1,160 @@
+"""Runs of the spindle for a calibration: one short test at each speed, taken up after a break.
+
+Each is a test with a file of its own, beside the record; both stay there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from rigapp.calibrating.practice import Action
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_test
+from rigapp.config.recipe import TestFile
+from rigapp.config.toml import toml_text
+from rigapp.schema.messages import RunState
+from rigapp.schema.states import ENDED
+
+IDLE = frozenset(state.value for state in (*ENDED, RunState.READY, RunState.IDLE))
+SLOWEST_RPM = 0.5
+"""Slower no spindle turns evenly."""
+
+
+@dataclass(frozen=True, slots=True)
+class SpindleRun:
+    """One run of the spindle: speed (rpm), its test, the name of its files without ending."""
+
+    rpm: float
+    test: TestFile
+    stem: Path
+
+    @property
+    def recipe(self) -> Path:
+        """Return the test file."""
+        return self.stem.with_name(f"{self.stem.name}.toml")
+
+    @property
+    def out(self) -> Path:
+        """Return the file of what is recorded."""
+        return self.stem.with_name(f"{self.stem.name}.h5")
+
+
+class SpindleRuns:
+    """Take one run after the other, whatever engine is asked and however it is waited for.
+
+    A run that is recorded whole is not taken again. The file of one that was cut off is set aside,
+    and the run is taken again; one that an engine still records is waited for.
+    """
+
+    def __init__(self, runs: Sequence[SpindleRun], what: str) -> None:
+        """Take the runs and what they are, in words.
+
+        Raises UnusableInput for a test that cannot be, or a file that comes from something else.
+        """
+        self.runs, self.what = tuple(runs), what
+        self.position = 0
+        self.words = ""
+        self._begun = False
+        for run in self.runs:
+            text = toml_text(run.test)
+            parse_test(text, what)
+            known = run.recipe.exists() and run.recipe.read_text("utf-8") == text
+            for path in (run.recipe, run.out):
+                if path.exists() and not known:
+                    raise UnusableInput(
+                        f"{path}: exists and is not overwritten; name another record."
+                    )
+
+    @property
+    def done(self) -> bool:
+        """Tell whether every run is recorded."""
+        return self.position >= len(self.runs)
+
+    @property
+    def turning(self) -> bool:
+        """Tell whether a run was begun and has not ended as far as is known."""
+        return self._begun
+
+    @property
+    def files(self) -> list[Path]:
+        """Return the test files, in the order of the runs."""
+        return [run.out for run in self.runs]
+
+    def go_on(self, status: Mapping[str, Any]) -> Action | None:
+        """Return what to ask of the engine whose status this is; None to look again.
+
+        ``words`` then say how it goes. Raises UnusableInput when a run has failed.
+        """
+        run = self.runs[self.position]
+        planned, done = run.test.run.revolutions, int(status["revolution"])
+        idle = status["state"] in IDLE
+        if not idle and str(status["file"]) == str(run.out.resolve()):
+            self._begun = True
+            self.words = f"{run.rpm:g} rpm: revolution {done} of {planned}"
+            return None
+        if self._begun:
+            self._begun = False
+            if done < planned or status["state"] == RunState.FAULT.value:
+                raise UnusableInput(
+                    f"the {self.what} ended after {done} of {planned} revolutions:"
+                    f" {status['reason']}; {run.out} holds what was recorded."
+                )
+            self.position += 1
+            return None
+        if _is_whole(run.out):
+            self.words = (
+                f"{run.out} holds the {self.what} at {run.rpm:g} rpm already; for a new one name"
+                " another record."
+            )
+            self.position += 1
+            return None
+        run.recipe.write_text(toml_text(run.test), encoding="utf-8")
+        self._begun = True
+        self.words = f"{run.rpm:g} rpm for {planned} revolutions; {run.out} records it."
+        return Action("start", {"test": str(run.recipe.resolve()), "out": str(run.out.resolve())})
+
+    def compress(self) -> None:
+        """Compress the files; an engine that goes on running compresses its files itself."""
+        from rigapp.storage import StorageFailed, compact_test
+
+        for path in self.files:
+            with suppress(UnusableInput, StorageFailed):
+                compact_test(path)
+
+
+def _is_whole(out: Path) -> bool:
+    """Tell whether a run is recorded whole; set its file aside where it was cut off."""
+    from rigapp.storage import open_test
+
+    if not out.exists():
+        return False
+    status = "damaged"
+    with suppress(UnusableInput), open_test(out) as reader:
+        status = reader.summary()["status"]
+    if status == "complete":
+        return True
+    if status == "running":
+        raise UnusableInput(f"{out}: another program records this run; let it end first.")
+    names = (out.with_name(f"{out.stem}.cut-off-{number}{out.suffix}") for number in count(1))
+    out.rename(next(name for name in names if not name.exists()))
+    return False
+
+
+def speeds_of(option: str, text: str, least: float, most: float, fewest: int) -> list[float]:
+    """Return different speeds (rpm) of a text such as ``3,6``; raise UnusableInput."""
+    try:
+        speeds = [float(word) for word in text.replace(";", ",").split(",") if word.strip()]
+    except ValueError as error:
+        raise UnusableInput(f"{option} {text}: write speeds in rpm, such as 3,6.") from error
+    different = len(set(speeds)) == len(speeds) >= fewest
+    if not different or not all(least <= one <= most for one in speeds):
+        raise UnusableInput(
+            f"{option} {text}: give {fewest} or more different speeds from {least:g} to {most:g}"
+            " rpm."
+        )
+    return speeds
