@@ -9,6 +9,7 @@ from model.identification.errors import CannotBeTold, Prior, ProbeErrors, probe_
 from model.identification.forecast import Band, Remaining, predictive_band, remaining
 from model.identification.identify import Credible, Identification, Verdict, identify
 from model.identification.life import DepthLife, depth_life, weight, worn_ahead
+from model.identification.specimens import Estimate, Pairing, estimate_of, pairing_of
 
 __all__ = [
     "Band",
@@ -17,14 +18,18 @@ __all__ = [
     "CannotBeTold",
     "Credible",
     "DepthLife",
+    "Estimate",
     "Identification",
+    "Pairing",
     "Prior",
     "ProbeErrors",
     "Remaining",
     "Verdict",
     "bins_of",
     "depth_life",
+    "estimate_of",
     "identify",
+    "pairing_of",
     "predictive_band",
     "probe_errors",
     "remaining",
