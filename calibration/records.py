@@ -1,7 +1,8 @@
 """Calibration records: immutable, self-contained, with a digest of their own content.
 
-A record is a JSON object with sorted keys. ``digest`` is the SHA-256 of the canonical JSON of all
-other keys, and ``number`` its first twelve digits: the unique number of the certificate.
+A record is a JSON object with sorted keys. ``digest`` is the SHA-256 of the canonical JSON of the
+content, and ``number`` its first twelve digits: the unique number of the certificate. ``signature``
+is there when a laboratory answers for the digest (``signatures``).
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from dataclasses import dataclass
 from typing import Any
 
 SCHEMA = 1
+BESIDE = ("digest", "number", "signature")
+"""Keys of a record that are not of its content."""
 EVALUATION = 2
 """Of the fits, checks and budgets: raised when the same readings give another result than before.
 
@@ -34,11 +37,25 @@ class RecordChanged(RecordError):
 
 
 @dataclass(frozen=True, slots=True)
+class Signature:
+    """An Ed25519 signature of a record's digest, and the raw public key; both hexadecimal."""
+
+    public_key: str
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
 class Record:
-    """A calibration record as read: its content and its number."""
+    """A calibration record as read: its content, its digest, its signature if it has one."""
 
     content: Mapping[str, Any]
-    number: str
+    digest: str
+    signature: Signature | None = None
+
+    @property
+    def number(self) -> str:
+        """Return the number of the record and of its certificate."""
+        return self.digest[:12]
 
     @property
     def kind(self) -> str:
@@ -51,11 +68,17 @@ class Record:
         return int(self.content.get("evaluation", 1))
 
 
-def seal(content: Mapping[str, Any]) -> bytes:
-    """Return the bytes of a record: the content with schema, number and digest."""
+def seal(content: Mapping[str, Any], signature: Signature | None = None) -> bytes:
+    """Return the bytes of a record: the content with schema, number, digest and signature."""
     body = {**content, "schema": SCHEMA}
     digest = _digest(body)
     sealed = {**body, "number": digest[:12], "digest": digest}
+    if signature is not None:
+        sealed["signature"] = {
+            "algorithm": "Ed25519",
+            "public_key": signature.public_key,
+            "value": signature.value,
+        }
     text = json.dumps(sealed, sort_keys=True, indent=1, ensure_ascii=False, allow_nan=False)
     return (text + "\n").encode()
 
@@ -72,11 +95,18 @@ def unseal(data: bytes) -> Record:
         raise RecordError(
             f"its schema is {sealed.get('schema')!r}, this program reads {SCHEMA}; update rigapp"
         )
-    body = {key: value for key, value in sealed.items() if key not in ("digest", "number")}
+    body = {key: value for key, value in sealed.items() if key not in BESIDE}
     digest = _digest(body)
     if sealed["digest"] != digest or sealed.get("number") != digest[:12]:
         raise RecordChanged("it was changed after it was made: its digest does not fit its content")
-    return Record(content=body, number=digest[:12])
+    stated = sealed.get("signature")
+    if stated is None:
+        return Record(body, digest)
+    try:
+        signature = Signature(str(stated["public_key"]), str(stated["value"]))
+    except (KeyError, TypeError) as error:
+        raise RecordChanged("its signature is incomplete") from error
+    return Record(body, digest, signature)
 
 
 def in_future(record: Record, now: float) -> str:

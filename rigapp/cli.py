@@ -343,6 +343,7 @@ TableOption = Annotated[Path | None, _option("--readings", "CSV of readings as t
 LiveOption = Annotated[Path | None, _option("--rig", "Rig file: take the readings live.")]
 SettingsOption = Annotated[Path, _option("--settings", "Settings file (TOML).")]
 RecordOption = Annotated[Path, _file("--to", "Record to make; never overwritten.")]
+RecordArgument = Annotated[Path, typer.Argument(help="Calibration record.")]
 JournalOption = Annotated[
     Path | None, _file("--journal", "Where events are kept; taken up if there.")
 ]
@@ -502,24 +503,49 @@ def calibrate_history(
 
 @calibrate_app.command("certificate")
 def calibrate_certificate(
-    record: Annotated[Path, typer.Argument(help="Calibration record.")],
+    record: RecordArgument,
     to: Annotated[Path, _file("--to", "FILE.pdf or FILE.html")],
 ) -> int:
     """Write the certificate of a record, the same bytes each time."""
-    from rigapp.commands.calibrate import certify
+    from rigapp.commands.records import certify
 
     return certify(record, to)
 
 
 @calibrate_app.command("verify")
 def calibrate_verify(
-    record: Annotated[Path, typer.Argument(help="Calibration record.")],
+    record: RecordArgument,
+    public_key: Annotated[
+        Path | None, _option("--public-key", "Key of the laboratory that must have signed it.")
+    ] = None,
     json: JsonOption = False,
 ) -> int:
     """Fit the readings of a record again and compare; status 1 where they differ."""
-    from rigapp.commands.calibrate import verify_record
+    from rigapp.commands.records import verify_record
 
-    return verify_record(record, as_json=json)
+    return verify_record(record, public_key, as_json=json)
+
+
+@calibrate_app.command("key")
+def calibrate_key(
+    to: Annotated[Path, _file("--to", "Private key to make; FILE.pub beside.")],
+) -> int:
+    """Make the key with which a laboratory signs records, and its public key."""
+    from rigapp.commands.records import make_key
+
+    return make_key(to)
+
+
+@calibrate_app.command("sign")
+def calibrate_sign(
+    record: RecordArgument,
+    key: Annotated[Path, _option("--key", "Private key, readable by its owner alone.")],
+    to: RecordOption,
+) -> int:
+    """Sign a record that follows from its readings; the signed one is a new file."""
+    from rigapp.commands.records import sign_record
+
+    return sign_record(record, key, to)
 
 
 @app.command()

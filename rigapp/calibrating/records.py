@@ -23,10 +23,10 @@ def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
     return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
 
 
-def refuse_existing(to: Path) -> None:
-    """Refuse a record that exists or has no folder; raise UnusableInput."""
+def refuse_existing(to: Path, what: str = "records") -> None:
+    """Refuse a file that exists or has no folder; what: such files are. Raise UnusableInput."""
     if os.path.lexists(to):
-        raise UnusableInput(f"{to}: exists; records are never overwritten, name another file.")
+        raise UnusableInput(f"{to}: exists; {what} are never overwritten, name another file.")
     if not to.parent.is_dir():
         raise UnusableInput(f"{to}: the folder {to.parent} does not exist; make it first.")
 

@@ -8,7 +8,7 @@ stand beside it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -90,8 +90,18 @@ KINDS: Mapping[str, _Kind] = {
 
 @lru_cache(maxsize=32)
 def verified(data: bytes) -> Verification:
-    """Return what comes of fitting a sealed record's readings again; raise RecordError."""
-    return verify(unseal(data))
+    """Return what comes of fitting a sealed record's readings again; raise RecordError.
+
+    A signature that does not hold is a difference.
+    """
+    record = unseal(data)
+    found = verify(record)
+    if record.signature is None:
+        return found
+    from calibration.signatures import signature_fault
+
+    fault = signature_fault(record)
+    return replace(found, differences=(fault, *found.differences)) if fault else found
 
 
 def verify(record: Record) -> Verification:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 import sys
-import time
 from pathlib import Path
 
-from calibration.records import RecordChanged, RecordError, in_future, unseal
 from calibration.taking.readings import ReadingsError
 from rigapp.calibrating.daily_history import history_lines, history_result, read_history
 from rigapp.calibrating.records import keep_record, refuse_existing
@@ -59,51 +57,6 @@ def say_outcome(outcome: Outcome, to: Path, *, as_json: bool) -> int:
     elif not as_json:
         print(f"The record is {to}.")
     return 0 if outcome.accepted else 1
-
-
-def certify(record: Path, to: Path) -> int:
-    """Write the certificate of a record as PDF or HTML; return the exit status."""
-    from rigapp.calibrating.certificate import write_certificate
-
-    write_certificate(record, to)
-    print(f"The certificate is {to}.")
-    return 0
-
-
-def verify_record(path: Path, *, as_json: bool) -> int:
-    """Fit the readings of a record again and print what differs; return the exit status."""
-    from rigapp.calibrating.verification import verified
-
-    try:
-        data = path.read_bytes()
-        record = unseal(data)
-    except FileNotFoundError as error:
-        raise UnusableInput(f"{path}: there is no such record; check the name.") from error
-    except RecordChanged as error:
-        print(f"rigapp: {path}: {error}.", file=sys.stderr)
-        return 1
-    except (OSError, RecordError) as error:
-        raise UnusableInput(f"{path}: {error}.") from error
-    found = verified(data)
-    against = [*found.differences]
-    if ahead := in_future(record, time.time()):
-        against.append(f"It {ahead}.")
-    if as_json:
-        stated = {"number": record.number, "kind": record.kind, "compared": found.compared}
-        lists = {"differences": against, "unverified": found.unverified}
-        print(json.dumps({**stated, "verified": not against, **lists}))
-        return 1 if against else 0
-    print(f"Record {record.number} of a {record.kind}: its digest holds.")
-    if found.compared:
-        agree = "differ" if found.differences else "agree"
-        print(
-            f"Its readings were fitted again; {found.compared} results were compared and {agree}."
-        )
-    for one in found.unverified:
-        print(f"note: {one}")
-    for one in against:
-        print(f"rigapp: {path}: {one}", file=sys.stderr)
-    return 1 if against else 0
 
 
 def show_history(store: Path, to: Path | None, rig: str | None, *, as_json: bool) -> int:

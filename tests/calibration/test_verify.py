@@ -20,7 +20,7 @@ from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.calibrating.verification import verified, verify
-from rigapp.commands.calibrate import verify_record
+from rigapp.commands.records import make_key, sign_record, verify_record
 from rigapp.config.calibration_settings import (
     CellSection,
     LoadCellFile,
@@ -200,3 +200,49 @@ def test_records_of_probes_are_fitted_again(tmp_path: Path, which: str) -> None:
     assert (
         "sensitivity_um_per_V: the record states" in verified(changed(data, forge)).differences[0]
     )
+
+
+def test_a_laboratory_signs_and_anyone_can_see_whose_signature_it_is(
+    sealed: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, signed = kept(tmp_path, sealed), tmp_path / "signed.json"
+    key, public = tmp_path / "lab.key", tmp_path / "lab.pub"
+    assert make_key(key) == 0
+    assert key.stat().st_mode & 0o777 == 0o600
+    assert sign_record(path, key, signed) == 0
+    assert path.read_bytes() == sealed
+    assert unseal(signed.read_bytes()).number == unseal(sealed).number
+    assert verify_record(signed, public, as_json=False) == 0
+    assert "It is signed by the key" in capsys.readouterr().out
+    # Another laboratory's key, no signature, a signature of another record.
+    assert make_key(tmp_path / "other.key") == 0
+    assert verify_record(signed, tmp_path / "other.pub", as_json=False) == 1
+    assert "signed by another key" in capsys.readouterr().err
+    assert verify_record(path, as_json=False) == 0
+    assert "note: It is not signed" in capsys.readouterr().out
+    assert verify_record(path, public, as_json=False) == 1
+    (tmp_path / "moved.json").write_bytes(
+        seal({**unseal(sealed).content, "software": "other"}, unseal(signed.read_bytes()).signature)
+    )
+    capsys.readouterr()
+    assert verify_record(tmp_path / "moved.json", public, as_json=False) == 1
+    assert "signature does not hold" in capsys.readouterr().err
+
+
+def test_nothing_untrue_is_signed_and_a_key_that_others_read_is_refused(
+    sealed: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    key, signed = tmp_path / "lab.key", tmp_path / "signed.json"
+    make_key(key)
+    with pytest.raises(UnusableInput, match="never overwritten"):
+        make_key(key)
+    assert sign_record(kept(tmp_path, changed(sealed, forge_matrix)), key, signed) == 1
+    assert "it is not signed: matrix_N_per_unit" in capsys.readouterr().err
+    key.chmod(0o640)
+    with pytest.raises(UnusableInput, match="chmod 600"):
+        sign_record(kept(tmp_path, sealed), key, signed)
+    key.chmod(0o600)
+    key.write_text("no key")
+    with pytest.raises(UnusableInput, match=r"lab\.key: it is no private key"):
+        sign_record(kept(tmp_path, sealed), key, signed)
+    assert not signed.exists()
