@@ -6,10 +6,26 @@ import os
 import time
 from pathlib import Path
 
-from rigapp.calibrating.records_in_use import LOAD_CELL, RecordPlace, with_records
+import msgspec
+
+from rigapp.calibrating.records_in_use import LOAD_CELL, PLACES, RecordPlace, with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
+from rigapp.config.rig import RigFile
 from rigapp.config.writing import whole_file
+
+
+def only_records_differ(one: RigFile, other: RigFile) -> bool:
+    """Tell whether two rig files say the same but for the records that they name."""
+
+    def bare(rig: RigFile) -> RigFile:
+        for place in PLACES:
+            names = {place.key: "", f"{place.key}_override": ""}
+            section = msgspec.structs.replace(getattr(rig, place.section), **names)
+            rig = msgspec.structs.replace(rig, **{place.section: section})
+        return rig
+
+    return bare(one) == bare(other)
 
 
 def name_record(rig: Path, record: Path, place: RecordPlace = LOAD_CELL) -> Path:

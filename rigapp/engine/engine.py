@@ -485,6 +485,24 @@ class Engine:
             tare = take_zero(self._core, self._connection, operator, reason)
             return {"load_cell": (float(tare[0]), float(tare[1]))}
 
+    def use_records(self, rig: Document[RigFile], records: Mapping[str, str]) -> None:
+        """Use a rig file with the numbers of other records; only while no test is under way.
+
+        rig: otherwise as this engine's. A tare stays while the load cell's numbers do. Raises
+        Refused and UnusableInput; nothing is changed then.
+        """
+        with self._command:
+            core, connection = self._core, self._connection
+            if core.state in ACTIVE:
+                raise Refused("a test is under way; stop it first")
+            if connection is not None:
+                before = connection.processor.calibration
+                calibration = calibration_of(rig.record, connection.setup)
+                if rig.record.load_cell == core.rig.record.load_cell:
+                    calibration = calibration.with_tare(before.load_cell.tare.tolist())
+                connection.processor.use(calibration)
+            core.rig, self._records = rig, dict(records)
+
     def set_tare(self, tare: Sequence[float]) -> None:
         """Use the tare of an earlier part of a test (mV/V); only while no test is under way."""
         with self._command:

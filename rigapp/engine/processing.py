@@ -186,6 +186,10 @@ class Processor:
             host_s=host_s,
         )
 
+    def use(self, calibration: Calibration) -> None:
+        """Use another calibration of the same inputs from the next block on; as ``set_tare``."""
+        self._set(calibration)
+
     def set_tare(self, tare: Sequence[float]) -> None:
         """Use another tare from the next block on; not while a test is recorded."""
         self._set(self.calibration.with_tare(tare))

@@ -183,6 +183,7 @@ VERBS = {
         Verb("note", Note, Lane.WORK),
         Verb("extend", Extend, Lane.WORK),
         Verb("set_limit", SetLimit, Lane.WORK),
+        Verb("use_records", Nothing, Lane.WORK),
         Verb("zero", Zero, Lane.WORK, timeout_s=60.0),
         Verb("inject_fault", FaultRecord, Lane.WORK),
         Verb("clear_fault", FaultKind, Lane.WORK),

@@ -18,6 +18,7 @@ import msgspec
 
 from drivers.api import DeviceError
 from rigapp.calibrating.records_in_use import with_records
+from rigapp.calibrating.rig_file import only_records_differ
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
@@ -87,6 +88,10 @@ HAND_LOOKS = 3
 """Looks at both counts before a hand: of three, one is not held up by the computer."""
 
 
+class ChangedElsewhere(Exception):
+    """Say that a rig file says something else than when the engine was started."""
+
+
 class EngineHost:
     """One engine of one rig, reachable by viewers while it lives."""
 
@@ -100,7 +105,7 @@ class EngineHost:
         plan_devices(rig.record, str(rig.path))
         self._simulated = SimulatedDevices(rig, speed)
         self._twin: TwinLink | None = None
-        self._records = with_records(rig)
+        self._rig, self._records = rig, with_records(rig)
         self.engine = Engine(
             self._records.rig, on_measured=self._offer, records=self._records.texts
         )
@@ -172,6 +177,7 @@ class EngineHost:
         reason: for what ``resumption`` finds and asks a reason for. examined: told what it found.
         """
         with self._starting:
+            notes = self._latest_records(operator)
             if self._records.blocking:
                 raise Refused("; ".join(self._records.blocking.values()))
             check_fit(self._records.rig.record, test)
@@ -179,7 +185,7 @@ class EngineHost:
             self._go_on()
             self._make_ready(test.record)
             self._go_on()
-            notes = [
+            notes += [
                 LogEntry("calibration", f"{section}: {words}", operator)
                 for section, words in self._records.remarks.items()
             ]
@@ -216,9 +222,50 @@ class EngineHost:
     def resumption(self, path: Path) -> Resumption:
         """Connect where needed and say what a test in a file would meet if it went on here."""
         with self._starting:
+            self._latest_records("")
             past = read_past(path)
             self._make_ready(recorded_test(path).record)
             return self._compare(past)
+
+    def use_records(self, operator: str) -> Reply:
+        """Put to use what the rig file names now; a rig file is written while an engine runs."""
+        with self._starting:
+            try:
+                changed = self._use_records()
+            except ChangedElsewhere as error:
+                return refusal(f"{error}.")
+            if not changed:
+                return refusal(f"{self._rig.path} names the records that are in use already.")
+            used = "; ".join(f"{label}: {words}" for label, words in self._records.remarks.items())
+            self.engine.log("calibration", f"in use from now on: {used}", operator)
+            return Reply(ok=True, sentence=f"The engine uses it from now on ({used}).")
+
+    def _latest_records(self, operator: str) -> list[LogEntry]:
+        """Use the records that the rig file names now; return what is to be said of it."""
+        try:
+            self._use_records()
+        except ChangedElsewhere as error:
+            return [LogEntry("calibration", str(error), operator)]
+        return []
+
+    def _use_records(self) -> bool:
+        """Use the records that the rig file names now; tell whether they are others.
+
+        Raises UnusableInput for what cannot be used, Refused where it would change during a test,
+        ChangedElsewhere.
+        """
+        now, path = read_rig(self._rig.path), self._rig.path
+        if not only_records_differ(self._rig.record, now.record):
+            raise ChangedElsewhere(
+                f"{path} was changed in more than the records that it names; it counts when the"
+                " engine is started again"
+            )
+        found = with_records(now)
+        changed = found.texts != self._records.texts or now.record != self._rig.record
+        if changed:
+            self.engine.use_records(found.rig, found.texts)
+        self._rig, self._records = now, found
+        return changed
 
     def _make_ready(self, test: TestFile) -> None:
         ready = self.engine.state in (RunState.READY, RunState.STOPPED)
@@ -348,6 +395,7 @@ class EngineHost:
             "note": lambda a, by: engine.note(a.text, by.operator),
             "extend": lambda a, by: engine.extend(a.revolutions, by.operator, a.reason),
             "set_limit": lambda a, by: engine.set_limit(a.name, a.value, by.operator, a.reason),
+            "use_records": lambda a, by: self.use_records(by.operator),
             "zero": lambda a, by: engine.zero(a.what, by.operator, a.reason),
             "inject_fault": lambda a, by: simulated.process.inject(msgspec.to_builtins(a)),
             "clear_fault": lambda a, by: simulated.process.clear(a.kind),

@@ -49,7 +49,9 @@ def _raise(error: Exception) -> None:
 @pytest.fixture
 def line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[HostLine]:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
-    host = EngineHost(read_rig(EXAMPLE), 20.0)
+    file = tmp_path / "rig.toml"
+    file.write_text(EXAMPLE.read_text("utf-8").replace("speed = 20.0", 'speed = "max"'), "utf-8")
+    host = EngineHost(read_rig(file), 20.0)
     line = HostLine(host)
     try:
         host.connect()
@@ -79,7 +81,6 @@ def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_te
         'schema = 1\n[cell]\nname = "Pin cell"\n[place]\ngravity_m_s2 = 9.8123\n', "utf-8"
     )
     file = tmp_path / "rig.toml"
-    file.write_text(EXAMPLE.read_text("utf-8").replace("speed = 20.0", 'speed = "max"'), "utf-8")
     rig = Rig("Simulated slider-crank", True, "E. Sample", file)
     wizard = CalibrationWizard(line, rig, LIGHT, tmp_path, settings)
     qtbot.addWidget(wizard)
@@ -132,6 +133,9 @@ def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_te
     assert not read_rig(file).record.load_cell.calibration
     page.use.click()
     assert read_rig(file).record.load_cell.calibration == live.outcome.saved.name
+    # The engine that runs uses it at once.
+    pump(wizard, line, lambda: "from now on" in page.used.text(), "the engine's answer", WITHIN_S)
+    pump(wizard, line, lambda: np.array_equal(live.window.matrix, found), "the record", WITHIN_S)
     wizard.accept()
     pump(wizard, line, lambda: not wizard.isVisible(), "the end", WITHIN_S)
     measured, at_plant = forces_of_a_test(file, tmp_path, monkeypatch)

@@ -103,10 +103,9 @@ class CertificatePage(QWizardPage):
         self._asked = False
         self.use.hide()
         self.no.hide()
-        self.used.setText(
-            f"{file.name} names the record now; the former file is {copy.name}. It counts when the"
-            " engine is started again: close all windows of this rig, and open one after a minute."
-        )
+        words = f"{file.name} names the record now; the former file is {copy.name}."
+        self.used.setText(words)
+        self._live.ask("use_records", lambda reply: self.used.setText(f"{words} {reply.sentence}"))
 
 
 def _load_writers() -> None:

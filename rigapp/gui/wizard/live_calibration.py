@@ -143,6 +143,10 @@ class LiveCalibration(QObject):
         """Do work off the screen's thread; a failure is said."""
         self._worker.submit(work, done, lambda error: self.said.emit(str(error)))
 
+    def ask(self, verb: str, handler: Callable[[Reply], None]) -> None:
+        """Ask the engine for something without arguments; the handler is called later."""
+        self._line(verb, {}, handler)
+
     def _judged(self, outcome: Outcome) -> None:
         self.outcome = outcome
         self.judged.emit()
