@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import cho_factor, cho_solve
 
 from model.identification.bins import Bin
 from model.identification.errors import CannotBeTold, ProbeErrors
@@ -27,15 +26,17 @@ LN_TWO_PI = float(np.log(2.0 * np.pi))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DepthBins:
-    """Hold the bins as arrays (n,): depth (m), progress, half its width, revolution, noise.
+    """Hold the bins as arrays (n,): depth (m), progress, half its width, last revolution, noise.
 
-    noise: standard uncertainty of each bin's mean by its scatter, m; scatter: of one reading, m.
+    middle: the revolution to which the mean depth belongs; noise: standard uncertainty of each
+    bin's mean by its scatter, m; scatter: of one reading, m.
     """
 
     depth: Array
     progress: Array
     half: Array
     revolution: Array
+    middle: Array
     noise: Array
     scatter: float
 
@@ -54,49 +55,87 @@ def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
     freedom = EXPECTED_FREEDOM + sum(b.freedom for b in bins)
     scatter = float(np.sqrt((EXPECTED_FREEDOM * errors.scatter**2 + squares.sum()) / freedom))
     return DepthBins(
-        depth, progress, 0.5 * (last - first), revolution, scatter / np.sqrt(count), scatter
+        depth,
+        progress,
+        0.5 * (last - first),
+        revolution,
+        revolution - (last - progress) / np.maximum(last / revolution, 1e-300),
+        scatter / np.sqrt(count),
+        scatter,
     )
+
+
+STRENGTHS = (1.0, 1.6, 2.5, 4.0, 6.3)
+"""Strengths of the drift compared, in units of the record's lower bound: five to the decade."""
+STRENGTH_DECAY = 2.0
+"""Each next strength is less probable beforehand by exp of this: the record is believed."""
+LEAST_DRIFT = 1e-9
+"""A record without drift counts as one of so little, m: the table of strengths needs a unit."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Noise:
-    """Hold scatter and drift of the bins for one strength of the drift, m per root of ln n.
+    """Hold scatter and drift of the bins for J strengths of the drift, m per root of ln n.
 
-    precision (n, n): inverse of their covariance; log_determinant: of that covariance;
-    onward (n,): weights of what is left of the bins in the drift of the last one; spare: variance
-    of that drift which the bins leave, m^2.
+    Scatter and drift are independent along the same n directions, whatever the strength is.
+    strength (J,); log_prior (J,): of each; basis (n, n): of the directions, in which the scatter is
+    1; share (J, n): precision along each; log_determinant (J,): of the covariance; onward (J, n):
+    weights, along each direction, of what is left of the bins in the drift of the last one;
+    spare (J,): variance of that drift which the bins leave, m^2.
     """
 
-    strength: float
-    precision: Array
-    log_determinant: float
+    strength: Array
+    log_prior: Array
+    basis: Array
+    share: Array
+    log_determinant: Array
     onward: Array
-    spare: float
+    spare: Array
+
+    def at(self, index: int) -> Noise:
+        """Return the noise of one strength only."""
+        one = slice(index, index + 1)
+        return Noise(
+            self.strength[one],
+            self.log_prior[one],
+            self.basis,
+            self.share[one],
+            self.log_determinant[one],
+            self.onward[one],
+            self.spare[one],
+        )
 
 
-def noise_of(readings: DepthBins, strength: float) -> Noise:
-    """Return scatter and drift of the bins."""
-    walked = np.log(np.maximum(readings.revolution, 1.0))
-    walk = strength**2 * np.minimum(walked[:, None], walked[None, :])
-    factor = cho_factor(walk + np.diag(readings.noise**2), lower=True)
-    precision = cho_solve(factor, np.eye(walked.size))
-    onward = precision @ walk[-1]
+def noise_of(readings: DepthBins, drift: float) -> Noise:
+    """Return scatter and drift of the bins; drift: lower bound of its strength."""
+    strength = max(drift, LEAST_DRIFT) * np.array(STRENGTHS)
+    log_prior = -STRENGTH_DECAY * np.arange(strength.size)
+    walked = np.log(np.maximum(readings.middle, 1.0))
+    walk = np.minimum(walked[:, None], walked[None, :])
+    scaled = walk / readings.noise[:, None] / readings.noise
+    size, direction = np.linalg.eigh(scaled)
+    basis = direction / readings.noise[:, None]
+    spread = 1.0 + strength[:, None] ** 2 * np.maximum(size, 0.0)
+    last = strength[:, None] ** 2 * (walk[-1] @ basis)
+    onward = last / spread
     return Noise(
         strength,
-        0.5 * (precision + precision.T),
-        2.0 * float(np.log(np.diag(factor[0])).sum()),
+        log_prior - np.logaddexp.reduce(log_prior),
+        basis,
+        1.0 / spread,
+        np.log(spread).sum(axis=1) + 2.0 * float(np.log(readings.noise).sum()),
         onward,
-        float(walk[-1, -1] - walk[-1] @ onward),
+        strength**2 * walk[-1, -1] - (last * onward).sum(axis=1),
     )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fitted:
-    """Hold normal parameters of H hypotheses given the bins.
+    """Hold normal parameters of H hypotheses given the bins, for J strengths of the drift.
 
-    log_evidence (H,): with all of them integrated out; step (H, k): their mean less where they
-    were linearised; covariance (H, k, k); left (H,): what ``Noise.onward`` makes of the remaining
-    misfit, m; pulled (H, k): and of each parameter.
+    log_evidence (J, H): with all of them integrated out; step (J, H, k): their mean less where
+    they were linearised; covariance (J, H, k, k); left (J, H): what ``Noise.onward`` makes of the
+    remaining misfit, m; pulled (J, H, k): and of each parameter.
     """
 
     log_evidence: Array
@@ -113,21 +152,24 @@ def fitted(noise: Noise, misfit: Array, columns: Array, off: Array, precision: A
     (H, k, n): their slopes; off (H, k): the prior's mean less that place; precision (k, k): the
     prior's.
     """
-    weighted = columns @ noise.precision
-    matrix = weighted @ columns.swapaxes(1, 2) + precision
+    count, k, n = columns.shape
+    both = np.concatenate([columns, misfit[:, None]], axis=1) @ noise.basis
+    product = (both * noise.share[:, None, None]) @ both.swapaxes(1, 2)
+    matrix = product[:, :, :k, :k] + precision
     pull = off @ precision
-    right = (weighted @ misfit[:, :, None])[:, :, 0] + pull
+    right = product[:, :, :k, k] + pull
     covariance = np.asarray(np.linalg.inv(matrix), dtype=np.float64)
-    step = (covariance @ right[:, :, None])[:, :, 0]
-    square = ((misfit @ noise.precision) * misfit).sum(axis=1) + (pull * off).sum(axis=1)
+    step = (covariance @ right[..., None])[..., 0]
     log_evidence = -0.5 * (
-        square
-        - (right * step).sum(axis=1)
+        product[:, :, k, k]
+        + (pull * off).sum(axis=1)
+        - (right * step).sum(axis=2)
         + np.linalg.slogdet(matrix)[1]
         - float(np.linalg.slogdet(precision)[1])
-        + noise.log_determinant
-        + misfit.shape[1] * LN_TWO_PI
+        + noise.log_determinant[:, None]
+        + n * LN_TWO_PI
     )
-    pulled = columns @ noise.onward
-    left = misfit @ noise.onward - (pulled * step).sum(axis=1)
+    onward = (both.reshape(-1, n) @ noise.onward.T).T.reshape(-1, count, k + 1)
+    pulled = onward[:, :, :k]
+    left = onward[:, :, k] - (pulled * step).sum(axis=2)
     return Fitted(np.asarray(log_evidence, dtype=np.float64), step, covariance, left, pulled)

@@ -8,21 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from model.identification.alternatives import alternative_posterior
 from model.identification.bins import Bin, Bins
 from model.identification.errors import Prior, ProbeErrors
 from model.identification.evidence import DepthBins, noise_of, readings_of
 from model.identification.life import DepthLife
 from model.identification.posterior import Given, Nodes, constant_posterior
-from model.identification.statements import STATEMENTS
+from model.identification.statements import STATEMENTS, Statement
 
 Array = NDArray[np.float64]
-
-STRENGTHS = (1.0, 1.6, 2.5, 4.0, 6.3)
-"""Strengths of the drift compared, in units of the record's lower bound: five to the decade."""
-STRENGTH_DECAY = 2.0
-"""Each next strength is less probable beforehand by exp of this: the record is believed."""
-LEAST_DRIFT = 1e-9
-"""A record without drift counts as one of so little, m: the table of strengths needs a unit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,16 +51,16 @@ class Identification:
     """Hold what is known of the wear coefficient after some bins.
 
     coefficient: now, all statements by their weights, m^2/N; mean: of ln K; spread: its standard
-    deviation; verdicts: by statement, the most probable first; drift: strength, m per root of ln n;
-    readings: the bins; prior, errors: what they were judged with; life_coefficient: K0, m^2/N;
-    sensitivity: relative standard uncertainty, with that of the life's computation.
+    deviation; verdicts: by statement, the most probable first; drift: mean of its strength, m per
+    root of ln n; readings: the bins; prior, errors: what they were judged with; life_coefficient:
+    K0, m^2/N; sensitivity: relative standard uncertainty, with that of the life's computation.
     """
 
     coefficient: Credible
     mean: float
     spread: float
     verdicts: tuple[Verdict, ...]
-    drift: Credible
+    drift: float
     readings: DepthBins
     prior: Prior
     errors: ProbeErrors
@@ -100,27 +94,41 @@ class Identification:
 
         It is that of all statements, over its whole breadth.
         """
-        values, weights = self._all()
-        centre, spread = self.mean, self.spread
-        at = centre + np.linspace(-4.5, 4.5, points) * spread
-        order = np.argsort(values)
-        reached = np.interp(at, values[order], np.cumsum(weights[order]))
-        return self.life_coefficient * np.exp(at), np.gradient(reached, at)
-
-    def _all(self) -> tuple[Array, Array]:
-        """Return ln(K/K0) and weight of all nodes."""
-        values = [v.nodes.hypotheses.log_coefficient for v in self.verdicts]
-        weights = [v.weight * v.nodes.weight for v in self.verdicts]
-        return np.concatenate(values), np.concatenate(weights)
+        at = self.mean + np.linspace(-4.5, 4.5, points) * self.spread
+        edges, reached = distribution(*_coefficients(self.verdicts))
+        by = np.interp(at - np.log(self.life_coefficient), edges, reached)
+        return np.exp(at), np.gradient(by, at)
 
 
-def quantiles(values: Array, weights: Array) -> Credible:
-    """Return median and 95 % limits of weighted values."""
-    order = np.argsort(values)
-    w = weights[order]
-    reached = (np.cumsum(w) - 0.5 * w) / w.sum()
-    low, median, high = np.interp([0.025, 0.5, 0.975], reached, values[order])
+def distribution(values: Array, weights: Array, breadth: Array) -> tuple[Array, Array]:
+    """Return where the distribution of values bends, and itself there; it is straight between.
+
+    Each value is spread evenly over its breadth; weights sum up to 1.
+    """
+    wide = np.maximum(breadth, 1e-9)
+    edges = np.concatenate([values - 0.5 * wide, values + 0.5 * wide])
+    order = np.argsort(edges)
+    density = np.cumsum(np.concatenate([weights / wide, -weights / wide])[order])
+    edges = edges[order]
+    reached = np.cumsum(np.append(0.0, density[:-1] * np.diff(edges)))
+    return edges, np.maximum.accumulate(reached / reached[-1])
+
+
+def quantiles(values: Array, weights: Array, breadth: Array) -> Credible:
+    """Return median and 95 % limits of what ``distribution`` says."""
+    edges, reached = distribution(values, weights, breadth)
+    low, median, high = np.interp([0.025, 0.5, 0.975], reached, edges)
     return Credible(float(median), float(low), float(high))
+
+
+def _coefficients(verdicts: Sequence[Verdict]) -> tuple[Array, Array, Array]:
+    """Return ln(K/K0), weight and breadth of all nodes of all statements."""
+    nodes = [v.nodes for v in verdicts]
+    return (
+        np.concatenate([one.hypotheses.log_coefficient for one in nodes]),
+        np.concatenate([v.weight * v.nodes.weight for v in verdicts]),
+        np.concatenate([one.breadth for one in nodes]),
+    )
 
 
 def identify(
@@ -132,59 +140,64 @@ def identify(
     numbers. Raises CannotBeTold in words where nothing can be stated.
     """
     closed = bins.closed if isinstance(bins, Bins) else bins
-    given = Given(readings_of(closed, errors), life, errors, prior)
-    drift = max(errors.drift, LEAST_DRIFT)
-    noises = [noise_of(given.readings, drift * one) for one in STRENGTHS]
-    log_prior = -STRENGTH_DECAY * np.arange(len(STRENGTHS))
-    log_prior = log_prior - np.logaddexp.reduce(log_prior)
+    readings = readings_of(closed, errors)
+    given = Given(readings, life, errors, prior, noise_of(readings, errors.drift))
+    first = (STATEMENTS[0], *constant_posterior(given, STATEMENTS[0]))
+    start = float(first[2].weight @ first[2].hypotheses.log_coefficient)
     found = [
-        (one, *constant_posterior(given, one, noises, log_prior))
-        for one in STATEMENTS
-        if not one.spread
+        first,
+        *((one, *alternative_posterior(given, one, start)) for one in STATEMENTS[1:]),
     ]
-    total = np.logaddexp.reduce([evidence for _, evidence, _ in found])
+    total = float(np.logaddexp.reduce([log_evidence for _, log_evidence, _ in found]))
     verdicts = tuple(
         sorted(
-            (
-                Verdict(
-                    one.name,
-                    float(np.exp(evidence - total)),
-                    evidence,
-                    _coefficient(nodes, life.coefficient, 0.0),
-                    _coefficient(nodes, life.coefficient, 1.0) if one.spread else None,
-                    quantiles(nodes.hypotheses.place, nodes.weight) if one.spread else None,
-                    nodes,
-                )
-                for one, evidence, nodes in found
-            ),
+            (_verdict(one, log, total, nodes, life.coefficient) for one, log, nodes in found),
             key=lambda each: -each.weight,
         )
     )
-    values = np.concatenate([v.nodes.hypotheses.log_coefficient for v in verdicts])
-    weights = np.concatenate([v.weight * v.nodes.weight for v in verdicts])
-    strengths = np.concatenate([v.nodes.strength for v in verdicts])
+    values, weights, breadth = _coefficients(verdicts)
     mean = float(weights @ values)
-    spread = float(np.sqrt(weights @ (values - mean) ** 2))
-    now = quantiles(values, weights)
-    k0 = life.coefficient
+    strengths = np.concatenate([v.nodes.strength for v in verdicts])
     return Identification(
-        Credible(*(k0 * float(np.exp(each)) for each in (now.median, now.low, now.high))),
-        mean + float(np.log(k0)),
-        spread,
+        _scaled(quantiles(values, weights, breadth), life.coefficient),
+        mean + float(np.log(life.coefficient)),
+        float(np.sqrt(weights @ ((values - mean) ** 2 + breadth**2 / 12.0))),
         verdicts,
-        quantiles(strengths, weights),
-        given.readings,
+        float(weights @ strengths),
+        readings,
         prior,
         errors,
-        k0,
+        life.coefficient,
         given.sensitivity,
     )
 
 
-def _coefficient(nodes: Nodes, coefficient: float, first: float) -> Credible:
-    """Return the coefficient now, or the first one (first = 1), m^2/N."""
-    values = nodes.hypotheses.log_coefficient + first * nodes.log_ratio
-    found = quantiles(values, nodes.weight)
+def _verdict(
+    statement: Statement, log_evidence: float, total: float, nodes: Nodes, coefficient: float
+) -> Verdict:
+    """Return what a statement comes to, with the evidence of all of them together."""
+    at = nodes.hypotheses
+    now = quantiles(at.log_coefficient, nodes.weight, nodes.breadth)
+    before, place = None, None
+    if statement.spread:
+        # The ratio is normal given ln K: as broad as an even spread of the same variance.
+        breadth = np.sqrt(nodes.breadth**2 + 12.0 * nodes.covariance[:, 0, 0])
+        first = quantiles(at.log_coefficient + nodes.log_ratio, nodes.weight, breadth)
+        before = _scaled(first, coefficient)
+        place = _scaled(quantiles(np.log(at.place), nodes.weight, np.zeros(at.place.size)), 1.0)
+    return Verdict(
+        statement.name,
+        float(np.exp(log_evidence - total)),
+        log_evidence,
+        _scaled(now, coefficient),
+        before,
+        place,
+        nodes,
+    )
+
+
+def _scaled(logarithm: Credible, unit: float) -> Credible:
+    """Return limits of a quantity from those of its logarithm, in a unit."""
     return Credible(
-        *(coefficient * float(np.exp(each)) for each in (found.median, found.low, found.high))
+        *(unit * float(np.exp(one)) for one in (logarithm.median, logarithm.low, logarithm.high))
     )

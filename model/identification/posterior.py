@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,13 +14,13 @@ from model.identification.statements import Hypotheses, Statement
 
 Array = NDArray[np.float64]
 
-GRID = 161
-"""Points over ln K: 20 to a standard deviation at least, in a range that holds all that counts."""
+GRID = 121
+"""Points over ln K in a range that holds all that counts: four to a standard deviation."""
 RANGE = 5.0
 """The first grid reaches so many of the prior's standard deviations to either side."""
 NEGLIGIBLE = 18.0
 """What is less probable than the best by exp of this (1e-8) is left out."""
-FINE_ENOUGH = 20
+FINE_ENOUGH = 48
 """So many points of a grid within NEGLIGIBLE of the best make sums over it exact to 1e-6."""
 
 
@@ -29,6 +28,7 @@ FINE_ENOUGH = 20
 class Nodes:
     """Hold hypotheses with their weights, and what is normal given each of them.
 
+    breadth (H,): of ln K that each stands for;
     weight (H,); mean (H, 3) and covariance (H, 3, 3) of ln r less that of the hypothesis, e / u_e
     and b / u_b; left (H,), m,
     pulled (H, 3), m, and spare (H,), m^2: the drift of the last bin given them, its dependence on
@@ -36,6 +36,7 @@ class Nodes:
     """
 
     hypotheses: Hypotheses
+    breadth: Array
     weight: Array
     mean: Array
     covariance: Array
@@ -58,9 +59,9 @@ class Nodes:
     def at(self, index: NDArray[np.int64]) -> Nodes:
         """Return some of the nodes; their weights sum up to 1 again."""
         weight = self.weight[index]
-        h = self.hypotheses
         return Nodes(
-            Hypotheses(h.statement, h.log_coefficient[index], h.log_ratio[index], h.place[index]),
+            self.hypotheses.at(index),
+            self.breadth[index],
             weight / weight.sum(),
             self.mean[index],
             self.covariance[index],
@@ -79,6 +80,7 @@ class Given:
     life: DepthLife
     errors: ProbeErrors
     prior: Prior
+    noise: Noise
 
     @property
     def log_median(self) -> float:
@@ -100,62 +102,50 @@ class Given:
         return np.stack([self.sensitivity * depth, level], axis=1)
 
 
-def constant_posterior(
-    given: Given, statement: Statement, noises: Sequence[Noise], log_prior: Array
-) -> tuple[float, Nodes]:
-    """Return the logarithm of the evidence of a constant K, and its nodes.
-
-    noises: by strength of the drift; log_prior: of the strengths.
-    """
+def constant_posterior(given: Given, statement: Statement) -> tuple[float, Nodes]:
+    """Return the logarithm of the evidence of a constant K, and its nodes."""
     centre, spread = given.log_median, given.prior.spread
-    grid = np.linspace(centre - RANGE * spread, centre + RANGE * spread, GRID)
+    low, high = centre - RANGE * spread, centre + RANGE * spread
     while True:
+        grid = np.linspace(low, high, GRID)
         hypotheses = Hypotheses(statement, grid, np.zeros(GRID), np.ones(GRID))
         depth, _ = given.depth(hypotheses)
-        columns = given.linear(depth)
         misfit = given.readings.depth - depth
-        each = [fitted(one, misfit, columns, np.zeros((GRID, 2)), np.eye(2)) for one in noises]
+        fit = fitted(given.noise, misfit, given.linear(depth), np.zeros((GRID, 2)), np.eye(2))
         log_density = -0.5 * (((grid - centre) / spread) ** 2 + LN_TWO_PI) - np.log(spread)
-        log_post = np.array([one.log_evidence for one in each]) + log_density + log_prior[:, None]
+        log_post = fit.log_evidence + log_density + given.noise.log_prior[:, None]
         counts = log_post > log_post.max() - NEGLIGIBLE
         inside = np.flatnonzero(counts.any(axis=0))
         if inside.size >= FINE_ENOUGH:
             break
-        low, high = max(inside[0] - 1, 0), min(inside[-1] + 1, GRID - 1)
-        grid = np.linspace(grid[low], grid[high], GRID)
+        low, high = grid[max(inside[0] - 1, 0)], grid[min(inside[-1] + 1, GRID - 1)]
     _refuse_beyond(given, depth[:, -1], log_post)
-    log_weight = log_post + np.log(grid[1] - grid[0])
-    return float(np.logaddexp.reduce(log_weight, axis=None)), _kept(
-        hypotheses, noises, each, log_weight
-    )
+    step = float(grid[1] - grid[0])
+    return kept(given.noise, hypotheses, fit, log_post + np.log(step), np.full(GRID, step))
 
 
-def _kept(
-    hypotheses: Hypotheses, noises: Sequence[Noise], each: Sequence[Fitted], log_weight: Array
-) -> Nodes:
-    """Return the nodes that count, of grids by strength (J, H), their weights summing up to 1."""
-    which, at = np.nonzero(log_weight > log_weight.max() - NEGLIGIBLE)
-    weight = np.exp(log_weight[which, at] - log_weight.max())
-    size = at.size
-    mean, covariance, pulled = np.zeros((size, 3)), np.zeros((size, 3, 3)), np.zeros((size, 3))
-    used = slice(3 - each[0].step.shape[1], 3)
-    mean[:, used] = np.array([one.step for one in each])[which, at]
-    covariance[:, used, used] = np.array([one.covariance for one in each])[which, at]
-    pulled[:, used] = np.array([one.pulled for one in each])[which, at]
-    return Nodes(
-        Hypotheses(
-            hypotheses.statement,
-            hypotheses.log_coefficient[at],
-            hypotheses.log_ratio[at],
-            hypotheses.place[at],
-        ),
+def kept(
+    noise: Noise, at: Hypotheses, fit: Fitted, log_weight: Array, breadth: Array
+) -> tuple[float, Nodes]:
+    """Return the logarithm of the sum of weights (J, H), and nodes of those that count."""
+    total = float(np.logaddexp.reduce(log_weight, axis=None))
+    which, place = np.nonzero(log_weight > log_weight.max() - NEGLIGIBLE)
+    weight = np.exp(log_weight[which, place] - log_weight.max())
+    missing = 3 - fit.step.shape[2]  # a constant coefficient has no ratio
+
+    def padded(values: Array) -> Array:
+        return np.pad(values[which, place], [(0, 0)] + [(missing, 0)] * (values.ndim - 2))
+
+    return total, Nodes(
+        at.at(place),
+        breadth[place],
         weight / weight.sum(),
-        mean,
-        covariance,
-        np.array([one.left for one in each])[which, at],
-        pulled,
-        np.array([one.spare for one in noises])[which],
-        np.array([one.strength for one in noises])[which],
+        padded(fit.step),
+        padded(fit.covariance),
+        fit.left[which, place],
+        padded(fit.pulled),
+        noise.spare[which],
+        noise.strength[which],
     )
 
 

@@ -21,7 +21,7 @@ CHANGE_SPREAD = float(np.log(3.0))
 """Spread of ln r of a change: two in three change K by less than a factor of 3."""
 RUNNING_IN_SPREAD = float(np.log(5.0))
 """Spread of ln r of running-in, which only falls: first coefficients of 5 times the last occur."""
-RUNNING_IN_PLACES = (10.0, 1e5)
+RUNNING_IN_PLACES = (30.0, 3e4)
 """Running-in takes so many nominal cycles at least and at most; equal chance in each decade."""
 
 
@@ -82,6 +82,12 @@ class Hypotheses:
     log_coefficient: Array
     log_ratio: Array
     place: Array
+
+    def at(self, index: NDArray[np.int64]) -> Hypotheses:
+        """Return some of them."""
+        return Hypotheses(
+            self.statement, self.log_coefficient[index], self.log_ratio[index], self.place[index]
+        )
 
     def scaled(self, half: Array) -> Callable[[Array], tuple[Array, Array]]:
         """Return what progress counts at K0, with its slopes by ln K and ln r (see ``Scaled``).

@@ -42,7 +42,7 @@ def test_a_certain_sensitivity_would_make_the_limits_narrower() -> None:
     bins = virtual.gathered(virtual.readings(LIFE, 4, 20000))
     usual = identify(bins, LIFE, virtual.ERRORS, virtual.PRIOR)
     certain = identify(bins, LIFE, replace(virtual.ERRORS, sensitivity=1e-6), virtual.PRIOR)
-    assert certain.spread < 0.7 * usual.spread
+    assert certain.spread < 0.8 * usual.spread
     unsure = replace(LIFE, relative_error=0.03)
     assert identify(bins, unsure, virtual.ERRORS, virtual.PRIOR).spread > 1.4 * usual.spread
 
@@ -138,3 +138,46 @@ def test_another_load_goes_on_from_the_depth_that_each_coefficient_had_reached()
     )
     assert other.median == pytest.approx(one.median, rel=1e-4)
     assert other.high - other.low == pytest.approx(one.high - one.low, rel=1e-2)
+
+
+NUMBER = np.arange(1.0, 20001.0)
+RUNNING_IN = 1.1 * (NUMBER + 2.0 * 1500.0 * -np.expm1(-NUMBER / 1500.0))
+CHANGE = 1.1 * (np.minimum(NUMBER, 10000.0) + 2.0 * np.maximum(NUMBER - 10000.0, 0.0))
+
+
+def test_one_coefficient_is_not_taken_for_two() -> None:
+    for seed in range(5):
+        best = identified(virtual.readings(LIFE, seed, 20000)).best
+        assert best.name == "constant"
+
+
+def test_running_in_is_told_with_both_coefficients() -> None:
+    best = identified(virtual.readings(LIFE, 1, 20000, RUNNING_IN)).best
+    assert best.name == "running-in"
+    assert best.weight > 20.0 / 21.0
+    assert best.before is not None
+    assert best.place is not None
+    assert best.coefficient.low < TRUE < best.coefficient.high
+    assert best.before.low < 3.0 * TRUE < best.before.high
+    assert best.place.low < 1500.0 < best.place.high
+
+
+def test_a_change_is_told_with_its_revolution() -> None:
+    depth = virtual.readings(LIFE, 1, 20000, CHANGE)
+    best = identified(depth).best
+    assert best.name == "change"
+    assert best.weight > 20.0 / 21.0
+    assert best.before is not None
+    assert best.place is not None
+    assert best.coefficient.low < 2.0 * TRUE < best.coefficient.high
+    assert best.before.low < TRUE < best.before.high
+    assert best.place.median == pytest.approx(10000.0, rel=0.05)
+
+
+def test_the_weights_of_the_statements_sum_up_to_one() -> None:
+    found = identified(virtual.readings(LIFE, 2, 6000, RUNNING_IN[:6000]))
+    assert sum(one.weight for one in found.verdicts) == pytest.approx(1.0)
+    coefficient, density = found.density()
+    assert np.trapezoid(density, np.log(coefficient)) == pytest.approx(1.0, abs=1e-2)
+    middle = float(coefficient[int(np.argmax(density))])
+    assert found.coefficient.low < middle < found.coefficient.high
