@@ -100,12 +100,12 @@ class Identification:
         return np.exp(at), np.gradient(by, at)
 
 
-def distribution(values: Array, weights: Array, breadth: Array) -> tuple[Array, Array]:
+def distribution(values: Array, weights: Array, breadth: Array | float) -> tuple[Array, Array]:
     """Return where the distribution of values bends, and itself there; it is straight between.
 
     Each value is spread evenly over its breadth; weights sum up to 1.
     """
-    wide = np.maximum(breadth, 1e-9)
+    wide = np.broadcast_to(np.maximum(breadth, 1e-9), values.shape)
     edges = np.concatenate([values - 0.5 * wide, values + 0.5 * wide])
     order = np.argsort(edges)
     density = np.cumsum(np.concatenate([weights / wide, -weights / wide])[order])
@@ -114,7 +114,7 @@ def distribution(values: Array, weights: Array, breadth: Array) -> tuple[Array, 
     return edges, np.maximum.accumulate(reached / reached[-1])
 
 
-def quantiles(values: Array, weights: Array, breadth: Array) -> Credible:
+def quantiles(values: Array, weights: Array, breadth: Array | float = 0.0) -> Credible:
     """Return median and 95 % limits of what ``distribution`` says."""
     edges, reached = distribution(values, weights, breadth)
     low, median, high = np.interp([0.025, 0.5, 0.975], reached, edges)
@@ -184,7 +184,7 @@ def _verdict(
         breadth = np.sqrt(nodes.breadth**2 + 12.0 * nodes.covariance[:, 0, 0])
         first = quantiles(at.log_coefficient + nodes.log_ratio, nodes.weight, breadth)
         before = _scaled(first, coefficient)
-        place = _scaled(quantiles(np.log(at.place), nodes.weight, np.zeros(at.place.size)), 1.0)
+        place = _scaled(quantiles(np.log(at.place), nodes.weight), 1.0)
     return Verdict(
         statement.name,
         float(np.exp(log_evidence - total)),

@@ -95,7 +95,7 @@ def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
     coming = by.variance + taus**2
     mean = float(weight @ by.centre)
     spread = float(np.sqrt(weight @ (coming + (by.centre - mean) ** 2)))
-    tau = quantiles(taus, weight)
+    tau = quantiles(taus, weight, float(taus[1]))
     return Pairing(
         _mixture(weight, by.centre, by.variance),
         _mixture(weight, by.centre, coming),
