@@ -50,13 +50,15 @@ class Verdict:
 class Identification:
     """Hold what is known of the wear coefficient after some bins.
 
-    coefficient: now, all statements by their weights, m^2/N; mean: of ln K; spread: its standard
-    deviation; verdicts: by statement, the most probable first; drift: mean of its strength, m per
-    root of ln n; readings: the bins; prior, errors: what they were judged with; life_coefficient:
-    K0, m^2/N; sensitivity: relative standard uncertainty, with that of the life's computation.
+    coefficient: now, by the most probable statement, m^2/N; averaged: by all statements with their
+    weights; mean: of ln K by the most probable one; spread: its standard deviation; verdicts: by
+    statement, the most probable first; drift: mean of its strength, m per root of ln n; readings:
+    the bins; prior, errors: what they were judged with; life_coefficient: K0, m^2/N; sensitivity:
+    relative standard uncertainty, with that of the life's computation.
     """
 
     coefficient: Credible
+    averaged: Credible
     mean: float
     spread: float
     verdicts: tuple[Verdict, ...]
@@ -92,10 +94,10 @@ class Identification:
     def density(self, points: int = 121) -> tuple[Array, Array]:
         """Return coefficients (points,), m^2/N, and the density of ln K there (points,).
 
-        It is that of all statements, over its whole breadth.
+        It is that of the most probable statement, over its whole breadth.
         """
         at = self.mean + np.linspace(-4.5, 4.5, points) * self.spread
-        edges, reached = distribution(*_coefficients(self.verdicts))
+        edges, reached = distribution(*_coefficients(self.verdicts[:1]))
         by = np.interp(at - np.log(self.life_coefficient), edges, reached)
         return np.exp(at), np.gradient(by, at)
 
@@ -122,11 +124,12 @@ def quantiles(values: Array, weights: Array, breadth: Array | float = 0.0) -> Cr
 
 
 def _coefficients(verdicts: Sequence[Verdict]) -> tuple[Array, Array, Array]:
-    """Return ln(K/K0), weight and breadth of all nodes of all statements."""
+    """Return ln(K/K0), weight and breadth of all nodes of some statements."""
     nodes = [v.nodes for v in verdicts]
     return (
         np.concatenate([one.hypotheses.log_coefficient for one in nodes]),
-        np.concatenate([v.weight * v.nodes.weight for v in verdicts]),
+        np.concatenate([v.weight * v.nodes.weight for v in verdicts])
+        / sum(v.weight for v in verdicts),
         np.concatenate([one.breadth for one in nodes]),
     )
 
@@ -155,13 +158,15 @@ def identify(
             key=lambda each: -each.weight,
         )
     )
-    values, weights, breadth = _coefficients(verdicts)
-    mean = float(weights @ values)
+    mean, spread = verdicts[0].nodes.log_moments
+    averaged = quantiles(*_coefficients(verdicts))
+    weights = np.concatenate([v.weight * v.nodes.weight for v in verdicts])
     strengths = np.concatenate([v.nodes.strength for v in verdicts])
     return Identification(
-        _scaled(quantiles(values, weights, breadth), life.coefficient),
+        verdicts[0].coefficient,
+        _scaled(averaged, life.coefficient),
         mean + float(np.log(life.coefficient)),
-        float(np.sqrt(weights @ ((values - mean) ** 2 + breadth**2 / 12.0))),
+        spread,
         verdicts,
         float(weights @ strengths),
         readings,

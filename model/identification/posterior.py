@@ -50,6 +50,14 @@ class Nodes:
         """Return the mean of ln r, (H,)."""
         return self.hypotheses.log_ratio + self.mean[:, 0]
 
+    @property
+    def log_moments(self) -> tuple[float, float]:
+        """Return mean and standard deviation of ln(K/K0)."""
+        values = self.hypotheses.log_coefficient
+        mean = float(self.weight @ values)
+        variance = self.weight @ ((values - mean) ** 2 + self.breadth**2 / 12.0)
+        return mean, float(np.sqrt(variance))
+
     def heaviest(self, share: float) -> Nodes:
         """Return the heaviest nodes that hold a share of the weight; theirs sums up to 1 again."""
         order = np.argsort(-self.weight)

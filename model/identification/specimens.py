@@ -106,13 +106,9 @@ def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
 
 
 def _seen(known: Identification) -> tuple[Array, Array, Array]:
-    """Return ln(K/K0), weight and mean of e / u_e of all nodes."""
-    nodes = [one.nodes for one in known.verdicts]
-    return (
-        np.concatenate([one.hypotheses.log_coefficient for one in nodes]),
-        np.concatenate([one.weight * one.nodes.weight for one in known.verdicts]),
-        np.concatenate([one.mean[:, 1] for one in nodes]),
-    )
+    """Return ln(K/K0), weight and mean of e / u_e of the most probable statement's nodes."""
+    nodes = known.best.nodes
+    return nodes.hypotheses.log_coefficient, nodes.weight, nodes.mean[:, 1]
 
 
 def _errors(estimates: Sequence[Estimate]) -> Array:
