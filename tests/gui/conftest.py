@@ -378,9 +378,8 @@ def recorded(tmp_path: Path) -> Path:
         if kept:
             writer.append_cycle(revolution, cycle_columns_of(make_cycle(revolution, 400)))
         prediction = make_prediction(revolution)
-        curves = {
-            name: as_array(getattr(prediction, name)) for name in ("force_1", "force_2", "force")
-        }
+        sent = {name: as_array(getattr(prediction, name)) for name in plan.predicted_curves}
+        curves = {name: curve if len(curve) else np.zeros(360) for name, curve in sent.items()}
         writer.append_prediction(predictions[index], curves if kept else None)
         writer.append_row(rows[index])
     writer.append_event(Event(1.8e9, 120, "note", "Ann", "oil added"))
