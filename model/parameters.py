@@ -128,8 +128,37 @@ class Material:
 
 
 @dataclass(frozen=True, slots=True)
+class WearLaw:
+    """Say how wear departs from Archard's dh/ds = K p; the default does not.
+
+    See ``model.wear.laws``. name: there. excess: by what part of K it is larger in the first
+    revolution; running_in: revolutions in which this falls to 1/e. exponent: of the pressure;
+    reference_pressure: where K is Archard's, Pa. transition: product of nominal pressure and
+    sliding speed, W/m^2, from which on K is ``beyond`` times as large.
+    """
+
+    name: str = "archard"
+    excess: float = 0.0
+    running_in: float = 1.0
+    exponent: float = 1.0
+    reference_pressure: float = 1e6
+    transition: float = float("inf")
+    beyond: float = 1.0
+
+    def __post_init__(self) -> None:
+        require_not_negative("excess", self.excess)
+        for name in ("running_in", "exponent", "reference_pressure", "beyond"):
+            require_positive(name, getattr(self, name))
+        if not self.transition > 0.0:
+            raise ModelError("transition", self.transition, "it must be greater than 0", "W/m^2")
+
+
+ARCHARD = WearLaw()
+
+
+@dataclass(frozen=True, slots=True)
 class Bushing:
-    """Hold the bushing's material, density (kg/m^3) and wear coefficient (m^2/N).
+    """Hold the bushing's material, density (kg/m^3), wear coefficient (m^2/N) and wear law.
 
     1 mm^3/(N m) = 1e-9 m^2/N.
     """
@@ -137,6 +166,7 @@ class Bushing:
     material: Material
     density: float
     wear_coefficient: float
+    law: WearLaw = ARCHARD
 
     def __post_init__(self) -> None:
         require_positive("density", self.density, "kg/m^3")

@@ -38,7 +38,7 @@ def stable_step(ring: Ring, sectors: int, wear_coefficient: float, loads: CycleL
     mesh (``largest_explicit_step``), and of the wall as a bed of springs of k Pa/m, which decides
     in a thin one: 2 / (K s k). All slip of a revolution counts, wherever it presses.
     """
-    slip = float(loads.slip.sum()) + loads.idle
+    slip = float(loads.wearing.sum()) + loads.idle
     rate = wear_coefficient * slip * ring.foundation_modulus
     bed = 2.0 / rate if rate > 0.0 else float("inf")
     if ring.contact == "winkler":
@@ -88,7 +88,7 @@ def explicit_step(problem: WearProblem, front: Front, loads: CycleLoads, cycles:
     weights = simpson_weights(front.surface)[nodes]
     near = front.surface[nodes]
     offset = np.zeros_like(near)
-    for pin, force, slip in zip(solved.pins, solved.force, loads.slip, strict=True):
+    for pin, force, slip in zip(solved.pins, solved.force, loads.wearing, strict=True):
         away = near - pin
         away /= np.hypot(away[:, 0], away[:, 1])[:, None]
         wear = problem.wear_coefficient * cycles * slip * force / weights

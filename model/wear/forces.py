@@ -11,7 +11,8 @@ from typing import Protocol
 import numpy as np
 
 from model.joints import continuous_contact
-from model.parameters import Joint, Parameters
+from model.parameters import ARCHARD, Joint, Parameters, WearLaw
+from model.wear.coefficient import switched
 from model.wear.front import Front
 from model.wear.loads import (
     WIDE_SWING,
@@ -52,16 +53,19 @@ class ForceSource(Protocol):
         """Return sentences on what the technique assumes and whether it holds."""
 
 
-def constant_source(force: float, joint: Joint) -> ForceSource:
-    """Return the source of one constant force along the follower, N."""
-    return ConstantForce(force, joint)
+def constant_source(
+    force: float, joint: Joint, speed: float = 0.0, law: WearLaw = ARCHARD
+) -> ForceSource:
+    """Return the source of one constant force along the follower, N; speed: of the crank, rad/s."""
+    return ConstantForce(force, joint, speed, law)
 
 
 class ConstantForce:
     """Give one constant force along the follower."""
 
-    def __init__(self, force: float, joint: Joint) -> None:
-        self._loads = constant_load(force, joint.pin_radius)
+    def __init__(self, force: float, joint: Joint, speed: float, law: WearLaw) -> None:
+        load = constant_load(force, joint.pin_radius)
+        self._loads = switched(load, joint.pin_radius * speed, joint, law)
         self._joint = joint
 
     single = True
@@ -155,15 +159,18 @@ class Constrained:
         rate = motion.slip_rate(joint.pin_radius)
         weight = np.abs(rate)
         slip = 2.0 * np.pi * joint.pin_radius * weight / weight.sum()
-        return loads_of_cycle(motion.force_follower, slip, joint.friction_coefficient, rate)
+        loads = loads_of_cycle(motion.force_follower, slip, joint.friction_coefficient, rate)
+        return switched(loads, rate, joint, self._parameters.bushing.law)
 
     def _sampled(self, positions: int, gap: float) -> CycleLoads:
         """Return the loads at equal crank angles, or gathered where their direction swings wide.
 
-        A force that keeps its direction needs few crank angles, and equal ones are best by far.
+        A force that keeps its direction needs few crank angles, and equal ones are best by far,
+        unless the wear coefficient jumps between them.
         """
         if self._wide is None:
-            self._wide = swing(self._loads(DENSE, gap)) > WIDE_SWING
+            dense = self._loads(DENSE, gap)
+            self._wide = swing(dense) > WIDE_SWING or dense.rate is not None
         if self._wide:
             return gathered(self._loads(DENSE, gap), positions)
         return self._loads(positions, gap)

@@ -14,6 +14,7 @@ from model.ensemble import BatchMeans, Mean, revolutions_of
 from model.impact import ContactCycle, contact_cycle
 from model.impact_system import clearance_system
 from model.parameters import Parameters
+from model.wear.coefficient import switched
 from model.wear.front import Front
 from model.wear.loads import CycleLoads, gathered
 from model.wear.plan import SAMPLING_COVERAGE
@@ -128,10 +129,10 @@ class SeparateBodies:
         )
         found = contact_cycle(system, SAMPLES, progress=lambda part: self._alive())
         if found.contact_is_continuous:
-            return _Stage(_loads(found, p.joint.pin_radius), (), 1.0, 1, cycles)
+            return _Stage(_loads(found, p), (), 1.0, 1, cycles)
         revolutions, work, touch = [], BatchMeans(), BatchMeans()
         for cycle in revolutions_of(system, SAMPLES_WITH_IMPACTS, alive=self._alive):
-            revolutions.append(_loads(cycle, p.joint.pin_radius))
+            revolutions.append(_loads(cycle, p))
             work.add(_work(revolutions[-1]))
             touch.add(cycle.contact_fraction)
             if self._enough(len(revolutions), work.result()):
@@ -173,18 +174,21 @@ def _profile(front: Front, inner: float) -> WornSurface:
     return WornSurface(angle[order], np.maximum(np.hypot(x, y) - inner, 0.0)[order])
 
 
-def _loads(cycle: ContactCycle, pin_radius: float) -> CycleLoads:
+def _loads(cycle: ContactCycle, parameters: Parameters) -> CycleLoads:
     """Return the normal forces of a revolution, pressing on the bushing."""
     size = np.where(cycle.touching, cycle.normal_force, 0.0)
     force = np.stack([np.cos(cycle.contact_angle), np.sin(cycle.contact_angle)]) * size
-    rate = np.abs(cycle.motion.slip_rate(pin_radius))
+    joint = parameters.joint
+    rate = np.abs(cycle.motion.slip_rate(joint.pin_radius))
     period = 2.0 * np.pi / np.mean(np.abs(cycle.motion.speed))
-    return CycleLoads(force.T, rate * period / len(rate))
+    return switched(
+        CycleLoads(force.T, rate * period / len(rate)), rate, joint, parameters.bushing.law
+    )
 
 
 def _work(revolution: CycleLoads) -> Array:
     """Return force times slip by tens of degrees of the force's direction, J."""
-    work = revolution.magnitude * revolution.slip
+    work = revolution.magnitude * revolution.wearing
     return np.histogram(revolution.direction, 36, (-np.pi, np.pi), weights=work)[0]
 
 
@@ -192,4 +196,6 @@ def _together(revolutions: Sequence[CycleLoads]) -> CycleLoads:
     """Return revolutions as one, in the order of direction: by crank angle they are not alike."""
     force = np.concatenate([r.force for r in revolutions])
     slip = np.concatenate([r.slip for r in revolutions]) / len(revolutions)
-    return gathered(CycleLoads(force, slip).pressing().by_direction(), DIRECTIONS)
+    rates = [r.rate for r in revolutions if r.rate is not None]
+    together = CycleLoads(force, slip, rate=np.concatenate(rates) if rates else None)
+    return gathered(together.pressing().by_direction(), DIRECTIONS)

@@ -13,10 +13,12 @@ from model.bushing.compliance import surface_angles
 from model.bushing.contact import ArcTooSmall, refuse_beyond_elasticity
 from model.bushing.ring import ContactModel, Ring, pressure_distribution, ring_of
 from model.errors import ModelError, OutOfTime, require_finite, require_positive
-from model.parameters import Parameters
+from model.parameters import ARCHARD, Parameters
+from model.wear.coefficient import cycles_at, steady_cycles
 from model.wear.explicit import Extrapolation, explicit_moments, extrapolation
 from model.wear.forces import ForceSource, constant_source
 from model.wear.front import Front, WearProblem, wear_problem
+from model.wear.laws import sentence_of
 from model.wear.loads import CycleLoads
 from model.wear.plan import (
     TIME_SHARE,
@@ -104,6 +106,14 @@ def life(
     require_positive("cycles", cycles)
     require_finite("speed", speed, "rad/s")
     require_positive("tolerance", tolerance)
+    law = parameters.bushing.law
+    if method == "explicit" and law.exponent != 1.0:
+        raise ModelError(
+            "exponent",
+            law.exponent,
+            "how long an explicit step may be is known for wear in proportion to the pressure"
+            " only; take implicit steps",
+        )
     ring = ring_of(parameters.joint, parameters.bushing.material, contact=contact)
     if force is None and speed == 0.0:
         raise ModelError("speed", speed, "a crank that stands still wears nothing", "rad/s")
@@ -113,22 +123,22 @@ def life(
             parameters, LifeOptions(speed, tolerance, lambda: tell(0.0), evolving)
         )
         if force is None
-        else constant_source(force, parameters.joint)
+        else constant_source(force, parameters.joint, speed, law)
     )
     width, coefficient = parameters.joint.bushing_width, parameters.bushing.wear_coefficient
-    one = (ring, width, coefficient)
-    plan = plan_life(*one, source.unworn, cycles, tolerance, source.single, lambda: tell(0.0))
+    one = (ring, width, coefficient, law)
+    whole = float(steady_cycles(law, cycles))
+    plan = plan_life(*one, source.unworn, whole, tolerance, source.single, lambda: tell(0.0))
     unworn = source.unworn(plan.positions)
     explicit = None
     if method == "explicit":
         explicit = extrapolation(ring, plan.sectors, coefficient, unworn, step)
     simplified = simplification(ring, float(unworn.magnitude.max()) / width)
-    sampling = sampling_errors(
-        *one, plan, unworn.pressing(), source.samples(plan.positions), cycles
-    )
+    sampling = sampling_errors(*one, plan, unworn.pressing(), source.samples(plan.positions), whole)
     task = _Task(parameters, ring, source, plan, technique, tolerance, cycles, explicit)
     found = _life(task, sampling, _moments(task, tell))
-    return replace(found, notes=simplified + found.notes)
+    by_law = () if law == ARCHARD else (sentence_of(law.name),)
+    return replace(found, notes=simplified + by_law + found.notes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,14 +158,16 @@ class _Task:
 def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
     """Run the life on its plan, again on a larger arc when the contact outgrows it.
 
-    Where ``tell`` raises OutOfTime after the first step, what was reached is returned.
+    Where ``tell`` raises OutOfTime after the first step, what was reached is returned. Rows, steps
+    and moments count by the law's progress, in cycles at the steady coefficient.
     """
     plan, source, explicit = task.plan, task.source, task.explicit
-    window = plan.half_angle
-    rows = row_cycles(task.cycles)
+    window, law = plan.half_angle, task.parameters.bushing.law
+    rows = steady_cycles(law, row_cycles(task.cycles))
+    whole = float(rows[-1])
 
     def loads_at(front: Front, at: float) -> CycleLoads:
-        return source.at(front, at, plan.positions)
+        return source.at(front, float(cycles_at(law, at)), plan.positions)
 
     while True:
         problem = wear_problem(
@@ -165,6 +177,7 @@ def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
             task.parameters.bushing.wear_coefficient,
             source.unworn(plan.positions),
             window,
+            law,
         )
         moments: list[Moment] = []
         try:
@@ -172,14 +185,14 @@ def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
                 integrate(problem, loads_at, rows, TIME_SHARE * task.tolerance)
                 if explicit is None
                 else explicit_moments(
-                    problem, loads_at, rows, explicit.step, lambda done: tell(done / task.cycles)
+                    problem, loads_at, rows, explicit.step, lambda done: tell(done / whole)
                 )
             )
             for moment in course:
                 if not moments:
                     _refuse_overload(problem, moment)
                 moments.append(moment)
-                tell(moment.cycles / task.cycles)
+                tell(moment.cycles / whole)
         except OutOfTime:
             if len(moments) < 2:
                 raise
@@ -257,8 +270,13 @@ def _life(
             f" tolerance of {task.tolerance:g}; most of it is by the {worst}"
             f"{': take shorter explicit steps' if shorter else ''}."
         )
-    notes += below_archard(area[-1], area_error[-1], _least_area(parameters, done, mean_force))
-    if done[-1] < cycles:
+    law = parameters.bushing.law
+    if law.exponent == 1.0 and law.beyond == 1.0:
+        least = _least_area(parameters, done, mean_force)
+        notes += below_archard(area[-1], area_error[-1], least)
+    complete = bool(done[-1] >= steady_cycles(law, cycles))
+    done = cycles_at(law, done)
+    if not complete:
         notes.append(
             f"Time ran out after {done[-1]:.6g} of {cycles:.0f} cycles; the last row is not the end"
             " of the life."
@@ -284,7 +302,7 @@ def _life(
         steps=sum(m.steps for m in moments),
         notes=tuple(notes),
         tolerance_met=met,
-        complete=bool(done[-1] >= cycles),
+        complete=complete,
         extrapolation=task.explicit,
     )
 
@@ -303,7 +321,8 @@ def _errors(
     """
     done = np.array([m.cycles for m in moments])
     mesh = mesh_error(np.array([0.5 * m.nodes_in_contact for m in moments])) + _SOLUTION_ERROR
-    kept = np.array([task.source.coupling_error(m.cycles) for m in moments])
+    law = task.parameters.bushing.law
+    kept = np.array([task.source.coupling_error(float(cycles_at(law, one))) for one in done])
     of_depth = {
         "time steps": np.array([m.time_error for m in moments]),
         "crank positions": task.plan.depth_error.after(done) * depth,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,12 +19,14 @@ class CycleLoads:
     ``force`` (M, 2), N: pressing force on the bushing by the pin; x points from the bushing's
     centre to the initial contact point, which is towards the crank, y is 90 degrees further
     counter-clockwise: minus the components in the follower frame. ``slip`` (M,), m: its sum and
-    ``idle``, the slip without force, are the slip of a revolution.
+    ``idle``, the slip without force, are the slip of a revolution. ``rate`` (M,): by what the wear
+    coefficient is multiplied at each position, None where it is the same at all.
     """
 
     force: Array
     slip: Array
     idle: float = 0.0
+    rate: Array | None = None
 
     def __post_init__(self) -> None:
         if self.force.ndim != 2 or self.force.shape[1] != 2 or len(self.slip) != len(self.force):
@@ -34,6 +36,11 @@ class CycleLoads:
             raise ModelError("loads", "not finite", "give finite numbers only")
         if self.slip.min(initial=0.0) < 0.0:
             raise ModelError("slip", float(self.slip.min()), "it must not be negative", "m")
+
+    @property
+    def wearing(self) -> Array:
+        """Return the slip of each position times its rate, m: what wears with one coefficient."""
+        return self.slip if self.rate is None else self.slip * self.rate
 
     @property
     def magnitude(self) -> Array:
@@ -57,13 +64,17 @@ class CycleLoads:
         kept = (size > 1e-9 * size.max(initial=0.0)) & (self.slip > 0.0)
         if kept.all():
             return self
-        idle = self.idle + float(self.slip[~kept].sum())
-        return CycleLoads(self.force[kept], self.slip[kept], idle)
+        return replace(self._only(kept), idle=self.idle + float(self.slip[~kept].sum()))
 
     def by_direction(self) -> CycleLoads:
         """Return the positions in the order of their forces' directions."""
         order = np.argsort(self.direction, kind="stable")
-        return CycleLoads(self.force[order], self.slip[order], self.idle)
+        return self._only(order)
+
+    def _only(self, places: NDArray[np.bool_] | NDArray[np.int64]) -> CycleLoads:
+        """Return some of the positions."""
+        rate = None if self.rate is None else self.rate[places]
+        return CycleLoads(self.force[places], self.slip[places], self.idle, rate)
 
 
 def constant_load(force: float, pin_radius: float) -> CycleLoads:
@@ -147,4 +158,7 @@ def gathered(loads: CycleLoads, positions: int) -> CycleLoads:
     kept = (slip > 0.0) & (length > 0.0)
     size = work[kept] / slip[kept]
     idle = loads.idle + float(slip[~kept].sum())
-    return CycleLoads(sums[kept] / length[kept, None] * size[:, None], slip[kept], idle)
+    rate = None
+    if loads.rate is not None:
+        rate = np.add.reduceat(loads.magnitude * loads.wearing, edges)[kept] / work[kept]
+    return CycleLoads(sums[kept] / length[kept, None] * size[:, None], slip[kept], idle, rate)

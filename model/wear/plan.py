@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from model.bushing.contact import ArcTooSmall
 from model.bushing.ring import MOST_NODES, SECTORS, Ring, arc_nodes, sectors_at_least
 from model.errors import ModelError
+from model.parameters import WearLaw
 from model.wear.archard import rigid_half_angle, rigid_wear
 from model.wear.front import (
     Front,
@@ -81,6 +82,7 @@ def plan_life(
     ring: Ring,
     width: float,
     wear_coefficient: float,
+    law: WearLaw,
     loads_of: LoadsOf,
     cycles: float,
     tolerance: float,
@@ -101,7 +103,16 @@ def plan_life(
     while True:
         try:
             return _planned(
-                ring, width, wear_coefficient, loads_of, cycles, tolerance, single, window, alive
+                ring,
+                width,
+                wear_coefficient,
+                law,
+                loads_of,
+                cycles,
+                tolerance,
+                single,
+                window,
+                alive,
             )
         except ArcTooSmall:
             if window >= np.pi:
@@ -140,7 +151,7 @@ def expected_half_angle(
             ring.pin_radius,
             loads.mean_force / width,
             wear_coefficient,
-            float(loads.slip.sum()),
+            float(loads.wearing.sum()),
             cycles,
         ).depth
     except ModelError:
@@ -152,6 +163,7 @@ def _planned(
     ring: Ring,
     width: float,
     wear_coefficient: float,
+    law: WearLaw,
     loads_of: LoadsOf,
     cycles: float,
     tolerance: float,
@@ -162,7 +174,7 @@ def _planned(
     """Return the plan for an arc of nodes; raise ArcTooSmall when the contact leaves it."""
 
     def problem(sectors: int, loads: CycleLoads) -> WearProblem:
-        return wear_problem(ring, sectors, width, wear_coefficient, loads, window)
+        return wear_problem(ring, sectors, width, wear_coefficient, loads, window, law)
 
     dense = loads_of(1 if single else 72).pressing()
     wide = swing(dense) > WIDE_SWING
@@ -224,6 +236,7 @@ def sampling_errors(
     ring: Ring,
     width: float,
     wear_coefficient: float,
+    law: WearLaw,
     plan: LifePlan,
     whole: CycleLoads,
     samples: Sequence[CycleLoads],
@@ -240,7 +253,9 @@ def sampling_errors(
         return nothing, nothing
     found = []
     for loads in (whole, *samples):
-        problem = wear_problem(ring, plan.coarse, width, wear_coefficient, loads, plan.half_angle)
+        problem = wear_problem(
+            ring, plan.coarse, width, wear_coefficient, loads, plan.half_angle, law
+        )
         ends = _coarse_life(problem, loads, cycles)
         found.append([(float(front.depth(ring.inner).max()), area) for front, area in ends])
     together, parts = np.array(found[0]), np.array(found[1:])

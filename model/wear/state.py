@@ -11,6 +11,7 @@ from model.bushing.compliance import surface_angles
 from model.bushing.ring import ring_of, sectors_at_least
 from model.errors import ModelError
 from model.parameters import Parameters
+from model.wear.coefficient import steady_cycles, switched
 from model.wear.front import (
     Front,
     WearProblem,
@@ -95,22 +96,23 @@ class WearState:
 
         force_follower: (2, n), N, on the follower by the pin in the follower frame, measured or
         predicted, at equal steps of the crank; slip: (n,), m, from each sample to the next;
-        sliding: sense of sliding for friction, its sign counts. Many samples are gathered into 12
-        positions. Two implicit steps; their difference from one is added to the error.
-        Raises ContactError or ModelError.
+        sliding: sliding speed, m/s; for friction its sign counts, for the regime its size. Many
+        samples are gathered into 12 positions. Two implicit steps; their difference from one is
+        added to the error. Raises ContactError or ModelError.
         """
-        mu = self.parameters.joint.friction_coefficient
-        return self.advance_by(loads_of_cycle(force_follower, slip, mu, sliding), cycles)
+        return self.advance_by(worn_by(self.parameters, force_follower, slip, sliding), cycles)
 
     def advance_by(self, revolution: CycleLoads, cycles: float) -> WearState:
         """Advance by so many cycles of loads in the wear frame (see ``advance``)."""
         loads = gathered(revolution.pressing(), POSITIONS).pressing()
         if not loads.slip.size:
             return replace(self, cycles=self.cycles + cycles, mean_force=0.0, peak_pressure=0.0)
-        coarse = implicit_step(self.problem, self.front, loads, cycles)
+        law, done = self.problem.law, self.cycles
+        effort = float(steady_cycles(law, done + cycles) - steady_cycles(law, done))
+        coarse = implicit_step(self.problem, self.front, loads, effort)
         fine = self.front
         for _ in range(2):
-            fine = implicit_step(self.problem, fine, loads, 0.5 * cycles)
+            fine = implicit_step(self.problem, fine, loads, 0.5 * effort)
         inner = self.problem.ring.inner
         depth = fine.depth(inner)
         deep = depth >= 0.5 * depth.max()
@@ -123,6 +125,15 @@ class WearState:
             mean_force=loads.mean_force,
             step_error=self.step_error + error,
         )
+
+
+def worn_by(
+    parameters: Parameters, force_follower: ArrayLike, slip: ArrayLike, sliding: ArrayLike = 1.0
+) -> CycleLoads:
+    """Return a revolution's loads with the regimes they wear in; arguments as ``advance`` has."""
+    joint = parameters.joint
+    loads = loads_of_cycle(force_follower, slip, joint.friction_coefficient, sliding)
+    return switched(loads, np.asarray(sliding), joint, parameters.bushing.law)
 
 
 def unworn_state(parameters: Parameters, typical_force: float) -> WearState:
@@ -175,4 +186,5 @@ def _problem(parameters: Parameters, sectors: int) -> WearProblem:
         parameters.bushing.wear_coefficient,
         anywhere,
         np.pi,
+        parameters.bushing.law,
     )

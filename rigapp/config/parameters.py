@@ -2,16 +2,34 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import msgspec
 
+from model.wear.laws import LAWS
 from rigapp.config.errors import UnusableInput
-from rigapp.config.numbers import INERTIA_KG_M2, MASS_KG, MODULUS_MPA, POISSON, within
+from rigapp.config.numbers import (
+    INERTIA_KG_M2,
+    MASS_KG,
+    MODULUS_MPA,
+    POISSON,
+    PRESSURE_MPA,
+    PRESSURE_VELOCITY,
+    SPEED_M_PER_S,
+    within,
+)
 from rigapp.schema.units import stem_of, unit_of_key
 
 if TYPE_CHECKING:
-    from model.parameters import Parameters
+    from model.parameters import Parameters, WearLaw
+
+    WearLawName = str
+else:
+    WearLawName = Literal[tuple(LAWS)]
+
+LAW_WORDS = msgspec.Meta(
+    description="; ".join(f"{one.name}: {one.sentence}" for one in LAWS.values())
+)
 
 MM = 1e-3
 MPA = 1e6
@@ -64,6 +82,35 @@ class PinSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     poissons_ratio: Annotated[float, POISSON]
 
 
+class WearSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[wear]: the wear law, one of ``LAWS``; a key that the law does not read must be absent.
+
+    bushing.wear_coefficient is the steady one of running-in, that at the reference pressure of the
+    pressure exponent, and the mild one of two regimes.
+    """
+
+    law: Annotated[WearLawName, LAW_WORDS] = "archard"
+    initial_wear_coefficient_mm3_per_Nm: Annotated[float | None, within(0.0, 1.0)] = None
+    running_in_revolutions: Annotated[float | None, within(1.0, 1e8)] = None
+    pressure_exponent: Annotated[float | None, within(0.5, 2.5)] = None
+    reference_pressure_MPa: Annotated[float | None, within(1e-3, 1e4)] = None
+    severe_wear_coefficient_mm3_per_Nm: Annotated[float | None, within(0.0, 1.0)] = None
+    transition_MPa_m_per_s: Annotated[float | None, PRESSURE_VELOCITY] = None
+
+
+class PairingSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[pairing]: where the pair of materials may run; beyond, a test warns.
+
+    pressure_velocity: of nominal pressure (force over pin diameter and bushing width) and sliding
+    speed at one crank angle; the largest of a revolution is judged.
+    """
+
+    pressure_velocity_low_MPa_m_per_s: Annotated[float | None, PRESSURE_VELOCITY] = None
+    pressure_velocity_high_MPa_m_per_s: Annotated[float | None, PRESSURE_VELOCITY] = None
+    nominal_pressure_high_MPa: Annotated[float | None, PRESSURE_MPA] = None
+    sliding_speed_high_m_per_s: Annotated[float | None, SPEED_M_PER_S] = None
+
+
 class ParameterFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A parameter file: what ``rigapp model`` reads, and the [model] part of a test."""
 
@@ -73,6 +120,8 @@ class ParameterFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     bushing: BushingSection
     pin: PinSection
     spring: SpringSection | None = None
+    wear: WearSection | None = None
+    pairing: PairingSection | None = None
 
 
 def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> Parameters:
@@ -102,9 +151,51 @@ def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> P
     mechanism = build(Mechanism, "mechanism", file.mechanism, spring=spring)
     joint = build(Joint, "joint", file.joint)
     material = build(Material, "bushing", file.bushing)
-    bushing = build(Bushing, "bushing", file.bushing, material=material)
+    law = _law(file.wear, file.bushing.wear_coefficient_mm3_per_Nm, f"{prefix}wear")
+    bushing = build(Bushing, "bushing", file.bushing, material=material, law=law)
     pin = build(Material, "pin", file.pin)
     return Parameters(mechanism=mechanism, joint=joint, bushing=bushing, pin=pin)
+
+
+def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
+    """Return the wear law of a bushing; raise UnusableInput for keys that do not fit it."""
+    from model.parameters import ARCHARD, WearLaw
+
+    if wear is None:
+        return ARCHARD
+    needs = LAWS[wear.law].needs
+    for key in wear.__struct_fields__[1:]:
+        given = getattr(wear, key) is not None
+        if given and key not in needs:
+            raise UnusableInput(
+                f"{where}.{key} means nothing with law = {wear.law!r}; take it out or choose the"
+                " law that reads it"
+            )
+        if not given and key in needs:
+            raise UnusableInput(f"{where}.{key} is missing; the law {wear.law!r} needs it")
+    if needs and not coefficient > 0.0:
+        raise UnusableInput(
+            f"{where}.law = {wear.law!r} needs bushing.wear_coefficient_mm3_per_Nm above 0"
+        )
+    first = wear.initial_wear_coefficient_mm3_per_Nm
+    if first is not None and first < coefficient:
+        raise UnusableInput(
+            f"{where}.initial_wear_coefficient_mm3_per_Nm = {first:g} is below"
+            f" bushing.wear_coefficient_mm3_per_Nm = {coefficient:g}, to which it falls"
+        )
+    found = {
+        "excess": (first, 1.0 / (coefficient or 1.0), -1.0),
+        "running_in": (wear.running_in_revolutions, 1.0, 0.0),
+        "exponent": (wear.pressure_exponent, 1.0, 0.0),
+        "reference_pressure": (wear.reference_pressure_MPa, MPA, 0.0),
+        "beyond": (wear.severe_wear_coefficient_mm3_per_Nm, 1.0 / (coefficient or 1.0), 0.0),
+        "transition": (wear.transition_MPa_m_per_s, MPA, 0.0),
+    }
+    numbers = {name: one * by + plus for name, (one, by, plus) in found.items() if one is not None}
+    try:
+        return WearLaw(wear.law, **numbers)
+    except ValueError as error:
+        raise UnusableInput(f"{where}, law {wear.law!r}: {error}") from error
 
 
 def _in_si(record: msgspec.Struct, key: str) -> Any:

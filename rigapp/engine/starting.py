@@ -16,6 +16,7 @@ from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.judging.criteria import StopMonitor
+from rigapp.engine.judging.jointwatch import JointWatch
 from rigapp.engine.judging.limits import RuleMonitor
 from rigapp.engine.judging.reach import FEWEST_SAMPLES, load_cell_reach_N
 from rigapp.engine.judging.testrun import TestRun
@@ -116,6 +117,7 @@ def open_test(
             resumed=request.resume,
             stops=stops,
             slow=connection.slow_channels.columns,
+            joint=JointWatch(test.record.model.pairing),
         ),
         recorder=Recorder(
             opened.store,

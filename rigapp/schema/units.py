@@ -26,6 +26,7 @@ class Unit:
 
 _ALL = (
     Unit("_um_per_1000_revolutions", "um per 1000 revolutions", "um/1000"),
+    Unit("_MPa_m_per_s", "MPa m/s", None, 1e6, (("W/mm^2", 1.0, 0.0), ("Pa m/s", 1e-6, 0.0))),
     Unit("_mV_per_V_per_N2", "mV/V per N^2", ""),
     Unit("_N_per_mV_per_V", "N per mV/V", "N/(mV/V)"),
     Unit("_mm3_per_Nm", "mm^3/(N m)", "mm3/(N m)", 1e-9, (("m^2/N", 1e9, 0.0),)),
@@ -33,6 +34,7 @@ _ALL = (
     Unit("_kg_per_m3", "kg/m^3", "kg/m3", 1.0, (("g/cm^3", 1e3, 0.0), ("g/m^3", 1e-3, 0.0))),
     Unit("_g_per_cm3", "g/cm^3", "g/cm3", 1e3, (("kg/m^3", 1e-3, 0.0),)),
     Unit("_rpm_per_s", "rpm/s"),
+    Unit("_m_per_s", "m/s", None, 1.0, (("mm/s", 1e-3, 0.0),)),
     Unit("_um_per_V", "um/V", None, None, (("mm/V", 1e3, 0.0), ("m/V", 1e6, 0.0))),
     Unit("_mV_per_V", "mV/V", None, None, (("V/V", 1e3, 0.0), ("uV/V", 1e-3, 0.0))),
     Unit("_N_per_m", "N/m", None, 1.0, (("N/mm", 1e3, 0.0),)),

@@ -21,7 +21,8 @@ from model.errors import ModelError
 from model.frames import into_frame
 from model.friction_circle import CellDoubt
 from model.parameters import Parameters
-from model.wear.state import WearState, unworn_state
+from model.wear.loads import CycleLoads
+from model.wear.state import WearState, unworn_state, worn_by
 from rigapp.schema.columns import PROFILES_PER_DECADE, in_order, profile_columns
 from rigapp.schema.messages import Prediction, WornProfile
 from rigapp.twin.ahead import BushingAhead, bushing_ahead
@@ -71,8 +72,8 @@ class TrackedBushing:
     state: WearState | None = None
     failed: str = ""
 
-    def wear_to(self, cycles: float, force: Array, slip: Array, parameters: Parameters) -> bool:
-        """Wear on to a number of cycles when enough have come together; force: follower frame.
+    def wear_to(self, cycles: float, loads: CycleLoads, parameters: Parameters) -> bool:
+        """Wear on to a number of cycles when enough have come together.
 
         True when the bushing changed.
         """
@@ -80,12 +81,12 @@ class TrackedBushing:
             return False
         try:
             if self.state is None:
-                largest = float(np.hypot(*force).max())
+                largest = float(loads.magnitude.max())
                 self.state = unworn_state(parameters, max(largest, 1e-3))
             pending = cycles - self.state.cycles
             if pending < max(1.0, STEP_SHARE * self.state.cycles):
                 return False
-            self.state = _advanced(self.state, force, slip, cycles)
+            self.state = _advanced(self.state, loads, cycles)
         except (ModelError, ValueError, ArithmeticError) as error:
             self.failed = str(error)
             log.warning("The twin's bushing is not worn on: %s", error)
@@ -105,15 +106,15 @@ class TrackedBushing:
         return on_angles(*self.state.profile())
 
 
-def _advanced(state: WearState, force: Array, slip: Array, cycles: float) -> WearState:
+def _advanced(state: WearState, loads: CycleLoads, cycles: float) -> WearState:
     """Wear on to so many cycles; a long way (a resumed test) in growing steps."""
     start = state.cycles
     if cycles - start <= max(10.0, 2.0 * STEP_SHARE * start):
-        return state.advance(force, slip, cycles - start)
+        return state.advance_by(loads, cycles - start)
     stops = np.geomspace(max(start, 1.0), cycles, CATCH_UP_STEPS + 1)[1:]
     for stop in stops:
         if stop > state.cycles:
-            state = state.advance(force, slip, float(stop - state.cycles))
+            state = state.advance_by(loads, float(stop - state.cycles))
     return state
 
 
@@ -153,8 +154,11 @@ class Twin:
         cycles = float(measured.revolution)
         in_crank = measured_force(measured)
         force = _in_follower(in_crank, motion)
-        changed = self.predicted.wear_to(cycles, motion.force_follower, slip, self.parameters)
-        changed |= self.driven.wear_to(cycles, force, slip, self.parameters)
+        sliding = motion.slip_rate(self.parameters.joint.pin_radius)
+        changed = False
+        for bushing, by in ((self.predicted, motion.force_follower), (self.driven, force)):
+            loads = worn_by(self.parameters, by, slip, sliding)
+            changed |= bushing.wear_to(cycles, loads, self.parameters)
         path = _path(measured, motion)
         if self.ahead is None and (self.reference or measured.revolution >= FIRST_STEADY):
             self.ahead = bushing_ahead(self.parameters, force, slip)

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from rigapp.config.calibration_settings import LoadCellFile, ProbeFile, RunOutFile
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import parse_rig, parse_test, read_rig, read_test
+from rigapp.config.loading import parse_rig, parse_test, read_parameters, read_rig, read_test
 from rigapp.config.numbers import ANY
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.ranges import keys_of
@@ -181,3 +181,37 @@ def test_a_file_is_written_whole_or_not_at_all(tmp_path: Path) -> None:
         rewritten(path, "again", new=True)
     assert path.read_text() == "after"
     assert sorted(one.name for one in tmp_path.iterdir()) == ["a.toml", "link.toml"]
+
+
+@pytest.mark.parametrize(
+    ("section", "words"),
+    [
+        ('law = "archard"\npressure_exponent = 1.5', "wear.pressure_exponent means nothing"),
+        ('law = "pressure-exponent"', "wear.pressure_exponent is missing"),
+        ('law = "two-regime"', "two-regimes"),
+        (
+            'law = "running-in"\ninitial_wear_coefficient_mm3_per_Nm = 1e-4\n'
+            "running_in_revolutions = 100.0",
+            "is below bushing.wear_coefficient_mm3_per_Nm",
+        ),
+    ],
+)
+def test_a_wear_law_reads_its_keys_and_no_others(tmp_path: Path, section: str, words: str) -> None:
+    path = tmp_path / "parameters.toml"
+    text = (EXAMPLES / "parameters.toml").read_text(encoding="utf-8")
+    path.write_text(f"{text}\n[wear]\n{section}\n", encoding="utf-8")
+    with pytest.raises(UnusableInput, match=words):
+        read_parameters(path)
+
+
+def test_a_wear_law_becomes_the_models_in_si(tmp_path: Path) -> None:
+    path = tmp_path / "parameters.toml"
+    text = (EXAMPLES / "parameters.toml").read_text(encoding="utf-8")
+    law = (
+        'law = "two-regimes"\nsevere_wear_coefficient_mm3_per_Nm = 1.01e-3\n'
+        "transition_MPa_m_per_s = 0.01"
+    )
+    path.write_text(f"{text}\n[wear]\n{law}\n", encoding="utf-8")
+    found = read_parameters(path).bushing.law
+    assert (found.name, found.transition) == ("two-regimes", pytest.approx(1e4))
+    assert found.beyond == pytest.approx(2.0)

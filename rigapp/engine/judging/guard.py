@@ -285,6 +285,11 @@ class Guard:
         alone = {name: value for name, value in named.items() if name not in measured}
         for verdict in test.run.monitor.judge(alone):
             self.verdict(verdict)
+        for found in test.run.joint.look(named):
+            if isinstance(found, str):
+                self._run.alarms.clear(found)
+            else:
+                self._run.warn(found)
         met = test.run.stops.prediction(int(named["revolution"]), named)
         if met is not None:
             self._end(test, met)

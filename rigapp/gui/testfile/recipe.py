@@ -48,7 +48,15 @@ from rigapp.schema.criteria import CRITERIA
 
 COLUMNS = (
     ("", "run", "metadata", "cycles", "prediction", "model.spring", "model.joint"),
-    ("limits", "stop", "model.mechanism", "model.bushing", "model.pin"),
+    (
+        "limits",
+        "stop",
+        "model.mechanism",
+        "model.bushing",
+        "model.pin",
+        "model.wear",
+        "model.pairing",
+    ),
 )
 TITLES = {
     "": "Test",
@@ -63,6 +71,8 @@ TITLES = {
     "model.joint": "Joint",
     "model.bushing": "Bushing",
     "model.pin": "Pin",
+    "model.wear": "Wear law",
+    "model.pairing": "Where the pairing may run (beyond, a warning; empty: off)",
 }
 
 BESIDE = {

@@ -16,7 +16,7 @@ def fine_life(parameters, speed, rows, technique, force, sectors, positions, ste
     Between rows ``steps`` and twice as many implicit steps are taken, and extrapolated.
     """
     source = (
-        constant_source(force, parameters.joint)
+        constant_source(force, parameters.joint, speed, parameters.bushing.law)
         if force is not None
         else technique_of(technique).source(parameters, LifeOptions(speed))
     )
@@ -29,6 +29,7 @@ def fine_life(parameters, speed, rows, technique, force, sectors, positions, ste
         parameters.bushing.wear_coefficient,
         loads,
         half_angle,
+        parameters.bushing.law,
     )
     runs = []
     for number in (steps, 2 * steps):

@@ -1,0 +1,51 @@
+"""What the twin's answers tell of the joint that is worth a warning, whatever the test file limits.
+
+The pairing of materials leaves the range that was given for it. Nothing here ends a test.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from rigapp.config.parameters import PairingSection
+from rigapp.schema.alarms import Cause, because
+from rigapp.schema.units import stem_of, unit_of_key
+
+STAYS = 20
+"""Revolutions in a row until a pairing counts as beyond its range, or as back in it: what heat does
+to it takes minutes, and one revolution's maximum is a sample with its noise."""
+
+
+class JointWatch:
+    """Look at every prediction of a test; see ``look``."""
+
+    def __init__(self, pairing: PairingSection | None = None) -> None:
+        self._pairing = pairing or PairingSection()
+        self._in_a_row = 0
+        self._left = False
+
+    def look(self, values: Mapping[str, float]) -> Iterator[Cause | str]:
+        """Yield what is to be raised, and the keys of alarms whose condition is over.
+
+        values: the columns of a prediction by name.
+        """
+        beyond = self._beyond(values)
+        self._in_a_row = self._in_a_row + 1 if bool(beyond) != self._left else 0
+        if self._in_a_row >= STAYS:
+            self._in_a_row, self._left = 0, bool(beyond)
+            yield because("pairing_left", sentence=beyond) if beyond else "pairing_left"
+
+    def _beyond(self, values: Mapping[str, float]) -> str:
+        """Say which level of the pairing is passed, nothing when none."""
+        for key in self._pairing.__struct_fields__:
+            level = getattr(self._pairing, key)
+            quantity, _, side = stem_of(key).rpartition("_")
+            value = values[f"{quantity}_max"]
+            if level is None or not (value > level if side == "high" else value < level):
+                continue
+            words, unit = quantity.replace("_", " "), unit_of_key(key).words
+            return (
+                f"The largest {words} of a revolution is {value:.4g} {unit}; model.pairing.{key} is"
+                f" {level:g}."
+            )
+        return ""
