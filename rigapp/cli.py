@@ -505,11 +505,12 @@ def calibrate_history(
 def calibrate_certificate(
     record: RecordArgument,
     to: Annotated[Path, _file("--to", "FILE.pdf or FILE.html")],
+    issued: Annotated[str, _option("--issued", "Date of issue; else that of the record.")] = "",
 ) -> int:
     """Write the certificate of a record, the same bytes each time."""
     from rigapp.commands.records import certify
 
-    return certify(record, to)
+    return certify(record, to, issued)
 
 
 @calibrate_app.command("verify")

@@ -31,6 +31,10 @@ COVERAGE = 0.95
 RIG_FILE_FACTOR = 2.0
 """Coverage factor of ``load_cell.uncertainty_N`` of a rig file."""
 
+LARGEST_SHARE = 0.05
+"""Of full scale. A cell that is not calibrated, read by the sensitivity of its data sheet, is wrong
+by its cross-talk, up to 5 %; a calibration that states more tells less than none."""
+
 SHARES_OF_FULL_SCALE = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
@@ -93,6 +97,16 @@ def stated_uncertainty(record: str, line: tuple[float, float] | None) -> ForceUn
     if found is None and line is not None:
         found = ForceUncertainty(line[0], line[1], RIG_FILE_FACTOR, "rig file")
     return _known(found)
+
+
+def too_uncertain(expanded_N: float, full_scale_N: float) -> str:
+    """Return why an expanded uncertainty at full scale is no result, empty when it is one."""
+    if expanded_N <= LARGEST_SHARE * full_scale_N:
+        return ""
+    return (
+        f"states an uncertainty of {expanded_N:.3g} N at {full_scale_N:g} N, more than the"
+        f" {100.0 * LARGEST_SHARE:.0f} % by which a cell without calibration may be wrong"
+    )
 
 
 def noise_of_sample(

@@ -1,23 +1,38 @@
 """The certificate of a calibration record: PDF or HTML, the same bytes each time.
 
-Everything comes from the record, nothing from the clock or the machine, so that anyone can make the
-certificate again and compare it byte for byte.
+Its contents follow ISO/IEC 17025:2017, 7.8. Everything comes from the record, nothing from the
+clock or the machine, so that anyone can make the certificate again and compare it byte for byte.
 """
 
 from __future__ import annotations
 
+import datetime
 import time
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from calibration.records import Record, RecordError, in_future, unseal
-from rigapp.calibrating.certificates.parts import Content, write_page
+from rigapp.calibrating.certificates.parts import Content, Parts, taken_words, write_page
 from rigapp.calibrating.subjects import subject_of
 from rigapp.config.errors import UnusableInput
-from rigapp.report.page.manuscript import Manuscript, Section, Table, Text
+from rigapp.report.page.manuscript import Block, Manuscript, Row, Section, Table, Text
+
+NEEDED = {"laboratory": "the laboratory", "serial_number": "the serial number"}
+"""Keys of [paperwork] without which there is only a draft (ISO/IEC 17025, 7.8.2.1 b and g)."""
+
+EXPANDED = (
+    "U is the expanded uncertainty: the standard uncertainty u times the coverage factor k, so that"
+    " the value lies within U with a probability of about 95 % (JCGM 100 and 101). Type A:"
+    " evaluated from the readings; type B: from elsewhere."
+)
 
 
-def write_certificate(record: Path, to: Path) -> None:
-    """Write the certificate of a record as PDF or HTML; raise UnusableInput."""
+def write_certificate(record: Path, to: Path, issued: datetime.date | None = None) -> str:
+    """Write the certificate of a record as PDF or HTML; return its mark, empty for a whole one.
+
+    issued: date of issue, by default that of the record. The record is verified first. Raises
+    UnusableInput.
+    """
     from rigapp.calibrating.verification import verified
 
     try:
@@ -28,28 +43,65 @@ def write_certificate(record: Path, to: Path) -> None:
         raise UnusableInput(f"{record}: there is no such record; check the name.") from error
     except (OSError, RecordError, UnusableInput) as error:
         raise UnusableInput(f"{record}: {error}.") from error
-    against = (in_future(sealed, time.time()), *verified(data).differences)
-    for one in filter(None, against):
+    found = verified(data)
+    for one in filter(None, (in_future(sealed, time.time()), *found.differences)):
         raise UnusableInput(f"{record}: there is no certificate of it: {one}")
-    write_page(to, "certificate", lambda: certificate_of(sealed))
+    _check_issue(sealed, issued)
+    write_page(to, "certificate", lambda: certificate_of(sealed, found.unverified, issued))
+    return mark_of(sealed)
 
 
-def certificate_of(record: Record) -> Manuscript:
-    """Compose the certificate of a record."""
+def certificate_of(
+    record: Record, unverified: Sequence[str] = (), issued: datetime.date | None = None
+) -> Manuscript:
+    """Compose the certificate of a record. unverified: what of it could not be verified."""
     content = record.content
     parts = subject_of(record.kind).certificate(content)
+    sections = [
+        Section("", (_identity(record, issued), *_notes(record, unverified))),
+        Section("Method and conditions", tuple(_method(content, parts))),
+        Section("Results", tuple(parts.tables)),
+        Section("Uncertainty of measurement", (Text(EXPANDED), *parts.uncertainty)),
+        Section(parts.heading, tuple(parts.figures)),
+        Section("Readings", tuple(parts.readings)),
+    ]
     return Manuscript(
         title=f"Certificate of calibration: {_item(content)}",
         footer=f"Certificate {record.number}",
-        sections=(
-            Section("", (*map(Text, parts.statements), _identity(record), *parts.tables)),
-            Section(parts.heading, tuple(parts.figures)),
-        ),
+        sections=tuple(one for one in sections if one.blocks),
         closing=(
-            f"Number {record.number} is the beginning of the SHA-256 digest of the record, readings"
-            f" included. Made by {content['software']}."
+            "The results are those of the item named above, as it was when it was calibrated. The"
+            " certificate may be passed on as a whole only, unless the laboratory agrees otherwise."
+            f" Number {record.number} is the beginning of the SHA-256 digest of the record,"
+            f" readings included. Made by {content['software']}."
+            f" End of certificate {record.number}."
         ),
+        mark=mark_of(record),
     )
+
+
+def mark_of(record: Record) -> str:
+    """Return what every page must say: that it is a draft, or practice; empty for neither."""
+    paper = record.content["settings"]["paperwork"]
+    marks = []
+    if (record.content.get("taken") or {}).get("simulated"):
+        marks.append("PRACTICE on a simulated rig")
+    missing = [words for key, words in NEEDED.items() if not paper.get(key)]
+    if missing:
+        marks.append(f"DRAFT, {' and '.join(missing)} not stated")
+    return "; ".join(marks)
+
+
+def _check_issue(record: Record, issued: datetime.date | None) -> None:
+    """Refuse a date of issue before the calibration or in the future."""
+    if issued is None:
+        return
+    if issued.isoformat() < str(record.content["calibrated_at"])[:10]:
+        raise UnusableInput(
+            f"--issued {issued}: the calibration is of {record.content['calibrated_at'][:10]}."
+        )
+    if issued > datetime.datetime.now(tz=datetime.UTC).date() + datetime.timedelta(days=1):
+        raise UnusableInput(f"--issued {issued}: this is in the future.")
 
 
 def _item(content: Content) -> str:
@@ -62,26 +114,97 @@ def _joined(*texts: str) -> str:
     return ", ".join(filter(None, texts)) or "not stated"
 
 
-def _identity(record: Record) -> Table:
+def _identity(record: Record, issued: datetime.date | None) -> Table:
     content = record.content
-    paper = content["settings"]["paperwork"]
+    paper = {"address": "", "customer": "", **content["settings"]["paperwork"]}
     taken = content.get("taken") or {}
+    day = issued.isoformat() if issued else content.get("recorded_at", content["calibrated_at"])
     rows = [
         ("Number", record.number),
-        ("Item", _item(content)),
+        ("Laboratory", _joined(paper["laboratory"], paper["address"])),
+        ("Place of calibration", _joined(paper["place"])),
+        ("Customer", _joined(paper["customer"])),
+        ("Item", f"{_item(content)} ({record.kind})"),
         ("Serial number", _joined(paper["serial_number"])),
         ("Amplifier, cable", _joined(paper["amplifier"], paper["cable"])),
         ("Excitation, range, filter", _joined(paper["excitation"])),
-        ("Laboratory, place", _joined(paper["laboratory"], paper["place"])),
-        ("Calibrated and issued", content["calibrated_at"]),
-        ("Due", content["due_at"]),
-        ("Standards used", _joined(paper["standards"])),
+        ("Date of calibration", content["calibrated_at"][:10]),
+        ("Date of issue", day[:10]),
+        ("Due, as the laboratory and the customer agreed", content["due_at"][:10]),
         ("Operator", _joined(paper["operator"] or str(taken.get("operator") or ""))),
         ("Reviewer", _joined(paper["reviewer"])),
+        ("Signature of the record", _signer(record)),
     ]
-    if taken.get("rig"):
-        simulated = ", SIMULATED: for practice" if taken.get("simulated") else ""
-        rows.append(("Taken on the rig", f"{taken['rig']}{simulated}"))
-    if paper["notes"]:
-        rows.append(("Deviations, remarks", paper["notes"]))
+    if words := taken_words(content):
+        rows.append(("Readings", words))
     return Table("Identification", tuple(rows))
+
+
+def _signer(record: Record) -> str:
+    if record.signature is None:
+        return "not signed: nothing but the names above says who made it"
+    from calibration.signatures import fingerprint
+
+    return f"Ed25519, key {fingerprint(record.signature.public_key)}"
+
+
+def _notes(record: Record, unverified: Sequence[str]) -> Iterator[Text]:
+    """Yield all that must not be overlooked: the record's own notes, and what stands against it."""
+    content = record.content
+    if mark := mark_of(record):
+        yield Text(f"{mark}.", strong=True)
+    for one in (*unverified, *_untraced(content)):
+        yield Text(one, strong=True)
+    for problem in content["result"].get("problems", ()):
+        yield Text(f"Note: {problem['sentence']}", strong=True)
+    if remarks := content["settings"]["paperwork"]["notes"]:
+        yield Text(f"Deviations, remarks: {remarks}")
+
+
+def _untraced(content: Content) -> Iterator[str]:
+    """Yield what the chain of calibrations lacks: no standard named, or one that had expired."""
+    day, settings = str(content["calibrated_at"])[:10], content["settings"]
+    pieces = settings.get("weights", {}).get("piece", ())
+    known = [*pieces, *settings.get("standard", ())]
+    if not known and not settings["paperwork"]["standards"]:
+        yield (
+            "No standard is named with its certificate: that the results are traceable is not"
+            " shown."
+        )
+    for one in known:
+        if one.get("due") and one["due"] < day:
+            yield (
+                f"The certificate {one['certificate']} of {one['name']} had expired on"
+                f" {one['due']}, before the calibration."
+            )
+
+
+def _method(content: Content, parts: Parts) -> Iterator[Block]:
+    yield from map(Text, parts.statements)
+    if parts.calibrated:
+        yield Text(f"Calibrated range: {parts.calibrated}", strong=True)
+    if parts.conditions:
+        yield Table("Conditions", tuple(parts.conditions))
+    yield _standards(content["settings"])
+
+
+def _standards(settings: Content) -> Table:
+    """Return what was measured with: each with its certificate, due date and uncertainty."""
+    rows: list[Row] = [
+        (
+            f"{one['name']}, {one['mass_kg']:g} kg",
+            one["certificate"],
+            one["due"],
+            f"U = {one['expanded_uncertainty_g']:g} g (k = 2)",
+        )
+        for one in settings.get("weights", {}).get("piece", ())
+    ]
+    rows += [
+        (one["name"], one["certificate"], one["due"] or "not stated", _joined(one["uncertainty"]))
+        for one in settings.get("standard", ())
+    ]
+    named = settings["paperwork"]["standards"]
+    if named or not rows:
+        rows.append((_joined(named), "not stated", "not stated", "not stated"))
+    header = ("standard", "certificate", "due", "uncertainty")
+    return Table("Standards used, by which the results are traceable", tuple(rows), header)

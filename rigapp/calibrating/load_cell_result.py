@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from calibration.load_cell.calibrate import LoadCellCalibration
+from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.load_cell.settings import LoadCellSettings
+from calibration.problems import Problem
 from rigapp.calibrating.budget_lines import budget_lines, finite
 from rigapp.calibrating.records import problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
@@ -17,9 +20,10 @@ from rigapp.calibrating.session import NumberTable, Outcome
 def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
     fit, traits, budget, zero = found.fit, found.traits, found.budget, found.zero
+    problems = (*found.problems, *_too_uncertain(found, settings))
     result: dict[str, Any] = {
-        "accepted": found.accepted,
-        "problems": problems_of(found.problems),
+        "accepted": found.accepted and not any(one.blocks for one in problems),
+        "problems": problems_of(problems),
         "classification": found.classification,
         "full_scale_N": settings.cell.full_scale,
     }
@@ -89,6 +93,18 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "applied_N": applied.tolist(),
         "residual_N": fit.residual.tolist(),
     }
+
+
+def _too_uncertain(found: LoadCellCalibration, settings: LoadCellSettings) -> Iterator[Problem]:
+    if found.budget is not None:
+        against = too_uncertain(found.budget.expanded, settings.cell.full_scale)
+        if against:
+            largest = max(found.budget.contributions, key=lambda one: one.uncertainty)
+            yield Problem(
+                "too_uncertain",
+                f"The result {against}. The largest part is {largest.name}"
+                f" (u = {largest.uncertainty:.3g} N): correct its setting, or measure it better.",
+            )
 
 
 def load_cell_outcome(found: LoadCellCalibration, settings: LoadCellSettings) -> Outcome:

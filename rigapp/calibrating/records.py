@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import calendar
 import os
 import time
 from collections.abc import Mapping, Sequence
@@ -12,7 +13,7 @@ from typing import Any
 import msgspec
 
 from calibration.problems import Problem
-from calibration.records import EVALUATION, seal
+from calibration.records import CLOCKS_S, EVALUATION, seal
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
@@ -41,13 +42,21 @@ def keep_record(
 ) -> None:
     """Write the record so that it is there whole or not at all, and read-only.
 
-    taken: how the readings were taken, for those that the program took itself.
+    taken: how the readings were taken, for those that the program took itself. Raises UnusableInput
+    for a date of calibration in the future.
     """
     now = int(time.time())
+    day = settings.paperwork.calibrated_on
+    done = now
+    if taken is None and day is not None:
+        done = calendar.timegm(day.timetuple())
+    if done > now + CLOCKS_S:
+        raise UnusableInput(f"paperwork.calibrated_on = {day} is in the future; correct the date.")
     content = {
         "kind": kind,
-        "calibrated_at": _day(now),
-        "due_at": _day(now + 86400 * settings.paperwork.valid_days),
+        "calibrated_at": _day(done),
+        "recorded_at": _day(now),
+        "due_at": _day(done + 86400 * settings.paperwork.valid_days),
         "evaluation": EVALUATION,
         "software": f"rigapp {metadata.version('rigapp')}",
         "settings": msgspec.to_builtins(settings),

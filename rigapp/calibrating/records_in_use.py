@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
+from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.records import Record, RecordError, in_future, moment, unseal
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
@@ -141,7 +142,10 @@ def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[s
     if simulated is not None and bool(simulated) is not (here.simulation is not None):
         kinds = ("a real rig", "a simulated rig")
         found.append(f"was taken on {kinds[bool(simulated)]}, this is {kinds[not simulated]}")
+    line = content["result"].get("uncertainty_line_N")
     full = content["settings"].get("cell", {}).get("full_scale_N")
+    if line is not None and full is not None:
+        found += filter(None, [too_uncertain(line["constant_N"] + line["per_N"] * full, full)])
     if full is not None and abs(full / here.load_cell.full_scale_N - 1.0) > 1e-6:
         found.append(
             f"is of a load cell of {full:g} N, the rig file says {here.load_cell.full_scale_N:g} N"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 import json
 import os
 import sys
@@ -19,12 +20,21 @@ from rigapp.config.writing import whole_file
 UNSIGNED = "It is not signed: nothing shows which laboratory made it."
 
 
-def certify(record: Path, to: Path) -> int:
-    """Write the certificate of a record as PDF or HTML; return the exit status."""
+def certify(record: Path, to: Path, issued: str = "") -> int:
+    """Write the certificate of a record as PDF or HTML; return the exit status.
+
+    issued: the date of issue, as 2027-04-30; without it that of the record.
+    """
     from rigapp.calibrating.certificate import write_certificate
 
-    write_certificate(record, to)
+    try:
+        day = datetime.date.fromisoformat(issued) if issued else None
+    except ValueError as error:
+        raise UnusableInput(f"--issued {issued}: write a date such as 2027-04-30.") from error
+    mark = write_certificate(record, to, day)
     print(f"The certificate is {to}.")
+    if mark:
+        print(f"note: each page is marked {mark} ([paperwork] of the settings).", file=sys.stderr)
     return 0
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 import math
 from typing import Annotated, Literal
 
@@ -13,6 +14,8 @@ from calibration.probes.settings import ProbeSettings
 from rigapp.config.errors import UnusableInput
 from rigapp.config.numbers import TURN_DEG, within
 
+WEIGHTS_UNCERTAINTY = 5e-5
+"""Relative standard uncertainty of weights of which nothing is stated: of class M1 (OIML R 111)."""
 LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
 """Relative: of a value from latitude and height, and of a stated local value."""
@@ -29,17 +32,51 @@ class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     signal_unit: str = "mV/V"
 
 
+class WeightPiece(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[[weights.piece]]: one weight and its certificate; the uncertainty is expanded, k = 2."""
+
+    name: str
+    mass_kg: Annotated[float, within(1e-6, 100.0)]
+    certificate: str
+    due: datetime.date
+    expanded_uncertainty_g: Annotated[float, within(1e-6, 1000.0)]
+
+
 class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[weights]: how their mass is stated, density, uncertainty, hanger."""
+    """[weights]: how their mass is stated, density, uncertainty, hanger, and every piece.
+
+    relative_standard_uncertainty: of all; without it the largest of the pieces.
+    """
 
     mass_kind: Literal["conventional", "true"] = "conventional"
     density_kg_per_m3: Annotated[float, WITH_THE_READINGS] = 8000.0
     density_standard_uncertainty_kg_per_m3: Annotated[float, within(0.0, 3000.0)] = 100.0
-    relative_standard_uncertainty: Annotated[float, within(0.0, 0.01)] = 5e-5
+    relative_standard_uncertainty: Annotated[float | None, within(0.0, 0.01)] = None
     hanger_mass_kg: Annotated[float, within(0.0, 100.0)] = 0.0
+    piece: tuple[WeightPiece, ...] = ()
+
+    @property
+    def relative_uncertainty(self) -> float:
+        """Return the relative standard uncertainty of any load.
+
+        All pieces may be off to the same side (one laboratory compared them with one standard), so
+        that a load is known as well as its worst piece.
+        """
+        if self.relative_standard_uncertainty is not None:
+            return self.relative_standard_uncertainty
+        of_pieces = (one.expanded_uncertainty_g / 2000.0 / one.mass_kg for one in self.piece)
+        return max(of_pieces, default=WEIGHTS_UNCERTAINTY)
 
 
-class PlaceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class SurroundingsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """[place] of a calibration without weights: the air, for the certificate."""
+
+    temperature_degC: Annotated[float | None, within(-40.0, 60.0)] = None
+    humidity_percent: Annotated[float | None, within(0.0, 100.0)] = None
+    pressure_hPa: Annotated[float | None, within(400.0, 1100.0)] = None
+
+
+class PlaceSection(SurroundingsSection, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """[place]: gravity, or latitude and height; the air."""
 
     gravity_m_s2: Annotated[float | None, WITH_THE_READINGS] = None
@@ -48,9 +85,6 @@ class PlaceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     gravity_relative_standard_uncertainty: Annotated[float | None, within(0.0, 0.01)] = None
     air_density_kg_per_m3: Annotated[float, WITH_THE_READINGS] = 1.2
     air_density_standard_uncertainty_kg_per_m3: Annotated[float, within(0.0, 0.5)] = 0.05
-    temperature_degC: Annotated[float | None, within(-40.0, 60.0)] = None
-    humidity_percent: Annotated[float | None, within(0.0, 100.0)] = None
-    pressure_hPa: Annotated[float | None, within(400.0, 1100.0)] = None
 
 
 class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -67,10 +101,17 @@ class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[paperwork]: what the certificate names beside the numbers; all optional."""
+    """[paperwork]: what the certificate names beside the numbers.
+
+    All optional; without laboratory and serial number the certificate is a draft. calibrated_on: of
+    readings that come as a table; those taken live have their own date.
+    """
 
     laboratory: str = ""
+    address: str = ""
     place: str = ""
+    customer: str = ""
+    calibrated_on: datetime.date | None = None
     operator: str = ""
     reviewer: str = ""
     serial_number: str = ""
@@ -82,11 +123,21 @@ class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     valid_days: Annotated[int, within(1, 36_500)] = 365
 
 
+class Standard(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[[standard]]: what was measured with beside the weights: a level, micrometer, thermometer."""
+
+    name: str
+    certificate: str
+    due: datetime.date | None = None
+    uncertainty: str = ""
+
+
 class CalibrationFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """What every settings file of a calibration has."""
 
     schema: int
     paperwork: PaperworkSection = PaperworkSection()
+    standard: tuple[Standard, ...] = ()
 
 
 class LoadCellFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -121,6 +172,7 @@ class ProbeFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_onl
     """A settings file for ``rigapp calibrate probes``."""
 
     probe: ProbeSection = ProbeSection(name="probe")
+    place: SurroundingsSection = SurroundingsSection()
 
 
 class RunOutPinSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -133,6 +185,7 @@ class RunOutFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_on
     """A settings file for ``rigapp calibrate run-out``."""
 
     pin: RunOutPinSection = RunOutPinSection()
+    place: SurroundingsSection = SurroundingsSection()
 
 
 def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
@@ -163,7 +216,7 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
             weights.mass_kind,
             weights.density_kg_per_m3,
             weights.density_standard_uncertainty_kg_per_m3,
-            weights.relative_standard_uncertainty,
+            weights.relative_uncertainty,
             weights.hanger_mass_kg,
         ),
         place=Place(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,22 +13,96 @@ import numpy as np
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
-from rigapp.report.page.manuscript import Figure, Manuscript, Table
+from rigapp.report.page.manuscript import Figure, Manuscript, Row, Table
 
 Content = Mapping[str, Any]
 """The content of a record, or a part of it."""
 
+UNSTATED = "not stated"
 STYLES = (("#0072B2", "o", "-"), ("#D55E00", "s", "--"))
 
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """What is particular in the certificate of a subject; heading: of its figures."""
+    """What is particular in the certificate of a subject.
+
+    statements: method, and what the results do not say. tables: of the results. heading: of the
+    figures. calibrated: the range that was calibrated, in words. conditions: rows of what was
+    around. uncertainty: budgets. readings: the tables at the end.
+    """
 
     statements: Sequence[str]
     tables: Sequence[Table]
     figures: Sequence[Figure]
     heading: str = "Residuals"
+    calibrated: str = ""
+    conditions: Sequence[Row] = ()
+    uncertainty: Sequence[Table] = ()
+    readings: Sequence[Table] = ()
+
+
+def budget_table(title: str, result: Content, unit: str, shown: str) -> Table | None:
+    """Return the budget of a result: its parts with type, distribution, degrees of freedom.
+
+    unit: in the keys of the result; shown: on the page. Records of before state names and sizes
+    only.
+    """
+    lines = result.get("budget")
+    if not lines:
+        return None
+    rows: list[Row] = [
+        (
+            one["name"],
+            one.get("type", UNSTATED),
+            one.get("distribution", UNSTATED),
+            _degrees(one, "degrees_of_freedom"),
+            f"{one[f'standard_uncertainty_{unit}']:.4g}",
+        )
+        for one in lines
+    ]
+    combined = math.hypot(*(one[f"standard_uncertainty_{unit}"] for one in lines))
+    effective = _degrees(result, "effective_degrees_of_freedom")
+    expanded = f"{result[f'expanded_uncertainty_{unit}']:.4g}"
+    factor = f"expanded, k = {result['coverage_factor']:.2f}, about 95 %"
+    rows += [("combined", "", "", effective, f"{combined:.4g}"), (factor, "", "", "", expanded)]
+    return Table(
+        title,
+        tuple(rows),
+        ("contribution", "type", "distribution", "degrees of freedom", f"u, {shown}"),
+    )
+
+
+def _degrees(stated: Content, key: str) -> str:
+    if key not in stated:
+        return UNSTATED
+    degrees = stated[key]
+    return "∞" if degrees is None else f"{degrees:.3g}" if degrees < 1000 else f"{degrees:.0f}"
+
+
+def surroundings(settings: Content) -> list[Row]:
+    """Return temperature, humidity and pressure at the calibration, as far as they are stated."""
+    place = settings.get("place") or {}
+    return [
+        (name, UNSTATED if place.get(key) is None else f"{place[key]:g} {unit}")
+        for name, key, unit in (
+            ("Temperature", "temperature_degC", "°C"),
+            ("Humidity", "humidity_percent", "%"),
+            ("Pressure", "pressure_hPa", "hPa"),
+        )
+    ]
+
+
+def taken_words(content: Content) -> str:
+    """Return how readings were taken live, empty for those that came as a table."""
+    taken = content.get("taken") or {}
+    if not taken.get("rig"):
+        return ""
+    words = f"live on the rig {taken['rig']}"
+    if taken.get("operator"):
+        words += f" by {taken['operator']}"
+    rejected = sum(1 for event in taken.get("events", ()) if event["event"] == "reject")
+    words += f"; {rejected} series rejected and repeated" if rejected else "; nothing rejected"
+    return words + ("; SIMULATED rig, for practice" if taken.get("simulated") else "")
 
 
 def write_page(

@@ -6,20 +6,49 @@ import numpy as np
 
 from calibration.probes.alignment import split_pair
 from calibration.probes.readings import ProbeReadings, parse_probe
-from rigapp.calibrating.certificates.parts import Content, Parts, scatter
+from rigapp.calibrating.certificates.parts import (
+    Content,
+    Parts,
+    budget_table,
+    scatter,
+    surroundings,
+)
 from rigapp.report.page.manuscript import Figure, Row, Table
 
 
 def probe_parts(content: Content) -> Parts:
-    """Return statements, tables and figures of a record."""
-    tables = [_conditions(content), *_tables(content)]
-    return Parts(_statements(content), tables, _figures(content))
+    """Return what the certificate of a probe, or of a pair, says."""
+    each, alignment = _each(content), content["result"].get("alignment")
+    tables = [] if alignment is None else [_alignment_table(alignment)]
+    budgets = [
+        budget_table(f"{name}Budget of one position".capitalize(), result, "um", "µm")
+        for name, result, _ in each
+    ]
+    return Parts(
+        _statements(content),
+        [*tables, *(_line_table(result, name) for name, result, _ in each)],
+        _figures(content),
+        calibrated=" ".join(_range(*one) for one in each),
+        conditions=_conditions(content),
+        uncertainty=[one for one in budgets if one is not None],
+        readings=[_readings_table(readings, result, name) for name, result, readings in each],
+    )
 
 
-def _conditions(content: Content) -> Table:
-    """Return micrometer, range and geometry."""
+def _range(name: str, result: Content, readings: ProbeReadings) -> str:
+    low, high = 1e6 * readings.position.min(), 1e6 * readings.position.max()
+    return (
+        f"{name}{low:.1f} µm to {high:.1f} µm ({readings.signal.min():.3f} V to"
+        f" {readings.signal.max():.3f} V), {len(set(readings.position))} positions. Beyond it the"
+        " line and its uncertainty are extrapolated."
+    )
+
+
+def _conditions(content: Content) -> list[Row]:
+    """Return surroundings, micrometer, range and geometry."""
     probe = content["settings"]["probe"]
-    rows: list[Row] = [
+    rows = [
+        *surroundings(content["settings"]),
         ("Micrometer", f"u = {probe['micrometer_standard_uncertainty_um']:g} µm"),
         ("Range", f"{probe['range_V']:g} V"),
     ]
@@ -36,18 +65,8 @@ def _conditions(content: Content) -> Table:
         rows.append(("Motion across the axis in use", f"{probe['off_axis_um']:g} µm"))
     taken = content.get("taken")
     if taken is not None:
-        rows.append(("Readings", _how_taken(taken)))
-    return Table("Conditions", tuple(rows))
-
-
-def _how_taken(taken: Content) -> str:
-    words = f"live on the rig {taken['rig']}"
-    if taken["operator"]:
-        words += f" by {taken['operator']}"
-    rejected = sum(1 for event in taken["events"] if event["event"] == "reject")
-    words += f"; {taken['positions']} positions, {taken['runs']} runs up and down"
-    words += f"; {rejected} series rejected and repeated" if rejected else "; nothing rejected"
-    return words + ("; SIMULATED rig, for practice" if taken["simulated"] else "")
+        rows.append(("Steps", f"{taken['positions']} positions, {taken['runs']} runs up and down"))
+    return rows
 
 
 def _statements(content: Content) -> list[str]:
@@ -86,18 +105,9 @@ def _each(content: Content) -> list[tuple[str, Content, ProbeReadings]]:
     return [(f"Probe {number}: ", one, taken) for number, (one, taken) in enumerate(both, 1)]
 
 
-def _tables(content: Content) -> list[Table]:
-    """Return the line and the budget of each probe, the alignment, and the readings."""
-    alignment = content["result"].get("alignment")
-    tables = [] if alignment is None else [_alignment_table(alignment)]
-    for name, result, readings in _each(content):
-        tables += [*_line_tables(result, name), _readings_table(readings, result, name)]
-    return tables
-
-
-def _line_tables(result: Content, name: str) -> list[Table]:
+def _line_table(result: Content, name: str) -> Table:
     hysteresis = result["hysteresis_um"]
-    line = Table(
+    return Table(
         f"{name}Position = sensitivity (voltage - offset)",
         (
             ("Sensitivity", f"{result['sensitivity_um_per_V']:.5f} µm/V"),
@@ -112,12 +122,6 @@ def _line_tables(result: Content, name: str) -> list[Table]:
             ("Cylinder gain", f"{result['cylinder_gain']:.5f}"),
         ),
     )
-    shares = result.get("budget")
-    if not shares:
-        return [line]
-    rows = [(one["name"], f"{one['standard_uncertainty_um']:.4f} µm") for one in shares]
-    expanded = f"{result['expanded_uncertainty_um']:.3f} µm"
-    return [line, Table(f"{name}Uncertainty", (*rows, ("expanded", expanded)))]
 
 
 def _alignment_table(found: Content) -> Table:

@@ -9,17 +9,39 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import Content, Parts, bands
+from rigapp.calibrating.certificates.parts import Content, Parts, bands, surroundings
 from rigapp.report.page.manuscript import Figure, Table
 
 
 def run_out_parts(content: Content) -> Parts:
     """Return statements, tables and figures of a record."""
-    tables = [_conditions(content), *_tables(content)]
-    return Parts(_statements(content), tables, _figures(content), "Map")
+    files = content["taken"]["files"]
+    speeds = " and ".join(f"{one['speed_rpm']:.2f}" for one in files)
+    return Parts(
+        _statements(content),
+        [_rolls(content), *_tables(content)],
+        _figures(content),
+        "Map",
+        calibrated=(
+            f"the whole turn, orders 1 to {content['taken']['orders']}, rolled at {speeds} rpm; one"
+            " pin in one place on the crank."
+        ),
+        conditions=surroundings(content["settings"]),
+        uncertainty=[_expanded(content["result"])],
+        readings=[_turns_table(content)],
+    )
 
 
-def _conditions(content: Content) -> Table:
+def _expanded(result: Content) -> Table:
+    """Return U of the map of each probe."""
+    rows = tuple(
+        (f"Probe {number}", f"U = {one:.3f} µm, k = {result['coverage_factor']:.2f}")
+        for number, one in enumerate(result["expanded_uncertainties_um"], 1)
+    )
+    return Table("Uncertainty of the map where it is largest", rows)
+
+
+def _rolls(content: Content) -> Table:
     """Return the rolls: file, revolutions, speed, digest of the samples."""
     rows = tuple(
         (
@@ -109,7 +131,6 @@ def _tables(content: Content) -> list[Table]:
             tuple((words, *_pair(result.get(key))) for words, key in traits),
             ("", "probe 1", "probe 2"),
         ),
-        _turns_table(content),
     ]
 
 

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import Content, Parts, scatter
+from rigapp.calibrating.certificates.parts import Content, Parts, scatter, surroundings
 from rigapp.report.page.manuscript import Figure, Row, Table
 
 
 def running_parts(content: Content) -> Parts:
     """Return statements, tables and figures of a record."""
-    return Parts(_statements(content), _tables(content), _figures(content), "Forces")
+    speeds = content["result"]["speeds"]
+    return Parts(
+        _statements(content),
+        _tables(content),
+        _figures(content),
+        "Forces",
+        calibrated=f"{speeds[0]['speed_rpm']:.1f} rpm to {speeds[-1]['speed_rpm']:.1f} rpm.",
+        conditions=surroundings(content["settings"]),
+    )
 
 
 def _statements(content: Content) -> list[str]:

@@ -56,13 +56,17 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class Manuscript:
-    """A whole document. footer: at the foot of every page. closing: small print at the end."""
+    """A whole document. footer: at the foot of every page. closing: small print at the end.
+
+    mark: what must be read on every page, as that it is a draft.
+    """
 
     title: str
     footer: str
     sections: tuple[Section, ...]
     closing: str = ""
     signatures: tuple[str, ...] = ("Operator, date", "Reviewer, date")
+    mark: str = ""
 
 
 def is_number(text: str) -> bool:

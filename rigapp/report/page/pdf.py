@@ -47,6 +47,8 @@ CELL_PADDING = 8.0
 NAME_WIDTH = 55 * mm
 LISTING_COLUMNS = 112
 HEADING_ROOM = 45 * mm
+ORANGE = colors.HexColor("#D55E00")
+MARK_SIZE = 9.0
 KEPT_ROWS = 14
 """A table of so few rows is kept on one page with its title."""
 
@@ -106,8 +108,14 @@ def _build(document: Manuscript, pages: int) -> tuple[bytes, int]:
 def _footer(document: Manuscript, pages: int) -> Callable[[Canvas, Any], None]:
     number_width = 40 * mm
     text = _shortened(document.footer, PLAIN, 7.5, WIDTH - number_width)
+    mark = _shortened(document.mark, BOLD, MARK_SIZE, WIDTH)
 
     def draw(canvas: Canvas, template: Any) -> None:
+        if mark:
+            canvas.setFont(BOLD, MARK_SIZE)
+            canvas.setFillColor(ORANGE)
+            canvas.drawCentredString(105 * mm, 286 * mm, mark)
+            canvas.setFillColor(colors.black)
         canvas.setFont(PLAIN, 7.5)
         canvas.drawString(18 * mm, 10 * mm, text)
         canvas.drawRightString(192 * mm, 10 * mm, f"page {template.page} of {pages}")
@@ -130,8 +138,8 @@ def _style(name: str, size: float, bold: bool = False, **more: Any) -> Paragraph
 
 BODY = _style("body", 8.5, spaceAfter=3)
 STRONG = _style(
-    "strong", 8.5, bold=True, spaceAfter=4, leftIndent=8, borderPadding=(2, 2, 3, 6),
-    borderColor=colors.HexColor("#D55E00"), borderWidth=0.8, spaceBefore=3,
+    "strong", 8.5, bold=True, spaceAfter=7, leftIndent=8, borderPadding=(2, 2, 3, 6),
+    borderColor=ORANGE, borderWidth=0.8, spaceBefore=6,
 )  # fmt: skip
 CELL = _style("cell", CELL_SIZE)
 NUMBER = _style("number", CELL_SIZE, alignment=2)
