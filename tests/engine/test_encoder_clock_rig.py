@@ -124,7 +124,7 @@ def test_a_reversed_line_b_is_found_in_the_first_turn(tmp_path: Path) -> None:
     rig.record.devices["daq"].settings["idle_check_s"] = 1.5
     text = (EXAMPLES / "quick.toml").read_text(encoding="utf-8")
     test = Document(Path("quick.toml"), text, parse_test(text, "quick.toml"))
-    devices = SimulatedDevices(rig, parse_speed("20", rig))
+    devices = SimulatedDevices(rig, parse_speed("1", rig))
     try:
         engine = Engine(rig, ports=devices.ports(test.record.model))
         engine.connect()

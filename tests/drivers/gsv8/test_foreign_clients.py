@@ -155,9 +155,12 @@ def test_independent_client_configures_and_streams(bench: Any) -> None:
     b = bench()
     result = _run(
         """
+        from gsvpiko.transport import transport_serial
         from gsvpiko.transport.transport_serial import SerialTransport
         from gsvpiko.device.device_gsv import GsvDevice, GsvResponseError
-        device = GsvDevice(SerialTransport(port, 115200, 2.0))
+        # Its quarter of a second is for a port that hangs, not for a computer that is busy.
+        transport_serial.DRIVER_READ_CALL_TIMEOUT_S = 60.0
+        device = GsvDevice(SerialTransport(port, 115200, 60.0))
         device.open()
         device.acquisition.stop_transmission()
         a = device.acquisition
