@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 X1, Y1, PHI1, X2, Y2, PHI2, X3, Y3, PHI3, ALPHA = range(10)
 """Places of the unknowns in q (paper, Eq. 5; alpha follows for the imperfect joint)."""
 
+STALLED = 1e-12  # steps that shrink no more are rounding, where the Jacobian is nearly singular
+ENOUGH_ITERATIONS = 8  # Newton has converged by then, or goes on rounding
 MOST_ITERATIONS = 30  # Newton takes 5 from its start; 30 means that it does not converge
 TOLERANCE = 1e-14  # of the unknowns: rounding, so that the reference adds no error of its own
 
@@ -223,7 +225,7 @@ def _solve(
         q = q - step
         if np.abs(step).max() <= TOLERANCE * max(size, 1.0):
             break
-        if np.abs(step).max() <= 1e-12 and iterations > 8:
+        if np.abs(step).max() <= STALLED and iterations > ENOUGH_ITERATIONS:
             break
     else:
         raise ModelError("Newton", "without convergence", "check that the crank can turn freely")

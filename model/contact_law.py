@@ -13,6 +13,7 @@ from model.errors import ModelError, require_finite, require_not_negative, requi
 from model.parameters import Joint, Material
 
 Array = NDArray[np.float64]
+LARGEST_TOLERANCE = 0.1  # of a step or penetration: with more, impacts are missed
 Law = Literal["lankarani-nikravesh", "flores"]
 
 
@@ -51,8 +52,8 @@ class ContactModel:
             raise ModelError("friction_ramp", self.friction_ramp, "the end must exceed the start")
         require_positive("impact_speed_floor", self.impact_speed_floor, "m/s")
         require_positive("tolerance", self.tolerance)
-        if self.tolerance > 0.1:
-            raise ModelError("tolerance", self.tolerance, "it must not exceed 0.1")
+        if self.tolerance > LARGEST_TOLERANCE:
+            raise ModelError("tolerance", self.tolerance, f"it must not exceed {LARGEST_TOLERANCE}")
         if self.stiffness is not None:
             require_positive("stiffness", self.stiffness, "N/m^1.5")
 

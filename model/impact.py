@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 
 MOST_STEPS = 20_000_000  # ends a motion that no step suits, in minutes
 MOST_IMPACTS = 100_000  # 800 revolutions at 120 impacts: as many as one call may want
+CONTINUOUS = 1e-12  # of a cycle: a shorter flight is rounding of the times of contact
 STEPS_AT_ONCE = 20_000
 """Steps between two looks at whether the caller still waits."""
 
@@ -76,7 +77,7 @@ class ContactCycle:
     @property
     def contact_is_continuous(self) -> bool:
         """Return whether the pin never left the bushing."""
-        return self.contact_fraction >= 1.0 - 1e-12
+        return self.contact_fraction >= 1.0 - CONTINUOUS
 
 
 def contact_cycle(

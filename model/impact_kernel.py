@@ -48,6 +48,14 @@ CONTROL = 10
 """Places in the control: tolerances of the states, then steps, impact speed, begin of tally."""
 
 STAGES, ALL_STAGES = 12, 16
+SAFETY, SHRINK, GROW, ORDER = 0.9, 0.2, 6.0, 0.125
+"""Of the next step: Hairer, Norsett, Wanner (1993), II.4, for a method of order 8."""
+HOPELESS, HOPELESS_SHRINK = 1e30, 0.1
+"""An error that is no number any more says nothing of the step that would do."""
+FLAWLESS = 1e-12
+"""Of the tolerance: an error of 0 does not make an endless step."""
+SAME_TIME = 1e-13
+"""Of the step: a crossing is not known better."""
 ROWS = float64[:, ::1]
 A = np.zeros((ALL_STAGES, ALL_STAGES))
 A[:STAGES, :STAGES] = DOP853.A
@@ -183,7 +191,7 @@ def first_crossing(p, table, options, time, h, states, dense, point, sign):  # t
                     high = middle
                 else:
                     low = middle
-                if high - low < 1e-13:
+                if high - low < SAME_TIME:
                     break
             return high
         low = high
@@ -249,7 +257,7 @@ def integrate(p, table, options, y, course, control, times, most_steps, samples,
         error = try_step(p, table, options, time, h, k, states, scale, impact_speed, touching)
         if not error <= 1.0:
             tally[REJECTED] += 1
-            h *= max(0.2, 0.9 * error**-0.125) if error < 1e30 else 0.1
+            h *= max(SHRINK, SAFETY * error**-ORDER) if error < HOPELESS else HOPELESS_SHRINK
             if h < control[SHORTEST]:
                 status = STEP_TOO_SMALL
                 break
@@ -292,7 +300,7 @@ def integrate(p, table, options, y, course, control, times, most_steps, samples,
         time = arrival
         states[BEGIN, :] = states[END]
         deep, rate = deep_then, rate_then
-        h *= min(6.0, 0.9 * max(error, 1e-12) ** -0.125)
+        h *= min(GROW, SAFETY * max(error, FLAWLESS) ** -ORDER)
         if crossed:
             touching = not touching
             if touching:

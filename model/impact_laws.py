@@ -16,6 +16,9 @@ RADIUS, LENGTH, MASS, INERTIA, STATIC_MOMENT, SLIDER_MASS = range(6)
 STIFFNESS, FREE_POSITION, GRAVITY_X, GRAVITY_Y = range(6, 10)
 PIN_RADIUS, CLEARANCE, CONTACT_STIFFNESS, HYSTERESIS, FRICTION = range(10, 15)
 RAMP_START, RAMP_END, FOUNDATION, SPEED, START_ANGLE, LEAST_RADIUS = range(15, 21)
+MOST_STEPS = 12  # Newton from the nearest node takes three or four
+SAME_ANGLE = 1e-13  # rad: rounding
+AT_CENTRE = 1e-15  # m: a pin in the very middle has no direction, and is given one
 REFERENCE_LENGTH = 21
 PARAMETERS = 22
 """Places in the parameter vector of the compiled functions."""
@@ -60,7 +63,7 @@ def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
     step = 2.0 * math.pi / count
     place = 0.0
     ex = ey = 0.0
-    for _ in range(12):
+    for _ in range(MOST_STEPS):
         j, s = best, place
         if s < 0.0:
             j, s = (best - 1) % count, place + step
@@ -82,7 +85,7 @@ def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
         )
         move = -slope / bend if bend > 0.0 else -math.copysign(0.25 * step, slope)
         moved = min(step, max(-step, place + move))
-        if abs(moved - place) < 1e-13:
+        if abs(moved - place) < SAME_ANGLE:
             break
         place = moved
     distance = math.sqrt(ex * ex + ey * ey)
@@ -99,7 +102,7 @@ def penetration(p, table, shape, dx, dy, excess, turn):  # type: ignore[no-untyp
     """
     if shape == CIRCLE:
         distance = math.sqrt(dx * dx + dy * dy)
-        if distance < 1e-15:
+        if distance < AT_CENTRE:
             return -p[CLEARANCE], -turn[0], -turn[1]
         return excess / (distance + p[CLEARANCE]), dx / distance, dy / distance
     c, s = turn

@@ -17,6 +17,8 @@ from model.parameters import Joint, Mechanism
 Array = NDArray[np.float64]
 Range = tuple[float, float]
 
+HALF_STEP = 0.51  # of the angles' spacing: a cycle that ends within it before its begin is closed
+
 
 @dataclass(frozen=True, slots=True)
 class ContinuousContact:
@@ -121,7 +123,7 @@ def _ranges_above_zero(angle: Array, value: Array) -> tuple[Range, ...]:
         return ()
     step = angle[1] - angle[0] if len(angle) > 1 else 0.0
     turn = np.copysign(2.0 * np.pi, step)
-    cyclic = len(angle) > 2 and abs(angle[-1] + step - angle[0] - turn) < 0.51 * abs(step)
+    cyclic = len(angle) > 2 and abs(angle[-1] + step - angle[0] - turn) < HALF_STEP * abs(step)
     if above.all():
         return ((float(angle[0]), float(angle[0] + turn if cyclic else angle[-1])),)
     if cyclic:

@@ -41,6 +41,7 @@ ABORT_QUICK_STOP: Final = 3
 _UNITS: Final = {"rpm": RPM, "milli-rpm": MILLI_RPM}
 _MODE_S: Final = 1.0  # a change of mode is done in some ms; no drive needs this
 _START_S: Final = 2.0  # of heartbeats of at most 1 s, one must come
+_SHORTEST_WATCHDOG_S: Final = 0.05  # a computer that is busy feeds no faster
 _LONGEST_HEARTBEAT_MS: Final = 0xFFFF  # 16 bits of object 1016
 _COARSE_RPM: Final = 0.1  # wear tests turn at some tens of rpm, and such a step is 0.3 % of 30 rpm
 _ROUNDING: Final = 0.01  # of a speed: less is lost in the speed loop of any drive
@@ -71,7 +72,7 @@ class Setup:
 
 def check_watchdog(request: DriveRequest) -> None:
     """Raise ValueError for a time-out that the heartbeat cannot carry."""
-    if not 0.05 <= request.watchdog_timeout_s <= _LONGEST_HEARTBEAT_MS * 1e-3:
+    if not _SHORTEST_WATCHDOG_S <= request.watchdog_timeout_s <= _LONGEST_HEARTBEAT_MS * 1e-3:
         raise ValueError(
             f"a watchdog time-out of {request.watchdog_timeout_s:g} s is outside 0.05 to 65 s."
         )

@@ -23,7 +23,7 @@ from drivers.cia402.protocol import (
 
 _log = logging.getLogger(__name__)
 
-_HEARTBEATS_MISSED: Final = 12
+_HEARTBEATS_MISSED: Final = 12  # a host that is late loses some; a drive that is off loses all
 _HEARTBEAT_LEAST_S: Final = 2.0
 """A drive that is gone answers no question, which is known at once; only one that answers without a
 heartbeat has so long, and no pause of this computer of a second or so is taken for that."""

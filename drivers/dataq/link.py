@@ -10,7 +10,7 @@ from drivers.dataq.protocol import BadReply, Info, line, query_value, split_repl
 
 READ_BYTES: Final = 1 << 18
 TRIES: Final = 2  # a command that is lost once is sent again; the echo proves it
-_SLICE_S: Final = 0.05
+_SLICE_S: Final = 0.05  # so late may a stop be seen
 _STOP: Final = line("stop")
 _SHOWN: Final = 40
 

@@ -12,6 +12,7 @@ from drivers.api import BytePort, Identity, Probe, ProtocolError, ReplyTimeout
 from drivers.dataq.link import Link
 from drivers.dataq.protocol import Info
 
+_REST_S: Final = 0.05  # by then the rest of another answer has come
 _MOST_BYTES: Final = 4096
 _SERIAL_DIGITS: Final = 8
 
@@ -19,7 +20,7 @@ _SERIAL_DIGITS: Final = 8
 def ask(port: BytePort, timeout_s: float) -> Identity | None:
     """Return who answers ``info 1`` with its echo and a model number."""
     port.write(b"\r")  # ends what another question left in the device's line
-    port.read_some(_MOST_BYTES, min(timeout_s, 0.05))
+    port.read_some(_MOST_BYTES, min(timeout_s, _REST_S))
     link = Link(port, timeout_s, 0.0)
     try:
         model = link.query(Info.MODEL, tries=1)

@@ -25,6 +25,7 @@ _FACTORS: Final = (
 DECIMATIONS: Final = (*((dec, 1) for dec in _FACTORS), (500, 10), (500, 100))
 """Pairs of dec (1 to 512) and deca (1 to 40000), by growing product."""
 
+_ROUNDING: Final = 1e-12  # of a quotient that is a whole number of ticks
 _EXACT: Final = 1e-5  # 10 ppm, less than the error of the device's own quartz
 
 
@@ -58,8 +59,8 @@ def nearest_rates(sample_rate_Hz: float, entries: int) -> list[Rate]:
     below, above = [], []
     for dec, deca in DECIMATIONS:
         ticks = MASTER_CLOCK_HZ / (sample_rate_Hz * dec * deca)
-        below.append(Rate(max(smallest, math.ceil(ticks * (1.0 - 1e-12))), dec, deca))
-        above.append(Rate(min(LARGEST_SRATE, math.floor(ticks * (1.0 + 1e-12))), dec, deca))
+        below.append(Rate(max(smallest, math.ceil(ticks * (1.0 - _ROUNDING))), dec, deca))
+        above.append(Rate(min(LARGEST_SRATE, math.floor(ticks * (1.0 + _ROUNDING))), dec, deca))
     below, above = ([one for one in some if checked(one, entries)] for some in (below, above))
     # Of equals, max and min take the first, which has the smallest decimation.
     speed = attrgetter("sample_rate_Hz")

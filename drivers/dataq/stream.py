@@ -29,7 +29,7 @@ from drivers.dataq.sense import Sense
 
 _log = logging.getLogger(__name__)
 
-_SLICE_S: Final = 0.05
+_SLICE_S: Final = 0.05  # so late may a stop be seen
 _LATENESS_S: Final = 0.01  # a wait may end so much late on a free computer
 _MOST_SENTENCES: Final = 100  # of one test; the counters go on
 _MOST_RESTARTS: Final = 3  # a line that loses bytes again and again is broken

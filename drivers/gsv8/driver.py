@@ -49,7 +49,7 @@ _INJECT_NOTHING, _INJECT_HALF_SCALE = 0, 1
 _HALF_SCALE_TOLERANCE = 1e-3  # of the expected value
 _SETTLING_S = 0.005  # of the injected test value, analog
 _SETTLING_PERIODS = 5.0  # of the digital filter, in samples
-_READ_SLICE_S = 0.05
+_READ_SLICE_S = 0.05  # so late may a stop be seen
 _ONLY_STREAMS_FROM_HZ = 24000.0  # from this rate on the device may leave commands unanswered
 
 

@@ -21,7 +21,7 @@ from drivers.gsv8.words import status_words
 _log = logging.getLogger(__name__)
 
 _READ_BYTES = 1 << 18
-_SLICE_S = 0.02
+_SLICE_S = 0.02  # so late may a stop be seen
 _BUSY_STATUSES = frozenset((0x43, 0x5A, 0x92, 0x99))  # wrong on the way, or busy: ask again
 _DONE = (0x00, 0x01)
 _FOREIGN_LIMIT = 3  # one may be a damaged frame; three in a row are another setting

@@ -15,8 +15,6 @@ from drivers.gsv8.words import ValueFault, decode_value_fault
 SLOW = 5.0
 """Patience for commands that the device may take long for: they measure, or store much."""
 
-_MAPPING_NOT_READABLE = (1, 38)
-
 
 @dataclass(frozen=True, slots=True)
 class Setting:
@@ -128,7 +126,7 @@ class Registers:
 
     def get(self, setting: Setting) -> Any:
         """Return the number as it stands in the device."""
-        if setting is OBJECTS and self._firmware <= _MAPPING_NOT_READABLE:
+        if setting is OBJECTS and self._firmware <= p.MAPPING_HIDDEN_FIRMWARE:
             return self._interface().objects
         if self._firmware < setting.since:
             return 0

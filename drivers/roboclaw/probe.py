@@ -8,6 +8,7 @@ from typing import Final
 from drivers.api import BytePort, Identity, Probe
 from drivers.roboclaw.protocol import Command, Rejected, parse_version, read_packet
 
+_ANSWER_S: Final = 0.1  # eight addresses are asked, and a drive answers within 10 ms
 _ADDRESSES: Final = range(0x80, 0x88)
 _LONGEST: Final = 64
 _QUIET_S: Final = 0.015  # longer than the drive's own time-out inside a packet
@@ -18,7 +19,7 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
 
     Over USB the drive answers at any of them.
     """
-    wait_s = min(timeout_s, 0.1)
+    wait_s = min(timeout_s, _ANSWER_S)
     for address in _ADDRESSES:
         line.write(read_packet(address, Command.VERSION))
         text = parse_version(address, _answer(line, wait_s))

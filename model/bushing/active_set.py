@@ -16,6 +16,12 @@ NOT_SETTLED = 1
 ONE_SIDED = 2
 
 _LIMIT = 200  # bounds the single changes that come after _PATIENCE
+_SAFE = 0.3  # of the determinant without turning: less and the step leaves what it was taken from
+_SINGULAR = 1e-15  # of the squared trace: a stiffness in one direction only
+_CLOSED = 1e-6  # of the largest gap: less is neither open nor pressed in
+_BALANCED = 1e-6  # of the force, which the pressures carry but for this part
+_LONGEST_STEP = 0.1  # of the pin's radius: farther the nodes meet another part of its surface
+_STILL = 1e-12  # of the pin's radius: rounding of a place
 # After so many iterations the set changes one node at a time, which cannot cycle.
 _PATIENCE = 30
 
@@ -162,7 +168,7 @@ def pin_move(stiffness, turning, pull):  # type: ignore[no-untyped-def]
         s11 = stiffness[1, 1] - share * turning[1, 1]
         determinant = s00 * s11 - s01 * s01
         plain = stiffness[0, 0] * stiffness[1, 1] - stiffness[0, 1] ** 2
-        if determinant > 0.3 * plain and plain > 1e-15 * trace * trace:
+        if determinant > _SAFE * plain and plain > _SINGULAR * trace * trace:
             move[0] = (s11 * pull[0] - s01 * pull[1]) / determinant
             move[1] = (s00 * pull[1] - s01 * pull[0]) / determinant
             return move
@@ -180,11 +186,11 @@ def verdict(force, touching, pressed, gap, frame, reach):  # type: ignore[no-unt
     for i in range(touching.size):
         x += pressed[i] * frame[i, 0]
         y += pressed[i] * frame[i, 1]
-        if pressed[i] < 0.0 or gap[i] < -1e-6 * reach:
+        if pressed[i] < 0.0 or gap[i] < -_CLOSED * reach:
             return NOT_SETTLED
-        if touching[i] and gap[i] > 1e-6 * reach:
+        if touching[i] and gap[i] > _CLOSED * reach:
             return NOT_SETTLED
-    if x * x + y * y > 1e-12 * (force[0] ** 2 + force[1] ** 2):
+    if x * x + y * y > _BALANCED**2 * (force[0] ** 2 + force[1] ** 2):
         return NOT_SETTLED
     return CARRIED
 
@@ -241,13 +247,13 @@ def solve(  # type: ignore[no-untyped-def]
         for p in range(count):
             value = rows[0, p] * move[0] + rows[1, p] * move[1] - rows[2, p]
             pressed[nodes[p]] = value
-        step = min(1.0, 0.1 * pin_radius / length) if length > 0.0 else 1.0
+        step = min(1.0, _LONGEST_STEP * pin_radius / length) if length > 0.0 else 1.0
         pin += step * move
         place_pin(surface, axis, pin_radius, pin, frame, gap)
         reach = 0.0
         for p in range(count):
             reach = max(reach, abs(gap[nodes[p]]))
-        settled = length <= 1e-6 * reach + 1e-12 * pin_radius
+        settled = length <= _CLOSED * reach + _STILL * pin_radius
         displace(polar, frame, pressed, nodes, count, np.inf if settled else reach, gap)
         broken = revise(gap, touching, pressed, reach, 0.0, iteration > _PATIENCE)
         if broken == 0 and settled:

@@ -16,6 +16,8 @@ Flags = NDArray[np.bool_]
 
 # A contact deeper than this part of the wall is beyond linear elasticity by any measure.
 LARGEST_INDENTATION = 0.2
+# The pin's flanks, beyond this part of its radius, are nearly parallel to the force.
+FLANK = 0.98
 # So is a pressure above this part of the modulus.
 LARGEST_STRAIN = 0.25
 
@@ -115,7 +117,7 @@ def first_guess(
     direction = force / size
     along = surface @ direction
     across2 = (surface * surface).sum(axis=1) - along**2
-    facing = np.flatnonzero((along > 0.0) & (across2 < (0.98 * pin_radius) ** 2))
+    facing = np.flatnonzero((along > 0.0) & (across2 < (FLANK * pin_radius) ** 2))
     touching = np.zeros(len(surface), dtype=np.bool_)
     if facing.size == 0:
         return np.zeros(2), touching

@@ -57,6 +57,8 @@ def _table(points: int) -> list[tuple[float, Array]]:
     return [(wx * wy, shape_gradients(x, y)) for x, wx in rule for y, wy in rule]
 
 
+# Above this ratio, full integration locks in plane strain.
+LOCKING_RATIO = 0.46
 _TABLES = {points: _table(points) for points in (2, 3)}
 
 
@@ -64,9 +66,9 @@ def integration_points(poissons_ratio: float, plane: Plane = "strain") -> int:
     """Return how many Gauss points a side suit the material: 3, or 2 where 3 would lock.
 
     Nearly incompressible in plane strain, full integration gives pressures that alternate from
-    node to node (24 % at a ratio of 0.499); below 0.46 it is the more accurate rule.
+    node to node (24 % at a ratio of 0.499); below LOCKING_RATIO it is the more accurate rule.
     """
-    return 2 if plane == "strain" and poissons_ratio > 0.46 else 3
+    return 2 if plane == "strain" and poissons_ratio > LOCKING_RATIO else 3
 
 
 def stiffness(corners: Array, matrix: Array, points: int = 3) -> Array:

@@ -30,6 +30,7 @@ Array = NDArray[np.float64]
 ContactModel = Literal["finite-element", "winkler"]
 
 # Most nodes of one contact problem: its matrices grow with the square.
+ARC_TURNS, ARC_RAD = 2.0, 0.05  # an arc so much wider than the contact that is expected
 MOST_NODES = 900
 # Numbers of sectors to choose from; few of them, so that meshes are met again.
 SECTORS = tuple(
@@ -201,7 +202,7 @@ def pressure_distribution(
     if sectors is None:
         sectors = len(surface) // 2 if surface is not None else sectors_at_least(126.0 / expected)
     worn = ring.circle(sectors) if surface is None else surface
-    half = np.pi if surface is not None else min(2.0 * expected + 0.05, np.pi)
+    half = np.pi if surface is not None else min(ARC_TURNS * expected + ARC_RAD, np.pi)
     room = 0.5 * np.pi * MOST_NODES / sectors
     nodes = arc_nodes(sectors, np.arctan2(load[1], load[0]), min(half, room))
     compliance = ring.compliance(ring.mesh(sectors), nodes)

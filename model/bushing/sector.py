@@ -23,6 +23,9 @@ Array = NDArray[np.float64]
 
 # Which of a layer's ten condensed degrees of freedom each node of its element belongs to:
 # outer line 0-1, outer mid 2-3, radial mid 4-5, inner line 6-7, inner mid 8-9.
+MOST_LAYERS = 24  # more change the surface's compliance by less than the sectors do
+SQUARE = 1.5  # sides of the innermost elements: longer and their pressure is wrong
+STEEPEST = 2.5  # from layer to layer: steeper and the elements are too unlike
 _FOLD = np.array([6, 0, 0, 6, 4, 2, 4, 8])
 # Angle of each node of the element in half sectors.
 _TURN = np.array([0, 0, 2, 2, 0, 1, 2, 1])
@@ -61,15 +64,15 @@ def suitable_mesh(sectors: int, inner: float, outer: float) -> SectorMesh:
     """Return a mesh of so many sectors whose innermost elements are about square."""
     square = 2.0 * np.pi * inner / sectors
     layers, thickness = 8, outer - inner
-    while layers < 24:
+    while layers < MOST_LAYERS:
         for grading in (10.0, 100.0, 1000.0, 1e4):
             mesh = SectorMesh(sectors, layers, grading)
             ratio = grading ** (1.0 / (layers - 1))
             first = thickness * (ratio - 1.0) / (ratio**layers - 1.0)
-            if first <= 1.5 * square and ratio < 2.5:
+            if first <= SQUARE * square and ratio < STEEPEST:
                 return mesh
         layers += 2
-    return SectorMesh(sectors, 24, 1e4)
+    return SectorMesh(sectors, MOST_LAYERS, 1e4)
 
 
 @lru_cache(maxsize=8)

@@ -24,8 +24,8 @@ from rigapp.schema.messages import Status
 from rigapp.service.preflight import Check, Checked, blocked, disk_facts, preflight
 from rigapp.simulation.handle import SimulationFailed
 
-FIRST_DATA_S = 10.0
-PIPE_WIDTH = 200
+FIRST_DATA_S = 10.0  # a device that has been set sends within a block
+PIPE_WIDTH = 200  # where no terminal tells its width, no line is broken
 MARKS = {Checked.GOOD: "ok", Checked.ATTENTION: "note", Checked.BLOCKS: "BLOCKS"}
 
 

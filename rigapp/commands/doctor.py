@@ -31,7 +31,8 @@ PACKAGES = (
     "pyqtgraph",
 )
 PROMPT_LATENCY_MS = 2
-CAN_LISTEN_S = 1.0
+WINDOW_TEST_S = 120  # starting the libraries of the window on a slow disk
+CAN_LISTEN_S = 1.0  # heartbeats come several times a second
 NETWORKS = Path("/sys/class/net")
 USB_SERIAL = Path("/sys/bus/usb-serial/devices")
 _CAN_NETWORK = "280"
@@ -306,7 +307,7 @@ def _window() -> Iterator[Observation]:
             env=environment,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=WINDOW_TEST_S,
             check=False,
         )
     except subprocess.TimeoutExpired:

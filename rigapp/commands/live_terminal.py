@@ -30,7 +30,7 @@ from rigapp.config.rig import RigFile
 
 PATIENCE_S = 60.0
 """A weight that still swings after a minute needs a hand to steady it."""
-LOOK_EVERY_S = 0.03
+LOOK_EVERY_S = 0.03  # as fast as numbers can be read while a hand moves
 
 AnySession = LiveSession[Any, Any, Any, Any]
 Say = Callable[[str], None]

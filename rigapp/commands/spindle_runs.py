@@ -36,7 +36,7 @@ from rigapp.config.recipe import (
 )
 from rigapp.config.rig import RigFile
 
-LOOK_EVERY_S = 0.1
+LOOK_EVERY_S = 0.1  # the progress line moves ten times a second
 ROLL_RAMP = 2
 RUN_RAMP = 3
 """Revolutions beyond those wanted: the first ones carry the ramp."""

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from rigapp.config.errors import UnusableInput
 
-LARGEST_BYTES = 16 << 20
-PATIENCE_S = 5.0
+LARGEST_BYTES = 16 << 20  # far beyond a file that a person writes
+PATIENCE_S = 5.0  # a network folder that hangs answers later or never
 HANGING_READS = 8
 """Reads that may hang at once, in a folder that does not answer, before more are refused."""
 

@@ -44,7 +44,15 @@ from rigapp.schema.channels import LOAD_CELL
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE, TURNING, Trigger
 
-SMALLEST_QUEUE = 16384
+SMALLEST_QUEUE = 16384  # samples; a burst of so many may come after a pause of the host
+PROMPT_S = 0.02
+"""Longest pause of a loop that has something to end: 7 deg of a crank at 60 rpm."""
+
+FRESH_S = 0.5
+"""A sample that is older tells nothing of what the crank does now."""
+
+SLOWEST_PACE = 0.02
+"""A simulated rig that runs slower than this has hung: nobody waits for it in proportion."""
 
 ASLEEP_S = 0.5
 """The drive's thread looks more often; after a longer pause the whole program may have slept."""
@@ -239,7 +247,7 @@ class Connection:
             if core.finish_due:
                 core.finish()
                 return
-            self.commit.pause(min(0.02, core.timing.commit))
+            self.commit.pause(min(PROMPT_S, core.timing.commit))
             core.place()
             self.commit.beat()
         core.commit()
@@ -251,7 +259,7 @@ class Connection:
         now = time.monotonic()
         busy = control.busy
         due = not control.quiet and now - self._drive_polled_s >= (
-            min(0.02, timing.poll) if busy else timing.poll
+            min(PROMPT_S, timing.poll) if busy else timing.poll
         )
         stands = core.state not in TURNING
         if due and (stands or core.state is RunState.STOPPING or self.all_well()):
@@ -260,7 +268,7 @@ class Connection:
         do = control.step()
         self.follow(do)
         self._watch_the_supervisor()
-        self.drive.pause(timing.aim if busy else min(0.02, timing.poll))
+        self.drive.pause(timing.aim if busy else min(PROMPT_S, timing.poll))
 
     def _watch_the_supervisor(self) -> None:
         """End the test when the thread that looks at all others hangs: nobody else would tell.
@@ -371,7 +379,7 @@ class Connection:
         newest = motion.newest()
         fresh = (
             newest is not None
-            and now - newest.host_s < max(0.5, 2 * self.core.timing.standing)
+            and now - newest.host_s < max(FRESH_S, 2 * self.core.timing.standing)
             and self.process.well
         )
         if newest is None or not fresh:
@@ -392,7 +400,7 @@ class Connection:
         """Return how many times slower than real time the rig runs, 1 for a real one."""
         if self.core.rig.record.simulation is None:
             return 1.0
-        return 1.0 / min(1.0, max(0.02, self.processor.motion.pace()))
+        return 1.0 / min(1.0, max(SLOWEST_PACE, self.processor.motion.pace()))
 
     # --- death -----------------------------------------------------------------------------------
 

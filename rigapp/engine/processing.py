@@ -54,6 +54,10 @@ class Judge(Protocol):
         """Take note that device and host time parted."""
 
 
+SAME_WINDOW = 0.95
+"""A window that is shorter by less than the rest is not begun anew: nobody sees the difference."""
+
+
 @dataclass(slots=True, eq=False)
 class Averaging:
     """Average the analog signals over some samples, for a zero."""
@@ -208,7 +212,7 @@ class Processor:
     def listen(self, window_s: float) -> Means:
         """Return the signals of the last window_s; they are kept from the first call on."""
         recent = self._recent
-        if recent is None or recent.window_s < 0.95 * window_s:
+        if recent is None or recent.window_s < SAME_WINDOW * window_s:
             rate, inputs = self.calibration.sample_rate_Hz, len(self.calibration.wires)
             recent = RecentSignals(rate, window_s, inputs)
             self._recent = recent

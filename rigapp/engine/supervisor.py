@@ -13,11 +13,11 @@ from rigapp.schema.alarms import because
 from rigapp.schema.messages import RunState
 from rigapp.schema.states import ACTIVE
 
-ANCHOR_S = 60.0
-FILE_S = 1.0
-SPEED_LOST = 0.3
-SPEED_LOST_S = 1.0
-CLOCK_JUMP_S = 1.0
+ANCHOR_S = 60.0  # drift alone parts two clocks by milliseconds in that time
+FILE_S = 1.0  # so long may a file be without its name unseen
+SPEED_LOST = 0.3  # of the target; no ripple or load is as large
+SPEED_LOST_S = 1.0  # a load passes faster
+CLOCK_JUMP_S = 1.0  # a time server slews what is less, seen over ANCHOR_S
 
 SUSPENDED_S = 1.0
 """When a short pause takes so much longer, the whole process did not run."""

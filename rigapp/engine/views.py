@@ -30,6 +30,9 @@ from rigapp.schema.states import ACTIVE
 NO_MARGIN = 1e9
 """Shown when nothing is limited."""
 
+SLOWEST_PACE = 1e-3
+"""A simulated rig that stands leaves a finite time to the end of its test."""
+
 RIG_FILE = "rig file"
 """What is told in place of a calibration record where there is none."""
 
@@ -121,7 +124,7 @@ def _expected_end(core: Core, connection: Connection | None, active: ActiveTest 
         return 0.0
     pace = 1.0
     if core.rig.record.simulation is not None:
-        pace = max(connection.processor.motion.pace(), 1e-3)
+        pace = max(connection.processor.motion.pace(), SLOWEST_PACE)
     return time.time() + _seconds_left(active) / pace
 
 

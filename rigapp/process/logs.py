@@ -23,7 +23,7 @@ LEVEL_VARIABLE = "RIGAPP_LOG_LEVEL"
 """Environment variable that hands the level on to the processes of this one."""
 
 OWN = ("rigapp", "drivers", "model", "calibration")
-MOST_WAITING = 1000
+MOST_WAITING = 1000  # lines; more come only from something that has gone wrong
 LARGEST_FILE = 1_000_000
 """Bytes of a log file; the one before is kept beside it."""
 LAST_WORDS_S = 2.0

@@ -31,7 +31,7 @@ from rigapp.storage import TestReader, open_test
 
 Floats = NDArray[np.float64]
 
-PERIOD_S = 0.1
+PERIOD_S = 0.1  # as often as the screen draws trends
 MOST_ROWS = 20_000
 """Rows in one snapshot: after a long leap the window takes them in steps that nobody feels."""
 

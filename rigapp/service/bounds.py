@@ -14,7 +14,7 @@ from rigapp.schema.messages import NOTE_CHARACTERS, Reply, Request
 from rigapp.schema.states import Refused, refuse_long
 from rigapp.schema.verbs import Lane, Verb
 
-MESSAGE_BYTES = 1 << 16
+MESSAGE_BYTES = 1 << 16  # no request is nearly as long
 NAME_CHARACTERS = 100
 SENTENCE_CHARACTERS = 2000
 

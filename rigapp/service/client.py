@@ -22,10 +22,10 @@ from rigapp.service.registry import EngineEntry, lasting_folder, other_version
 if TYPE_CHECKING:
     from rigapp.service.security import KeyPair
 
-SNAPSHOT_QUEUE = 64
+SNAPSHOT_QUEUE = 64  # three seconds of a window that is busy
 NEWEST = ("cycle", "prediction", "profile")
 """What only the newest snapshot that brings it is wanted of."""
-PRESENT_S = 2.0
+PRESENT_S = 2.0  # often enough that a lost one is no absence
 
 
 class EngineUnreachable(Exception):

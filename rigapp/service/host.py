@@ -76,8 +76,8 @@ from rigapp.twin.worker import TwinSetup
 EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 """Errors that are a sentence for whoever asked, not a defect."""
 
-LONELY_S = 60.0
-START_WAIT_S = 10.0
+LONELY_S = 60.0  # a window may be closed and opened again meanwhile
+START_WAIT_S = 10.0  # a second start waits so long for the first to be refused or begun
 CLOSE_S = 90.0
 """Stopping a test under way may take 60 s of it."""
 TWIN_START_S = 15.0

@@ -26,9 +26,9 @@ from rigapp.service.registry import (
     starting_engine,
 )
 
-START_S = 60.0
-HELLO_S = 10.0
-LOOK_EVERY_S = 0.05
+START_S = 60.0  # importing and compiling on a slow disk
+HELLO_S = 10.0  # far longer than an engine that runs takes
+LOOK_EVERY_S = 0.05  # no longer than a person notices
 
 
 def find_engine(rig: Path) -> EngineEntry | None:

@@ -24,8 +24,7 @@ from rigapp.schema.messages import DeviceView, RunState, Severity, Status
 FEW_SAMPLES = 60
 """With fewer samples a revolution, extremes are missed."""
 
-SPARE_BYTES = 32e6
-STALE_S = 2.0
+STALE_S = 2.0  # devices send ten times a second or more
 NEAR_THE_END = 0.95
 """Share of an input's range beyond which a signal counts as at its end."""
 
@@ -178,13 +177,15 @@ def _of_rules(test: TestFile) -> Iterator[Check]:
 
 
 def _of_disk(disk: DiskFacts | None) -> Iterator[Check]:
+    from rigapp.storage import SPACE_MARGIN
+
     if disk is None:
         return
     if disk.problem:
         yield Check("Disk", Checked.BLOCKS, disk.problem, "Choose a folder that can be written to")
         return
     text = f"{disk.needed_bytes / 1e6:.0f} MB needed, {disk.free_bytes / 1e9:.1f} GB free"
-    missing = disk.needed_bytes + SPARE_BYTES - disk.free_bytes
+    missing = disk.needed_bytes + SPACE_MARGIN - disk.free_bytes
     yield Check(
         "Disk",
         Checked.BLOCKS if missing > 0 else Checked.GOOD,

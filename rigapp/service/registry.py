@@ -21,6 +21,9 @@ from rigapp.process.leftovers import process_alive, remove_left_behind
 from rigapp.schema.messages import PROTOCOL_VERSION
 from rigapp.service.private import SMALL_BYTES, private_folder, read_own
 
+LONGEST_SOCKET_FOLDER = 80
+"""Characters: the system allows 107 for the path of a socket, its name included."""
+
 LEFT_BEHIND = (
     r"(?:engine-|starting-|twin-)?(?P<pid>\d+)(?:\.(?:json|part|commands|snapshots)|-[0-9a-f]+)"
 )
@@ -73,7 +76,7 @@ def lasting_folder() -> Path:
 
 def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
     """Return (commands, snapshots) addresses: Unix sockets, or loopback where there are none."""
-    if sys.platform == "win32" or len(str(folder)) > 80:
+    if sys.platform == "win32" or len(str(folder)) > LONGEST_SOCKET_FOLDER:
         return "tcp://127.0.0.1:*", "tcp://127.0.0.1:*"
     return f"ipc://{folder}/{pid}.commands", f"ipc://{folder}/{pid}.snapshots"
 

@@ -35,6 +35,9 @@ ZERO_SHARE = 0.02
 FITTED = 50
 """The twin may not have answered to the last rows: so many of its last depths are followed."""
 
+SAME, SAME_ABOUT_ZERO = 1e-9, 1e-15
+"""Numbers of two records that differ by less were rounded when they were written."""
+
 NOT_COMPARED = ("record", "tare_mV_per_V", "frame", "sign")
 
 UNSTEADY = ("status", "supply_V", "logic_V", "temperature_C")
@@ -281,7 +284,9 @@ def _equal(before: Any, now: Any) -> bool:
         one, other = np.asarray(before, np.float64), np.asarray(now, np.float64)
     except (TypeError, ValueError):
         return str(before) == str(now)
-    return one.shape == other.shape and bool(np.allclose(one, other, rtol=1e-9, atol=1e-15))
+    return one.shape == other.shape and bool(
+        np.allclose(one, other, rtol=SAME, atol=SAME_ABOUT_ZERO)
+    )
 
 
 def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:

@@ -27,11 +27,13 @@ from rigapp.service.lanes import Lanes
 from rigapp.service.registry import other_version
 from rigapp.service.security import KeyCheck
 
-SNAPSHOT_QUEUE = 4
+SNAPSHOT_QUEUE = 4  # a viewer that lags wants the newest
 EVERY_SNAPSHOT = b""
 """What a viewer subscribes to."""
-PUBLISH_PERIOD_S = 0.05
-POLL_MS = 10
+PUBLISH_PERIOD_S = 0.05  # a revolution is to be on the screen 100 ms after its end
+POLL_MS = 10  # so late may a request be seen
+CLOSE_S = 5.0  # answering what is under way; a handler that takes longer is left behind
+LINGER_MS = 200  # so long may the last snapshot take to leave
 
 Handler = Callable[[Request], Reply]
 Source = Callable[[], Snapshot]
@@ -103,7 +105,7 @@ class Server:
         """Publish the last snapshot, answer what is under way, release the sockets."""
         self._stop.set()
         if self._thread.is_alive():
-            self._thread.join(timeout=5.0)
+            self._thread.join(timeout=CLOSE_S)
         self._release()
 
     def _bind(self, socket: zmq.Socket[bytes], address: str) -> None:
@@ -118,7 +120,7 @@ class Server:
     def _release(self) -> None:
         if self._key_check is not None:
             self._key_check.close()
-        self._context.destroy(linger=200)
+        self._context.destroy(linger=LINGER_MS)
 
     @property
     def alive(self) -> bool:

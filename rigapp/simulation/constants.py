@@ -15,6 +15,9 @@ from rigapp.config.parameters import ParameterFile
 from rigapp.config.rig import PlantSection, RigFile
 from rigapp.simulation.layout import Constants
 
+SINGULAR = 1e-12
+"""A matrix of a real cell has a determinant of thousands of N^2 per (mV/V)^2."""
+
 
 @dataclass(frozen=True, slots=True)
 class Machine:
@@ -183,7 +186,7 @@ def _volts_per_metre(rig: RigFile, plant: PlantSection) -> list[float]:
 
 def _matrix(rig: RigFile) -> NDArray[np.float64]:
     matrix = np.array(rig.load_cell.matrix_N_per_mV_per_V, dtype=np.float64)
-    if abs(np.linalg.det(matrix)) < 1e-12:
+    if abs(np.linalg.det(matrix)) < SINGULAR:
         raise UnusableInput(
             "load_cell.matrix_N_per_mV_per_V is singular; no force could be told from the signals."
         )

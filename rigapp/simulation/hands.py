@@ -27,7 +27,7 @@ from rigapp.simulation.plant import Plant
 
 BUOYANCY = 1.0 - 1.2 / 8000.0  # conventional mass: air over steel
 LOCK_Nm = 1e6
-HEAVIEST_KG = 100.0
+HEAVIEST_KG = 100.0  # more than a person hangs on a pin
 
 
 def _tag(name: str) -> str:

@@ -32,6 +32,10 @@ F = types.float64
 NODES = 100
 FINEST = 0.1
 """Spacing of the first nodes as a part of the unworn contact's half-angle."""
+LEAST_FORCE_N = 1e-3
+"""Below, the width of the contact is that under this force: none is no width to divide by."""
+ROUNDING = 1e-9
+"""A depth that is short of the wanted one by this share has been reached."""
 REACH_RAD = math.radians(88.0)
 WAVES = 4.0
 """Waves up to so many times the shortest that the nodes can show."""
@@ -104,7 +108,9 @@ def _first_half_angle(bore: Bore, modulus: float, force: float) -> float:
     if clearance <= 0.0:
         return 1.0
     relative = bore.pin_radius * bore.bushing_radius / clearance
-    half_width = math.sqrt(4.0 * relative * max(force, 1e-3) / (math.pi * bore.width * modulus))
+    half_width = math.sqrt(
+        4.0 * relative * max(force, LEAST_FORCE_N) / (math.pi * bore.width * modulus)
+    )
     return min(half_width / bore.pin_radius, 1.0)
 
 
@@ -322,7 +328,7 @@ def worn_wall(wall: Wall, k: Bore, force: float, depth: float) -> tuple[Wall, fl
     table, state = wall.table, wall.state
     renew(wall, some, force)
     area = 0.0
-    while wall.worn[0] < depth * (1.0 - 1e-9):
+    while wall.worn[0] < depth * (1.0 - ROUNDING):
         left = (depth - float(wall.worn[0])) / ANY_COEFFICIENT
         slip = min(left / looked_up(table, state, force, PEAK), float(state[LASTS]))
         area += worn(table, state, ANY_COEFFICIENT, force, slip)[1]

@@ -9,6 +9,7 @@ configuration, and nothing that measures or draws.
 from __future__ import annotations
 
 from rigapp.storage.filesystem.errors import NoRoom, StorageFailed
+from rigapp.storage.filesystem.folder import SPACE_MARGIN
 from rigapp.storage.filesystem.locks import hold_writer_lock
 from rigapp.storage.reading.export import export_test
 from rigapp.storage.reading.reader import Columns, StoredCycle, TestReader, open_test
@@ -27,6 +28,7 @@ from rigapp.storage.writing.writer import TestWriter, create_test
 
 __all__ = [
     "CALIBRATION",
+    "SPACE_MARGIN",
     "Columns",
     "FilePlan",
     "NoRoom",

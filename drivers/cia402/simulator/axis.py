@@ -29,8 +29,8 @@ _BITS: Final = {
 _POWERED: Final = (State.ENABLED, State.QUICK_STOP, State.FAULT_REACTION)
 _VOLTAGE_BIT: Final = 1 << 4
 _REMOTE_BIT: Final = 1 << 9
-_STANDSTILL_REV_PER_S: Final = 0.01
-_WINDOW: Final = 0.02
+_STANDSTILL_REV_PER_S: Final = 0.01  # 0.6 rpm: below, the drive says that it stands
+_WINDOW: Final = 0.02  # of the target: within, the drive says that it is reached
 _MODES: Final = (1, 3, 6, 8, 9, 10)
 
 

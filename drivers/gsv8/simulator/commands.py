@@ -22,6 +22,7 @@ WRITE_ACCESS_ELSEWHERE = 0x75
 _HARDWARE_OPTIONS = 1 << 0 | 1 << 4 | 1 << 6 | 1 << 7
 _WRITABLE_MODE = 0b1111 | 0xFFF << 8 | 1 << 22
 _WRITABLE_COUNTER = 0x1FFE
+_FILTER_SHARE = 0.4  # of the sample rate, below which nothing may be lost to the filter
 _FILTERS_HZ = (28.0, 885.0, 11400.0)
 
 
@@ -152,7 +153,7 @@ def _available(d: Device, a: bytes) -> bytes:
 
 def _get_mapping(d: Device, a: bytes) -> bytes:
     _among(a[0], 0, 0)
-    return u16(0 if d.hardware.firmware <= (1, 38) else d.settings.objects)
+    return u16(0 if d.hardware.firmware <= p.MAPPING_HIDDEN_FIRMWARE else d.settings.objects)
 
 
 def _set_mapping(d: Device, a: bytes) -> bytes:
@@ -217,7 +218,7 @@ def _set_mode(d: Device, a: bytes) -> bytes:
 def _read_filter(d: Device, _: bytes) -> bytes:
     limit = d.settings.filter_Hz
     if d.settings.mode & p.MODE_FILTER_AUTOMATIC:
-        wide = (f for f in _FILTERS_HZ if f >= 0.4 * d.settings.rate_Hz)
+        wide = (f for f in _FILTERS_HZ if f >= _FILTER_SHARE * d.settings.rate_Hz)
         limit = next(wide, _FILTERS_HZ[-1])
     return u16(round(limit))
 

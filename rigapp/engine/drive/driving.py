@@ -13,8 +13,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from drivers.api import DeviceError, DriveStatus, Spindle
-from rigapp.engine.drive.sequences import DriveStep, PauseSequence, Seen, StopSequence
+from rigapp.engine.drive.sequences import CREEP_RPM, DriveStep, PauseSequence, Seen, StopSequence
 from rigapp.engine.drive.timing import Timing
+
+TURNS_TO_AIM = 3.0
+"""Turns at creep speed granted for coming to an angle: one to slow down, one whole, one more."""
+
+PROMPT_S = 0.5
+"""An answer that is older is a late one, however often the drive is asked."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +88,7 @@ class SpindleControl:
         limit = (
             self._timing.start_margin
             + slow * (2.0 * self._ramp.rpm / self._ramp.rpm_per_s)
-            + slow * 3.0 * 60.0 / min(self._ramp.rpm, 10.0)
+            + slow * TURNS_TO_AIM * 60.0 / min(self._ramp.rpm, CREEP_RPM)
         )
         with self._command:
             if self._stop is None:
@@ -163,7 +169,7 @@ class SpindleControl:
     @property
     def prompt_s(self) -> float:
         """Return the age up to which an answer counts as a late one."""
-        return max(0.5, 3 * self._timing.poll)
+        return max(PROMPT_S, 3 * self._timing.poll)
 
     def seen(self) -> Seen:
         """Return what drive and encoder show now."""

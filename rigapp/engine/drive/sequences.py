@@ -9,11 +9,16 @@ import enum
 import math
 from dataclasses import dataclass
 
-STANDING_RPM = 1.0
-RETRY_S = 0.1
+STANDING_RPM = 1.0  # a drive shows less by the ripple of its own encoder
+RETRY_S = 0.1  # a command that failed is sent again so often, no faster than a drive answers
 DEAF_S = 0.4
 """A drive that has not accepted a command for so long does not hear, or cannot answer."""
-CREEP_RPM = 10.0
+CREEP_RPM = 10.0  # 60 deg/s: one look of the drive thread is a third of a degree
+CREEPING_SHARE, CREEPING_RPM = 1.15, 0.5
+"""What the crank may turn faster than creep speed by ripple and counts and creep all the same."""
+
+HALF_LOOK_S = 0.0025
+"""Of the drive's thread while it aims (``Timing.aim``): the look nearest to the angle is taken."""
 
 
 class DriveStep(enum.Enum):
@@ -205,7 +210,7 @@ class PauseSequence:
         if self._phase is DriveStep.WAIT:
             if seen.encoder_rpm is None or seen.angle_deg is None:
                 return DriveStep.WAIT
-            if abs(seen.encoder_rpm) > 1.15 * self._creep + 0.5:
+            if abs(seen.encoder_rpm) > CREEPING_SHARE * self._creep + CREEPING_RPM:
                 return DriveStep.WAIT
             if not self._reached(seen):
                 return DriveStep.WAIT
@@ -222,4 +227,4 @@ class PauseSequence:
         to_go = (sense * (self._angle - seen.angle_deg) - braking) % 360.0
         before, self._before = self._before, to_go
         passed = before is not None and to_go > before + 180.0
-        return passed or to_go < abs(seen.deg_per_s) * 0.0025
+        return passed or to_go < abs(seen.deg_per_s) * HALF_LOOK_S

@@ -18,7 +18,7 @@ from rigapp.schema.loglines import AlarmChange, What
 from rigapp.schema.messages import Alarm, Ends, Severity
 from rigapp.schema.states import Refused
 
-LONGEST_SHELF_S = 12 * 3600.0
+LONGEST_SHELF_S = 12 * 3600.0  # a shift: nobody inherits a hidden alarm
 
 Changed = Callable[[Alarm, AlarmChange, str], None]
 """Told of every change: the alarm after it, what happened, and who or what did it."""

@@ -27,9 +27,18 @@ from rigapp.schema.messages import Flag
 
 Array = NDArray[np.float64]
 
-BLIND_REVOLUTIONS = 200
+BLIND_REVOLUTIONS = 200  # some minutes at usual speeds: a sensor that fails, not a hiccup
 RATE_BINS = 50
 """The wear rate is the slope through the means of so many equal parts of the window."""
+
+LEAST_BINS = 3
+"""A slope through fewer means has no scatter to be seen."""
+
+FILLED_SHARE = 0.8
+"""Of the window, from its first to its last mean: a slope over less is not that of the window."""
+
+MOST_UNJUDGED = 1024
+"""Revolutions whose prediction is awaited; a twin so far behind is told of elsewhere."""
 
 NOT_JUDGED = int(Flag.RAMP | Flag.PAUSED | Flag.PARTIAL)
 
@@ -56,7 +65,7 @@ class _Rate:
 
     def __init__(self, window: int) -> None:
         self._width = max(1, window // RATE_BINS)
-        self._needed = max(3, window // self._width)
+        self._needed = max(LEAST_BINS, window // self._width)
         self._bins: deque[tuple[float, float]] = deque(maxlen=self._needed)
         self._window = window
         self._bin = -1
@@ -77,10 +86,10 @@ class _Rate:
     def _slope(self, number: int) -> float | None:
         """Return the slope when the window is filled for at least half, from end to end."""
         points = [point for point in self._bins if point[0] > number - self._window - self._width]
-        if len(points) < max(3, self._needed // 2):
+        if len(points) < max(LEAST_BINS, self._needed // 2):
             return None
         x, y = np.array(points).T
-        if x[-1] - x[0] < 0.8 * (self._window - 2 * self._width):
+        if x[-1] - x[0] < FILLED_SHARE * (self._window - 2 * self._width):
             return None
         x = x - x.mean()
         return float(1000.0 * (x @ (y - y.mean())) / (x @ x))
@@ -130,7 +139,7 @@ class StopMonitor:
         self._stop = stop
         self._last = 0
         self.running_h = 0.0
-        self._unjudged: deque[int] = deque(maxlen=1024)
+        self._unjudged: deque[int] = deque(maxlen=MOST_UNJUDGED)
         watched = [_Watched(CRITERIA[key], level, stop) for key, level in levels(stop).items()]
         self._seen = {
             sight: [one for one in watched if one.criterion.sight is sight] for sight in Sight

@@ -7,7 +7,7 @@ from collections import deque
 
 from rigapp.process.owntime import LONGEST_PASS_S, OwnTime
 
-TICKS_KEPT = 4096
+TICKS_KEPT = 4096  # passes of the loop: minutes; older ones explain no lateness of now
 
 
 class Lateness:

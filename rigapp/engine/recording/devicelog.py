@@ -6,8 +6,8 @@ import logging
 import time
 from collections.abc import Callable
 
-AGAIN_AFTER_S = 60.0
-KEPT = 64
+AGAIN_AFTER_S = 60.0  # the same remark at most once a minute
+KEPT = 64  # different remarks; more of them repeat
 
 
 class DeviceLog(logging.Handler):

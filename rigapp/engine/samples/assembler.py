@@ -38,7 +38,7 @@ MAXIMUM_ACCELERATION_REV_PER_S2 = 200.0
 STANDSTILL_S = 2.0
 """Samples of a standing crank beyond this time are counted, but not kept."""
 
-FIRST_BUFFER = 1 << 16
+FIRST_BUFFER = 1 << 16  # samples: several revolutions, so that it seldom grows
 
 
 @dataclass(frozen=True, slots=True)

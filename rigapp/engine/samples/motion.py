@@ -12,7 +12,13 @@ STANDING_COUNTS = 2
 ENOUGH_COUNTS = 64
 """A speed from so many counts is quantised to 1.6 % at most."""
 
-LONGEST_S = 0.4
+BLOCKS_KEPT = 4096
+"""Of the smallest blocks, more than LONGEST_S and a stand are looked back for."""
+
+LEAST_PACE_S = 0.05
+"""The pace of a simulated rig is not told from less than a block's time."""
+
+LONGEST_S = 0.4  # a slower answer is of no use to an interlock
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +44,7 @@ class MotionWindow:
         self._turn = counts_per_revolution
         self._rate = sample_rate_Hz
         self._index_deg = index_angle_deg
-        self._points: deque[Point] = deque(maxlen=4096)
+        self._points: deque[Point] = deque(maxlen=BLOCKS_KEPT)
         self._lock = threading.Lock()
 
     def add(self, first: Point | None, last: Point, keep_s: float = 2.0) -> None:
@@ -102,7 +108,9 @@ class MotionWindow:
                 return 1.0
             first, last = self._points[0], self._points[-1]
         elapsed = last.host_s - first.host_s
-        return (last.sample - first.sample) / self._rate / elapsed if elapsed > 0.05 else 1.0
+        return (
+            (last.sample - first.sample) / self._rate / elapsed if elapsed > LEAST_PACE_S else 1.0
+        )
 
     def angle_deg(self, now_s: float) -> float | None:
         """Return the crank angle at a host time, extrapolated; None when it is not known."""

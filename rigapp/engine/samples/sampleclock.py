@@ -33,6 +33,9 @@ EVEN_OUT_S = 10.0
 LARGEST_CHANGE = 0.005
 """... by changing the intervals by this share at most."""
 
+LEAST_SHARE = 0.05
+"""Of its own length, to which an interval is cut where device time is ahead: time never stands."""
+
 SMOOTHING_S = 0.3
 """Without a pulse rate: the interval between pulses is averaged over this time."""
 
@@ -112,7 +115,7 @@ class EncoderClock:
         if behind > SNAP_S * TICKS_PER_S:
             intervals[0] += behind
         elif behind < -SNAP_S * TICKS_PER_S:
-            intervals *= max(0.05, (total + behind) / total)
+            intervals *= max(LEAST_SHARE, (total + behind) / total)
         else:
             change = behind / (EVEN_OUT_S * TICKS_PER_S)
             intervals *= 1.0 + min(LARGEST_CHANGE, max(-LARGEST_CHANGE, change))

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-MEANS_PER_SECOND = 20.0
-LONGEST_WINDOW_S = 60.0
+MEANS_PER_SECOND = 20.0  # as fast as somebody at the bench can read
+LONGEST_WINDOW_S = 60.0  # a longer mean is drift, not noise
 FORGOTTEN_AFTER_S = 30.0
 """Nobody asked for so long (host time): the signals are not kept any more."""
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-WINDOW_S = 2.0
-TOLERANCE_S = 0.2
+WINDOW_S = 2.0  # the least delay of so long is free of the jitter of single blocks
+TOLERANCE_S = 0.2  # more is no jitter of a host: time was lost
 
 
 class TimeWatch:

@@ -26,6 +26,9 @@ Array = NDArray[np.float64]
 SPEED_WINDOWS = 36
 """Local speed is the slope of a straight line fitted to this part of a revolution."""
 
+LEAST_SAMPLES = 8
+"""Of such a part: the quantisation of fewer counts would show in the slope."""
+
 _FORCES = (
     "void({0}[::1], {0}[::1], int64, int64[::1], float64[::1], float64[:, ::1], float64[::1],"
     " float64[:, ::1], int64[::1], int64[:, ::1], float64, float64, float64[:, ::1], int64,"
@@ -97,11 +100,11 @@ def _extremes_and_moments(
 def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Array) -> None:
     """Write max, min and RMS of the local slope in counts per sample to out[:3].
 
-    The slope is fitted by least squares over 1/SPEED_WINDOWS of a revolution, 8 samples at least,
-    never across a break: single quantised counts do not show in it.
+    The slope is fitted by least squares over 1/SPEED_WINDOWS of a revolution, LEAST_SAMPLES at
+    least, never across a break: single quantised counts do not show in it.
     """
     n = counts.shape[0]
-    window = max(8, n // 36)
+    window = max(LEAST_SAMPLES, n // SPEED_WINDOWS)
     highest, lowest, squares, weight = -np.inf, np.inf, 0.0, 0
     for k in range(segments.shape[0]):
         begin = segments[k, 0]
@@ -360,12 +363,12 @@ class Reducer:
 def _speed_by_time(revolution: Revolution) -> tuple[float, float, float]:
     """Return max, min and RMS over time of the speed in counts per tick, of samples at pulses.
 
-    The speed is that over 1/SPEED_WINDOWS of a revolution, 8 pulses at least; a stand within one
-    counts as idle, not as slowness.
+    The speed is that over 1/SPEED_WINDOWS of a revolution, LEAST_SAMPLES pulses at least; a stand
+    within one counts as idle, not as slowness.
     """
     ticks = np.append(revolution.sample_indices(), revolution.end_sample)
     counts = np.append(revolution.counts, revolution.end_count)
-    window = max(8, revolution.samples // SPEED_WINDOWS)
+    window = max(LEAST_SAMPLES, revolution.samples // SPEED_WINDOWS)
     places = np.unique(np.append(np.arange(0, revolution.samples, window), revolution.samples))
     longest = round(STANDSTILL_S * revolution.sample_rate_Hz)
     idle = np.append(0, np.cumsum(np.maximum(np.diff(ticks) - longest, 0)))

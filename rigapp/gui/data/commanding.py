@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from rigapp.schema.messages import Reply
 
-ASK_EVERY_S = 2.0
+ASK_EVERY_S = 2.0  # a lost command is seen within two looks at the screen
 
 
 class CommandHolder(enum.Enum):

@@ -16,11 +16,11 @@ from rigapp.schema.verbs import verb_of
 
 log = logging.getLogger(__name__)
 
-SILENT_AFTER_S = 2.0
-LOST_AFTER_S = 5.0
-FIRST_SNAPSHOT_S = 10.0
+SILENT_AFTER_S = 2.0  # snapshots come ten to twenty times a second
+LOST_AFTER_S = 5.0  # longer than a busy computer pauses an engine
+FIRST_SNAPSHOT_S = 10.0  # an engine that has just been started imports meanwhile
 RETRY_S = (0.5, 1.0, 2.0, 5.0)
-RELEASE_S = 1.0
+RELEASE_S = 1.0  # closing the window may wait so long, no longer
 
 
 class EngineClient(Protocol):

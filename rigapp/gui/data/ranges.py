@@ -17,6 +17,12 @@ def nice_step(span: float, parts: int = 5) -> float:
     return 10.0 * power
 
 
+FILLED_LEAST = 0.45
+"""Of an axis: a range that the data fill less shrinks to the next step below."""
+SPARE, SPARE_BOTH = 1.02, 1.06
+"""Room beyond the largest value, on one side and on both: a line does not lie on the edge."""
+
+
 class SteadyRange:
     """Hold an axis range: grow at once, shrink only when the data fill less than 45 % of it.
 
@@ -42,7 +48,7 @@ class SteadyRange:
         if self._range is not None:
             bottom, top = self._range
             inside = bottom <= low and high <= top
-            if inside and (wanted[1] - wanted[0]) >= 0.45 * (top - bottom):
+            if inside and (wanted[1] - wanted[0]) >= FILLED_LEAST * (top - bottom):
                 return False
         changed = wanted != self._range
         self._range = wanted
@@ -56,11 +62,11 @@ class SteadyRange:
         if self._symmetric:
             bound = max(abs(low), abs(high), self._minimum_span / 2.0)
             step = nice_step(bound, 4)
-            top = step * math.ceil(bound * 1.02 / step)
+            top = step * math.ceil(bound * SPARE / step)
             return -top, top
         span = max(high - low, self._minimum_span)
         middle = (low + high) / 2.0
-        step = nice_step(span * 1.06)
+        step = nice_step(span * SPARE_BOTH)
         bottom = step * math.floor(min(low, middle - span / 2.0) / step)
         top = step * math.ceil(max(high, middle + span / 2.0) / step)
         return bottom, top

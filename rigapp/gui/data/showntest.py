@@ -25,8 +25,8 @@ log = logging.getLogger(__name__)
 HELD_SNAPSHOTS = 600
 """Snapshots held while the file is read; the oldest go first, which the next reading mends."""
 
-ATTEMPTS = 3
-RETRY_S = 2.0
+ATTEMPTS = 3  # a file that is being written may be unreadable once
+RETRY_S = 2.0  # between two attempts
 LOG_EVERY_S = 2.0
 """The log is read from the file so often while somebody looks at it."""
 

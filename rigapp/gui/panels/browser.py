@@ -24,7 +24,7 @@ from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.tables import PlainTable
 
 HEADINGS = ("File", "State", "Title", "Specimen", "Revolutions", "Cycles", "Started", "Reason")
-REPORT_TIMEOUT_S = 300.0
+REPORT_TIMEOUT_S = 300.0  # a report that takes longer has hung
 RESUMABLE = ("interrupted", "stopped")
 
 Launch = Callable[[Sequence[str]], None]

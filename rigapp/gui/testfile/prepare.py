@@ -22,7 +22,7 @@ from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.widgets.build import named, split
 from rigapp.service.preflight import Check, Checked, DiskFacts, disk_facts, preflight
 
-DEFAULT_RATE_HZ = 1000.0
+DEFAULT_RATE_HZ = 1000.0  # to judge the disk by, until a device tells its own
 LOOK_AGAIN_S = 20.0
 """The rig file, its calibration records and the disk are looked at so often."""
 

@@ -15,7 +15,7 @@ from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import MainWindow
 from rigapp.process.ending import asked_to_end, end_at_once
 
-LOOK_MS = 200
+LOOK_MS = 200  # Ctrl-C is obeyed at once, to a person
 
 
 def main(

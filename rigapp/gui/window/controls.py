@@ -40,7 +40,7 @@ class ButtonSpec:
 
 
 STARTABLE = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
-START_AFTER_CONNECT_S = 60.0
+START_AFTER_CONNECT_S = 60.0  # the slowest device is identified and set within half of it
 IDLE_BEFORE_START_S = 2.0
 """An idle engine is about to connect by itself; when it does not, the start makes it."""
 

@@ -15,7 +15,10 @@ from rigapp.gui.data.texts import duration, grouped
 from rigapp.schema.messages import RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
-LOW_MARGIN_PERCENT = 10.0
+LATE_DATA_S, MISSING_DATA_S = 2.0, 10.0
+"""Devices send ten times a second or more: later data are a warning, then a failure."""
+
+LOW_MARGIN_PERCENT = 10.0  # of the limit; nearer than that is worth a look
 
 
 class Level(enum.IntEnum):
@@ -144,8 +147,8 @@ def _age(status: Status, data_age_s: float | None) -> TileText:
     if data_age_s is None or not math.isfinite(data_age_s):
         return TileText("–", "no data yet")
     level = Level.NORMAL
-    if status.state in ACTIVE and data_age_s > 2.0:
-        level = Level.CRITICAL if data_age_s > 10.0 else Level.WARNING
+    if status.state in ACTIVE and data_age_s > LATE_DATA_S:
+        level = Level.CRITICAL if data_age_s > MISSING_DATA_S else Level.WARNING
     return TileText(
         f"{data_age_s:.1f} s" if data_age_s < 100.0 else duration(data_age_s), "", level
     )

@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QApplication
 from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.plots.palette import THEMES, apply_theme
-from rigapp.gui.window.window import MainWindow
+from rigapp.gui.window.window import WINDOW, MainWindow
 from rigapp.replay.client import ReplayClient
 
-WAIT_S = 30.0
+WAIT_S = 30.0  # far longer than reading takes
 
 
 def save_picture(path_h5: Path, target_png: Path, *, theme: str = "light", tab: int = 0) -> None:
@@ -32,7 +32,7 @@ def save_picture(path_h5: Path, target_png: Path, *, theme: str = "light", tab: 
     apply_theme(application, THEMES[theme])
     client = ReplayClient(path_h5, at_end=True)
     window = MainWindow(EngineConnection(lambda: client), ShownTest(), THEMES[theme])
-    window.resize(1400, 900)
+    window.resize(*WINDOW)
     window.show()
     window.tabs.setCurrentIndex(tab)
     try:

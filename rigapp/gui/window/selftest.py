@@ -25,8 +25,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QGraphicsRectItem
 
-CALLS = 1000
-ALLOWED = 50
+CALLS = 1000  # some milliseconds of painting
+ALLOWED = 50  # other threads move the count of None a little; a fault moves it by CALLS
 
 BAD_VERSIONS = {
     "6.9.1": "cannot be used with pyqtgraph",

@@ -11,8 +11,8 @@ from PySide6.QtCore import QObject, Qt, QTimer
 
 log = logging.getLogger(__name__)
 
-STALL_S = 0.050
-PERIOD_S = 0.020
+STALL_S = 0.050  # a shorter pause nobody feels
+PERIOD_S = 0.020  # less than half of a stall
 AGAIN_AFTER_S = 60.0
 """After a line in the log, stalls are gathered for so long before the next."""
 

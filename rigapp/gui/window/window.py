@@ -47,6 +47,8 @@ TICK_MS = 25
 STATE_EVERY = 4
 """Ticks between two looks at the state bar when there are no news: its ages grow all the same."""
 
+WINDOW = (1400, 900)
+"""Width and height that show every tab without scrolling."""
 FRAME_HEIGHT = 40
 """Room for the frame that the window manager puts around a window."""
 
@@ -366,9 +368,9 @@ class MainWindow(QMainWindow):
         screen = QGuiApplication.primaryScreen()
         room = screen.availableGeometry() if screen is not None else None
         if room is None or QGuiApplication.platformName() == "offscreen":
-            self.resize(1400, 900)
+            self.resize(*WINDOW)
         else:
-            self.resize(min(1400, room.width()), min(900, room.height() - FRAME_HEIGHT))
+            self.resize(min(WINDOW[0], room.width()), min(WINDOW[1], room.height() - FRAME_HEIGHT))
 
     def _connect(self) -> None:
         self.controls.start_wanted.connect(self.start_bar.open)
