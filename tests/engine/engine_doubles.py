@@ -57,6 +57,7 @@ from rigapp.engine.engine import Engine
 from rigapp.engine.recording.store import Opened, OpenRequest, OpenStore
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import Event, LookedAfter
+from rigapp.simulation.constants import packaged_parameters
 
 COUNTS = 360
 RATE = 480.0
@@ -526,7 +527,7 @@ def a_test(
         schema=1,
         title="A short test",
         run=RunSection(revolutions, rpm, acceleration_rpm_per_s=600.0),
-        model=None,  # type: ignore[arg-type]
+        model=packaged_parameters(),
         cycles=CyclesSection(schedule, every, 3, before_alarm=0, after_alarm=0),
         limits=LimitsSection(
             overload_N=overload_N, overspeed_rpm=200.0, stale_data_s=0.5, rule=rules
