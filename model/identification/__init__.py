@@ -5,18 +5,22 @@ output. ``docs/model-wear.md`` says what is assumed.
 """
 
 from model.identification.bins import Bin, Bins, bins_of
+from model.identification.consistency import Consistency, Departure, consistency_of
 from model.identification.errors import CannotBeTold, Prior, ProbeErrors, probe_errors
 from model.identification.forecast import Band, Remaining, predictive_band, remaining
 from model.identification.identify import Credible, Identification, Verdict, identify
 from model.identification.life import DepthLife, depth_life, weight, worn_ahead
 from model.identification.specimens import Estimate, Pairing, estimate_of, pairing_of
+from model.identification.words import sentence
 
 __all__ = [
     "Band",
     "Bin",
     "Bins",
     "CannotBeTold",
+    "Consistency",
     "Credible",
+    "Departure",
     "DepthLife",
     "Estimate",
     "Identification",
@@ -26,6 +30,7 @@ __all__ = [
     "Remaining",
     "Verdict",
     "bins_of",
+    "consistency_of",
     "depth_life",
     "estimate_of",
     "identify",
@@ -33,6 +38,7 @@ __all__ = [
     "predictive_band",
     "probe_errors",
     "remaining",
+    "sentence",
     "weight",
     "worn_ahead",
 ]

@@ -55,12 +55,14 @@ def remaining(
     depth: float,
     rate: float | None = None,
     measured: bool = True,
+    averaged: bool = False,
 ) -> Remaining:
     """Return the revolutions that remain to a depth, m, with 95 % limits.
 
     rate: what a revolution will add to progress, nominal cycles, as of late unless told; measured:
     whether the depth is one that the probes will read, as a stop criterion does, with their errors
-    so far, or the depth itself, whose uncertainty holds that of the sensitivity and the reference.
+    so far, or the depth itself, whose uncertainty holds that of the sensitivity and the reference;
+    averaged: by all statements with their weights, else by the most probable one.
     """
     require_positive("depth", depth, "m")
     known, errors = identification, identification.errors
@@ -74,16 +76,17 @@ def remaining(
         )
     rate = known.rate if rate is None else rate
     require_positive("rate", rate)
-    slowest = min(float(v.nodes.hypotheses.log_coefficient.min()) for v in known.verdicts)
+    believed = _believed(known, averaged)
+    slowest = min(float(nodes.hypotheses.log_coefficient.min()) for _, nodes in believed)
     last = life.stretches[-1]
     farthest = (last.progress[-1] * np.exp(-slowest) + last.start) / rate
     ahead = np.concatenate([[0.0], np.geomspace(1.0, max(farthest, 10.0), TIMES - 1)])
     for _ in range(2):
-        reached = _reached(known, life, known.revolution + ahead, rate, depth, measured)
+        reached = _reached(known, life, believed, ahead, rate, depth, measured)
         low = max(int(np.searchsorted(reached, 1e-3)) - 1, 0)
         high = min(int(np.searchsorted(reached, 1.0 - 1e-3)), TIMES - 1)
         ahead = np.linspace(ahead[low], max(ahead[high], ahead[low] + 1.0), TIMES)
-    reached = _reached(known, life, known.revolution + ahead, rate, depth, measured)
+    reached = _reached(known, life, believed, ahead, rate, depth, measured)
     limits = [
         float(np.interp(level, reached, ahead)) if reached[-1] >= level else float("inf")
         for level in LEVELS
@@ -93,15 +96,28 @@ def remaining(
     return Remaining(depth, Credible(limits[1], limits[0], limits[2]))
 
 
+def _believed(known: Identification, averaged: bool) -> list[tuple[float, Nodes]]:
+    """Return the statements that a forecast is by: weights, which sum up to 1, and nodes."""
+    verdicts = known.verdicts if averaged else known.verdicts[:1]
+    total = sum(one.weight for one in verdicts)
+    return [(one.weight / total, one.nodes.heaviest(SHARE)) for one in verdicts]
+
+
 def _reached(
-    known: Identification, life: DepthLife, at: Array, rate: float, depth: float, measured: bool
+    known: Identification,
+    life: DepthLife,
+    believed: list[tuple[float, Nodes]],
+    ahead: Array,
+    rate: float,
+    depth: float,
+    measured: bool,
 ) -> Array:
-    """Return the probability that the depth is reached by some revolutions (n,)."""
-    found = np.zeros(at.size)
-    for verdict in known.verdicts:
-        nodes = verdict.nodes.heaviest(SHARE)
+    """Return the probability that the depth is reached some revolutions ahead (n,)."""
+    found = np.zeros(ahead.size)
+    for weight, nodes in believed:
+        at = known.revolution + ahead
         mean, deviation = _depths(known, life, nodes, at, rate, measured)
-        found += verdict.weight * (nodes.weight @ ndtr((mean - depth) / deviation))
+        found += weight * (nodes.weight @ ndtr((mean - depth) / deviation))
     return np.maximum.accumulate(found)
 
 
@@ -139,20 +155,18 @@ def predictive_band(
     revolutions: ArrayLike,
     rate: float | None = None,
     measured: bool = True,
+    averaged: bool = False,
 ) -> Band:
     """Return median and 95 % limits of the depth at coming revolutions (n,).
 
-    rate, measured: as for ``remaining``; without the scatter of a single reading.
+    rate, measured, averaged: as for ``remaining``; without the scatter of a single reading.
     """
     known = identification
     at = np.asarray(revolutions, dtype=np.float64)
+    rate = known.rate if rate is None else rate
     parts = [
-        (
-            v.weight * nodes.weight,
-            *_depths(known, life, nodes, at, known.rate if rate is None else rate, measured),
-        )
-        for v in known.verdicts
-        for nodes in (v.nodes.heaviest(SHARE),)
+        (weight * nodes.weight, *_depths(known, life, nodes, at, rate, measured))
+        for weight, nodes in _believed(known, averaged)
     ]
     weight, mean, deviation = (np.concatenate([part[k] for part in parts]) for k in range(3))
     low, high = (mean - 5.0 * deviation).min(axis=0), (mean + 5.0 * deviation).max(axis=0)
