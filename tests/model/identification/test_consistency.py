@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import virtual_tests as virtual
 
-from model.identification import Bins, Consistency, consistency_of, identify, sentence
+from model.identification import Consistency, consistency_of, identify, sentence
 from model.identification.consistency import FINE, LARGEST, REFERENCE, THRESHOLD, threshold
 
 LIFE = virtual.a_life()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +16,7 @@ Array = NDArray[np.float64]
 NOMINAL = 5e-13
 ERRORS = ProbeErrors(0.01, 1e-6, 0.3e-6, 0.4e-6)
 PRIOR = Prior(NOMINAL)
+LN_4 = float(np.log(4.0))
 
 
 def a_life() -> DepthLife:
@@ -34,14 +36,19 @@ def readings(
 
     scaled: progress at the life's coefficient, that of a constant one unless given.
     """
-    random = np.random.default_rng(seed)
     number = np.arange(1.0, last + 1.0)
-    q = coefficient / NOMINAL * number if scaled is None else scaled
+    q = coefficient / NOMINAL * number if scaled is None else scaled[:last]
+    return measured(np.random.default_rng(seed), life.stretches[0].at(q)[0])[1]
+
+
+def measured(random: np.random.Generator, depth: Array) -> tuple[Array, Array]:
+    """Return what probes read of a depth (n,), m, without and with their scatter."""
+    number = np.arange(1.0, depth.size + 1.0)
     e, b = random.normal(0.0, ERRORS.sensitivity), random.normal(0.0, ERRORS.reference)
     walked = np.diff(np.log(number), prepend=0.0)
-    drift = np.cumsum(random.normal(size=last) * ERRORS.drift * np.sqrt(walked))
-    scatter = random.normal(0.0, ERRORS.scatter, last)
-    return (1.0 + e) * life.stretches[0].at(q)[0] + b + drift + scatter
+    drift = np.cumsum(random.normal(size=depth.size) * ERRORS.drift * np.sqrt(walked))
+    clean = (1.0 + e) * depth + b + drift
+    return clean, clean + random.normal(0.0, ERRORS.scatter, depth.size)
 
 
 def gathered(depth: Array) -> Bins:
@@ -52,12 +59,12 @@ def gathered(depth: Array) -> Bins:
 
 
 def gathered_at_once(depth: Array, per_decade: float = 12.0) -> list[Bin]:
-    """Return the closed bins of ``gathered``, of revolutions from 1 on, all at once."""
+    """Return the bins of ``gathered(depth).so_far()`` all at once."""
     scratch, starts = Bins(per_decade), [1.0]
     while starts[-1] <= depth.size:
         starts.append(scratch._end_of(starts[-1]) + 1.0)
     found = []
-    for low, after in pairwise(starts[:-1]):
+    for low, after in pairwise([*starts[:-1], depth.size + 1.0]):
         part = depth[int(low) - 1 : int(after) - 1]
         number = np.arange(low, after)
         count = part.size // GROUP
@@ -86,3 +93,50 @@ def gathered_at_once(depth: Array, per_decade: float = 12.0) -> list[Bin]:
             )
         )
     return found
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """Hold a virtual test: its coefficient, progress at K0 of each revolution, and its readings."""
+
+    coefficient: float
+    scaled: Array
+    clean: Array
+    depth: Array
+
+
+def drawn(random: np.random.Generator, life: DepthLife, last: int, kind: str = "constant") -> Drawn:
+    """Draw a test of so many revolutions: coefficient, statement and errors, all of them anew.
+
+    A change is by a factor of up to 4 either way within the middle four fifths; running-in begins
+    at up to 6 times the coefficient and takes 100 to 5,000 revolutions.
+    """
+    number = np.arange(1.0, last + 1.0)
+    ratio = float(np.exp(random.normal(0.0, 0.3)))
+    scaled = ratio * number
+    if kind == "change":
+        factor, at = np.exp(random.uniform(-LN_4, LN_4)), last * random.uniform(0.1, 0.9)
+        scaled = ratio * (np.minimum(number, at) + factor * np.maximum(number - at, 0.0))
+    elif kind == "running-in":
+        first, place = (
+            np.exp(random.uniform(*np.log([1.2, 6.0]))),
+            random.uniform(*np.log([100, 5e3])),
+        )
+        place = np.exp(place)
+        scaled = ratio * (number + (first - 1.0) * place * -np.expm1(-number / place))
+    return Drawn(ratio * NOMINAL, scaled, *measured(random, life.stretches[0].at(scaled)[0]))
+
+
+def moved(life: DepthLife, scaled: Array) -> float:
+    """Return how far the depth is from what any constant coefficient makes of it.
+
+    The largest distance over the test from the nearest course, in standard deviations of a reading
+    by scatter and drift.
+    """
+    last = scaled.size
+    number = np.unique(np.geomspace(1, last, 80).astype(np.int64))
+    true = life.stretches[0].at(scaled[number - 1])[0]
+    noise = np.hypot(ERRORS.scatter, ERRORS.drift * np.sqrt(np.log(number)))
+    ratios = scaled[-1] / last * np.geomspace(0.2, 5.0, 600)
+    other = life.stretches[0].at(ratios[:, None] * number)[0]
+    return float((np.abs(other - true) / noise).max(axis=1).min())
