@@ -3,102 +3,202 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from calibration.arrays import Array
-from calibration.load_cell.characteristics import Characteristics
+from calibration.load_cell.scatter import Scatter
 from calibration.load_cell.settings import LoadCellSettings
-from calibration.load_cell.two_axis import TwoAxisFit
+from calibration.load_cell.two_axis import design
 from calibration.load_cell.weights import relative_force_uncertainty
-from calibration.taking.uncertainty import Budget, Contribution, combine
+from calibration.taking.uncertainty import Budget, Contribution, Evaluation, combine
 
-
-def turn_derivative(sensitivity: Array) -> Array:
-    """Return how the fitted A (2, 2) changes with a common angle offset, per radian.
-
-    A pin that stands at a larger angle than believed turns every force; the fit turns A with it and
-    leaves no residual, so only the angle reference step bounds this error.
-    """
-    return np.asarray(sensitivity @ np.array([[0.0, 1.0], [-1.0, 0.0]]), dtype=np.float64)
-
-
-def sensitivity_covariance(
-    found: TwoAxisFit, traits: Characteristics, settings: LoadCellSettings
-) -> Array:
-    """Return the covariance (4, 4) of A11, A12, A21, A22 with what no residual shows.
-
-    That is the scale (applied force), half the hysteresis loop (the fit lies between rising and
-    falling readings) and the turn (angle reference).
-    """
-    scale = found.sensitivity.ravel()
-    turn = turn_derivative(found.sensitivity).ravel()
-    relative = relative_force_uncertainty(settings.weights, settings.place)
-    between = abs(traits.loop or 0.0) / 100.0 / 2.0 / math.sqrt(3.0)
-    return np.asarray(
-        found.sensitivity_covariance()
-        + (relative**2 + between**2) * np.outer(scale, scale)
-        + settings.angle_uncertainty**2 * np.outer(turn, turn),
-        dtype=np.float64,
-    )
-
-
-def matrix_covariance(
-    found: TwoAxisFit, traits: Characteristics, settings: LoadCellSettings
-) -> Array:
-    """Return the covariance (4, 4) of the matrix elements 11, 12, 21, 22 (first order)."""
-    return _through_inverse(found.matrix, sensitivity_covariance(found, traits, settings))
+ACROSS = np.array([[0.0, 1.0], [-1.0, 0.0]])
+"""A row vector times this is turned by a right angle."""
+DIRECTIONS = 16
+"""Directions of the load of which the worst is stated: of eight or more angles all are alike."""
 
 
 @dataclass(frozen=True, slots=True)
 class LoadUncertainty:
-    """The uncertainty of one reading at a load (N): of a component (worst direction), of |F|.
+    """The uncertainty of one reading at a load (N): across the force, and along it, that of |F|.
 
     ``Budget.of_mean`` tells that of a mean of readings.
     """
 
     load: float
-    component: Budget
     magnitude: Budget
+    across: Budget
+
+    @property
+    def component(self) -> Budget:
+        """Return the budget of a component in its worst direction."""
+        return max(self.magnitude, self.across, key=lambda one: one.expanded)
+
+    def component_at(self, cosine: float, readings: float = 1.0) -> float:
+        """Return U of a component that stands so to the force, of a mean of so many readings."""
+        along, across = (one.of_mean(readings).expanded for one in (self.magnitude, self.across))
+        return math.hypot(along * cosine, across * math.sqrt(1.0 - cosine**2))
 
 
-def uncertainty_at(
-    found: TwoAxisFit, traits: Characteristics, settings: LoadCellSettings, load: float
-) -> LoadUncertainty:
-    """Return the budgets of one reading at a load (N): the worst direction of the load is taken.
+def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> LoadUncertainty:
+    """Return the budgets of one reading at a load (N); the worst direction of the load is taken.
 
-    An error of the angle turns the force: it is in the components, |F| stays.
+    Along the force are scale, reproducibility, reversibility, creep, and what changes the gain;
+    across it is the angle reference. Zero, fit and repeatability are in both.
     """
+    steps, scatters = _steps(parts, settings)
+    use, full = settings.use, settings.cell.full_scale
     relative = relative_force_uncertainty(settings.weights, settings.place)
-    directions = np.linspace(0.0, 2.0 * np.pi, 73)
-    force = load * np.stack((np.cos(directions), np.sin(directions)), axis=-1)
-    variance = float(np.linalg.eigvalsh(found.force_covariance(force)).max())
-    free = 2.0 * found.degrees
-    common = [
+    points = parts.branches.points(load)
+    free = float(parts.series - 1)
+    along = (
         Contribution("applied force (mass, gravity, buoyancy)", relative * load),
-        Contribution("fit", math.sqrt(variance), free, "A"),
-        Contribution("repeatability", found.residual_std, free, "A", averages=True),
-    ]
-    if traits.loop is not None:
-        half = abs(traits.loop) / 200.0 * load
-        common.append(Contribution("reversibility", half, math.inf, "A", "two-point"))
-    if traits.zero_return is not None:
-        zero = traits.zero_return / 100.0 * settings.cell.full_scale / math.sqrt(3.0)
-        common.append(Contribution("zero return", zero, math.inf, "A", "rectangular"))
-    turned = Contribution("angle reference", settings.angle_uncertainty * load)
-    return LoadUncertainty(load, combine(load, (turned, *common)), combine(load, tuple(common)))
+        Contribution("reproducibility between series", parts.gain_between * load, free, "A"),
+        Contribution(
+            "reversibility and interpolation",
+            math.sqrt(float(np.mean(np.square(points)))) if points else 0.0,
+            evaluation="A",
+            distribution="two-point",
+            points=points,
+        ),
+        _half_width("creep", use.creep * load),
+        _half_width("temperature, gain", use.gain_per_kelvin * use.temperature * load),
+        _half_width("change until the next calibration", use.change * load),
+    )
+    both = (
+        Contribution("zero between series", parts.zero_between, 2.0 * free, "A"),
+        _half_width("zero drift during the calibration", parts.drift, "A"),
+        _half_width("temperature, zero", use.zero_per_kelvin * use.temperature * full),
+        Contribution("steps of the display in a mean", steps, parts.degrees, "A"),
+        Contribution("repeatability", scatters, parts.degrees, "A", averages=True),
+    )
+    turned = (Contribution("angle reference", settings.angle_uncertainty * load),)
+    return LoadUncertainty(
+        load,
+        combine(load, (*along, _fit(parts, load, across=False), *both)),
+        combine(load, (*turned, _fit(parts, load, across=True), *both)),
+    )
 
 
-def zero_uncertainty(found: TwoAxisFit) -> Budget:
-    """Return the budget of the zero, N, of the axis where it is larger."""
-    place = [2, found.terms.count + 2]
-    covariance = found.covariance[np.ix_(place, place)]
-    spread = float(np.sqrt(np.linalg.eigvalsh(found.matrix @ covariance @ found.matrix.T).max()))
-    return combine(0.0, (Contribution("fit", spread, 2.0 * found.degrees, "A"),))
+def zero_uncertainty(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, Budget]:
+    """Return the budgets of both zeros, signal unit, at the middle of the calibration."""
+    (terms,) = _terms(parts, np.zeros((1, 2)))
+    steps = parts.unloaded * _steps(parts, settings)[0]
+    one, two = (
+        combine(
+            0.0,
+            (
+                _told(parts, np.outer(row, terms)),
+                Contribution(
+                    "steps of the display in a mean",
+                    steps * float(np.hypot(*row)),
+                    parts.degrees,
+                    "A",
+                ),
+            ),
+        )
+        for row in parts.found.sensitivity
+    )
+    return one, two
 
 
-def expanded_line(budgets: tuple[Budget, ...]) -> tuple[float, float]:
+def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, ...]:
+    """Return the budgets of the matrix elements 11, 12, 21, 22, N per signal unit.
+
+    Each holds what no residual shows as well: the scale (applied force), the turn (angle
+    reference), and half the difference of the gains of the rising and the falling branch.
+    """
+    matrix = parts.found.matrix
+    turned = ACROSS @ matrix
+    relative = relative_force_uncertainty(settings.weights, settings.place)
+    gain = parts.branches.gain()
+    budgets = []
+    for row, column in np.ndindex(2, 2):
+        size = abs(float(matrix[row, column]))
+        # d matrix = - (d force per force) matrix
+        force = np.zeros((2, parts.found.terms.count))
+        force[row, :2] = matrix[:, column]
+        budgets.append(
+            combine(
+                float(matrix[row, column]),
+                (
+                    Contribution("applied force (mass, gravity, buoyancy)", relative * size),
+                    Contribution(
+                        "angle reference",
+                        settings.angle_uncertainty * abs(float(turned[row, column])),
+                    ),
+                    Contribution(
+                        "reversibility", gain * size, evaluation="A", distribution="two-point"
+                    ),
+                    _told(parts, force),
+                ),
+            )
+        )
+    return tuple(budgets)
+
+
+def matrix_covariance(parts: Scatter, settings: LoadCellSettings) -> Array:
+    """Return the covariance (4, 4) of the matrix elements 11, 12, 21, 22 (first order)."""
+    matrix = parts.found.matrix
+    p = parts.found.terms.count
+    place = [0, 1, p, p + 1]
+    relative = relative_force_uncertainty(settings.weights, settings.place)
+    scale, turn = matrix.ravel(), (ACROSS @ matrix).ravel()
+    through = np.kron(np.eye(2), matrix.T)
+    return np.asarray(
+        through @ parts.scores.coefficients()[np.ix_(place, place)] @ through.T
+        + (relative**2 + parts.branches.gain() ** 2) * np.outer(scale, scale)
+        + settings.angle_uncertainty**2 * np.outer(turn, turn),
+        dtype=np.float64,
+    )
+
+
+def _steps(parts: Scatter, settings: LoadCellSettings) -> tuple[float, float]:
+    """Return what the steps of the display leave in a mean, and the rest of the repeatability, N.
+
+    Readings that scatter less than the steps do are means over blurred steps. Of single readings
+    the steps scatter like noise.
+    """
+    if parts.repeatability >= settings.cell.resolution / math.sqrt(12.0):
+        return 0.0, parts.repeatability
+    steps = min(parts.steps, parts.repeatability)
+    return steps, math.sqrt(parts.repeatability**2 - steps**2)
+
+
+def _half_width(name: str, size: float, evaluation: Evaluation = "B") -> Contribution:
+    return Contribution(name, size / math.sqrt(3.0), math.inf, evaluation, "rectangular")
+
+
+def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:
+    """Return what the fit gives a force along it or across it, in the worst of the directions."""
+    turns = 2.0 * np.pi / DIRECTIONS * np.arange(DIRECTIONS)
+    units = np.stack((np.cos(turns), np.sin(turns)), axis=-1)
+    combinations = np.einsum(
+        "da,dp->dap", units @ ACROSS if across else units, _terms(parts, load * units)
+    ).reshape(DIRECTIONS, -1)
+    covariance = parts.scores.coefficients()
+    worst = np.einsum("du,uv,dv->d", combinations, covariance, combinations).argmax()
+    return _told(parts, combinations[worst])
+
+
+def _told(parts: Scatter, combination: Array) -> Contribution:
+    """Return the fit's part in a combination (2 p,) of its coefficients in N, axis-major."""
+    variance, degrees = parts.scores.variance(combination.ravel())
+    return Contribution("fit", math.sqrt(variance), degrees, "A")
+
+
+def _terms(parts: Scatter, force: Array) -> Array:
+    """Return the terms (n, p) of the fit at forces (n, 2), N, in the middle of the calibration."""
+    rows = design(force, parts.found.terms)
+    if parts.found.terms.drift:
+        rows[:, -1] = 0.0
+    return rows
+
+
+def expanded_line(budgets: Sequence[Budget]) -> tuple[float, float]:
     """Return a (N) and b of U(F) = a + b F that bounds the expanded uncertainties from above."""
     force = np.array([one.value for one in budgets])
     expanded = np.array([one.expanded for one in budgets])
@@ -146,9 +246,3 @@ def _averaging(single: float, wanted: float) -> str:
         f" A reading scatters by {single:.2f} N: the mean of about {count} readings at each load"
         " would reach class 2."
     )
-
-
-def _through_inverse(matrix: Array, covariance: Array) -> Array:
-    """Carry a covariance of A to one of its inverse."""
-    jacobian = -np.einsum("ia,bj->ijab", matrix, matrix).reshape(4, 4)
-    return np.asarray(jacobian @ covariance @ jacobian.T, dtype=np.float64)

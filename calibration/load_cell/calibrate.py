@@ -10,6 +10,7 @@ from calibration.arrays import Array
 from calibration.load_cell.budget import (
     LoadUncertainty,
     classification,
+    element_uncertainties,
     expanded_line,
     matrix_covariance,
     uncertainty_at,
@@ -21,6 +22,7 @@ from calibration.load_cell.evidence import applied_forces, examine
 from calibration.load_cell.plausible import impossible
 from calibration.load_cell.reading_checks import check_readings
 from calibration.load_cell.readings import LoadCellReadings
+from calibration.load_cell.scatter import Scatter, scatter
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import TwoAxisFit, choose_terms
 from calibration.problems import Problem
@@ -51,8 +53,9 @@ class LoadCellCalibration:
     """The result. force on the pin = matrix (signal - zero), pin frame; SI, signal unit as read.
 
     matrix, zero and what follows are None when nothing could be fitted. covariance: of the matrix
-    elements 11, 12, 21, 22. by_load: the uncertainty from no load to full scale. zero: of
-    the zero, N. expanded_line: a (N), b of U(F) = a + b F of one reading of a component.
+    elements 11, 12, 21, 22, elements: their budgets. by_load: the uncertainty from no load to full
+    scale. zero: of the zeros of both axes, signal unit. expanded_line: a (N), b of U(F) = a + b F
+    of one reading of a component.
     """
 
     problems: tuple[Problem, ...]
@@ -61,8 +64,10 @@ class LoadCellCalibration:
     fit: TwoAxisFit | None = None
     covariance: Array | None = None
     traits: Characteristics | None = None
+    parts: Scatter | None = None
     by_load: tuple[LoadUncertainty, ...] = ()
-    zero: Budget | None = None
+    elements: tuple[Budget, ...] = ()
+    zero: tuple[Budget, Budget] | None = None
     expanded_line: tuple[float, float] | None = None
     applied: Array | None = None
 
@@ -78,9 +83,12 @@ class LoadCellCalibration:
 
 
 def calibrate_load_cell(
-    readings: LoadCellReadings, settings: LoadCellSettings
+    readings: LoadCellReadings, settings: LoadCellSettings, drift: bool | None = None
 ) -> LoadCellCalibration:
-    """Fit, check and judge; a calibration with a blocking problem is not accepted."""
+    """Fit, check and judge; a calibration with a blocking problem is not accepted.
+
+    drift: whether the zero's drift is fitted, where it is not for the readings to say.
+    """
     problems = list(check_readings(readings, settings))
     refused = LoadCellCalibration(tuple(problems), classification(settings, 0.0))
     if STEADY_CODES & {problem.code for problem in problems} or any(impossible(settings)):
@@ -92,20 +100,24 @@ def calibrate_load_cell(
         return replace(refused, problems=(*problems, Problem("not_solvable", words)))
     problems += check_fit(evidence)
     applied = applied_forces(evidence)
-    found, terms = choose_terms(applied, readings.signal)
+    found, terms = choose_terms(applied, readings.signal, drift)
     measured = found.force(readings.signal)
     full = settings.cell.full_scale
-    traits = characteristics(loads(readings, applied, measured), full, found.residual)
-    by_load = tuple(uncertainty_at(found, traits, settings, share * full) for share in BUDGET_AT)
+    seen = loads(readings, applied, measured)
+    traits = characteristics(seen, full, found.residual)
+    parts = scatter(found, applied, seen)
+    by_load = tuple(uncertainty_at(parts, settings, share * full) for share in BUDGET_AT)
     return LoadCellCalibration(
         problems=tuple(problems),
         classification=classification(settings, found.residual_std),
         terms=terms,
         fit=found,
-        covariance=matrix_covariance(found, traits, settings),
+        covariance=matrix_covariance(parts, settings),
+        elements=element_uncertainties(parts, settings),
         traits=traits,
+        parts=parts,
         by_load=by_load,
-        zero=zero_uncertainty(found),
-        expanded_line=expanded_line(tuple(one.component for one in by_load)),
+        zero=zero_uncertainty(parts, settings),
+        expanded_line=expanded_line([one.component for one in by_load]),
         applied=applied,
     )

@@ -42,7 +42,7 @@ class Loads:
     """Readings in terms of the load: applied and measured along it and across it, N.
 
     group: number of the pin angle (angles within a degree are one). rising: the load was reached
-    from below.
+    from below. direction (n, 2): of the load, at rest that of its angle's loads.
     """
 
     applied: Array
@@ -51,6 +51,13 @@ class Loads:
     group: Whole
     rising: Marks
     series: tuple[str, ...]
+    direction: Array
+
+    def runs(self) -> Whole:
+        """Return the number (n,) of the series at one pin angle to which each reading belongs."""
+        names = np.unique(self.series, return_inverse=True)[1]
+        number = np.unique(np.column_stack((names, self.group)), axis=0, return_inverse=True)[1]
+        return np.asarray(number, np.int64).reshape(-1)
 
 
 def angle_groups(angle: Array) -> Whole:
@@ -82,7 +89,7 @@ def loads(readings: LoadCellReadings, force: Array, measured: Array) -> Loads:
     direction[own] = force[own] / size[own, None]
     along = np.einsum("ij,ij->i", measured, direction)
     across = measured[:, 1] * direction[:, 0] - measured[:, 0] * direction[:, 1]
-    return Loads(size, along, across, group, _rising(readings), readings.series)
+    return Loads(size, along, across, group, _rising(readings), readings.series, direction)
 
 
 def characteristics(found: Loads, full_scale: float, residual: Array) -> Characteristics:

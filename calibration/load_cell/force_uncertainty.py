@@ -1,14 +1,14 @@
 """The expanded uncertainty of a measured force: of one sample, of a mean, of a component, of |F|.
 
-The calibration states U(F) = constant + relative |F| of a reading, which is a mean of many samples:
-scale, angle reference, fit, hysteresis, zero return, and what such means scatter. It is that of one
-component in the worst direction, and, to first order, that of |F|, whose error is the component
-along F. |F| is the magnitude of the whole force also where a component is told: an error of the
-angle turns all of it into the component. A single sample has its noise besides:
+The calibration states U(F) = constant + relative |F| of what does not average out: scale, angle
+reference, fit, hysteresis, zero, and what changes in use. It is that of one component in its worst
+direction; that of |F|, whose error is the component along F, has its own two numbers where the
+calibration states them (an error of the angle turns F and leaves |F|). |F| is the magnitude of the
+whole force also where a component is told. A single sample has its noise besides:
 
     U = sqrt((constant + relative |F|)^2 + (coverage factor noise)^2 / n)
 
-of a mean of n samples, n = 1 of one. What the calibration states does not average out.
+of a mean of n samples, n = 1 of one. Records of before state U of a reading, its scatter included.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from numpy.typing import ArrayLike
 
 from calibration.arrays import Array
 from calibration.records import RecordError, unseal
+from calibration.taking.uncertainty import COVERAGE, NORMAL_FACTOR
 
 Floats = Array
 
-COVERAGE = 0.95
 RIG_FILE_FACTOR = 2.0
 """Coverage factor of ``load_cell.uncertainty_N`` of a rig file."""
 
@@ -43,7 +43,8 @@ class ForceUncertainty:
     """The expanded uncertainty of one force.
 
     noise_N: standard deviation of one sample of one component, 0 where it is not known; ``source``
-    says who states the rest.
+    says who states the rest. magnitude: constant (N) and relative part of |F|, None where they are
+    not stated: those of a component hold.
     """
 
     constant_N: float
@@ -51,13 +52,19 @@ class ForceUncertainty:
     coverage_factor: float
     source: str
     noise_N: float = 0.0
+    magnitude: tuple[float, float] | None = None
 
-    def at(self, force: ArrayLike, samples: ArrayLike = 1) -> Floats:
-        """Return the expanded uncertainty of forces, N, that are means of so many samples.
+    def at(self, force: ArrayLike, samples: ArrayLike = 1, *, of_magnitude: bool = False) -> Floats:
+        """Return the expanded uncertainty of components, N, that are means of so many samples.
 
-        force: magnitudes of the whole force, also for the uncertainty of a component.
+        force: magnitudes of the whole force. of_magnitude: of |F| instead.
         """
-        stated = self.constant_N + self.relative * np.abs(np.asarray(force, dtype=np.float64))
+        constant, relative = (
+            self.magnitude
+            if of_magnitude and self.magnitude is not None
+            else (self.constant_N, self.relative)
+        )
+        stated = constant + relative * np.abs(np.asarray(force, dtype=np.float64))
         random = (
             self.coverage_factor * self.noise_N / np.sqrt(np.asarray(samples, dtype=np.float64))
         )
@@ -133,11 +140,13 @@ def uncertainty_record(
         math.nan, math.nan, RIG_FILE_FACTOR, "not stated: calibrate the load cell"
     )
     known = replace(stated or nothing, noise_N=noise_N)
+    of_magnitude = known.magnitude or (known.constant_N, known.relative)
     forces = full_scale_N * np.array(SHARES_OF_FULL_SCALE)
     return {
         "description": "expanded uncertainty U of a measured force, of one component as of |F|, "
         "that is a mean of n samples (n = 1: one sample): "
-        "U = sqrt((constant_N + relative |F|)^2 + (coverage_factor noise_N)^2 / n). "
+        "U = sqrt((constant_N + relative |F|)^2 + (coverage_factor noise_N)^2 / n); of |F| with "
+        "magnitude_constant_N and magnitude_relative it is as small as it may be stated. "
         "|F|: magnitude of the whole force, also for a component; for the largest of a revolution "
         "force_max, for a mean or RMS force_rms",
         "source": known.source,
@@ -145,15 +154,17 @@ def uncertainty_record(
         "coverage_probability": COVERAGE,
         "constant_N": known.constant_N,
         "relative": known.relative,
+        "magnitude_constant_N": of_magnitude[0],
+        "magnitude_relative": of_magnitude[1],
         "noise_N": noise_N,
         "noise_from": noise_from,
         "force_N": forces.tolist(),
         "one_sample_N": known.at(forces).tolist(),
         "mean_of_many_N": known.at(forces, math.inf).tolist(),
-        "not_included": "drift of the zero during the test, temperature, response of filter and "
-        "cell to fast changes; the largest of n samples reads high by their noise, about "
-        "noise_N sqrt(2 ln n), and so does |F| where it is not larger than its uncertainty; the "
-        "samples of a mean count as independent",
+        "not_included": "drift of the zero during the test and temperature beyond what the "
+        "calibration states, response of filter and cell to fast changes; the largest of n samples "
+        "reads high by their noise, about noise_N sqrt(2 ln n), and so does |F| where it is not "
+        "larger than its uncertainty; the samples of a mean count as independent",
     }
 
 
@@ -166,6 +177,7 @@ def _of_numbers(stored: Mapping[str, Any]) -> ForceUncertainty | None:
                 float(stored["coverage_factor"]),
                 str(stored["source"]),
                 float(stored["noise_N"]),
+                _magnitude(stored),
             )
         )
     except (KeyError, TypeError, ValueError):
@@ -184,15 +196,31 @@ def _of_record(text: str) -> ForceUncertainty | None:
     try:
         record = unseal(text.encode())
         result = record.content["result"]
-        line = result["uncertainty_line_N"]
+        source = f"record {record.number}"
+        lines = result.get("uncertainty_lines_of_mean_N")
+        if lines is None:
+            line, factor = result["uncertainty_line_N"], float(result["coverage_factor"])
+            return ForceUncertainty(*_line(line), factor, source)
         return ForceUncertainty(
-            float(line["constant_N"]),
-            float(line["per_N"]),
-            float(result["coverage_factor"]),
-            f"record {record.number}",
+            *_line(lines["component"]),
+            NORMAL_FACTOR,
+            source,
+            magnitude=_line(lines["magnitude"]),
         )
     except (RecordError, KeyError, TypeError, ValueError):
         return None
+
+
+def _line(line: Mapping[str, Any]) -> tuple[float, float]:
+    return float(line["constant_N"]), float(line["per_N"])
+
+
+def _magnitude(stored: Mapping[str, Any]) -> tuple[float, float] | None:
+    if "magnitude_constant_N" not in stored:
+        return None
+    found = float(stored["magnitude_constant_N"]), float(stored["magnitude_relative"])
+    component = float(stored["constant_N"]), float(stored["relative"])
+    return None if found == component else found
 
 
 def _known(found: ForceUncertainty | None) -> ForceUncertainty | None:

@@ -18,6 +18,23 @@ class CellSettings:
 
 
 @dataclass(frozen=True, slots=True)
+class Use:
+    """What changes between the calibration and a test; each a half width: at most so much.
+
+    temperature: difference of the cell's temperature to that of the calibration, K. gain_per_kelvin
+    relative; zero_per_kelvin: part of full scale, since the zero was taken last. creep: between
+    seconds and minutes under load, part of the load. change: of the gain until the next
+    calibration, relative.
+    """
+
+    temperature: float = 0.0
+    gain_per_kelvin: float = 0.0
+    zero_per_kelvin: float = 0.0
+    creep: float = 0.0
+    change: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class LoadCellSettings:
     """Gather all settings of a load-cell calibration; angles in rad.
 
@@ -32,3 +49,4 @@ class LoadCellSettings:
     angle_uncertainty: float = 0.0
     gravity_stated: bool = True
     gravity_expected: float | None = None
+    use: Use = Use()

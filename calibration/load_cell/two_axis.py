@@ -36,11 +36,12 @@ class Terms:
 
 @dataclass(frozen=True, slots=True)
 class TwoAxisFit:
-    """Hold the result: coefficients (terms, 2), their covariance per axis pair, residuals.
+    """Hold the result: coefficients (terms, 2), residuals.
 
     sensitivity: A (2, 2) signal per newton. matrix: its inverse, N per signal unit. zero: (2,)
-    signal at no load, at the middle of the series. residual: (n, 2) in N. covariance: of
-    vec(coefficients), axis-major, robust against unequal noise (HC3). degrees: of freedom per axis.
+    signal at no load, at the middle of the series. residual: (n, 2) in N. degrees: of freedom per
+    axis. covariance (2 p, 2 p): of the coefficients, axis-major, as if all readings were
+    independent (``scatter`` knows better).
     """
 
     terms: Terms
@@ -78,28 +79,6 @@ class TwoAxisFit:
     def force(self, signal: Array) -> Array:
         """Return the forces (n, 2) that signals (n, 2) mean; quadratic terms by Newton steps."""
         return forces(signal, self.matrix, self.zero, self.quadratic)
-
-    def sensitivity_covariance(self) -> Array:
-        """Return the covariance (4, 4) of A11, A12, A21, A22."""
-        p = self.terms.count
-        index = [0, 1, p, p + 1]
-        return self.covariance[np.ix_(index, index)]
-
-    def force_covariance(self, force: Array) -> Array:
-        """Return the covariances (n, 2, 2), N^2, that the fit gives told forces (n, 2).
-
-        The zero, and its drift, are left to the zero return: they are taken anew with each test.
-        """
-        p = self.terms.count
-        rows, place = force, [0, 1]
-        if self.quadratic is not None:
-            rows, place = np.hstack((force, _squares(force))), [0, 1, 3, 4, 5]
-        index = [axis * p + one for axis in range(2) for one in place]
-        size = len(place)
-        parts = self.covariance[np.ix_(index, index)].reshape(2, size, 2, size)
-        matrix = self.matrix
-        signal = np.einsum("ni,aibj,nj->nab", rows, parts, rows)
-        return np.asarray(matrix @ signal @ matrix.T, dtype=np.float64)
 
 
 def forces(signal: Array, matrix: Array, zero: Array, quadratic: Array | None = None) -> Array:
@@ -147,13 +126,16 @@ def fit(force: Array, signal: Array, terms: Terms, weights: Array | None = None)
     coefficients = solution / scale[:, None]
     remainder = signal - rows @ coefficients
     matrix = np.linalg.inv(coefficients[:2].T)
+    degrees = len(rows) - terms.count
+    weighted = remainder * root[:, None]
+    bread = np.linalg.pinv(scaled.T @ scaled) / np.outer(scale, scale)
     return TwoAxisFit(
         terms=terms,
         coefficients=coefficients,
-        covariance=_robust_covariance(scaled, scale, remainder * root[:, None]),
+        covariance=np.kron(weighted.T @ weighted / degrees, bread),
         residual=remainder @ matrix.T,
         residual_signal=remainder,
-        degrees=len(rows) - terms.count,
+        degrees=degrees,
     )
 
 
@@ -166,7 +148,7 @@ def robust_fit(force: Array, signal: Array, floor: float) -> tuple[TwoAxisFit, f
     found, scale = huber_fit(force, signal, floor, Terms())
     noise = max(floor, scale)
     curved = Terms(quadratic=True)
-    if len(force) <= 2 * curved.count + 4 or not _determined(force, curved):
+    if not _supported(force, curved):
         return found, noise
     bent, less = huber_fit(force, signal, floor, curved)
     return (bent, max(floor, less)) if less < scale / 1.5 else (found, noise)
@@ -199,27 +181,34 @@ def huber_fit(force: Array, signal: Array, floor: float, terms: Terms) -> tuple[
     return found, scale
 
 
-def choose_terms(force: Array, signal: Array) -> tuple[TwoAxisFit, str]:
+def choose_terms(force: Array, signal: Array, drift: bool | None = None) -> tuple[TwoAxisFit, str]:
     """Return the fit with the terms that the readings justify, and the reason in words.
 
-    A term is added when it lowers the corrected Akaike criterion by more than 10 and an F test
-    rejects the smaller model at 97.5 % (the level of ASTM E74, annex A1). Never above degree 2: a
-    cell of 200 counts cannot support it.
+    A drift of the zero is fitted wherever the readings determine it: a real one that no test shows
+    would turn the matrix, and it costs little; ``drift`` says otherwise where an evaluation of
+    before chose. Quadratic terms are added when they lower the
+    corrected Akaike criterion by more than 10 and an F test rejects the smaller model at 97.5 %
+    (the level of ASTM E74, annex A1). Never above degree 2: a cell of 200 counts cannot support it.
     """
-    chosen = fit(force, signal, Terms())
-    reasons = []
-    for name in ("zero drift", "quadratic terms"):
-        drift = name == "zero drift" or chosen.terms.drift
-        terms = Terms(quadratic=name == "quadratic terms", drift=drift)
-        if len(force) <= 2 * terms.count + 4 or not _determined(force, terms):
-            continue
-        larger = fit(force, signal, terms)
+    if drift is None:
+        drift = _supported(force, Terms(drift=True))
+    chosen = fit(force, signal, Terms(drift=drift))
+    words = "degree 1, zero drift" if drift else "degree 1"
+    curved = Terms(quadratic=True, drift=drift)
+    if _supported(force, curved):
+        larger = fit(force, signal, curved)
         gain = _akaike(chosen) - _akaike(larger)
         if gain > 10.0 and _f_test(chosen, larger) > 0.975:
-            chosen = larger
-            reasons.append(f"{name} (corrected Akaike criterion lower by {gain:.0f})")
-    words = "degree 1" if not reasons else "degree 1 with " + " and ".join(reasons)
+            return (
+                larger,
+                f"{words}, quadratic terms (corrected Akaike criterion lower by {gain:.0f})",
+            )
     return chosen, words
+
+
+def _supported(force: Array, terms: Terms) -> bool:
+    """Tell whether readings are many enough for the terms, and determine them."""
+    return len(force) > 2 * terms.count + 4 and _determined(force, terms)
 
 
 def _determined(force: Array, terms: Terms) -> bool:
@@ -235,21 +224,6 @@ def _determined(force: Array, terms: Terms) -> bool:
 def _squares(force: Array) -> Array:
     x, y = force.T
     return np.column_stack((x * x, x * y, y * y))
-
-
-def _robust_covariance(rows: Array, scale: Array, remainder: Array) -> Array:
-    """Return the HC3 covariance of both axes' coefficients, axis-major."""
-    bread = np.linalg.pinv(rows.T @ rows)
-    leverage = np.clip(np.einsum("ij,jk,ik->i", rows, bread, rows), 0.0, 0.999)
-    inflated = remainder / (1.0 - leverage)[:, None]
-    half = rows @ bread / scale
-    size = rows.shape[1]
-    covariance = np.empty((2 * size, 2 * size))
-    for a in range(2):
-        for b in range(2):
-            meat = half.T @ (half * (inflated[:, a] * inflated[:, b])[:, None])
-            covariance[a * size : (a + 1) * size, b * size : (b + 1) * size] = meat
-    return covariance
 
 
 def _akaike(found: TwoAxisFit) -> float:

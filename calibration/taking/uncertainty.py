@@ -34,8 +34,8 @@ class Contribution:
     """One line of the budget: name, standard uncertainty, degrees of freedom (without: known).
 
     evaluation: A from the scatter of these readings, B from elsewhere. distribution: two-point for
-    a deviation of known size whose sign is not known (one of two branches). averages: it is of one
-    reading and falls with the root of their number.
+    a deviation of either sign that takes one of some values, ``points`` (one of two branches).
+    averages: it is of one reading and falls with the root of their number.
     """
 
     name: str
@@ -44,6 +44,14 @@ class Contribution:
     evaluation: Evaluation = "B"
     distribution: Distribution = "normal"
     averages: bool = False
+    points: tuple[float, ...] = ()
+
+    @property
+    def reach(self) -> tuple[float, ...]:
+        """Return the half widths of a bounded contribution."""
+        if self.distribution == "rectangular":
+            return (math.sqrt(3.0) * self.uncertainty,)
+        return self.points or (self.uncertainty,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,17 +88,14 @@ def combine(value: float, lines: tuple[Contribution, ...], readings: float = 1.0
     return Budget(value, lines, combined, degrees, factor, factor * combined)
 
 
-def _factor(lines: tuple[Contribution, ...], sizes: list[float], combined: float) -> float:
-    """Return the expanded over the combined uncertainty."""
-    bounded = [
-        (line.distribution, size)
-        for line, size in zip(lines, sizes, strict=True)
-        if line.distribution != "normal" and size > FINEST * combined
-    ]
-    free = GTC.constant(0.0)
+def _factor(lines: Sequence[Contribution], sizes: Sequence[float], combined: float) -> float:
+    """Return the expanded over the combined uncertainty; sizes: as they count here."""
+    free, bounded = GTC.constant(0.0), []
     for line, size in zip(lines, sizes, strict=True):
         if line.distribution == "normal":
             free = free + GTC.ureal(0.0, size, df=max(line.degrees, 1.0))
+        elif size > FINEST * combined:
+            bounded.append(line)
     spread = float(GTC.uncertainty(free))
     own = float(reporting.k_factor(float(GTC.dof(free)) if spread > 0.0 else math.inf))
     if not bounded:
@@ -100,20 +105,20 @@ def _factor(lines: tuple[Contribution, ...], sizes: list[float], combined: float
     return _half_width(normal, bounded) / combined
 
 
-def _half_width(normal: float, bounded: Sequence[tuple[Distribution, float]]) -> float:
+def _half_width(normal: float, bounded: Sequence[Contribution]) -> float:
     """Return the half width that holds 95 % of a normal part and bounded parts.
 
     P(|x| < U) = 2/pi integral of sin(U t)/t times the characteristic function; by the trapezoidal
     rule, exact to the mass beyond half its period.
     """
-    edge = {"rectangular": math.sqrt(3.0), "two-point": 1.0}
-    widest = sum(edge[kind] * size for kind, size in bounded) + REACH * normal
+    widest = sum(max(map(abs, one.reach)) for one in bounded) + REACH * normal
     step = math.pi / widest
     t = step * np.arange(1, 2 + int(REACH / normal / step))
     weight = np.exp(-0.5 * (normal * t) ** 2) / t
-    for kind, size in bounded:
-        reach = edge[kind] * size * t
-        weight *= np.cos(reach) if kind == "two-point" else np.sinc(reach / math.pi)
+    for one in bounded:
+        angles = np.outer(one.reach, t)
+        even = one.distribution == "rectangular"
+        weight *= np.mean(np.sinc(angles / math.pi) if even else np.cos(angles), axis=0)
 
     def missing(width: float) -> float:
         return step / math.pi * (width + 2.0 * float(weight @ np.sin(width * t))) - COVERAGE

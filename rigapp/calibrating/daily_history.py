@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from calibration.load_cell.control_chart import Chart, ChartFinding, chart
 from calibration.load_cell.daily import DailyCheck
+from calibration.taking.control_chart import Chart, ChartFinding, chart
 from rigapp.calibrating.journal import Journal
 from rigapp.config.errors import UnusableInput
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from calibration.load_cell.budget import expanded_line
 from calibration.load_cell.calibrate import LoadCellCalibration
 from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.load_cell.settings import LoadCellSettings
@@ -44,6 +45,7 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
             "expanded_uncertainty_N": None,
             "coverage_factor": None,
         }
+    zero_N = float(np.hypot(*(fit.matrix * [one.expanded for one in zero]).T).max())
     line = found.expanded_line or (budget.expanded, 0.0)
     return {
         **result,
@@ -53,6 +55,10 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "matrix_standard_uncertainty_N_per_unit": np.sqrt(np.diag(covariance))
         .reshape(2, 2)
         .tolist(),
+        "matrix_expanded_uncertainty_N_per_unit": _square([one.expanded for one in found.elements]),
+        "matrix_effective_degrees_of_freedom": _square(
+            [finite(one.degrees) for one in found.elements]
+        ),
         "zero": fit.zero.tolist(),
         "sensitivity_unit_per_N": fit.sensitivity.tolist(),
         "quadratic_unit_per_N2": None if fit.quadratic is None else fit.quadratic.tolist(),
@@ -60,6 +66,13 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "expanded_uncertainty_N": budget.expanded,
         "coverage_factor": budget.coverage_factor,
         "uncertainty_line_N": {"constant_N": line[0], "per_N": line[1]},
+        "uncertainty_lines_of_mean_N": {
+            name: dict(zip(("constant_N", "per_N"), expanded_line(budgets), strict=True))
+            for name, budgets in (
+                ("component", [one.component.of_mean(math.inf) for one in found.by_load]),
+                ("magnitude", [one.magnitude.of_mean(math.inf) for one in found.by_load]),
+            )
+        },
         "effective_degrees_of_freedom": finite(budget.degrees),
         "budget": budget_lines(budget.contributions, "N"),
         "uncertainty_by_load": [
@@ -70,6 +83,7 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
                     for name, budget_of in (
                         ("component", one.component),
                         ("magnitude", one.magnitude),
+                        ("across", one.across),
                     )
                     for words, readings in (("one_reading", 1.0), ("mean_of_many", math.inf))
                 },
@@ -78,9 +92,10 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
             }
             for one in found.by_load
         ],
-        "zero_expanded_uncertainty_N": zero.expanded,
-        "zero_coverage_factor": zero.coverage_factor,
-        "zero_budget": budget_lines(zero.contributions, "N"),
+        "zero_expanded_uncertainty": [one.expanded for one in zero],
+        "zero_standard_uncertainty": [one.combined for one in zero],
+        "zero_effective_degrees_of_freedom": [finite(one.degrees) for one in zero],
+        "zero_expanded_uncertainty_N": zero_N,
         "characteristics_percent": {
             "reproducibility_b": traits.reproducibility,
             "repeatability_b_prime": traits.repeatability,
@@ -105,6 +120,11 @@ def _too_uncertain(found: LoadCellCalibration, settings: LoadCellSettings) -> It
                 f"The result {against}. The largest part is {largest.name}"
                 f" (u = {largest.uncertainty:.3g} N): correct its setting, or measure it better.",
             )
+
+
+def _square(values: list[Any]) -> list[list[Any]]:
+    """Return four values of the elements 11, 12, 21, 22 as rows."""
+    return [values[:2], values[2:]]
 
 
 def load_cell_outcome(found: LoadCellCalibration, settings: LoadCellSettings) -> Outcome:

@@ -66,7 +66,9 @@ class _Kind:
 def _load_cell(content: Content) -> Result:
     given = msgspec.convert(content["settings"], LoadCellFile)
     settings = load_cell_meaning(given, "the record's settings")
-    found = calibrate_load_cell(parse_load_cell(content["readings_csv"]), settings)
+    # Of the first evaluation the words alone say whether the drift was fitted.
+    told = "drift" in content["result"].get("terms", "") if "evaluation" not in content else None
+    found = calibrate_load_cell(parse_load_cell(content["readings_csv"]), settings, told)
     return load_cell_result(found, settings)
 
 

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-from calibration.load_cell.settings import CellSettings, LoadCellSettings
+from calibration.load_cell.settings import CellSettings, LoadCellSettings, Use
 from calibration.load_cell.weights import Place, WeightSet, normal_gravity
 from calibration.probes.settings import ProbeSettings
 from rigapp.config.errors import UnusableInput
@@ -100,6 +100,21 @@ class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     level_readings_deg: Annotated[tuple[float, ...], within(-1e6, 1e6)] = ()
 
 
+class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[use]: what changes from the calibration to a test, each at most so much; part of U.
+
+    The defaults are those of a good strain-gauge cell in a room that is not air-conditioned; 0
+    leaves a part out. temperature_difference_K: to the calibration's, for the zero to when it was
+    taken last. creep_percent: of the load, between seconds and minutes under it.
+    """
+
+    temperature_difference_K: Annotated[float, within(0.0, 100.0)] = 5.0
+    gain_percent_per_K: Annotated[float, within(0.0, 1.0)] = 0.01
+    zero_percent_of_full_scale_per_K: Annotated[float, within(0.0, 1.0)] = 0.01
+    creep_percent: Annotated[float, within(0.0, 5.0)] = 0.05
+    gain_change_percent_per_year: Annotated[float, within(0.0, 10.0)] = 0.1
+
+
 class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[paperwork]: what the certificate names beside the numbers.
 
@@ -147,6 +162,7 @@ class LoadCellFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_
     weights: WeightsSection = WeightsSection()
     place: PlaceSection = PlaceSection()
     angle: AngleSection = AngleSection()
+    use: UseSection = UseSection()
 
 
 class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -229,6 +245,18 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
         angle_uncertainty=math.radians(given.angle.standard_uncertainty_deg),
         gravity_stated=place.gravity_m_s2 is not None,
         gravity_expected=expected,
+        use=_use(given.use, given.paperwork.valid_days),
+    )
+
+
+def _use(given: UseSection, valid_days: int) -> Use:
+    """Return what changes until the record expires, as parts instead of per cent."""
+    return Use(
+        temperature=given.temperature_difference_K,
+        gain_per_kelvin=0.01 * given.gain_percent_per_K,
+        zero_per_kelvin=0.01 * given.zero_percent_of_full_scale_per_K,
+        creep=0.01 * given.creep_percent,
+        change=0.01 * given.gain_change_percent_per_year * valid_days / 365.0,
     )
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calibration.load_cell.control_chart import chart
+from calibration.taking.control_chart import chart
 from rigapp.calibrating.daily_history import append_check, read_history
 from rigapp.commands.calibrate import show_history
 from rigapp.config.errors import UnusableInput

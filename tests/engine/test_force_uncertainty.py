@@ -64,6 +64,24 @@ def test_a_record_comes_before_the_rig_file() -> None:
     assert stated_uncertainty("", (math.nan, 0.1)) is None
 
 
+def test_a_record_states_the_magnitude_for_itself() -> None:
+    lines = {
+        "component": {"constant_N": 0.3, "per_N": 0.002},
+        "magnitude": {"constant_N": 0.3, "per_N": 0.0005},
+    }
+    record = {**RECORD, "result": {**RECORD["result"], "uncertainty_lines_of_mean_N": lines}}
+    found = stated_uncertainty(seal(record).decode(), None)
+    assert found is not None
+    assert float(found.at(400.0)) == pytest.approx(1.1)
+    assert float(found.at(400.0, of_magnitude=True)) == pytest.approx(0.5)
+    kept = uncertainty_record(found, 0.8, "signals at rest before the start", 400.0)
+    again = force_uncertainty({"force_uncertainty": kept}, {})
+    assert again is not None
+    assert again.magnitude == (0.3, 0.0005)
+    one = float(again.at(400.0, of_magnitude=True))
+    assert one == pytest.approx(math.hypot(0.5, 1.96 * 0.8), rel=1e-3)
+
+
 def test_noise_is_seen_at_rest_or_is_that_of_the_steps() -> None:
     seen, source = noise_of_sample(MATRIX, (0.01, 0.0), 2.0)
     assert seen == pytest.approx(2.0)

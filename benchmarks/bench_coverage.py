@@ -1,0 +1,47 @@
+"""Print how often the stated uncertainty of the load cell holds the truth, which should be 95 %.
+
+Run with ``python benchmarks/bench_coverage.py [--calibrations 1000] [--seed 1]``. Of virtual
+calibrations with known truth: matrix elements, zeros, and a reading (|F| and one component, one
+reading and a mean), in each scenario. The goal is 93 to 97 %.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from tests.calibration.virtual_calibrations import SCENARIOS, coverage
+
+LOW, HIGH = 0.93, 0.97
+
+
+def main() -> None:
+    """Print the table and what lies outside of the goal."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--calibrations", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--scenario", default="", help="only those whose name contains it")
+    given = parser.parse_args()
+    print(f"{given.calibrations} virtual calibrations each, truth held in %")
+    outside = []
+    wanted = [one for one in SCENARIOS if given.scenario in one.name]
+    for place, scenario in enumerate(wanted):
+        found = coverage(scenario, given.calibrations, given.seed + place)
+        if place == 0:
+            print(f"  {'':<24}" + "".join(f"{name:>23}" for name in found))
+        line = "".join(f"{100.0 * part:>23.1f}" for part, _ in found.values())
+        print(f"  {scenario.name:<24}{line}", flush=True)
+        outside += [
+            f"{scenario.name}: {name} {100.0 * part:.1f} %"
+            for name, (part, _) in found.items()
+            if not LOW <= part <= HIGH
+        ]
+    goal = f"{100 * LOW:.0f} to {100 * HIGH:.0f} %"
+    print(f"  all within {goal}" if not outside else f"  outside of {goal}: " + "; ".join(outside))
+
+
+if __name__ == "__main__":
+    main()
