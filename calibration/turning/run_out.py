@@ -149,7 +149,20 @@ def make_map(
     found = tuple(
         _develop(index, turn, orders) for index, roll in enumerate(rolls) for turn in roll.turns
     )
-    part = _combine(found, rolls, elastic_doubts)
+    return map_of_harmonics(found, [roll.speed for roll in rolls], elastic_doubts, problems)
+
+
+def map_of_harmonics(
+    found: tuple[Harmonics, ...],
+    speeds: Sequence[float],
+    elastic_doubts: Sequence[Array] = (),
+    problems: Sequence[Problem] = (),
+) -> RunOutMap:
+    """Make the map of revolutions that are developed already; speeds: of the rolls, rad/s.
+
+    problems: what was found in the samples. The rest is as ``make_map`` says.
+    """
+    part = _combine(found, speeds, elastic_doubts)
     grid = np.linspace(0.0, 2.0 * math.pi, GRID, endpoint=False)
     curve = evaluate(part.coefficients, grid)
     combined = spread_at(part.covariance, grid).max(axis=1)
@@ -160,11 +173,11 @@ def make_map(
     drift = _drift(found, grid)
     rest = np.asarray(np.mean([h.rest for h in found], axis=0), np.float64)
     peak = np.asarray(np.ptp(curve, axis=1), np.float64)
-    problems += _judge(curve, combined, within, between, drift)
+    problems = (*problems, *_judge(curve, combined, within, between, drift))
     factor = float(reporting.k_factor(max(2.0, float(len(found) - 1))))
     return RunOutMap(
         accepted=not any(problem.blocks for problem in problems),
-        problems=tuple(problems),
+        problems=problems,
         harmonics=found,
         coefficients=part.coefficients,
         covariance=part.covariance,
@@ -222,13 +235,13 @@ class _Combined:
 
 
 def _combine(
-    found: Sequence[Harmonics], rolls: Sequence[Roll], elastic_doubts: Sequence[Array]
+    found: Sequence[Harmonics], speeds: Sequence[float], elastic_doubts: Sequence[Array]
 ) -> _Combined:
     """Extrapolate to speed 0 where the speeds differ, else take the mean of the rolls."""
-    count = len(rolls)
+    count = len(speeds)
     groups = [np.array([h.coefficients for h in found if h.roll == i]) for i in range(count)]
     means = np.array([group.mean(axis=0) for group in groups])
-    squares = np.array([roll.speed**2 for roll in rolls])
+    squares = np.square(speeds)
     distinct = math.sqrt(squares.max() / squares.min()) >= DISTINCT
     design = np.column_stack((np.ones(count), squares)) if distinct else np.ones((count, 1))
     weights = np.linalg.pinv(design)

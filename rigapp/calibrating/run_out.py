@@ -12,13 +12,16 @@ from typing import Any
 import numpy as np
 
 from calibration.arrays import Array
+from calibration.taking.readings import numbers, read_table
 from calibration.turning.run_out import (
+    Harmonics,
     Roll,
     RunOutError,
     RunOutMap,
     SlowRevolution,
     evaluate,
     make_map,
+    map_of_harmonics,
     spread_at,
 )
 from rigapp.calibrating.probe_result import UM
@@ -31,7 +34,9 @@ from rigapp.schema.messages import Flag
 
 GRID_DEG = 5
 """The record's picture of the map; its orders are what is applied."""
-RUN_OUT_COLUMNS = ("roll", "revolution", "probe", "order", "cos_um", "sin_um")
+RUN_OUT_COLUMNS = (
+    "roll", "revolution", "probe", "order", "cos_um", "sin_um", "elastic_cos_um", "elastic_sin_um",
+)  # fmt: skip
 
 
 def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[str, Any]]]:
@@ -187,12 +192,40 @@ def harmonics_csv(found: RunOutMap) -> str:
     lines = [",".join(RUN_OUT_COLUMNS)]
     for one in found.harmonics:
         for probe in range(2):
-            pairs = (UM * one.coefficients[probe]).reshape(-1, 2)
+            both = np.vstack((one.coefficients[probe], one.elastic[probe]))
+            pairs = (UM * both).reshape(2, -1, 2).transpose(1, 0, 2).reshape(-1, 4)
             lines += [
-                f"{one.roll + 1},{one.number},{probe + 1},{order},{cosine!r},{sine!r}"
-                for order, (cosine, sine) in enumerate(pairs.tolist(), 1)
+                f"{one.roll + 1},{one.number},{probe + 1},{order},{','.join(map(repr, numbers))}"
+                for order, numbers in enumerate(pairs.tolist(), 1)
             ]
     return "\n".join(lines) + "\n"
+
+
+def parse_harmonics(text: str) -> tuple[Harmonics, ...]:
+    """Read what ``harmonics_csv`` wrote; raise ReadingsError.
+
+    Records of before lack what was taken off as elastic motion: none, then. What the orders leave
+    of the samples is in no record.
+    """
+    given = RUN_OUT_COLUMNS if "elastic_cos_um" in text.partition("\n")[0] else RUN_OUT_COLUMNS[:6]
+    rows = read_table(text, given)
+    columns = np.column_stack([numbers(rows, name) for name in given])
+    found = []
+    for roll, number in dict.fromkeys(map(tuple, columns[:, :2].astype(int).tolist())):
+        turn = columns[(columns[:, 0] == roll) & (columns[:, 1] == number), 4:] / UM
+        shown = turn[:, :2].reshape(2, -1)
+        moved = turn[:, 2:].reshape(2, -1) if turn.shape[1] > 2 else np.zeros_like(shown)
+        found.append(Harmonics(roll - 1, number, shown, moved, np.full(2, math.nan)))
+    return tuple(found)
+
+
+def map_again(content: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the result that the revolutions in a record's content give; raise ReadingsError."""
+    from rigapp.twin.elasticmotion import DOUBTS
+
+    speeds = [one["speed_rpm"] * 2.0 * math.pi / 60.0 for one in content["taken"]["files"]]
+    found = map_of_harmonics(parse_harmonics(content["readings_csv"]), speeds, DOUBTS)
+    return run_out_result(found)
 
 
 def run_out_lines(found: RunOutMap) -> list[str]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from calibration.taking.readings import numbers, read_table
 from calibration.turning.running_check import Known, RunningCheck, SpeedRun, running_check
 from rigapp.calibrating.records import problems_of
 from rigapp.calibrating.session import Outcome
@@ -28,13 +29,30 @@ FORCE_UNCERTAINTY = 0.005
 def check_of(files: Sequence[Path], speeds: Sequence[float], known: Known) -> tuple[Outcome, str]:
     """Compare the runs at some speeds (rpm) with what is known: outcome, readings as CSV."""
     runs = [read_run(path, speed) for path, speed in zip(files, speeds, strict=True)]
-    return running_outcome(running_check(runs, known), known), runs_csv(runs)
+    found = running_check(runs, known)
+    result, lines = running_result(found, known, runs), (*running_lines(found), found.sentence)
+    # What a check shows is told always.
+    return Outcome("running check", result, lines, told_always=True), runs_csv(runs)
 
 
-def running_outcome(found: RunningCheck, known: Known) -> Outcome:
-    """Return a check as it is shown, printed and kept; what it shows is told always."""
-    lines = (*running_lines(found), found.sentence)
-    return Outcome("running check", running_result(found, known), lines, told_always=True)
+def check_again(content: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the result that the revolutions in a record's content give; raise ReadingsError."""
+    stated = content["result"]
+    rows = read_table(content["readings_csv"], RUNNING_COLUMNS)
+    run, rpm, *force = (numbers(rows, name) for name in RUNNING_COLUMNS)
+    speed, forces = rpm * math.pi / 30.0, np.column_stack(force)
+    runs = [
+        SpeedRun(speed[run == number], forces[run == number], spread)
+        for number, spread in enumerate(stated["spread_within_a_turn_N"], 1)
+    ]
+    of = stated["known"]
+    known = Known(
+        stated["known_mass_times_radius_kg_m"],
+        of["mass_times_radius_relative_standard_uncertainty"],
+        of["resolution_N"],
+        of["force_relative_standard_uncertainty"],
+    )
+    return running_result(running_check(runs, known), known, runs)
 
 
 def known_term(rig: RigFile, mass_kg: float | None, radius_mm: float | None) -> Known:
@@ -81,9 +99,15 @@ def runs_csv(runs: Sequence[SpeedRun]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def running_result(found: RunningCheck, known: Known) -> dict[str, Any]:
+def running_result(found: RunningCheck, known: Known, runs: Sequence[SpeedRun]) -> dict[str, Any]:
     """Return what ``--json`` prints and the record keeps, units in the keys."""
     return {
+        "known": {
+            "mass_times_radius_relative_standard_uncertainty": known.moment_uncertainty,
+            "force_relative_standard_uncertainty": known.relative,
+            "resolution_N": known.resolution,
+        },
+        "spread_within_a_turn_N": [one.spread for one in runs],
         "accepted": found.accepted,
         "problems": problems_of(found.problems),
         "sentence": found.sentence,

@@ -23,6 +23,8 @@ from calibration.records import EVALUATION, Record, unseal
 from calibration.taking.readings import ReadingsError
 from rigapp.calibrating.load_cell_result import load_cell_result
 from rigapp.calibrating.probe_result import pair_result, probe_result
+from rigapp.calibrating.run_out import map_again
+from rigapp.calibrating.running_check import check_again
 from rigapp.config.calibration_settings import (
     LoadCellFile,
     ProbeFile,
@@ -57,10 +59,15 @@ class Verification:
 
 @dataclass(frozen=True, slots=True)
 class _Kind:
-    """How records of a kind are fitted again. applied: keys of the result that samples get."""
+    """How records of a kind are fitted again.
+
+    applied: keys of the result that samples get. of_samples: keys of what only the samples tell,
+    which are not in a record.
+    """
 
     fit: Callable[[Content], Result]
     applied: tuple[str, ...]
+    of_samples: tuple[str, ...] = ()
 
 
 def _load_cell(content: Content) -> Result:
@@ -87,6 +94,8 @@ KINDS: Mapping[str, _Kind] = {
     "load cell": _Kind(_load_cell, ("matrix_N_per_unit", "zero", "quadratic_unit_per_N2")),
     "probe": _Kind(_probe, ("sensitivity_um_per_V", "offset_V")),
     "probe pair": _Kind(_pair, ("sensitivity_um_per_V", "offset_V", "matrix")),
+    "run-out map": _Kind(map_again, ("cos_um", "sin_um"), ("rest_um",)),
+    "running check": _Kind(check_again, ("measured_mass_times_radius_kg_m",)),
 }
 
 
@@ -121,6 +130,7 @@ def verify(record: Record) -> Verification:
     same = record.evaluation == EVALUATION
     stated, found = dict(numbers(content["result"])), dict(numbers(again))
     keys = [one for one in stated if same or _name(one) in kind.applied]
+    keys = [one for one in keys if _name(one) not in kind.of_samples]
     within = SAME if same else ALIKE
     differences = tuple(_differences(keys, stated, found, within))
     refused = tuple(one["sentence"] for one in again["problems"] if one["blocks"])

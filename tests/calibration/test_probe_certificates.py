@@ -21,6 +21,7 @@ from rigapp.calibrating.run_out import harmonics_csv, run_out_lines, run_out_res
 from rigapp.config.calibration_settings import ProbeFile, ProbeSection, RunOutFile, RunOutPinSection
 from rigapp.report.page.html import as_html
 from rigapp.report.page.pdf import as_pdf
+from rigapp.twin.elasticmotion import DOUBTS
 
 POSITION = np.concatenate((np.linspace(-800e-6, 800e-6, 6), np.linspace(480e-6, -800e-6, 5)))
 
@@ -63,11 +64,16 @@ def run_out(folder: Path, speeds: tuple[float, ...], elastic: Any = None) -> Rec
             for i in range(10)
         )  # fmt: skip
         rolls.append(Roll("roll", speed, turns))
-    found = make_map(rolls, 1)
+    found = make_map(rolls, 1, elastic_doubts=DOUBTS)
     assert len(run_out_lines(found)) == (3 if elastic is None else 4)
     files = [
-        {"name": "a.h5", "speed_rpm": 3.0, "revolutions": 10, "sha256_of_samples": "ab" * 32}
-        for _ in speeds
+        {
+            "name": "a.h5",
+            "speed_rpm": one * 30.0 / np.pi,
+            "revolutions": 10,
+            "sha256_of_samples": "ab" * 32,
+        }
+        for one in speeds
     ]
     taken = {"rig": "rig", "files": files, "orders": 1}
     given = RunOutFile(schema=1, pin=RunOutPinSection("Pin 7"))

@@ -14,10 +14,12 @@ import pytest
 from calibration.load_cell.calibrate import calibrate_load_cell
 from calibration.load_cell.readings import parse_load_cell
 from calibration.records import seal, unseal
+from calibration.turning.running_check import Known, SpeedRun, running_check
 from rigapp.calibrating.certificate import write_certificate
 from rigapp.calibrating.load_cell_result import load_cell_outcome
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.records_in_use import with_records
+from rigapp.calibrating.running_check import running_result, runs_csv
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.calibrating.verification import verified, verify
 from rigapp.commands.records import make_key, sign_record, verify_record
@@ -32,7 +34,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from tests.calibration.simulated_cell import Cell, take
 from tests.calibration.test_commands import as_csv
-from tests.calibration.test_probe_certificates import csv_of
+from tests.calibration.test_probe_certificates import ANGLE, csv_of, run_out
 from tests.calibration.test_probe_certificates import readings as probe_readings
 
 RIG = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -246,3 +248,43 @@ def test_nothing_untrue_is_signed_and_a_key_that_others_read_is_refused(
     with pytest.raises(UnusableInput, match=r"lab\.key: it is no private key"):
         sign_record(kept(tmp_path, sealed), key, signed)
     assert not signed.exists()
+
+
+@pytest.mark.parametrize("moved", [None, np.outer([8e-6, 1e-6], np.cos(ANGLE))])
+def test_a_run_out_map_follows_from_its_revolutions(tmp_path: Path, moved: Any) -> None:
+    record = run_out(tmp_path, (0.3, 0.6), moved)
+    found = verify(record)
+    assert found.differences == found.unverified == ()
+    assert found.compared > 10
+    content = json.loads(json.dumps(record.content))
+    content["result"]["cos_um"][0][0] += 0.01
+    assert "cos_um: the record states" in verify(unseal(seal(content))).differences[0]
+    # A record of before does not tell the elastic motion: its map is compared, not its U.
+    content = json.loads(json.dumps(record.content))
+    del content["evaluation"]
+    lines = [",".join(line.split(",")[:6]) for line in content["readings_csv"].splitlines()]
+    content["readings_csv"] = "\n".join(lines) + "\n"
+    old = verify(unseal(seal(content)))
+    assert old.differences == ()
+    assert "the uncertainty cannot be verified" in old.unverified[0]
+
+
+def test_a_running_check_follows_from_its_revolutions(tmp_path: Path) -> None:
+    known = Known(0.05 * 0.0762, 0.01, 2.0, 0.005)
+    rng = np.random.default_rng(3)
+    runs = []
+    for rpm in (30.0, 240.0):
+        speed = np.full(10, rpm * np.pi / 30.0)
+        force = np.column_stack((-known.moment * speed**2, np.zeros(10)))
+        runs.append(SpeedRun(speed, force + rng.normal(0.0, 0.02, (10, 2)), 0.7))
+    result = running_result(running_check(runs, known), known, runs)
+    assert result["accepted"]
+    keep_record(tmp_path / "check.json", "running check", runs_csv(runs), GIVEN, result)
+    data = (tmp_path / "check.json").read_bytes()
+    assert verified(data).differences == ()
+    assert verified(data).compared > 5
+
+    def forge(content: dict[str, Any]) -> None:
+        content["result"]["measured_mass_times_radius_kg_m"] *= 1.01
+
+    assert "measured_mass" in verified(changed(data, forge)).differences[0]
