@@ -13,7 +13,7 @@ from model.errors import ModelError, OutOfTime, require_positive
 from model.wear.archard import largest_explicit_step
 from model.wear.front import Array, Front, WearProblem, refuse_worn_through, touched, worn_area
 from model.wear.loads import CycleLoads
-from model.wear.richardson import Estimate, LoadsAt, Moment, first_moment, moment_of
+from model.wear.richardson import LoadsAt, Moment, RichardsonEstimate, first_moment, moment_of
 
 STABLE_SHARE = 0.5
 """Part of the stability limit that a step takes where nobody chose one."""
@@ -159,7 +159,7 @@ def _moment(
     whole, halves = runs
     loads = loads_at(whole, cycles)
     area = worn_area(problem, whole.surface)
-    found = Estimate(
+    found = RichardsonEstimate(
         whole.surface,
         2.0 * (whole.surface - halves.surface),
         area,

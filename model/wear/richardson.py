@@ -59,7 +59,9 @@ def first_moment(problem: WearProblem, loads_at: LoadsAt, start: Front) -> Momen
     front = touched(problem, start, loads)
     nothing = np.zeros_like(front.surface)
     area = worn_area(problem, front.surface)
-    return moment_of(problem, 0.0, front, loads, Estimate(front.surface, nothing, area, 0.0), 0)
+    return moment_of(
+        problem, 0.0, front, loads, RichardsonEstimate(front.surface, nothing, area, 0.0), 0
+    )
 
 
 def integrate(
@@ -133,12 +135,12 @@ def _moment(
     areas = [worn_area(problem, run.surface) for run in runs]
     area = 2.0 * areas[2] - areas[1]
     area_error = abs(area - (2.0 * areas[1] - areas[0]))
-    found = Estimate(better, better - worse, area, area_error)
+    found = RichardsonEstimate(better, better - worse, area, area_error)
     return moment_of(problem, cycles, fine, loads, found, sum(_RUNS))
 
 
 @dataclass(frozen=True, slots=True)
-class Estimate:
+class RichardsonEstimate:
     """Hold a worn surface (m) and what it may be off by, its area (m^2) and the area's error."""
 
     surface: Array
@@ -152,7 +154,7 @@ def moment_of(
     cycles: float,
     front: Front,
     loads: CycleLoads,
-    found: Estimate,
+    found: RichardsonEstimate,
     steps: int,
 ) -> Moment:
     """Return the moment of a front whose contacts are solved."""

@@ -1,4 +1,5 @@
 """What every process of the program needs: its end, its threads and log, its own time.
 
 Any package of rigapp may enter; this one imports none of them but schema and the errors of config.
+Others enter by ``ending``, ``leftovers``, ``logs``, ``owntime``, ``threads``.
 """

@@ -21,7 +21,7 @@ from rigapp.config.channels import input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import DeviceSection, RigFile
 from rigapp.schema.channels import ChannelTable
-from rigapp.simulation.disturbances import Terminals
+from rigapp.simulation.disturbances import WiredSignals
 from rigapp.simulation.endpoints import Endpoint
 from rigapp.simulation.link import SimulatedWire
 
@@ -48,7 +48,7 @@ def inputs_of(rig: RigFile, channels: ChannelTable) -> dict[str, int]:
     return dict(zip((one.name for one in channels.sampled), numbers, strict=True))
 
 
-def signals(seen: Terminals, inputs: Mapping[str, int]) -> RigSignals:
+def signals(seen: WiredSignals, inputs: Mapping[str, int]) -> RigSignals:
     """Return what the inputs of the data acquisition device see; inputs: from ``inputs_of``."""
     return RigSignals(
         analog={inputs[name]: values for name, values in seen.analog.items()},

@@ -21,7 +21,7 @@ _SPIKES = np.uint64(17)
 
 
 @dataclass(frozen=True, slots=True)
-class Terminals:
+class WiredSignals:
     """Carry what the data acquisition sees: the shaft in revolutions, mV/V or V by channel."""
 
     first_sample: int
@@ -29,12 +29,12 @@ class Terminals:
     analog: Mapping[str, Array]
 
 
-def terminals(samples: Samples, free: Mapping[str, Array]) -> Terminals:
+def terminals(samples: Samples, free: Mapping[str, Array]) -> WiredSignals:
     """Return the plant's signals by the names of their channels, those of free ones beside them."""
     wired = (samples.bridge_1, samples.bridge_2, samples.probe_1, samples.probe_2)
     names = (one.name for one in BASE.sampled)
     analog = {**dict(zip(names, wired, strict=True)), **free}
-    return Terminals(samples.first_sample, samples.shaft_revolutions, analog)
+    return WiredSignals(samples.first_sample, samples.shaft_revolutions, analog)
 
 
 class SignalFault(enum.StrEnum):
@@ -86,7 +86,7 @@ class Disturbances:
             self._channels.pop((fault, name), None)
             self._stuck.pop(name, None)
 
-    def apply(self, seen: Terminals, sample_rate_Hz: float) -> Terminals:
+    def apply(self, seen: WiredSignals, sample_rate_Hz: float) -> WiredSignals:
         """Return the signals with the faults in them."""
         if seen.shaft_revolutions.size == 0 or not self._channels:
             return seen

@@ -30,7 +30,7 @@ from rigapp.simulation.devices import (
     signals,
     slow_devices,
 )
-from rigapp.simulation.disturbances import Disturbances, SignalFault, Terminals, terminals
+from rigapp.simulation.disturbances import Disturbances, SignalFault, WiredSignals, terminals
 from rigapp.simulation.faults import SIGNAL_KINDS, WIRE_KINDS, Timetable, check_fault
 from rigapp.simulation.hands import PlantHands
 from rigapp.simulation.layout import Drive
@@ -242,7 +242,7 @@ class RigSimulation:
             self._truth.take(replace(samples, shaft_revolutions=seen.shaft_revolutions))
         self._deliver(seen, now_s)
 
-    def _deliver(self, seen: Terminals, now_s: float) -> None:
+    def _deliver(self, seen: WiredSignals, now_s: float) -> None:
         if seen.shaft_revolutions.size == 0:
             return
         data = self._daq.simulator.sample(signals(seen, self._inputs), self._device_s)

@@ -2,8 +2,8 @@
 
 ``structure`` says what a file holds, ``filesystem`` how it stands on the disk; ``writing`` fills it
 while the test runs, ``reading`` answers questions at any time, ``upkeep`` goes on with files that
-are there already. What others may use is named here; storage knows the schema and the errors of the
-configuration, and nothing that measures or draws.
+are there already. Others enter by this door, which names what they may use; storage knows the
+schema and the errors of the configuration, and nothing that measures or draws.
 """
 
 from __future__ import annotations
