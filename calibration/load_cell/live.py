@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibration.arrays import Array
-from calibration.load_cell.plans import LoadCellStep, StepKind
+from calibration.load_cell.plans import wrong_angle
 from calibration.load_cell.two_axis import forces
+from calibration.taking.procedure import Step, StepKind
 from calibration.taking.signals import (
     Demand,
     Judgement,
@@ -19,8 +20,6 @@ from calibration.taking.signals import (
     assess,
 )
 
-ANGLE_TOLERANCE = math.radians(5.0)
-"""The pin may stand so far from the plan's angle: what counts is the angle that is recorded."""
 SPREAD_SHARE = 0.25
 """Part of the cell's resolution that a steady signal may spread: below what a reading can tell."""
 NOISE_SHARE = 0.6
@@ -48,7 +47,7 @@ class LoadCellWindow(SignalWindow):
 
 
 def assess_load(
-    window: LoadCellWindow, step: LoadCellStep, resolution: float, since: float, wait: float
+    window: LoadCellWindow, step: Step, resolution: float, since: float, wait: float
 ) -> Readiness:
     """Judge a window for a step; resolution: of the cell, N; since, wait: see ``Demand``."""
     per_newton = 1.0 / max(float(np.sqrt(abs(np.linalg.det(window.matrix)))), 1e-12)
@@ -75,18 +74,14 @@ def _first(window: LoadCellWindow) -> Judgement | None:
     return None if window.stands else (SignalState.MOVING, "the crank turns")
 
 
-def _stands(window: LoadCellWindow, step: LoadCellStep) -> Judgement | None:
+def _stands(window: LoadCellWindow, step: Step) -> Judgement | None:
     """Judge where the pin stands, for a step at which nothing is read or where it stands wrong."""
     assert window.angle is not None
     if step.kind is StepKind.ANGLE_REFERENCE:
         return SignalState.STEADY, "the crank stands"
-    shown = f"{math.degrees(window.angle):.1f} degrees"
-    if abs(math.remainder(window.angle - step.angle, 2.0 * math.pi)) > ANGLE_TOLERANCE:
-        wanted = math.degrees(step.angle)
-        return (
-            SignalState.WAITING,
-            f"the encoder shows {shown}; turn the pin to {wanted:.0f} degrees",
-        )
-    if step.kind is StepKind.TURN:
-        return SignalState.STEADY, f"the pin stands at {shown}"
+    wrong = wrong_angle(window.angle, step)
+    if wrong:
+        return SignalState.WAITING, wrong
+    if step.kind is StepKind.SET_UP:
+        return SignalState.STEADY, f"the pin stands at {math.degrees(window.angle):.1f} degrees"
     return None

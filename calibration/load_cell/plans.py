@@ -1,23 +1,21 @@
-"""The plans of a dead-weight calibration: daily check, routine, full; steps in the order taken."""
+"""The dead-weight calibration as data: its plans (daily check, routine, full) and its steps.
+
+Angle reference first; at each pin angle: preloads to the maximum and back, zero, rising loads,
+falling loads, zero.
+"""
 
 from __future__ import annotations
 
 import enum
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from calibration.load_cell.pieces import possible_loads
-
-
-class StepKind(enum.StrEnum):
-    """What the operator does in a step."""
-
-    ANGLE_REFERENCE = "angle reference"
-    TURN = "turn"
-    PRELOAD = "preload"
-    READING = "reading"
+from calibration.load_cell.pieces import WeightChange, next_change, possible_loads
+from calibration.load_cell.readings import LoadCellReadings
+from calibration.taking.procedure import Event, Method, Procedure, Step, StepKind
 
 
 class PlanKind(enum.StrEnum):
@@ -32,32 +30,13 @@ PRELOAD_WAIT = 60.0
 """Seconds that a preload hangs: ISO 376 wants 1 to 1.5 minutes."""
 HANDLING = 25.0
 """Seconds that a technician needs to change a load, for the estimate of the time left."""
-
-
-@dataclass(frozen=True, slots=True)
-class LoadCellStep:
-    """One step: what to do, where (angle in rad), with which load (kg), and how long to wait (s).
-
-    series and number name the reading in the record; falling: the load is reached by taking off.
-    """
-
-    kind: StepKind
-    series: str = ""
-    number: int = 0
-    mass: float = 0.0
-    angle: float = 0.0
-    wait: float = 0.0
-    falling: bool = False
-
-    @property
-    def set_up(self) -> float | None:
-        """Return the pin angle to which the pin is turned for the step, rad."""
-        return None if self.kind is StepKind.ANGLE_REFERENCE else self.angle
-
-    @property
-    def effort(self) -> float:
-        """Return the seconds that the step takes a technician."""
-        return self.wait + HANDLING
+ANGLE_TOLERANCE = math.radians(5.0)
+"""The pin may stand so far from the plan's angle: what counts is the angle that is recorded."""
+LEVEL = (
+    "Lay the level on the flat of the crank, turn the crank until the bubble is in the middle, and"
+    " enter the angle that the encoder shows. Then turn the level end for end and do it again: the"
+    " mean is free of the level's own error."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,33 +67,92 @@ class LoadCellPlan:
     heaviest: float
     pieces: tuple[float, ...]
 
-    def steps(self) -> tuple[LoadCellStep, ...]:
-        """Return the steps.
+    def steps(self) -> tuple[Step, ...]:
+        """Return the steps; the loads are those that the pieces can make."""
+        return tuple(self._steps())
 
-        Angle reference first; at each angle: preloads to the maximum and back, zero, rising loads,
-        falling loads, zero. The loads are those that the pieces can make.
-        """
+    def _steps(self) -> Iterator[Step]:
         size = SIZES[self.kind]
         loads = possible_loads(self.heaviest, size.loads, self.pieces)
-        steps = [LoadCellStep(StepKind.ANGLE_REFERENCE)]
+        rising = [0.0, *loads]
+        course = [(mass, False) for mass in rising]
+        course += [(mass, True) for mass in (rising[-2::-1] if size.descending else [0.0])]
+        yield Step(StepKind.ANGLE_REFERENCE, LEVEL, handling=HANDLING)
         for place in range(size.angles):
             angle = float(2.0 * np.pi * place / size.angles)
-            steps.append(LoadCellStep(StepKind.TURN, angle=angle))
-            for _ in range(size.preloads):
-                for mass, wait in ((loads[-1], PRELOAD_WAIT), (0.0, size.settle)):
-                    steps.append(LoadCellStep(StepKind.PRELOAD, mass=mass, angle=angle, wait=wait))
-            steps += _series(str(place + 1), angle, loads, size)
-        return tuple(steps)
+            words = f"Take all weights off and turn the pin to {np.degrees(angle):.0f} degrees."
+            yield Step(StepKind.SET_UP, words, angle, handling=HANDLING)
+            hanging: tuple[float, ...] = ()
+            for mass, wait in ((loads[-1], PRELOAD_WAIT), (0.0, size.settle)) * size.preloads:
+                change = next_change(mass, hanging, self.pieces)
+                words = f"{_change_words(change)} This only exercises the cell; nothing is read."
+                hanging = change.hanging
+                yield Step(
+                    StepKind.PRELOAD, words, angle, change.mass, hanging, wait=wait,
+                    handling=HANDLING,
+                )  # fmt: skip
+            for number, (mass, falling) in enumerate(course, 1):
+                change = next_change(mass, hanging, self.pieces)
+                words = f"{_change_words(change)} Wait until it hangs still."
+                hanging = change.hanging
+                yield Step(
+                    StepKind.READING, words, angle, change.mass, hanging, str(place + 1), number,
+                    size.settle, HANDLING, falling,
+                )  # fmt: skip
 
 
-def _series(
-    series: str, angle: float, loads: Sequence[float], size: PlanSize
-) -> list[LoadCellStep]:
-    rising = [0.0, *loads]
-    masses = [(mass, False) for mass in rising]
-    back = rising[-2::-1] if size.descending else [0.0]
-    masses += [(mass, True) for mass in back]
-    return [
-        LoadCellStep(StepKind.READING, series, number, mass, angle, size.settle, falling)
-        for number, (mass, falling) in enumerate(masses, 1)
-    ]
+def _change_words(change: WeightChange) -> str:
+    def listed(pieces: Sequence[float]) -> str:
+        return " + ".join(f"{piece:g} kg" for piece in pieces)
+
+    if not change.hanging:
+        return "Take all weights off." if change.remove else "Nothing may hang on the pin."
+    parts = []
+    if change.remove:
+        parts.append(f"take off {listed(change.remove)}")
+    if change.add:
+        parts.append(f"hang {listed(change.add)}")
+    text = " and ".join(parts) or "change nothing"
+    return f"{text[0].upper()}{text[1:]}: {change.mass:g} kg hang then."
+
+
+# --- the journal ----------------------------------------------------------------------------------
+
+
+def wrong_angle(angle: float, step: Step) -> str:
+    """Return why a step cannot be done at a pin angle (rad), empty when it can."""
+    if step.set_up is None or abs(math.remainder(angle - step.set_up, 2.0 * math.pi)) <= (
+        ANGLE_TOLERANCE
+    ):
+        return ""
+    return (
+        f"the encoder shows {np.degrees(angle):.1f} degrees; turn the pin to"
+        f" {np.degrees(step.set_up):.0f} degrees"
+    )
+
+
+def _told(plan: LoadCellPlan) -> Event:
+    return {"kind": plan.kind.value, "heaviest": plan.heaviest, "pieces": list(plan.pieces)}
+
+
+WEIGHING = Method(
+    told=_told,
+    plan=lambda e: LoadCellPlan(PlanKind(e["kind"]), e["heaviest"], tuple(e["pieces"])),
+    set_up="turned",
+    place="angle",
+    value="mass",
+    wrongly=wrong_angle,
+    afresh=True,
+)
+
+
+def load_cell_readings(procedure: Procedure[LoadCellPlan]) -> LoadCellReadings:
+    """Return the readings that stand, in the order taken."""
+    kept = procedure.standing(of=lambda step: True)
+    return LoadCellReadings(
+        series=tuple(step.series for step, _ in kept),
+        step=np.array([step.number for step, _ in kept], dtype=np.int64),
+        mass=np.array([one.value for _, one in kept]),
+        angle=np.array([one.place for _, one in kept]),
+        signal=np.array([one.signal for _, one in kept]).reshape(-1, 2),
+    )

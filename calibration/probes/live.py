@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from calibration.arrays import Array
-from calibration.probes.procedure import ProbeStep, ProbeStepKind
+from calibration.taking.procedure import Step, StepKind
 from calibration.taking.signals import (
     Demand,
     Judgement,
@@ -39,12 +39,12 @@ class ProbeWindow(SignalWindow):
     range_volts: float = 10.0
 
 
-def assess_probe(window: ProbeWindow, step: ProbeStep, since: float, wait: float) -> Readiness:
+def assess_probe(window: ProbeWindow, step: Step, since: float, wait: float) -> Readiness:
     """Judge a window for a step; ``felt`` is the position (m) that the calibration in use shows.
 
     since, wait: see ``Demand``.
     """
-    probe = step.probe - 1
+    probe = int(step.set_up or 1) - 1
     return assess(
         window,
         Demand(
@@ -62,13 +62,14 @@ def assess_probe(window: ProbeWindow, step: ProbeStep, since: float, wait: float
     )
 
 
-def _mounted(window: ProbeWindow, step: ProbeStep, found: Steadiness) -> Judgement | None:
-    if step.kind is not ProbeStepKind.MOUNT:
+def _mounted(window: ProbeWindow, step: Step, found: Steadiness) -> Judgement | None:
+    if step.kind is not StepKind.SET_UP:
         return None
-    shown = float(found.mean[step.probe - 1])
+    probe = int(step.set_up or 1)
+    shown = float(found.mean[probe - 1])
     if math.isnan(shown):
         return SignalState.WAITING, "listening"
-    words = f"probe {step.probe} shows {shown:+.2f} V"
+    words = f"probe {probe} shows {shown:+.2f} V"
     if abs(shown) > NEAR_ZERO * window.range_volts:
         return SignalState.WAITING, f"{words}; move it or the target until it shows about 0 V"
     return SignalState.STEADY, words

@@ -6,18 +6,18 @@ be closed and taken up again. A reading can be rejected with a reason, never era
 
 ::
 
-    set up --> step --record--> next step --record--> ... --record--> done
-                ^                    |
-                +------reject--------+     (the reading's series is taken again)
+    reference --> set up --> preload ... --> record ... --> set up --> ... --> done
+                    ^                          |
+                    +----------reject----------+     (the reading's series is taken again)
 
-A subject adds its steps, its readings and its own events (``calibration.load_cell.procedure``,
-``calibration.probes.procedure``).
+What is calibrated is data: the steps of a plan, and a ``Method`` that names them in the journal
+(``calibration.load_cell.plans``, ``calibration.probes.plans``).
 """
 
 from __future__ import annotations
 
+import enum
 import math
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Generic, Protocol, Self, TypeVar
@@ -34,52 +34,97 @@ class ProcedureError(ValueError):
     """Say why an event is not possible now."""
 
 
-class PlannedStep(Protocol):
-    """One step of a plan. series: empty where nothing is read; number: of the reading in it."""
+class StepKind(enum.StrEnum):
+    """What the operator does in a step."""
 
-    @property
-    def series(self) -> str:
-        """Return the series that the reading belongs to."""
+    ANGLE_REFERENCE = "angle reference"
+    SET_UP = "setting up"
+    PRELOAD = "preload"
+    READING = "reading"
 
-    @property
-    def number(self) -> int:
-        """Return the number of the reading in its series."""
 
-    @property
-    def set_up(self) -> float | None:
-        """Return what must be set up for the step (an angle, a probe); None for none."""
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step of a plan: what is done, and that in words.
+
+    set_up: what it is done at (the pin's angle in rad, a probe), None for none. value: what is set
+    (kg, m); pieces: of which weights it is made. series, number: name the reading in the record,
+    empty where nothing is read. wait: s, after the last change; handling: s that a technician
+    needs. falling: the value is reached from above.
+    """
+
+    kind: StepKind
+    words: str
+    set_up: float | None = None
+    value: float = 0.0
+    pieces: tuple[float, ...] = ()
+    series: str = ""
+    number: int = 0
+    wait: float = 0.0
+    handling: float = 0.0
+    falling: bool = False
 
     @property
     def effort(self) -> float:
         """Return the seconds that the step takes a technician."""
+        return self.wait + self.handling
+
+
+class Plan(Protocol):
+    """What is taken."""
+
+    def steps(self) -> tuple[Step, ...]:
+        """Return the steps in the order taken; raise ValueError for an impossible plan."""
+
+
+PlanType = TypeVar("PlanType", bound=Plan)
+
+
+@dataclass(frozen=True, slots=True)
+class Method(Generic[PlanType]):
+    """How a journal tells a calibration, and what may stand against a step.
+
+    told: of a plan, in the first event; plan: back from there, raising ProcedureError for a foreign
+    one. set_up, place, value: names of the event of a set-up, of what was set up, and of what was
+    set. wrongly: why a step cannot be done with what is set up, empty when it can. afresh: a
+    complete series that is taken again begins with its set-up, even where that still stands.
+    """
+
+    told: Callable[[PlanType], Event]
+    plan: Callable[[Event], PlanType]
+    set_up: str
+    place: str
+    value: str
+    wrongly: Callable[[float, Step], str]
+    afresh: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TakenReading:
     """One reading as taken: number of its step, signals, their spread, when (UTC s).
 
-    rejected: why it does not count, empty while it stands.
+    value, place: what was set (kg, m), and at what it was set up (rad, a probe). rejected: why it
+    does not count, empty while it stands.
     """
 
     step: int
+    value: float
+    place: float
     signal: tuple[float, float]
     spread: float
     time: float
     rejected: str = ""
 
 
-StepType = TypeVar("StepType", bound=PlannedStep)
-ReadingType = TypeVar("ReadingType", bound=TakenReading)
-ProcedureType = TypeVar("ProcedureType", bound="Procedure[Any, Any]")
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Procedure(ABC, Generic[StepType, ReadingType]):
+class Procedure(Generic[PlanType]):
     """The state of a calibration: steps in the order taken, the present one, all readings."""
 
-    steps: tuple[StepType, ...]
+    method: Method[PlanType] = field(repr=False)
+    plan: PlanType
+    steps: tuple[Step, ...]
     position: int = 0
-    taken: tuple[ReadingType, ...] = ()
+    taken: tuple[TakenReading, ...] = ()
     events: tuple[Event, ...] = field(default=(), repr=False)
 
     # --- what to do now --------------------------------------------------------------------------
@@ -90,7 +135,7 @@ class Procedure(ABC, Generic[StepType, ReadingType]):
         return self.position >= len(self.steps)
 
     @property
-    def step(self) -> StepType:
+    def step(self) -> Step:
         """Return the step to do now; raise ProcedureError when all are done."""
         if self.done:
             raise ProcedureError("every step of the plan has been taken")
@@ -99,11 +144,7 @@ class Procedure(ABC, Generic[StepType, ReadingType]):
     @property
     def instruction(self) -> str:
         """Return what the operator does now, as a technician would say it."""
-        return "All readings are taken. Look at the result." if self.done else self.instruct()
-
-    @abstractmethod
-    def instruct(self) -> str:
-        """Return what the operator does at the present step."""
+        return "All readings are taken. Look at the result." if self.done else self.step.words
 
     @property
     def progress(self) -> str:
@@ -121,11 +162,85 @@ class Procedure(ABC, Generic[StepType, ReadingType]):
         )
         return series if series and begun else ""
 
+    def told(self, name: str) -> Event | None:
+        """Return the newest event of a name."""
+        return next((one for one in reversed(self.events) if one["event"] == name), None)
+
+    def standing(self, *, of: Callable[[Step], bool]) -> list[tuple[Step, TakenReading]]:
+        """Return the readings that stand, of some steps, in the order taken."""
+        pairs = ((self.steps[one.step], one) for one in self.taken if not one.rejected)
+        return [(step, one) for step, one in pairs if of(step)]
+
     # --- events ----------------------------------------------------------------------------------
 
-    @abstractmethod
-    def stands_for(self, step: StepType) -> bool:
-        """Tell whether the rig is still set up for a step of a series that is taken again."""
+    def _expect(self, kind: StepKind) -> Step:
+        if self.step.kind is not kind:
+            raise ProcedureError(f"now comes {self.step.kind}, not {kind}: {self.step.words}")
+        return self.step
+
+    def reference(self, offset: float, uncertainty: float, shown: Sequence[float] = ()) -> Self:
+        """Take the result of the angle reference step, rad.
+
+        shown: what the encoder showed, twice when the level was turned end for end.
+        """
+        self._expect(StepKind.ANGLE_REFERENCE)
+        if not (np.isfinite(offset) and np.isfinite(uncertainty) and uncertainty >= 0.0):
+            raise ProcedureError("the angle reference must be two finite numbers")
+        listed = [float(one) for one in shown]
+        told = {"offset": offset, "uncertainty": uncertainty, "shown": listed}
+        return self._go_on({"event": "reference", **told})
+
+    def set_up(self, place: float | None = None) -> Self:
+        """Take note that all is set up for the step: at a place, or just at the step's."""
+        step = self._expect(StepKind.SET_UP)
+        at = step.set_up if place is None else place
+        wrong = "" if at is None else self.method.wrongly(at, step)
+        if wrong:
+            raise ProcedureError(wrong)
+        return self._go_on({"event": self.method.set_up, self.method.place: at})
+
+    def exercised(self) -> Self:
+        """Take note that a preload has hung for its time."""
+        self._expect(StepKind.PRELOAD)
+        return self._go_on({"event": "exercised"})
+
+    def record(
+        self,
+        signal: Signals,
+        spread: float,
+        time: float,
+        *,
+        value: float | None = None,
+        place: float | None = None,
+    ) -> Self:
+        """Take the reading of the present step; raise ProcedureError when it cannot be one.
+
+        value, place: what was set and where, in place of the step's.
+        """
+        step = self._expect(StepKind.READING)
+        reading = TakenReading(
+            step=self.position,
+            value=float(step.value if value is None else value),
+            place=float((step.set_up or 0.0) if place is None else place),
+            signal=(float(signal[0]), float(signal[1])),
+            spread=float(spread),
+            time=time,
+        )
+        if not np.isfinite([*reading.signal, reading.value, reading.place]).all():
+            names = [f"signal {n}" for n, one in enumerate(reading.signal, 1) if one - one != 0.0]
+            culprit = f": {' and '.join(names)}" if names else ""
+            raise ProcedureError(f"the reading is not a number{culprit}; check cable and amplifier")
+        event = {
+            "event": "record",
+            "signal": list(reading.signal),
+            "spread": reading.spread,
+            "time": reading.time,
+            "series": step.series,
+            "step": step.number,
+            self.method.value: reading.value,
+            self.method.place: reading.place,
+        }
+        return self._go_on(event, taken=(*self.taken, reading))
 
     def reject(self, index: int, reason: str) -> Self:
         """Reject the reading number ``index`` (from 0) with a reason; its series is taken again.
@@ -149,7 +264,7 @@ class Procedure(ABC, Generic[StepType, ReadingType]):
             )
         start = next(i for i, step in enumerate(self.steps) if step.series == series)
         wanted = self.steps[start].set_up
-        if not self.stands_for(self.steps[start]):
+        if not self._stands_for(self.steps[start]):
             start = next(i for i, step in enumerate(self.steps) if step.set_up == wanted)
         taken = tuple(
             replace(one, rejected=words if one is first else f"series repeated: {words}")
@@ -160,21 +275,14 @@ class Procedure(ABC, Generic[StepType, ReadingType]):
         event = {"event": "reject", "index": index, "reason": words}
         return replace(self, position=start, taken=taken, events=(*self.events, event))
 
-    def keep(self, reading: ReadingType, **told: Any) -> Self:
-        """Take the reading of the present step; ``told``: what the event says of it besides."""
-        step = self.step
-        event = {
-            "event": "record",
-            "signal": list(reading.signal),
-            "spread": reading.spread,
-            "time": reading.time,
-            "series": step.series,
-            "step": step.number,
-            **told,
-        }
-        return self.go_on(event, taken=(*self.taken, reading))
+    def _stands_for(self, step: Step) -> bool:
+        """Tell whether the rig is still set up for a step of a series that is taken again."""
+        if self.method.afresh:
+            return self.under_way == step.series
+        told = self.told(self.method.set_up)
+        return told is not None and bool(told[self.method.place] == step.set_up)
 
-    def go_on(self, event: Event, **changes: Any) -> Self:
+    def _go_on(self, event: Event, **changes: Any) -> Self:
         """Return the state after an event: at the next step that is still to be done."""
         after = replace(self, events=(*self.events, event), **changes)
         standing = {one.step for one in after.taken if not one.rejected}
@@ -194,50 +302,55 @@ class Procedure(ABC, Generic[StepType, ReadingType]):
         )
 
 
-def both_signals(values: Signals, *others: float) -> tuple[float, float]:
-    """Return two signals as plain numbers; raise ProcedureError when one is no number."""
-    signals = (float(values[0]), float(values[1]))
-    if not np.isfinite([*signals, *others]).all():
-        raise ProcedureError("the reading is not a number; check cable and amplifier")
-    return signals
-
-
-def time_needed(steps: Iterable[PlannedStep]) -> float:
+def time_needed(steps: Iterable[Step]) -> float:
     """Return the seconds that the steps take a technician."""
     return sum(step.effort for step in steps)
 
 
-def duration_words(steps: Iterable[PlannedStep]) -> str:
+def duration_words(steps: Iterable[Step]) -> str:
     """Return the time that the steps take a technician, in words."""
     hours, minutes = divmod(math.ceil(time_needed(steps) / 60.0), 60)
     return f"{hours} h {minutes} min" if hours else f"{minutes} min"
 
 
-def replay(
-    events: Iterable[Event],
-    begin: Callable[[Event], ProcedureType],
-    deeds: Mapping[str, Callable[[ProcedureType, Event], ProcedureType]],
-) -> ProcedureType:
-    """Return the procedure that a journal tells; raise ProcedureError where it makes no sense.
+def begin(method: Method[PlanType], plan: PlanType) -> Procedure[PlanType]:
+    """Begin a calibration; raise ValueError for an impossible plan."""
+    event = {"event": "begin", **method.told(plan)}
+    return Procedure(method=method, plan=plan, steps=plan.steps(), events=(event,))
 
-    begin: of the first event; deeds: what each further event does, by its name (``reject`` aside).
-    """
-    procedure: ProcedureType | None = None
+
+def take_up(method: Method[PlanType], events: Iterable[Event]) -> Procedure[PlanType]:
+    """Return the procedure that a journal tells; raise ProcedureError where it makes no sense."""
+    procedure: Procedure[PlanType] | None = None
     for number, event in enumerate(events, 1):
         try:
-            kind = event["event"]
-            if (procedure is None) is not (kind == "begin"):
+            if (procedure is None) is not (event["event"] == "begin"):
                 raise ProcedureError("a journal starts with begin")
             if procedure is None:
-                procedure = begin(event)
-            elif kind == "reject":
-                procedure = procedure.reject(event["index"], event["reason"])
-            elif kind in deeds:
-                procedure = deeds[kind](procedure, event)
+                procedure = begin(method, method.plan(event))
             else:
-                raise ProcedureError(f"unknown event {kind!r}")
+                procedure = _after(procedure, event)
         except (KeyError, TypeError, ValueError) as error:
             raise ProcedureError(f"line {number} of the journal is not usable: {error}") from error
     if procedure is None:
         raise ProcedureError("the journal is empty")
     return procedure
+
+
+def _after(procedure: Procedure[PlanType], event: Event) -> Procedure[PlanType]:
+    """Return the procedure after an event of its journal."""
+    method, kind = procedure.method, event["event"]
+    if kind == "reject":
+        return procedure.reject(event["index"], event["reason"])
+    if kind == "reference":
+        return procedure.reference(event["offset"], event["uncertainty"], event.get("shown", ()))
+    if kind == method.set_up:
+        return procedure.set_up(event[method.place])
+    if kind == "exercised":
+        return procedure.exercised()
+    if kind == "record":
+        value, place = event.get(method.value), event.get(method.place)
+        return procedure.record(
+            event["signal"], event["spread"], event["time"], value=value, place=place
+        )
+    raise ProcedureError(f"unknown event {kind!r}")

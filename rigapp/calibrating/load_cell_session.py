@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -16,16 +15,19 @@ from calibration.load_cell.calibrate import calibrate_load_cell
 from calibration.load_cell.daily import daily_check
 from calibration.load_cell.level import LevelError, LevelReading, reversed_level, single
 from calibration.load_cell.live import LoadCellWindow, assess_load
-from calibration.load_cell.plans import LoadCellPlan, LoadCellStep, PlanKind, StepKind
+from calibration.load_cell.plans import (
+    WEIGHING,
+    LoadCellPlan,
+    PlanKind,
+    load_cell_readings,
+)
 from calibration.load_cell.plausible import check_settings
-from calibration.load_cell.procedure import LoadCellProcedure, WeighedReading, begin, take_up
 from calibration.load_cell.readings import LOAD_CELL_COLUMNS, LoadCellReadings, parse_load_cell
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import Terms, fit
 from calibration.load_cell.weights import pin_force, weight_force
-from calibration.taking.procedure import Event, ProcedureError
+from calibration.taking.procedure import Event, ProcedureError, Step, TakenReading
 from calibration.taking.signals import Readiness
-from calibration.taking.stability import Steadiness
 from rigapp.calibrating.daily_history import DailyHistory, append_check, entry_of, read_history
 from rigapp.calibrating.load_cell_result import load_cell_outcome
 from rigapp.calibrating.practice import LOAD_CELL_PRACTICE
@@ -92,9 +94,10 @@ def load_cell_plan(plan: str, weights: str, settings: LoadCellSettings) -> LoadC
     return LoadCellPlan(PLANS[plan], heaviest, pieces)
 
 
-class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPlan, LoadCellFile]):
+class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     """A dead-weight calibration, or a daily check, under way."""
 
+    method = WEIGHING
     columns = LOAD_CELL_COLUMNS
     practice = LOAD_CELL_PRACTICE
 
@@ -109,14 +112,6 @@ class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPla
             if problem.blocks:
                 raise UnusableInput(f"settings: {problem.sentence}")
 
-    def begin(self, plan: LoadCellPlan) -> LoadCellProcedure:
-        """Begin a procedure; raise ValueError for a load that the pieces cannot make."""
-        return begin(plan)
-
-    def take_up(self, events: Sequence[Event]) -> LoadCellProcedure:
-        """Return the procedure that a journal tells; raise ProcedureError."""
-        return take_up(events)
-
     def window_of(self, view: Mapping[str, Any]) -> LoadCellWindow:
         """Return the window that the engine's answer to ``signals`` tells; SI, angle in rad."""
         angle, quadratic = view["angle_deg"], view.get("quadratic")
@@ -129,45 +124,24 @@ class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPla
             quadratic=None if quadratic is None else np.array(quadratic, dtype=np.float64),
         )
 
-    def assess(
-        self, window: LoadCellWindow, step: LoadCellStep, since: float, wait: float
-    ) -> Readiness:
+    def assess(self, window: LoadCellWindow, step: Step, since: float, wait: float) -> Readiness:
         """Judge a window for a step."""
         return assess_load(window, step, self.settings.cell.resolution, since, wait)
 
-    def after(
-        self, window: LoadCellWindow, found: Steadiness, at: float | None
-    ) -> LoadCellProcedure:
-        """Return the procedure after the step under way."""
-        procedure, angle = self.procedure, window.angle
-        assert angle is not None
-        kind = procedure.step.kind
-        if kind is StepKind.TURN:
-            return procedure.turned(angle)
-        if kind is StepKind.PRELOAD:
-            return procedure.exercised()
-        if kind is StepKind.READING:
-            return procedure.record(angle, found.mean, found.spread, round(time.time(), 3))
-        raise ProcedureError("the angle reference is entered, not recorded")
+    def place_of(self, window: LoadCellWindow) -> float | None:
+        """Return the angle of the pin, rad."""
+        return window.angle
 
     # --- what a face shows -----------------------------------------------------------------------
 
-    @property
-    def reference_is_due(self) -> bool:
-        """Tell whether now the angle reference is to be entered."""
-        procedure = self.procedure
-        return not procedure.done and procedure.step.kind is StepKind.ANGLE_REFERENCE
-
     def expected_force(self) -> float:
         """Return the force (N) of what should hang at the present step."""
-        mass = 0.0 if self.procedure.done else self.procedure.step.mass
-        if mass > 0.0:
-            mass = self.procedure.change.mass
+        mass = 0.0 if self.procedure.done else self.procedure.step.value
         return float(weight_force(mass, self.settings.weights, self.settings.place))
 
-    def describe(self, reading: WeighedReading) -> str:
+    def describe(self, reading: TakenReading) -> str:
         """Return mass and angle of a reading in words."""
-        return f"{reading.mass:g} kg at {math.degrees(reading.angle):.1f} degrees"
+        return f"{reading.value:g} kg at {math.degrees(reading.place):.1f} degrees"
 
     def recorded(self, found: Readiness) -> str:
         """Return the signals in words."""
@@ -179,9 +153,9 @@ class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPla
 
     def residuals(self) -> ResidualsSoFar:
         """Return what each reading differs from a fit of all so far, N, in the order taken."""
-        readings = self.procedure.readings()
+        readings = load_cell_readings(self.procedure)
         weight = weight_force(readings.mass, self.settings.weights, self.settings.place)
-        force = pin_force(weight, readings.angle, self.procedure.angle_offset or 0.0)
+        force = pin_force(weight, readings.angle, self.angle_reference["offset"])
         try:
             if len(readings) < FEWEST_FOR_RESIDUALS:
                 raise np.linalg.LinAlgError("too few")
@@ -224,6 +198,11 @@ class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPla
         self._refer(found, (first, second))
         return found
 
+    @property
+    def angle_reference(self) -> Event:
+        """Return the angle reference that was taken, rad; 0 before it is."""
+        return self.procedure.told("reference") or {"offset": 0.0, "uncertainty": 0.0}
+
     def _refer(self, found: LevelReading, shown: Sequence[float]) -> None:
         if abs(found.angle) > LARGEST_OFFSET:
             raise ProcedureError(
@@ -239,8 +218,8 @@ class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPla
         """Fit and check all readings, or compare those of a daily check with what hung."""
         settings = replace(
             self.settings,
-            angle_offset=self.procedure.angle_offset or 0.0,
-            angle_uncertainty=self.procedure.angle_uncertainty or 0.0,
+            angle_offset=self.angle_reference["offset"],
+            angle_uncertainty=self.angle_reference["uncertainty"],
         )
         readings = parse_load_cell(self.readings_csv())
         if self.procedure.plan.kind is PlanKind.DAILY:
@@ -291,11 +270,11 @@ class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPla
         append_check(store, entry)
         return read_history(store, self.rig.name)
 
-    def row(self, reading: WeighedReading) -> str:
+    def row(self, reading: TakenReading) -> str:
         """Return a reading as a line of the CSV."""
         step = self.procedure.steps[reading.step]
         return (
-            f"{step.series},{step.number},{reading.mass!r},{math.degrees(reading.angle)!r},"
+            f"{step.series},{step.number},{reading.value!r},{math.degrees(reading.place)!r},"
             f"{reading.signal[0]!r},{reading.signal[1]!r}"
         )
 
@@ -306,11 +285,11 @@ class LoadCellSession(LiveSession[LoadCellProcedure, LoadCellWindow, LoadCellPla
 
     def used_settings(self) -> LoadCellFile:
         """Return the settings with the angle reference that was taken."""
-        procedure = self.procedure
+        told = self.angle_reference
         angle = msgspec.structs.replace(
             self.given.angle,
-            offset_deg=math.degrees(procedure.angle_offset or 0.0),
-            standard_uncertainty_deg=math.degrees(procedure.angle_uncertainty or 0.0),
-            level_readings_deg=tuple(math.degrees(one) for one in procedure.shown),
+            offset_deg=math.degrees(told["offset"]),
+            standard_uncertainty_deg=math.degrees(told["uncertainty"]),
+            level_readings_deg=tuple(math.degrees(one) for one in told.get("shown", ())),
         )
         return msgspec.structs.replace(self.given, angle=angle)

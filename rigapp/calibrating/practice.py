@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from calibration.probes.procedure import ProbeProcedure, ProbeStepKind
+from calibration.taking.procedure import Procedure, StepKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,15 +88,15 @@ def _weigh(session: Any, mistake: WeighingMistake, since: int) -> Actions:
     procedure, settings = session.procedure, session.settings
     if procedure.done:
         return ()
-    step, bare = procedure.step, procedure.step.mass == 0.0
-    turn = _hand("turn_pin", angle_deg=math.degrees(step.angle))
+    step = procedure.step
+    turn = _hand("turn_pin", angle_deg=math.degrees(step.set_up or 0.0))
     mass = 0.0
-    if not bare:
-        mass = procedure.change.mass + settings.weights.hanger_mass
+    if step.pieces:
+        mass = step.value + settings.weights.hanger_mass
         if mistake is WeighingMistake.WRONG_WEIGHT:
-            mass += _wrong_by(procedure.change.hanging)
+            mass += _wrong_by(step.pieces)
     hang = _hand("hang_weight", mass_kg=mass, gravity_m_s2=settings.place.gravity)
-    return (hang, turn) if bare else (turn, hang)
+    return (turn, hang) if step.pieces else (hang, turn)
 
 
 def _wrong_by(hanging: Sequence[float]) -> float:
@@ -142,22 +142,21 @@ def _set(*positions_um: float) -> Actions:
 
 
 def _turn_micrometer(session: Any, mistake: MicrometerMistake, since: int) -> Actions:
-    procedure: ProbeProcedure = session.procedure
+    procedure: Procedure[Any] = session.procedure
     if procedure.done:
         return ()
     step = procedure.step
-    if step.kind is ProbeStepKind.MOUNT:
+    if step.kind is StepKind.SET_UP:
         return _set(0.0, 0.0)
-    at = _with_mistake(procedure, mistake, 1e6 * step.position, since)
-    first = (step.probe == 1) is not (mistake is MicrometerMistake.OTHER_PROBE)
+    at = _with_mistake(procedure, mistake, since)
+    first = (step.set_up == 1) is not (mistake is MicrometerMistake.OTHER_PROBE)
     return _set(at, 0.0) if first else _set(0.0, at)
 
 
-def _with_mistake(
-    procedure: ProbeProcedure, mistake: MicrometerMistake, wanted: float, since: int
-) -> float:
+def _with_mistake(procedure: Procedure[Any], mistake: MicrometerMistake, since: int) -> float:
+    """Return where a micrometer is set, um."""
     step, here = procedure.step, procedure.position
-    size = 1e6 * procedure.plan.step_size
+    wanted, size = 1e6 * step.value, 1e6 * float(procedure.plan.step_size)
     if mistake is MicrometerMistake.WRONG_POSITION and here == since:
         return wanted + 0.3 * size
     if mistake is MicrometerMistake.SKIPPED:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -14,21 +13,12 @@ import numpy as np
 from calibration.probes.alignment import PairCalibration, calibrate_pair, split_pair
 from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
 from calibration.probes.live import ProbeWindow, assess_probe
+from calibration.probes.plans import MEASURING, ProbePlan, probe_readings
 from calibration.probes.positions import robust_line
-from calibration.probes.procedure import (
-    MicrometerReading,
-    ProbePlan,
-    ProbeProcedure,
-    ProbeStep,
-    ProbeStepKind,
-    begin_probes,
-    take_up_probes,
-)
 from calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS, ProbeReadings, parse_probe
 from calibration.probes.settings import ProbeSettings
-from calibration.taking.procedure import Event, ProcedureError
+from calibration.taking.procedure import ProcedureError, Step, StepKind, TakenReading
 from calibration.taking.signals import Readiness
-from calibration.taking.stability import Steadiness
 from rigapp.calibrating.practice import PROBE_PRACTICE
 from rigapp.calibrating.probe_result import probe_outcome
 from rigapp.calibrating.session import (
@@ -88,22 +78,15 @@ def calibrate_probes(
     return calibrate_pair(split_pair(readings), (settings[0], settings[1]))
 
 
-class ProbeSession(LiveSession[ProbeProcedure, ProbeWindow, ProbePlan, ProbeFile]):
+class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
     """A calibration of one or both probes under way."""
 
+    method = MEASURING
     columns = (*PROBE_COLUMNS, OTHER_COLUMN)
     practice = PROBE_PRACTICE
     prompt = (
         "Enter records at this position (or type the micrometer's own um), r rejects, q closes: "
     )
-
-    def begin(self, plan: ProbePlan) -> ProbeProcedure:
-        """Begin a procedure; raise ValueError for an impossible plan."""
-        return begin_probes(plan)
-
-    def take_up(self, events: Sequence[Event]) -> ProbeProcedure:
-        """Return the procedure that a journal tells; raise ProcedureError."""
-        return take_up_probes(events)
 
     def window_of(self, view: Mapping[str, Any]) -> ProbeWindow:
         """Return the window that the engine's answer to ``signals`` tells; SI."""
@@ -115,38 +98,30 @@ class ProbeSession(LiveSession[ProbeProcedure, ProbeWindow, ProbePlan, ProbeFile
             range_volts=self.given.probe.range_V,
         )
 
-    def assess(self, window: ProbeWindow, step: ProbeStep, since: float, wait: float) -> Readiness:
+    def assess(self, window: ProbeWindow, step: Step, since: float, wait: float) -> Readiness:
         """Judge a window for a step."""
         return assess_probe(window, step, since, wait)
-
-    def after(self, window: ProbeWindow, found: Steadiness, at: float | None) -> ProbeProcedure:
-        """Return the procedure after the step under way; ``at``: what the micrometer shows, m."""
-        procedure, step = self.procedure, self.procedure.step
-        if step.kind is ProbeStepKind.MOUNT:
-            return procedure.mounted()
-        position = step.position if at is None else at
-        return procedure.record(position, found.mean, found.spread, round(time.time(), 3))
 
     # --- what a face shows -----------------------------------------------------------------------
 
     def typed(self, answer: str) -> float | None:
         """Return the position (m) that the operator read off the micrometer."""
-        if not answer or self.procedure.step.kind is ProbeStepKind.MOUNT:
+        if not answer or self.procedure.step.kind is StepKind.SET_UP:
             return None
         try:
             return 1e-6 * float(answer.removesuffix("um").replace(",", "."))
         except ValueError as error:
             raise ProcedureError("Enter, a position in um, r or q.") from error
 
-    def describe(self, reading: MicrometerReading) -> str:
+    def describe(self, reading: TakenReading) -> str:
         """Return series and position of a reading in words."""
         series = self.procedure.steps[reading.step].series
-        return f"series {series}, {1e6 * reading.position:g} um"
+        return f"series {series}, {1e6 * reading.value:g} um"
 
     def recorded(self, found: Readiness) -> str:
         """Return the voltage of the probe in words."""
         reading = self.procedure.taken[-1]
-        own = reading.signal[self.procedure.steps[reading.step].probe - 1]
+        own = reading.signal[int(reading.place) - 1]
         return f"{own:+.5f} V (the calibration in use makes {1e6 * found.felt:+.1f} um of it)"
 
     def residuals(self) -> ResidualsSoFar:
@@ -154,7 +129,7 @@ class ProbeSession(LiveSession[ProbeProcedure, ProbeWindow, ProbePlan, ProbeFile
         reach = 1.1e6 * self.procedure.plan.reach
         curves, last, worst = list(NO_CURVES), 0.0, (0.0, 0.0, 0)
         for probe in self.procedure.plan.probes:
-            taken = self.procedure.readings(probe)
+            taken = probe_readings(self.procedure, probe)
             if len(np.unique(taken.position)) < FEWEST_FOR_RESIDUALS:
                 continue
             line = robust_line(taken.position, taken.signal)
@@ -189,11 +164,12 @@ class ProbeSession(LiveSession[ProbeProcedure, ProbeWindow, ProbePlan, ProbeFile
         settings = [self.settings_of(probe) for probe in self.procedure.plan.probes]
         return probe_outcome(calibrate_probes(parse_probe(self.readings_csv()), settings))
 
-    def row(self, reading: MicrometerReading) -> str:
+    def row(self, reading: TakenReading) -> str:
         """Return a reading as a line of the CSV."""
         step = self.procedure.steps[reading.step]
-        own, other = reading.signal[step.probe - 1], reading.signal[2 - step.probe]
-        return f"{step.series},{step.number},{1e6 * reading.position!r},{own!r},{other!r}"
+        probe = int(reading.place) - 1
+        own, other = reading.signal[probe], reading.signal[1 - probe]
+        return f"{step.series},{step.number},{1e6 * reading.value!r},{own!r},{other!r}"
 
     def facts(self) -> dict[str, Any]:
         """Return what the record tells of the plan."""

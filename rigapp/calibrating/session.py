@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import time
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
@@ -19,7 +19,18 @@ import numpy as np
 
 from calibration.arrays import Array
 from calibration.load_cell.daily import DailyCheck
-from calibration.taking.procedure import Event, Procedure, ProcedureError
+from calibration.taking.procedure import (
+    Event,
+    Method,
+    Plan,
+    Procedure,
+    ProcedureError,
+    Step,
+    StepKind,
+    TakenReading,
+    begin,
+    take_up,
+)
 from calibration.taking.signals import Readiness, SignalState, SignalWindow
 from calibration.taking.stability import Steadiness
 from rigapp.calibrating.journal import Journal
@@ -95,15 +106,15 @@ class ResidualsSoFar:
 
 NO_CURVES = ((np.empty(0), np.empty(0)), (np.empty(0), np.empty(0)))
 
-ProcedureType = TypeVar("ProcedureType", bound=Procedure[Any, Any])
 WindowType = TypeVar("WindowType", bound=SignalWindow)
-PlanType = TypeVar("PlanType")
+PlanType = TypeVar("PlanType", bound=Plan)
 FileType = TypeVar("FileType", bound=CalibrationFile)
 
 
-class LiveSession(ABC, Generic[ProcedureType, WindowType, PlanType, FileType]):
+class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     """One calibration under way. Every event is in the journal before the state changes."""
 
+    method: ClassVar[Method[Any]]
     columns: ClassVar[tuple[str, ...]]
     practice: ClassVar[Practice]
     prompt: ClassVar[str] = "Enter records, r rejects, q closes: "
@@ -129,12 +140,12 @@ class LiveSession(ABC, Generic[ProcedureType, WindowType, PlanType, FileType]):
         self.check_settings()
         self.journal = Journal(journal)
         try:
-            self.procedure = self._open(plan)
+            self.procedure: Procedure[PlanType] = self._open(plan)
         except (UnusableInput, ValueError) as error:
             self.journal.close()
             raise UnusableInput(f"{journal}: {error}") from error
 
-    def _open(self, plan: PlanType | None) -> ProcedureType:
+    def _open(self, plan: PlanType | None) -> Procedure[PlanType]:
         events = self.journal.read()
         if events:
             first = events[0]
@@ -143,10 +154,10 @@ class LiveSession(ABC, Generic[ProcedureType, WindowType, PlanType, FileType]):
                     f"these readings come from the rig {first.get('rig')!r}, this is"
                     f" {self.rig.name!r}; name another journal."
                 )
-            return self.take_up(events)
+            return take_up(self.method, events)
         if plan is None:
             raise UnusableInput("there are no readings to take up; begin a calibration.")
-        procedure = self.begin(plan)
+        procedure = begin(self.method, plan)
         self._write({**procedure.events[0], **self._source()})
         return procedure
 
@@ -161,27 +172,19 @@ class LiveSession(ABC, Generic[ProcedureType, WindowType, PlanType, FileType]):
         return
 
     @abstractmethod
-    def begin(self, plan: PlanType) -> ProcedureType:
-        """Begin a procedure; raise ValueError for a plan that cannot be."""
-
-    @abstractmethod
-    def take_up(self, events: Sequence[Event]) -> ProcedureType:
-        """Return the procedure that a journal tells; raise ProcedureError."""
-
-    @abstractmethod
     def window_of(self, view: Mapping[str, Any]) -> WindowType:
         """Return the window that the engine's answer to ``signals`` tells; SI."""
 
     @abstractmethod
-    def assess(self, window: WindowType, step: Any, since: float, wait: float) -> Readiness:
+    def assess(self, window: WindowType, step: Step, since: float, wait: float) -> Readiness:
         """Judge a window for a step."""
 
-    @abstractmethod
-    def after(self, window: WindowType, found: Steadiness, at: float | None) -> ProcedureType:
-        """Return the procedure after the step under way; ``at``: what the operator read off, SI."""
+    def place_of(self, window: WindowType) -> float | None:
+        """Return at what a step is done as the window shows it; None where it does not show."""
+        return None
 
     @abstractmethod
-    def row(self, reading: Any) -> str:
+    def row(self, reading: TakenReading) -> str:
         """Return a reading as a line of the CSV of this calibration."""
 
     @abstractmethod
@@ -199,7 +202,7 @@ class LiveSession(ABC, Generic[ProcedureType, WindowType, PlanType, FileType]):
     # --- what a face shows -----------------------------------------------------------------------
 
     @abstractmethod
-    def describe(self, reading: Any) -> str:
+    def describe(self, reading: TakenReading) -> str:
         """Return what names a reading among the others, in words."""
 
     @abstractmethod
@@ -219,7 +222,8 @@ class LiveSession(ABC, Generic[ProcedureType, WindowType, PlanType, FileType]):
     @property
     def reference_is_due(self) -> bool:
         """Tell whether now an angle reference is to be entered, not a reading to be recorded."""
-        return False
+        procedure = self.procedure
+        return not procedure.done and procedure.step.kind is StepKind.ANGLE_REFERENCE
 
     def look(self, window: WindowType) -> Readiness:
         """Judge the newest window for the step under way."""
@@ -249,14 +253,29 @@ class LiveSession(ABC, Generic[ProcedureType, WindowType, PlanType, FileType]):
         readiness = self.look(window)
         if not readiness.ready:
             raise ProcedureError(f"it cannot be recorded now: {readiness.words}")
-        self.adopt(self.after(window, readiness.steadiness, at))
+        self.adopt(self._after(readiness.steadiness, self.place_of(window), at))
         self._since = window.newest
+
+    def _after(
+        self, found: Steadiness, place: float | None, at: float | None
+    ) -> Procedure[PlanType]:
+        """Return the procedure after the step under way."""
+        procedure = self.procedure
+        match procedure.step.kind:
+            case StepKind.SET_UP:
+                return procedure.set_up(place)
+            case StepKind.PRELOAD:
+                return procedure.exercised()
+            case StepKind.READING:
+                now = round(time.time(), 3)
+                return procedure.record(found.mean, found.spread, now, value=at, place=place)
+        raise ProcedureError("the angle reference is entered, not recorded")
 
     def reject(self, index: int, reason: str) -> None:
         """Reject a reading (from 0) with a reason; its series is taken again."""
         self.adopt(self.procedure.reject(index, reason))
 
-    def adopt(self, after: ProcedureType) -> None:
+    def adopt(self, after: Procedure[PlanType]) -> None:
         """Go on to the state after an event, once the event is in the journal."""
         self._write(after.events[-1])
         self.procedure = after

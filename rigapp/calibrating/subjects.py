@@ -57,7 +57,7 @@ class Subject:
     settings: type[CalibrationFile]
     certificate: Callable[[Mapping[str, Any]], Parts]
     fit: Callable[[str, Any, str, str], Outcome] | None = None
-    session: type[LiveSession[Any, Any, Any, Any]] | None = None
+    session: type[LiveSession[Any, Any, Any]] | None = None
     place: RecordPlace | None = None
 
 

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Protocol
 
-from calibration.probes.procedure import ProbePlan
+from calibration.probes.plans import ProbePlan
 from calibration.taking.procedure import ProcedureError
 from calibration.taking.signals import LISTEN_S
 from rigapp.calibrating.daily_history import STORE, history_result, verdict_lines
@@ -32,7 +32,7 @@ PATIENCE_S = 60.0
 """A weight that still swings after a minute needs a hand to steady it."""
 LOOK_EVERY_S = 0.03  # as fast as numbers can be read while a hand moves
 
-AnySession = LiveSession[Any, Any, Any, Any]
+AnySession = LiveSession[Any, Any, Any]
 Say = Callable[[str], None]
 Read = Callable[[str], str]
 

@@ -11,28 +11,21 @@ import pytest
 
 from calibration.probes.alignment import align, calibrate_pair
 from calibration.probes.calibrate import calibrate_probe
-from calibration.probes.procedure import (
-    ProbePlan,
-    ProbeProcedure,
-    ProbeStep,
-    ProbeStepKind,
-    begin_probes,
-    take_up_probes,
-)
+from calibration.probes.plans import MEASURING, ProbePlan, probe_readings
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
-from calibration.taking.procedure import ProcedureError
+from calibration.taking.procedure import Procedure, ProcedureError, Step, StepKind, begin, take_up
 
 SETTINGS = ProbeSettings("probe", 10.0, 0.5e-6, nominal=100e-6)
 SENSITIVITY = (101e-6, 98.5e-6)
 OFFSET = (0.12, -0.31)
 ANGLE = (math.radians(1.5), math.radians(-0.8))
-Technician = Callable[[ProbeStep, int], tuple[float, float]]
+Technician = Callable[[Step, int], tuple[float, float]]
 
 
-def honest(step: ProbeStep, at: int) -> tuple[float, float]:
+def honest(step: Step, at: int) -> tuple[float, float]:
     """Return where the target really stands along e2 and n2."""
-    return (step.position, 0.0) if step.probe == 1 else (0.0, step.position)
+    return (step.value, 0.0) if step.set_up == 1 else (0.0, step.value)
 
 
 def voltages(true: tuple[float, float], rng: np.random.Generator) -> tuple[float, float]:
@@ -48,16 +41,16 @@ def voltages(true: tuple[float, float], rng: np.random.Generator) -> tuple[float
 
 def calibration(
     technician: Technician, probes: tuple[int, ...] = (1,), runs: int = 3, positions: int = 11
-) -> ProbeProcedure:
+) -> Procedure[ProbePlan]:
     rng = np.random.default_rng(11)
-    procedure = begin_probes(ProbePlan(probes, 800e-6, positions, runs))
+    procedure = begin(MEASURING, ProbePlan(probes, 800e-6, positions, runs))
     while not procedure.done:
         step = procedure.step
-        if step.kind is ProbeStepKind.MOUNT:
-            procedure = procedure.mounted()
+        if step.kind is StepKind.SET_UP:
+            procedure = procedure.set_up()
             continue
         signal = voltages(technician(step, procedure.position), rng)
-        procedure = procedure.record(step.position, signal, 0.0, float(procedure.position))
+        procedure = procedure.record(signal, 0.0, float(procedure.position))
     return procedure
 
 
@@ -71,7 +64,7 @@ def codes(readings: ProbeReadings, settings: ProbeSettings = SETTINGS) -> list[s
 def test_honest_steps_find_sensitivity_offset_and_how_the_pair_stands() -> None:
     procedure = calibration(honest, (1, 2))
     pair = calibrate_pair(
-        (procedure.readings(1), procedure.readings(2)),
+        (probe_readings(procedure, 1), probe_readings(procedure, 2)),
         (replace(SETTINGS, direction=math.radians(0.1)),) * 2,
     )
     assert pair.accepted, pair.problems
@@ -121,54 +114,54 @@ def test_uncertainty_of_the_alignment_covers_the_truth() -> None:
     assert 0.91 * 400 < inside < 0.985 * 400
 
 
-def wrong_once(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (step.position + (40e-6 if at == 8 else 0.0), 0.0)
+def wrong_once(step: Step, at: int) -> tuple[float, float]:
+    return (step.value + (40e-6 if at == 8 else 0.0), 0.0)
 
 
-def skipped(step: ProbeStep, at: int) -> tuple[float, float]:
+def skipped(step: Step, at: int) -> tuple[float, float]:
     late = step.series == "1.2" and step.number >= 5
-    return (step.position + (160e-6 if late and not step.falling else 0.0), 0.0)
+    return (step.value + (160e-6 if late and not step.falling else 0.0), 0.0)
 
 
-def not_turned(step: ProbeStep, at: int) -> tuple[float, float]:
+def not_turned(step: Step, at: int) -> tuple[float, float]:
     late = step.series == "1.2" and step.number >= 5
-    return (step.position - (160e-6 if late and not step.falling else 0.0), 0.0)
+    return (step.value - (160e-6 if late and not step.falling else 0.0), 0.0)
 
 
-def other_way(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (-step.position, 0.0)
+def other_way(step: Step, at: int) -> tuple[float, float]:
+    return (-step.value, 0.0)
 
 
-def from_the_wrong_side(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (step.position + (15e-6 if step.falling else 0.0), 0.0)
+def from_the_wrong_side(step: Step, at: int) -> tuple[float, float]:
+    return (step.value + (15e-6 if step.falling else 0.0), 0.0)
 
 
-def other_probe(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (0.0, step.position)
+def other_probe(step: Step, at: int) -> tuple[float, float]:
+    return (0.0, step.value)
 
 
-def other_probe_once(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (step.position - 160e-6, 160e-6) if at == 8 else (step.position, 0.0)
+def other_probe_once(step: Step, at: int) -> tuple[float, float]:
+    return (step.value - 160e-6, 160e-6) if at == 8 else (step.value, 0.0)
 
 
-def too_far(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (1.24 * step.position, 0.0)
+def too_far(step: Step, at: int) -> tuple[float, float]:
+    return (1.24 * step.value, 0.0)
 
 
-def slipping(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (step.position + 0.5e-6 * at, 0.0)
+def slipping(step: Step, at: int) -> tuple[float, float]:
+    return (step.value + 0.5e-6 * at, 0.0)
 
 
-def bent(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (step.position + 40e-6 * (step.position / 800e-6) ** 2, 0.0)
+def bent(step: Step, at: int) -> tuple[float, float]:
+    return (step.value + 40e-6 * (step.value / 800e-6) ** 2, 0.0)
 
 
-def crooked(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (step.position, 0.4 * step.position)
+def crooked(step: Step, at: int) -> tuple[float, float]:
+    return (step.value, 0.4 * step.value)
 
 
-def other_screw(step: ProbeStep, at: int) -> tuple[float, float]:
-    return (0.5 * step.position, 0.0)
+def other_screw(step: Step, at: int) -> tuple[float, float]:
+    return (0.5 * step.value, 0.0)
 
 
 @pytest.mark.parametrize(
@@ -191,17 +184,17 @@ def other_screw(step: ProbeStep, at: int) -> tuple[float, float]:
 def test_each_mistake_has_its_name(technician: Technician, code: str, runs: int) -> None:
     if runs == 1 and technician in (skipped, not_turned):
 
-        def first_run(step: ProbeStep, at: int) -> tuple[float, float]:
+        def first_run(step: Step, at: int) -> tuple[float, float]:
             return technician(replace(step, series="1.2"), at)
 
-        found = codes(calibration(first_run, runs=1).readings(1))
+        found = codes(probe_readings(calibration(first_run, runs=1), 1))
     else:
-        found = codes(calibration(technician, runs=runs).readings(1))
+        found = codes(probe_readings(calibration(technician, runs=runs), 1))
     assert found == [code]
 
 
 def test_mistakes_of_the_table_are_named() -> None:
-    good = calibration(honest).readings(1)
+    good = probe_readings(calibration(honest), 1)
     assert codes(good) == []
     assert codes(replace(good, position=1e-3 * good.position)) == ["unit"]
     assert codes(replace(good, position=1e-3 * good.position), replace(SETTINGS, nominal=None)) == [
@@ -222,7 +215,7 @@ def test_mistakes_of_the_table_are_named() -> None:
 
 
 def test_exchanged_readings_are_named() -> None:
-    good = calibration(honest).readings(1)
+    good = probe_readings(calibration(honest), 1)
     signal = good.signal.copy()
     assert good.other is not None
     signal[[4, 5]] = signal[[5, 4]]
@@ -230,7 +223,7 @@ def test_exchanged_readings_are_named() -> None:
 
 
 def test_cylindrical_target_adds_its_share_to_the_budget() -> None:
-    good = calibration(honest).readings(1)
+    good = probe_readings(calibration(honest), 1)
     plain = calibrate_probe(good, SETTINGS)
     pin = replace(
         SETTINGS,
@@ -257,7 +250,7 @@ def test_cylindrical_target_adds_its_share_to_the_budget() -> None:
 def test_procedure_is_taken_up_from_its_events_after_every_one() -> None:
     whole = calibration(honest, (1, 2), runs=1, positions=5)
     for count in range(1, len(whole.events) + 1):
-        again = take_up_probes(whole.events[:count])
+        again = take_up(MEASURING, whole.events[:count])
         assert again.events == whole.events[:count]
     assert again == whole
     assert whole.instruction.startswith("All readings")
@@ -269,28 +262,28 @@ def test_rejected_series_is_mounted_and_taken_again() -> None:
     with pytest.raises(ProcedureError, match="with a reason"):
         whole.reject(0, " ")
     again = whole.reject(2, "bumped into\nthe table")
-    assert again.step.kind is ProbeStepKind.MOUNT
-    assert again.step.probe == 1
+    assert again.step.kind is StepKind.SET_UP
+    assert again.step.set_up == 1
     assert len(again.taken) == len(whole.taken)
     assert again.taken[2].rejected == "bumped into the table"
     assert again.taken[3].rejected == "series repeated: bumped into the table"
-    assert len(again.readings(1).position) == 0
-    with pytest.raises(ProcedureError, match="mount the micrometer before probe 1"):
-        again.record(0.0, (0.0, 0.0), 0.0, 1.0)
-    again = again.mounted()
-    again = again.record(again.step.position, (0.0, 0.0), 0.0, 1.0)
+    assert len(probe_readings(again, 1).position) == 0
+    with pytest.raises(ProcedureError, match=r"setting up, not reading: .*before probe 1"):
+        again.record((0.0, 0.0), 0.0, 1.0)
+    again = again.set_up()
+    again = again.record((0.0, 0.0), 0.0, 1.0)
     with pytest.raises(ProcedureError, match=r"series 1\.1 is under way"):
         again.reject(len(whole.taken) - 1, "too")
     while not again.done:
-        again = again.record(again.step.position, (0.0, 0.0), 0.0, 1.0)
-    assert len(again.readings(1).position) == 9
-    assert take_up_probes(again.events) == again
+        again = again.record((0.0, 0.0), 0.0, 1.0)
+    assert len(probe_readings(again, 1).position) == 9
+    assert take_up(MEASURING, again.events) == again
 
 
 def test_last_series_is_repeated_without_mounting() -> None:
     whole = calibration(honest, (1, 2), runs=1, positions=5)
     again = whole.reject(len(whole.taken) - 1, "bumped")
-    assert again.step.kind is ProbeStepKind.READING
+    assert again.step.kind is StepKind.READING
     assert again.step.series == "2.1"
 
 
@@ -305,18 +298,18 @@ def test_last_series_is_repeated_without_mounting() -> None:
 )
 def test_impossible_plans_are_refused(plan: ProbePlan, needle: str) -> None:
     with pytest.raises(ProcedureError, match=needle):
-        begin_probes(plan)
+        begin(MEASURING, plan)
 
 
 def test_instruction_names_positions_and_the_side_of_approach() -> None:
-    procedure = begin_probes(ProbePlan((1,), 800e-6, 11, 1)).mounted()
+    procedure = begin(MEASURING, ProbePlan((1,), 800e-6, 11, 1)).set_up()
     assert (
         procedure.instruction == "Turn the micrometer 1 back to -880 um, then forward to -800 um."
     )
-    procedure = procedure.record(-800e-6, (-8.0, 0.0), 0.0, 0.0)
+    procedure = procedure.record((-8.0, 0.0), 0.0, 0.0)
     assert "forward to -640 um" in procedure.instruction
     while not procedure.step.falling:
-        procedure = procedure.record(procedure.step.position, (0.0, 0.0), 0.0, 0.0)
+        procedure = procedure.record((0.0, 0.0), 0.0, 0.0)
     assert "back past the position, to 560 um, then forward to 640 um" in procedure.instruction
     with pytest.raises(ProcedureError, match="not a number"):
-        procedure.record(0.0, (math.nan, 0.0), 0.0, 0.0)
+        procedure.record((math.nan, 0.0), 0.0, 0.0)

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 from calibration.probes.alignment import calibrate_pair
-from calibration.probes.procedure import ProbePlan, begin_probes
+from calibration.probes.plans import MEASURING, ProbePlan, probe_readings
 from calibration.probes.settings import ProbeSettings
 from calibration.records import seal
+from calibration.taking.procedure import begin
 from calibration.turning.run_out import SlowRevolution, evaluate
 from drivers.api import Block
 from rigapp.calibrating.records_in_use import with_records
@@ -257,17 +258,19 @@ def test_pair_calibrated_on_the_plants_bench_tells_the_true_position_in_use() ->
         samples = plant.advance(round(0.5 / plant.step_s), still)
         return np.array([samples.probe_1[5:].mean(), samples.probe_2[5:].mean()])
 
-    procedure = begin_probes(ProbePlan((1, 2), 800e-6, 11, 1))
+    procedure = begin(MEASURING, ProbePlan((1, 2), 800e-6, 11, 1))
     while not procedure.done:
         step = procedure.step
         if not step.series:
-            procedure = procedure.mounted()
+            procedure = procedure.set_up()
             continue
-        at = 1e6 * step.position
-        signal = volts(at, 0.0) if step.probe == 1 else volts(0.0, at)
-        procedure = procedure.record(step.position, signal, 0.0, 0.0)
+        at = 1e6 * step.value
+        signal = volts(at, 0.0) if step.set_up == 1 else volts(0.0, at)
+        procedure = procedure.record(signal, 0.0, 0.0)
     given = ProbeSettings("pair", 10.0, 0.5e-6, nominal=100e-6)
-    pair = calibrate_pair((procedure.readings(1), procedure.readings(2)), (given, given))
+    pair = calibrate_pair(
+        (probe_readings(procedure, 1), probe_readings(procedure, 2)), (given, given)
+    )
     assert pair.accepted, pair.problems
     assert np.degrees(pair.alignment.angle) == pytest.approx([1.5, -0.8], abs=0.02)
     read = [

@@ -11,49 +11,57 @@ from hypothesis import strategies as st
 
 from calibration.load_cell.calibrate import calibrate_load_cell
 from calibration.load_cell.pieces import PiecesError, next_change, possible_loads
-from calibration.load_cell.plans import LoadCellPlan, PlanKind, StepKind
-from calibration.load_cell.procedure import LoadCellProcedure, begin, take_up
+from calibration.load_cell.plans import WEIGHING, LoadCellPlan, PlanKind, load_cell_readings
 from calibration.load_cell.weights import force_per_mass, pin_force
-from calibration.taking.procedure import ProcedureError, time_needed
+from calibration.taking.procedure import (
+    Procedure,
+    ProcedureError,
+    StepKind,
+    begin,
+    take_up,
+    time_needed,
+)
 from calibration.taking.stability import judge
 from tests.calibration.simulated_cell import SETTINGS, Cell
 
 SET = (5.0,) * 8 + (2.0, 2.0, 1.0, 0.5)
 
 
-def hand(procedure: LoadCellProcedure, cell: Cell, rng: np.random.Generator) -> LoadCellProcedure:
+def hand(
+    procedure: Procedure[LoadCellPlan], cell: Cell, rng: np.random.Generator
+) -> Procedure[LoadCellPlan]:
     """Do the present step as a technician would."""
     step = procedure.step
     if step.kind is StepKind.ANGLE_REFERENCE:
         return procedure.reference(0.0, float(np.radians(0.05)))
-    if step.kind is StepKind.TURN:
-        return procedure.turned(step.angle + np.radians(0.3))
+    if step.kind is StepKind.SET_UP:
+        return procedure.set_up(step.set_up + np.radians(0.3))
     if step.kind is StepKind.PRELOAD:
         return procedure.exercised()
     newton_per_kg = force_per_mass(SETTINGS.weights, SETTINGS.place)
-    angle = step.angle + np.radians(0.3)
-    force = pin_force([procedure.change.mass * newton_per_kg], [angle], 0.0)
+    angle = step.set_up + np.radians(0.3)
+    force = pin_force([step.value * newton_per_kg], [angle], 0.0)
     signal = cell.signal(force, np.array([0.5]), np.array([True]), rng)[0]
-    return procedure.record(angle, signal, 1e-4, 1000.0 + procedure.position)
+    return procedure.record(signal, 1e-4, 1000.0 + procedure.position, place=angle)
 
 
-def finish(procedure: LoadCellProcedure, seed: int = 3) -> LoadCellProcedure:
+def finish(procedure: Procedure[LoadCellPlan], seed: int = 3) -> Procedure[LoadCellPlan]:
     rng = np.random.default_rng(seed)
     while not procedure.done:
         procedure = hand(procedure, Cell(), rng)
     return procedure
 
 
-def journal(procedure: LoadCellProcedure) -> list[dict[str, object]]:
+def journal(procedure: Procedure[LoadCellPlan]) -> list[dict[str, object]]:
     """Return the events as they come back from a file."""
     return [json.loads(json.dumps(event)) for event in procedure.events]
 
 
 @pytest.mark.parametrize("kind", list(PlanKind))
 def test_plan_is_carried_out_to_a_calibration(kind: PlanKind) -> None:
-    done = finish(begin(LoadCellPlan(kind, 40.0, SET)))
+    done = finish(begin(WEIGHING, LoadCellPlan(kind, 40.0, SET)))
     assert "All readings" in done.instruction
-    readings = done.readings()
+    readings = load_cell_readings(done)
     assert len(np.unique(np.round(readings.angle, 3))) == {"daily check": 4}.get(
         kind.value, 4 if kind is PlanKind.ROUTINE else 12
     )
@@ -74,17 +82,17 @@ def test_sizes_of_the_plans() -> None:
 
 def test_it_is_taken_up_where_it_was_left() -> None:
     rng = np.random.default_rng(1)
-    whole = begin(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
+    whole = begin(WEIGHING, LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
     for _ in range(17):
         whole = hand(whole, Cell(), rng)
-    again = take_up(journal(whole))
+    again = take_up(WEIGHING, journal(whole))
     assert again == whole
     assert again.progress == whole.progress
 
 
 def test_rejected_reading_stays_and_its_series_is_taken_again() -> None:
     rng = np.random.default_rng(1)
-    procedure = begin(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
+    procedure = begin(WEIGHING, LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
     while len(procedure.taken) < 5:
         procedure = hand(procedure, Cell(), rng)
     with pytest.raises(ProcedureError, match="reason"):
@@ -94,23 +102,22 @@ def test_rejected_reading_stays_and_its_series_is_taken_again() -> None:
     assert repeated.taken[4].rejected == "bumped the table"
     assert all(one.rejected for one in repeated.taken)
     assert repeated.step.number == 1
-    assert repeated.hanging == ()
     done = finish(repeated)
-    assert len(done.readings()) == 44
+    assert len(load_cell_readings(done)) == 44
     assert len(done.taken) == 49
-    assert take_up(journal(done)) == done
+    assert take_up(WEIGHING, journal(done)) == done
 
 
 def test_wrong_event_is_refused_in_words() -> None:
-    procedure = begin(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
+    procedure = begin(WEIGHING, LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
     with pytest.raises(ProcedureError, match="angle reference"):
-        procedure.record(0.0, (0.0, 0.0), 0.0, 0.0)
+        procedure.record((0.0, 0.0), 0.0, 0.0)
     procedure = procedure.reference(0.0, 0.001)
     with pytest.raises(ProcedureError, match="turn the pin to 0"):
-        procedure.turned(np.radians(40.0))
-    procedure = procedure.turned(0.0).exercised().exercised()
+        procedure.set_up(np.radians(40.0))
+    procedure = procedure.set_up(0.0).exercised().exercised()
     with pytest.raises(ProcedureError, match="not a number"):
-        procedure.record(0.0, (np.nan, 0.0), 0.0, 0.0)
+        procedure.record((np.nan, 0.0), 0.0, 0.0)
 
 
 @pytest.mark.parametrize(
@@ -118,18 +125,18 @@ def test_wrong_event_is_refused_in_words() -> None:
 )
 def test_spoilt_journal_is_refused(events: list[dict[str, object]]) -> None:
     with pytest.raises(ProcedureError, match="journal"):
-        take_up(events)
+        take_up(WEIGHING, events)
 
 
 @settings(deadline=None, max_examples=40)
 @given(st.lists(st.sampled_from(["do", "reject", "reload"]), max_size=60))
 def test_any_sequence_keeps_every_reading(actions: list[str]) -> None:
     rng = np.random.default_rng(0)
-    procedure = begin(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
+    procedure = begin(WEIGHING, LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
     for action in actions:
         before = len(procedure.taken)
         if action == "reload":
-            procedure = take_up(journal(procedure))
+            procedure = take_up(WEIGHING, journal(procedure))
         elif action == "reject":
             try:
                 procedure = procedure.reject(before - 1, "a reason")
@@ -139,7 +146,7 @@ def test_any_sequence_keeps_every_reading(actions: list[str]) -> None:
             procedure = hand(procedure, Cell(), rng)
         assert len(procedure.taken) >= before
         standing = [one for one in procedure.taken if not one.rejected]
-        assert len(standing) == len(procedure.readings())
+        assert len(standing) == len(load_cell_readings(procedure))
 
 
 @settings(deadline=None, max_examples=60)

@@ -11,10 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.load_cell.plans import StepKind
-from calibration.load_cell.procedure import take_up
+from calibration.load_cell.plans import WEIGHING
 from calibration.records import unseal
-from calibration.taking.procedure import ProcedureError
+from calibration.taking.procedure import ProcedureError, StepKind, take_up
 from calibration.taking.signals import SignalState
 from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan, parse_pieces
@@ -95,7 +94,9 @@ def test_swinging_weight_is_never_recorded(
     session.look(session.window_of(scripted.ask("signals", {})))
     session.reference(0.0, 0.001)
     hands = SimulatedHands(session, scripted.ask)
-    while session.procedure.step.mass < 10.0 or session.procedure.step.kind is not StepKind.READING:
+    while (
+        session.procedure.step.value < 10.0 or session.procedure.step.kind is not StepKind.READING
+    ):
         hands.do(session)
         session.take(session.window_of(scripted.ask("signals", {})))
     hands.do(session)
@@ -136,7 +137,7 @@ def test_angle_must_be_known_and_near(
     with pytest.raises(ProcedureError, match="index_angle_deg"):
         session.reference(math.radians(270.0), 0.001)
     session.reference(math.radians(0.4), 0.001)
-    assert session.procedure.angle_offset == pytest.approx(math.radians(-0.4))
+    assert session.angle_reference["offset"] == pytest.approx(math.radians(-0.4))
     scripted.angle_deg = 40.0
     found = session.look(session.window_of(scripted.ask("signals", {})))
     assert "turn the pin to 0" in found.words
@@ -203,7 +204,7 @@ def test_series_with_a_wrong_weight_is_repeated_at_the_end(
     assert not session.judge().accepted
     wrong = next(i for i, one in enumerate(session.procedure.taken) if one.step == 8)
     session.reject(wrong, "5 kg instead of 2 kg hung")
-    assert session.procedure.step.kind is StepKind.TURN
+    assert session.procedure.step.kind is StepKind.SET_UP
     finish(session, scripted)
     assert len(session.procedure.taken) == 44 + 11
     outcome = session.judge()
@@ -237,8 +238,8 @@ def test_level_turned_end_for_end_goes_into_record_and_budget(
     said: list[str] = []
     Terminal(session, scripted.ask, lambda _: next(answers), said.append).run()
     assert any("off by +0.20 degrees" in text for text in said)
-    procedure = take_up(session.journal.read())
-    assert np.degrees(procedure.angle_offset) == pytest.approx(-0.1)
+    procedure = take_up(WEIGHING, session.journal.read())
+    assert np.degrees(procedure.told("reference")["offset"]) == pytest.approx(-0.1)
     given = session.used_settings()
     settings = load_cell_meaning(given, "settings")
     assert given.angle.level_readings_deg == pytest.approx((0.3, 359.9))

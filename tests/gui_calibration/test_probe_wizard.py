@@ -217,7 +217,7 @@ def test_typed_position_is_recorded_and_a_moving_one_is_not(
     qtbot.keyClicks(page.shown, "-790")
     qtbot.keyClick(page.record, Qt.Key.Key_Space)
     assert page.table.item(0, 2).text() == "-790.0"
-    assert live.session.procedure.taken[0].position == pytest.approx(-790e-6)
+    assert live.session.procedure.taken[0].value == pytest.approx(-790e-6)
 
 
 def test_closed_wizard_is_taken_up_again(
@@ -280,7 +280,7 @@ def test_terminal_takes_closes_takes_up_and_rejects(probes: ScriptedProbes, tmp_
 
     def read(prompt: str) -> str:
         if live.procedure.step.series:
-            probes.micrometers[0] = 1e6 * live.procedure.step.position
+            probes.micrometers[0] = 1e6 * live.procedure.step.value
         return next(answers)
 
     live = session(tmp_path)
@@ -291,7 +291,7 @@ def test_terminal_takes_closes_takes_up_and_rejects(probes: ScriptedProbes, tmp_
         "bumped",
         "series repeated: bumped",
     ]
-    assert live.procedure.taken[1].position == pytest.approx(-350e-6)
+    assert live.procedure.taken[1].value == pytest.approx(-350e-6)
     live = session(tmp_path)
     answers = iter([""] * 9)
     assert Terminal(live, probes.ask, read, said.append).run()
@@ -342,7 +342,7 @@ def test_practised_mistakes_are_named(
 
 def test_foreign_journal_and_impossible_plan_are_refused(tmp_path: Path) -> None:
     live = session(tmp_path)
-    live.adopt(live.procedure.mounted())
+    live.adopt(live.procedure.set_up())
     live.close()
     other = Rig("Another rig", False, "E. Sample")
     with pytest.raises(UnusableInput, match="these readings come from the rig 'Scripted rig'"):

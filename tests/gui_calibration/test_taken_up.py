@@ -30,7 +30,7 @@ from tests.gui_calibration.test_probe_wizard import ScriptedProbes
 from tests.storage.storage_samples import new_test, row
 
 RIG = Rig("Scripted rig", True, "E. Sample")
-AnySession = LiveSession[Any, Any, Any, Any]
+AnySession = LiveSession[Any, Any, Any]
 Begin = Callable[[Path], AnySession]
 
 

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWizard,
 )
 
-from calibration.load_cell.plans import StepKind
+from calibration.taking.procedure import StepKind
 from rigapp.calibrating.practice import WeighingMistake
 from rigapp.gui.wizard.plan_page import NEW
 
@@ -54,7 +54,7 @@ def done(wizard: Any) -> bool:
 
 def loaded(wizard: Any) -> bool:
     step = wizard.live.session.procedure.step
-    return step.kind is StepKind.READING and step.mass > 20.0
+    return step.kind is StepKind.READING and step.value > 20.0
 
 
 def judged(wizard: Any, qtbot: Any) -> None:
@@ -79,8 +79,10 @@ def test_level_is_turned_end_for_end(wizard: Any, scripted: Any) -> None:
     assert "off by +0.20" in page.first.text()
     wizard.next()
     procedure = wizard.live.session.procedure
-    assert math.degrees(procedure.angle_offset) == pytest.approx(-0.1, abs=1e-6)
-    assert math.degrees(procedure.angle_uncertainty) == pytest.approx(0.02 / math.sqrt(2.0))
+    assert math.degrees(procedure.told("reference")["offset"]) == pytest.approx(-0.1, abs=1e-6)
+    assert math.degrees(procedure.told("reference")["uncertainty"]) == pytest.approx(
+        0.02 / math.sqrt(2.0)
+    )
 
 
 def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path: Path) -> None:

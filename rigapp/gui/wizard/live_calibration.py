@@ -21,7 +21,7 @@ from rigapp.schema.messages import Reply
 LOOK_MS = 150
 """Often enough for a hand that waits for a sign; the engine's answer holds the last seconds."""
 NOWHERE = (-1, -1)
-AnySession = LiveSession[Any, Any, Any, Any]
+AnySession = LiveSession[Any, Any, Any]
 
 
 class LiveCalibration(QObject):

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from calibration.load_cell.plans import LoadCellPlan
 from calibration.load_cell.plausible import GRAVITY
-from calibration.probes.procedure import ProbePlan
+from calibration.probes.plans import ProbePlan
 from calibration.probes.readings import FEWEST_POSITIONS
 from calibration.taking.procedure import duration_words
 from rigapp.calibrating.load_cell_session import load_cell_plan
@@ -278,7 +278,7 @@ class LoadCellPlanPage(PlanPage):
     def describe(self, plan: LoadCellPlan) -> str:
         """Return what a plan means, in words."""
         steps = plan.steps()
-        most = max(step.mass for step in steps)
+        most = max(step.value for step in steps)
         readings = sum(1 for step in steps if step.series)
         text = (
             f"{len(plan.pieces)} pieces, {sum(plan.pieces):g} kg in all. The heaviest load is"

@@ -7,14 +7,13 @@ from typing import Any
 
 from PySide6.QtWidgets import QFormLayout
 
-from calibration.load_cell.plans import StepKind
-from calibration.probes.procedure import ProbeStepKind
+from calibration.taking.procedure import StepKind
 from calibration.taking.signals import Readiness
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.wizard.hands_panel import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import field, load_cell_plot, number, probe_plot
-from rigapp.gui.wizard.taking_page import RECORD, TakingPage, TakingWords
+from rigapp.gui.wizard.taking_page import TakingPage, TakingWords
 
 WEIGHING = TakingWords(
     prefix="",
@@ -23,7 +22,7 @@ WEIGHING = TakingWords(
     reject="Reject the selected reading and repeat its series",
     reason="Rea&son",
     columns=("Series", "Step", "Mass (kg)", "Angle (deg)", "Signal 1", "Signal 2", "State"),
-    buttons={StepKind.TURN: "The pin is &turned", StepKind.PRELOAD: "The preload is d&one"},
+    buttons={StepKind.SET_UP: "The pin is &turned", StepKind.PRELOAD: "The preload is d&one"},
 )
 MEASURING = TakingWords(
     prefix="probe_",
@@ -32,10 +31,7 @@ MEASURING = TakingWords(
     reject="Reject the selected reading, repeat its series",
     reason="Re&ason",
     columns=("Series", "Step", "Position (µm)", "Probe 1 (V)", "Probe 2 (V)", "State"),
-    buttons={
-        ProbeStepKind.MOUNT: "The &target stands before the probe",
-        ProbeStepKind.READING: RECORD,
-    },
+    buttons={StepKind.SET_UP: "The &target stands before the probe"},
 )
 
 
@@ -53,13 +49,13 @@ class LoadCellReadingsPage(TakingPage):
         unit = session.given.cell.signal_unit
         text = f"Signals {one:+.5f}, {two:+.5f} {unit}: the cell feels {readiness.felt:.1f} N"
         procedure = session.procedure
-        if not procedure.done and procedure.step.kind is not StepKind.TURN:
+        if not procedure.done and procedure.step.kind is not StepKind.SET_UP:
             text += f"; what should hang weighs {session.expected_force():.1f} N"
         return text + "."
 
     def cells(self, reading: Any) -> tuple[str, ...]:
         """Return mass and angle of a reading in words."""
-        return (f"{reading.mass:g}", f"{math.degrees(reading.angle):.1f}")
+        return (f"{reading.value:g}", f"{math.degrees(reading.place):.1f}")
 
 
 class ProbeReadingsPage(TakingPage):
@@ -82,9 +78,9 @@ class ProbeReadingsPage(TakingPage):
         """Show the step under way and offer its position."""
         super().show_step()
         procedure = self.live_calibration.session.procedure
-        reading = not procedure.done and procedure.step.kind is ProbeStepKind.READING
+        reading = not procedure.done and procedure.step.kind is StepKind.READING
         if not procedure.done:
-            self.shown.setValue(1e6 * procedure.step.position)
+            self.shown.setValue(1e6 * procedure.step.value)
         self.shown.setEnabled(reading)
 
     def live_words(self, readiness: Readiness) -> str:
@@ -95,9 +91,9 @@ class ProbeReadingsPage(TakingPage):
         one, two = readiness.steadiness.mean
         return (
             f"Probe 1 {one:+.4f} V, probe 2 {two:+.4f} V. By the calibration in use probe"
-            f" {procedure.step.probe} stands at {1e6 * readiness.felt:+.1f} µm."
+            f" {procedure.step.set_up:g} stands at {1e6 * readiness.felt:+.1f} µm."
         )
 
     def cells(self, reading: Any) -> tuple[str, ...]:
         """Return the position of a reading in words."""
-        return (f"{1e6 * reading.position:.1f}",)
+        return (f"{1e6 * reading.value:.1f}",)
