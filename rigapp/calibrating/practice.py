@@ -47,6 +47,14 @@ class Practice:
     act: Callable[[Any, Any, int], Actions]
 
 
+class NoMistake(enum.StrEnum):
+    """Where simulated hands have nothing to do, they make no mistake."""
+
+    NONE = "none"
+
+
+NO_PRACTICE = Practice(NoMistake, (), (), lambda _: (), lambda *_: ())
+
 # --- weights --------------------------------------------------------------------------------------
 
 

@@ -45,13 +45,14 @@ from rigapp.schema.channels import BASE
 class Rig:
     """Where the readings come from: name of the rig, whether it is simulated, who calibrates.
 
-    file: the rig file, where it is known.
+    file: the rig file, where it is known; test: the test file that is open, where one is.
     """
 
     name: str
     simulated: bool
     operator: str = ""
     file: Path | None = None
+    test: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +119,10 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     columns: ClassVar[tuple[str, ...]]
     practice: ClassVar[Practice]
     prompt: ClassVar[str] = "Enter records, r rejects, q closes: "
+    refused: ClassVar[str] = (
+        "Nothing is saved. Go back, select a reading of the series that is wrong, reject it with"
+        " the reason, and take that series again. All readings so far stay in the journal."
+    )
 
     def __init__(
         self,

@@ -8,16 +8,14 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
-from calibration.turning.run_out import FASTEST
 from calibration.turning.running_check import LEAST_REVOLUTIONS
 from rigapp.calibrating.practice import BARE_PIN
 from rigapp.calibrating.records import keep_record, refuse_existing
-from rigapp.calibrating.records_in_use import with_records
-from rigapp.calibrating.run_out import map_of
+from rigapp.calibrating.rolls import roll_plan, rolls_of, save_map
 from rigapp.calibrating.running_check import check_of, known_term
 from rigapp.calibrating.spindle import SLOWEST_RPM, SpindleRun, SpindleRuns, speeds_of
 from rigapp.commands.calibrate import say_outcome
@@ -37,20 +35,15 @@ from rigapp.config.recipe import (
 from rigapp.config.rig import RigFile
 
 LOOK_EVERY_S = 0.1  # the progress line moves ten times a second
-ROLL_RAMP = 2
 RUN_RAMP = 3
 """Revolutions beyond those wanted: the first ones carry the ramp."""
 
 
-def take_runs(
-    runs: Sequence[SpindleRun], line: AbstractContextManager[Ask], what: str, say: Say
-) -> list[Path]:
-    """Run every speed through the engine and return the test files; raise UnusableInput.
+def take_runs(taken: SpindleRuns, line: AbstractContextManager[Ask], say: Say) -> None:
+    """Take every run through the engine; raise UnusableInput.
 
-    line: to the engine; what: the runs are, in words. An interrupt stops the spindle under control
-    first.
+    line: to the engine. An interrupt stops the spindle under control first.
     """
-    taken = SpindleRuns(runs, what)
     with line as ask:
         said = ""
         try:
@@ -65,10 +58,9 @@ def take_runs(
                     time.sleep(LOOK_EVERY_S)
         except BaseException:
             if taken.turning:
-                ask("stop", {"reason": f"the {what} was interrupted"})
+                ask("stop", {"reason": f"the {taken.what} was interrupted"})
             raise
     taken.compress()
-    return taken.files
 
 
 # --- run-out --------------------------------------------------------------------------------------
@@ -97,75 +89,25 @@ def calibrate_run_out(
         )
     given = RunOutFile(schema=1) if settings is None else read_document(settings, RunOutFile).record
     refuse_existing(to)
-    files, name = list(recorded), ""
-    if rig is not None:
-        operator = given.paperwork.operator or os.environ.get("USER", "")
-        speeds = speeds_of("--rpm", rpm, SLOWEST_RPM, FASTEST * 30.0 / math.pi, 1)
-        name = read_rig(rig).record.name
-        files = take_rolls(rig, test, speeds, revolutions, to, operator, sayer(as_json))
-    outcome, readings, facts = map_of(files, orders)
-    if outcome.accepted:
-        taken = {"rig": name, "files": facts, "orders": orders}
-        keep_record(to, outcome.kind, readings, given, outcome.result, taken)
+    if rig is None:
+        outcome = save_map(recorded, orders, "", given, to)
+        return say_outcome(outcome, to, as_json=as_json)
+    operator = given.paperwork.operator or os.environ.get("USER", "")
+    document, plan = read_rig(rig), roll_plan(rpm, revolutions, orders)
+    base = plain_test() if test is None else read_test(test).record
+    rolls = rolls_of(document, base, plan, to.with_suffix(""), operator)
+    own = document.record.simulation is not None
+    take_runs(rolls, engine_line(rig, operator, own=own), sayer(as_json))
+    outcome = save_map(rolls.files, orders, document.record.name, given, to)
     return say_outcome(outcome, to, as_json=as_json)
 
 
-def take_rolls(
-    rig: Path,
-    test: Path | None,
-    speeds: Sequence[float],
-    revolutions: int,
-    to: Path,
-    operator: str,
-    say: Callable[[str], None],
-) -> list[Path]:
-    """Turn the spindle slowly, once at each speed, and return the test files."""
-    if revolutions < 1:
-        raise UnusableInput("--revolutions: take at least 1; 12 are good.")
-    document = read_rig(rig)
-    if "run_out" in with_records(document).blocking:
-        raise UnusableInput(
-            f"{rig}: the map in use has expired, and an expired record forbids a start: take"
-            " run_out out of [probes] for the roll."
-        )
-    runs = [
-        SpindleRun(
-            rpm,
-            roll_test(document.record, test, rpm, revolutions, operator),
-            to.with_name(f"{to.stem}.roll-{rpm:g}rpm"),
-        )
-        for rpm in speeds
-    ]
-    own = document.record.simulation is not None
-    return take_runs(runs, engine_line(rig, operator, own=own), "slow roll", say)
-
-
-def roll_test(
-    rig: RigFile, test: Path | None, rpm: float, revolutions: int, operator: str
-) -> TestFile:
-    """Return the test of a slow roll: every cycle kept, no prediction, guards kept close."""
+def plain_test() -> TestFile:
+    """Return a test with the built-in mechanism, for a roll without a test file."""
     from rigapp.simulation.constants import packaged_parameters
 
-    base = None if test is None else read_test(test).record
-    limits = LimitsSection() if base is None else base.limits
-    return TestFile(
-        schema=1,
-        title=f"Slow roll at {rpm:g} rpm for the run-out map",
-        run=RunSection(
-            revolutions=revolutions + ROLL_RAMP,
-            speed_rpm=rpm,
-            acceleration_rpm_per_s=max(1.0, rpm),
-        ),
-        model=packaged_parameters() if base is None else base.model,
-        metadata=MetadataSection(operator=operator, notes="slow roll of the pin"),
-        cycles=CyclesSection(schedule="every", every_revolutions=1),
-        limits=LimitsSection(
-            overload_N=min(limits.overload_N, 0.95 * rig.load_cell.full_scale_N),
-            overspeed_rpm=3.0 * rpm + 10.0,
-            stale_data_s=limits.stale_data_s,
-        ),
-        prediction=PredictionSection(enabled=False),
-    )
+    run = RunSection(revolutions=1, speed_rpm=1.0)
+    return TestFile(schema=1, title="Slow roll", run=run, model=packaged_parameters())
 
 
 # --- running check --------------------------------------------------------------------------------
@@ -209,14 +151,15 @@ def check_running(
         for rpm in wanted
     ]
     line = _bare_rig(document, operator) if simulated else engine_line(rig, operator)
-    files = take_runs(runs, line, "running check", sayer(as_json))
-    outcome, readings = check_of(files, wanted, known)
+    taken_runs = SpindleRuns(runs, "running check")
+    take_runs(taken_runs, line, sayer(as_json))
+    outcome, readings = check_of(taken_runs.files, wanted, known)
     if outcome.accepted:
         taken = {
             "rig": here.name,
             "simulated": simulated,
             "operator": operator,
-            "files": [path.name for path in files],
+            "files": [path.name for path in taken_runs.files],
         }
         keep_record(to, outcome.kind, readings, given, outcome.result, taken)
     return say_outcome(outcome, to, as_json=as_json)

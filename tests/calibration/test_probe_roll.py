@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from calibration.records import seal, unseal
+from rigapp.calibrating.rolls import RollPlan, roll_test, rolls_of
 from rigapp.calibrating.spindle import speeds_of
-from rigapp.commands.spindle_runs import calibrate_run_out, roll_test, take_rolls
+from rigapp.commands.spindle_runs import calibrate_run_out, plain_test
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_rig
+from rigapp.config.loading import read_rig, read_test
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"
@@ -62,14 +63,14 @@ def test_live_roll_makes_a_record_and_its_file_makes_it_again(
 
 def test_roll_keeps_mechanism_and_guards_of_a_test() -> None:
     rig = read_rig(RIG).record
-    roll = roll_test(rig, EXAMPLES / "quick.toml", 4.0, 12, "E. Sample")
+    roll = roll_test(rig, read_test(EXAMPLES / "quick.toml").record, 4.0, 12, "E. Sample")
     assert roll.run.speed_rpm == 4.0
     assert roll.run.revolutions == 14
     assert roll.cycles.every_revolutions == 1
     assert not roll.prediction.enabled
     assert roll.limits.overload_N == 380.0
     assert roll.limits.overspeed_rpm == 22.0
-    plain = roll_test(rig, None, 4.0, 12, "")
+    plain = roll_test(rig, plain_test(), 4.0, 12, "")
     assert plain.limits.overload_N <= 380.0
 
 
@@ -107,5 +108,5 @@ def test_expired_map_is_to_be_taken_out_before_the_roll(tmp_path: Path) -> None:
     rig = tmp_path / "rig.toml"
     rig.write_text(RIG.read_text().replace("[probes]\n", '[probes]\nrun_out = "old.json"\n'))
     with pytest.raises(UnusableInput, match="take run_out out of"):
-        take_rolls(rig, None, [3.0], 5, tmp_path / "map.json", "", print)
+        rolls_of(read_rig(rig), plain_test(), RollPlan((3.0,), 5), tmp_path / "map", "")
     assert not list(tmp_path.glob("map*"))

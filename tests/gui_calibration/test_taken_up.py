@@ -17,10 +17,11 @@ from hypothesis import strategies as st
 from calibration.taking.procedure import ProcedureError
 from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan
 from rigapp.calibrating.probe_session import ProbeSession, probe_plan
+from rigapp.calibrating.rolls import roll_test
 from rigapp.calibrating.session import LiveSession, Rig
 from rigapp.calibrating.spindle import SpindleRun, SpindleRuns
 from rigapp.commands.live_terminal import SimulatedHands, Terminal
-from rigapp.commands.spindle_runs import roll_test, running_test, take_runs
+from rigapp.commands.spindle_runs import plain_test, running_test, take_runs
 from rigapp.config.calibration_settings import LoadCellFile, ProbeFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig, read_test
@@ -209,7 +210,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
 def runs_of(kind: str, folder: Path) -> list[SpindleRun]:
     example_rig = read_rig(Path(__file__).parents[2] / "examples" / "simulated.toml").record
     if kind == "run-out":
-        tests = [(rpm, roll_test(example_rig, None, rpm, 2, "")) for rpm in (3.0, 6.0)]
+        tests = [(rpm, roll_test(example_rig, plain_test(), rpm, 2, "")) for rpm in (3.0, 6.0)]
     else:
         tests = [(rpm, running_test(example_rig, rpm, 2, "")) for rpm in (30.0, 60.0)]
     return [SpindleRun(rpm, test, folder / f"map.{rpm:g}rpm") for rpm, test in tests]
@@ -229,13 +230,13 @@ def test_spindle_runs_are_taken_up_wherever_they_were_killed(
         runs, said = runs_of(kind, folder), list[str]()
         spindle, killed = ScriptedSpindle(looks, *files), False
         try:
-            take_runs(runs, nullcontext(spindle.ask), kind, said.append)
+            take_runs(SpindleRuns(runs, kind), nullcontext(spindle.ask), said.append)
         except Killed:
             killed = True
         whole = [run.out for run in runs if run.out.exists() and not is_cut_off(run.out)]
         again = ScriptedSpindle(1000, *files)
-        taken = take_runs(runs, nullcontext(again.ask), kind, said.append)
-        assert taken == [run.out for run in runs]
+        take_runs(SpindleRuns(runs, kind), nullcontext(again.ask), said.append)
+        taken = [run.out for run in runs]
         assert not any(map(is_cut_off, taken))
         assert again.starts == len(runs) - len(whole)
         aside = list(folder.glob("*.cut-off-1.h5"))
@@ -245,7 +246,7 @@ def test_spindle_runs_are_taken_up_wherever_they_were_killed(
     assert looks > 8
     runs[0].recipe.write_text("another test")
     with pytest.raises(UnusableInput, match="not overwritten"):
-        take_runs(runs, nullcontext(again.ask), kind, said.append)
+        SpindleRuns(runs, kind)
 
 
 def is_cut_off(path: Path) -> bool:

@@ -22,11 +22,6 @@ from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import ResidualPlot, sentence
 
-REFUSED = (
-    "Nothing is saved. Go back, select a reading of the series that is wrong, reject it with the"
-    " reason, and take that series again. All readings so far stay in the journal."
-)
-
 
 class ResultPage(QWizardPage):
     """Show numbers, uncertainty, problems; save the record, or say why it is refused."""
@@ -136,12 +131,14 @@ class ResultPage(QWizardPage):
             for one in outcome.result["problems"]
         ]
         if not outcome.accepted:
-            notes.append(REFUSED)
+            notes.append(self._live.session.refused)
         self.problems.setText("\n".join(notes))
         for widget in (self.target, self.target_label):
             widget.setVisible(outcome.accepted)
         if not outcome.accepted:
             return
+        if self.plot is not None:
+            self.plot.show_residuals(self._live.session.residuals())
         if outcome.table is not None:
             self._fill(outcome.table)
         lines = outcome.lines[outcome.table.in_lines if outcome.table is not None else 0 :]
