@@ -25,19 +25,19 @@ BINS_A_CELL = 2
 """Of a change, before its cell is divided: within a bin the depth grows by a fifth only."""
 PARTS = 4
 DIVIDED = 2
-"""Cells that count are divided into so many parts, so many times."""
+"""Cells are divided into so many parts, so many times."""
 COUNTS = 10.0
 """A cell counts while it is less probable than the best by no more than exp of this."""
-MOST_DIVIDED = 12
-"""More cells are not divided: where so many are alike, none is sharper than its neighbours."""
+DIVIDED_FROM = 0.1
+"""A cell is divided when it holds this share of the weight: where all are alike, none is sharp."""
 LARGEST_STEP = 0.7
 """Gauss-Newton changes K or r by a factor of 2 at most in a step."""
-FIRST_STEPS, MORE_STEPS = 6, 2
+FIRST_STEPS, MORE_STEPS = 4, 2
 """So many steps from a constant coefficient, and from a near cell's best, settle to 1e-3."""
 BREADTH = 4.0
 """The grid over ln K about a cell's best reaches so many standard deviations to either side."""
-LEAST_POINTS, MOST_POINTS, NODES = 9, 33, 400
-"""Points of that grid: about so many in all cells; 9 are exact to 1e-3 in sums over many cells."""
+LEAST_POINTS, MOST_POINTS, NODES = 7, 33, 200
+"""Points of that grid: about so many in all cells; 7 are exact to 1e-3 in sums over many cells."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,6 +64,11 @@ class Cells:
         """Return some of the cells."""
         return Cells(*(getattr(self, one.name)[index] for one in fields(self)))
 
+    @property
+    def counting(self) -> Cells:
+        """Return those that count."""
+        return self.at(np.flatnonzero(self.log_weight > self.log_weight.max() - COUNTS))
+
     def divided(self) -> Cells:
         """Return the parts of each cell, with what was found of the whole."""
         edges = np.linspace(self.low, self.high, PARTS + 1, axis=1)
@@ -83,22 +88,17 @@ def alternative_posterior(given: Given, statement: Statement, start: float) -> t
     """
     cells = _first_cells(given, statement, start)
     whole = float(cells.high[-1] - cells.low[0])
-    cells = _settled(given, statement, given.noise.at(0), cells, FIRST_STEPS)
-    best = 0
-    for index in range(1, given.noise.strength.size):
-        other = _settled(given, statement, given.noise.at(index), cells, MORE_STEPS)
-        if other.log_weight.max() <= cells.log_weight.max():
-            break
-        cells, best = other, index
+    first = given.noise.at(np.array([0]))
+    cells, noise = _settled(given, statement, first, cells.counting, FIRST_STEPS)
     for _ in range(DIVIDED):
-        order = np.argsort(-cells.log_weight)[:MOST_DIVIDED]
-        order = order[cells.log_weight[order] > cells.log_weight.max() - COUNTS]
-        rest = cells.at(np.setdiff1d(np.arange(cells.low.size), order))
-        parts = cells.at(order).divided()
-        noise = given.noise.at(best)
-        cells = rest.joined(_settled(given, statement, noise, parts, MORE_STEPS))
-    counting = cells.log_weight > cells.log_weight.max() - COUNTS
-    return _nodes(given, statement, cells.at(np.flatnonzero(counting)), whole)
+        share = np.exp(cells.log_weight - np.logaddexp.reduce(cells.log_weight))
+        wide = share > DIVIDED_FROM
+        if not wide.any():
+            break
+        parts = cells.at(np.flatnonzero(wide)).divided()
+        parts, noise = _settled(given, statement, noise.at(np.array([0])), parts, MORE_STEPS)
+        cells = cells.at(np.flatnonzero(~wide)).joined(parts).counting
+    return _nodes(replace(given, noise=noise), statement, cells, whole)
 
 
 def _first_cells(given: Given, statement: Statement, start: float) -> Cells:
@@ -118,8 +118,13 @@ def _first_cells(given: Given, statement: Statement, start: float) -> Cells:
     )
 
 
-def _settled(given: Given, statement: Statement, noise: Noise, cells: Cells, steps: int) -> Cells:
-    """Return the cells with the best coefficients after so many steps, for one strength."""
+def _settled(
+    given: Given, statement: Statement, noise: Noise, cells: Cells, steps: int
+) -> tuple[Cells, Noise]:
+    """Return the cells with the best coefficients after so many steps, for one strength of drift.
+
+    And the noise of the strengths that count, the most probable first: the cells are by that one.
+    """
     at = Hypotheses(statement, cells.log_coefficient, cells.log_ratio, cells.place)
     for _ in range(steps):
         step = np.clip(_all_four(given, at, noise).step[0, :, :2], -LARGEST_STEP, LARGEST_STEP)
@@ -128,12 +133,22 @@ def _settled(given: Given, statement: Statement, noise: Noise, cells: Cells, ste
             log_coefficient=at.log_coefficient + step[:, 0],
             log_ratio=at.log_ratio + step[:, 1],
         )
-    fit = _all_four(given, at, noise)
-    covariance = fit.covariance[0]
-    log_weight = fit.log_evidence[0] + np.log(cells.high - cells.low) + noise.log_prior
+    fit = _all_four(given, at, given.noise)
+    log_weight = fit.log_evidence + np.log(cells.high - cells.low) + given.noise.log_prior[:, None]
     if statement.falls:
-        log_weight = log_weight + log_ndtr(at.log_ratio / np.sqrt(covariance[:, 1, 1]))
-    return Cells(cells.low, cells.high, at.log_coefficient, at.log_ratio, log_weight, covariance)
+        log_weight = log_weight + log_ndtr(at.log_ratio / np.sqrt(fit.covariance[..., 1, 1]))
+    by_strength = log_weight.max(axis=1)
+    order = np.argsort(-by_strength)
+    order = order[by_strength[order] > by_strength.max() - COUNTS]
+    best = int(order[0])
+    return Cells(
+        cells.low,
+        cells.high,
+        at.log_coefficient,
+        at.log_ratio,
+        log_weight[best],
+        fit.covariance[best],
+    ), given.noise.at(order)
 
 
 def _all_four(given: Given, at: Hypotheses, noise: Noise) -> Fitted:

@@ -92,17 +92,16 @@ class Noise:
     onward: Array
     spare: Array
 
-    def at(self, index: int) -> Noise:
-        """Return the noise of one strength only."""
-        one = slice(index, index + 1)
+    def at(self, index: NDArray[np.int64]) -> Noise:
+        """Return the noise of some strengths only."""
         return Noise(
-            self.strength[one],
-            self.log_prior[one],
+            self.strength[index],
+            self.log_prior[index],
             self.basis,
-            self.share[one],
-            self.log_determinant[one],
-            self.onward[one],
-            self.spare[one],
+            self.share[index],
+            self.log_determinant[index],
+            self.onward[index],
+            self.spare[index],
         )
 
 

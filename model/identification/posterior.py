@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -126,6 +126,9 @@ def constant_posterior(given: Given, statement: Statement) -> tuple[float, Nodes
         inside = np.flatnonzero(counts.any(axis=0))
         if inside.size >= FINE_ENOUGH:
             break
+        # The grid at first is wide enough to tell which strengths of the drift cannot count.
+        strong = log_post.max(axis=1) > log_post.max() - 2.0 * NEGLIGIBLE
+        given = replace(given, noise=given.noise.at(np.flatnonzero(strong)))
         low, high = grid[max(inside[0] - 1, 0)], grid[min(inside[-1] + 1, GRID - 1)]
     _refuse_beyond(given, depth[:, -1], log_post)
     step = float(grid[1] - grid[0])

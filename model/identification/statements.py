@@ -98,7 +98,9 @@ class Hypotheses:
         ratio = np.exp(self.log_ratio)[:, None]
 
         def counted(progress: Array) -> tuple[Array, Array]:
-            wide = np.pad(half, (0, progress.size - half.size))
+            wide = half
+            if half.size < progress.size:
+                wide = np.pad(half, (0, progress.size - half.size))
             first = self.statement.first(progress, wide, self.place[:, None])
             found = coefficient * (progress + (ratio - 1.0) * first)
             return found, np.stack([found, coefficient * ratio * first])
