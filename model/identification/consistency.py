@@ -122,7 +122,7 @@ class Consistency:
             nodes.weight, inner + apart[:, :, None] * apart[:, None, :], axes=1
         )
         self.statement, self.place = known.best.name, float(nodes.hypotheses.place[0])
-        self.walked = float(np.log(max(known.readings.middle[-1], 1.0)))
+        self.walked = float(known.readings.walked[-1])
         self.scales = (
             known.sensitivity,
             known.errors.reference,

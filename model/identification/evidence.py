@@ -28,8 +28,9 @@ LN_TWO_PI = float(np.log(2.0 * np.pi))
 class DepthBins:
     """Hold the bins as arrays (n,): depth (m), progress, half its width, last revolution, noise.
 
-    middle: the revolution to which the mean depth belongs; noise: standard uncertainty of each
-    bin's mean by its scatter, m; scatter: of one reading, m.
+    middle: revolution in the middle of the bin; walked, alone (n,): mean of ln n over it, and that
+    of the smaller of two ln n; noise: standard uncertainty of each bin's mean by its scatter, m;
+    scatter: of one reading, m.
     """
 
     depth: Array
@@ -37,6 +38,8 @@ class DepthBins:
     half: Array
     revolution: Array
     middle: Array
+    walked: Array
+    alone: Array
     noise: Array
     scatter: float
 
@@ -54,12 +57,17 @@ def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
     depth, progress, first, last, revolution, count, squares = rows.T
     freedom = EXPECTED_FREEDOM + sum(b.freedom for b in bins)
     scatter = float(np.sqrt((EXPECTED_FREEDOM * errors.scatter**2 + squares.sum()) / freedom))
+    # Bins hold progress, which is as even within one as revolutions are.
+    turn = revolution / np.maximum(last, 1e-300)
+    walked, alone = _mean_logarithms(np.maximum(first * turn, 1.0), revolution)
     return DepthBins(
         depth,
         progress,
         0.5 * (last - first),
         revolution,
-        revolution - (last - progress) / np.maximum(last / revolution, 1e-300),
+        progress * turn,
+        walked,
+        alone,
         scatter / np.sqrt(count),
         scatter,
     )
@@ -71,6 +79,21 @@ STRENGTH_DECAY = 2.0
 """Each next strength is less probable beforehand by exp of this: the record is believed."""
 LEAST_DRIFT = 1e-9
 """A record without drift counts as one of so little, m: the table of strengths needs a unit."""
+
+
+def _mean_logarithms(low: Array, high: Array) -> tuple[Array, Array]:
+    """Return the means of ln u and of the smaller of two ln u, u evenly between low and high.
+
+    What a random walk in ln n does to the mean of a bin: its covariance with what comes later, and
+    its variance, which is less than that of any moment in the bin.
+    """
+    wide = np.maximum(high - low, 1e-6 * high)
+    first, last = np.log(low), np.log(low + wide)
+    high = low + wide
+    mean = (high * last - low * first) / wide - 1.0
+    once = high * last - low * first - wide  # of ln u
+    by_u = 0.5 * (high**2 * last - low**2 * first) - 0.25 * (high**2 - low**2)  # of u ln u
+    return mean, 2.0 * (high * once - by_u) / wide**2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -109,13 +132,14 @@ def noise_of(readings: DepthBins, drift: float) -> Noise:
     """Return scatter and drift of the bins; drift: lower bound of its strength."""
     strength = max(drift, LEAST_DRIFT) * np.array(STRENGTHS)
     log_prior = -STRENGTH_DECAY * np.arange(strength.size)
-    walked = np.log(np.maximum(readings.middle, 1.0))
-    walk = np.minimum(walked[:, None], walked[None, :])
+    walked = readings.walked
+    walk = np.minimum(walked[:, None], walked)
+    np.fill_diagonal(walk, readings.alone)
     scaled = walk / readings.noise[:, None] / readings.noise
     size, direction = np.linalg.eigh(scaled)
     basis = direction / readings.noise[:, None]
     spread = 1.0 + strength[:, None] ** 2 * np.maximum(size, 0.0)
-    last = strength[:, None] ** 2 * (walk[-1] @ basis)
+    last = strength[:, None] ** 2 * (walked @ basis)
     onward = last / spread
     return Noise(
         strength,
@@ -124,7 +148,7 @@ def noise_of(readings: DepthBins, drift: float) -> Noise:
         1.0 / spread,
         np.log(spread).sum(axis=1) + 2.0 * float(np.log(readings.noise).sum()),
         onward,
-        strength**2 * walk[-1, -1] - (last * onward).sum(axis=1),
+        strength**2 * walked[-1] - (last * onward).sum(axis=1),
     )
 
 

@@ -140,7 +140,7 @@ def _depths(
     )
     mean = found + (columns @ nodes.mean[:, :, None])[:, :, 0] + nodes.left[:, None]
     apart = columns - nodes.pulled[:, None, :]
-    walked = np.log(np.maximum(at, 1.0)) - np.log(max(known.readings.middle[-1], 1.0))
+    walked = np.log(np.maximum(at, 1.0)) - known.readings.walked[-1]
     variance = (
         ((apart @ nodes.covariance) * apart).sum(axis=2)
         + nodes.spare[:, None]
