@@ -90,12 +90,10 @@ def scatter(found: TwoAxisFit, force: Array, seen: Loads) -> Scatter:
     along = np.einsum("ni,ni->n", found.residual, seen.direction)
     shapes, branches = _shapes(seen.applied / largest), _branch_rows(seen)
     solved = [np.linalg.lstsq(shapes[rows], along[rows], rcond=None)[0] for rows in branches]
-    curve = np.zeros_like(along)
-    for rows, coefficients in zip(branches, solved, strict=True):
-        curve[rows] = shapes[rows] @ coefficients
+    rows = design(force, found.terms)
     scores = series_scores(
-        design(force, found.terms),
-        found.residual - curve[:, None] * seen.direction,
+        rows,
+        _without_branches(found.residual, rows, shapes, branches, seen.direction),
         seen.applied,
         np.stack((seen.direction, across), -1),
         runs,
@@ -135,6 +133,23 @@ def _slope(shapes: Array) -> Array:
     """Return the slopes (3,) through 0 of shapes (n, 3) over their second, w."""
     w = shapes[:, 1]
     return np.asarray(w @ shapes / (w @ w), np.float64)
+
+
+def _without_branches(
+    residual: Array, rows: Array, shapes: Array, branches: list[Whole], direction: Array
+) -> Array:
+    """Return residuals (n, 2) less what the branches leave in all series alike, N.
+
+    rows (n, p): the fit's, which has followed part of the branches.
+    """
+    basis = np.linalg.qr(rows)[0]
+    common = np.zeros((len(branches) * shapes.shape[1], *residual.shape))
+    for place, members in enumerate(branches):
+        for power, shape in enumerate(shapes[members].T):
+            common[place * shapes.shape[1] + power, members] = shape[:, None] * direction[members]
+    left = (common - basis @ (basis.T @ common)).reshape(len(common), -1).T
+    known = np.linalg.lstsq(left, residual.ravel(), rcond=1e-8)[0]
+    return np.asarray(residual - (left @ known).reshape(residual.shape), np.float64)
 
 
 def _comes_back(rest: Array, free: int, runs: Whole, load: Array) -> float:

@@ -3,15 +3,18 @@
 A Shewhart chart of one value a day. Two kinds of limits: those of the calibration, the expanded
 uncertainty about the value that it promises, and those of the history, three standard deviations
 about its mean, the deviation taken from the moving ranges (mean range / 1.128), which a slow change
-does not widen. Runs are judged by the rules that are called Western Electric's.
+does not widen; more than three as long as the history is short and the deviation little known.
+Runs are judged by the rules that are called Western Electric's.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import stats
 
 from calibration.arrays import Array
 
@@ -19,6 +22,10 @@ ENOUGH = 8
 """Checks from which on the history has limits of its own."""
 RANGE_FACTOR = 1.128
 """Mean range of two values of a normal distribution, in standard deviations."""
+BEYOND = 0.00135
+"""Part of a normal distribution beyond three standard deviations, on one side."""
+RANGE_DEGREES = 0.62
+"""Degrees of freedom of a mean moving range, each range counts as so much (Wheeler 1995)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,16 +49,23 @@ class Chart:
     values: Array
     promised: float
     expanded: float | None
-    centre: float | None
-    sigma: float | None
-    findings: tuple[ChartFinding, ...]
+    centre: float | None = None
+    sigma: float | None = None
+    findings: tuple[ChartFinding, ...] = ()
 
     @property
     def limits(self) -> tuple[float, float] | None:
-        """Return the limits of the history, centre -+ 3 sigma."""
+        """Return the limits of the history: those of the next value of so many."""
         if self.centre is None or self.sigma is None:
             return None
-        return self.centre - 3.0 * self.sigma, self.centre + 3.0 * self.sigma
+        half = limit_factor(len(self.values) - 1) * self.sigma
+        return self.centre - half, self.centre + half
+
+
+def limit_factor(count: int) -> float:
+    """Return how many standard deviations, known from ``count`` values, a next one may be off."""
+    spread = math.sqrt(1.0 + 1.0 / count)
+    return float(stats.t.isf(BEYOND, RANGE_DEGREES * (count - 1))) * spread
 
 
 def chart(
@@ -92,7 +106,7 @@ def _rules(z: Array) -> list[ChartFinding]:
     last = len(z) - 1
     side = float(np.sign(z[-1]))
     above = "above" if side > 0 else "below"
-    if abs(z[-1]) > 3.0:
+    if abs(z[-1]) > limit_factor(last):
         return [
             ChartFinding(
                 "beyond_limits",

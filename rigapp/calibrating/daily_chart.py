@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from rigapp.calibrating.certificates.parts import write_page
-from rigapp.calibrating.daily_history import COLUMNS, NAMES, DailyHistory, verdict_lines, when
+from rigapp.calibrating.daily_history import CHARTED, DailyHistory, verdict_lines, when
 from rigapp.report.page.manuscript import Figure, Manuscript, Section, Table, Text
 
 BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#666666"
@@ -39,10 +39,11 @@ def document(found: DailyHistory) -> Manuscript:
         footer="Control chart of the daily checks",
         sections=(
             Section("", words),
-            Section("Charts", (Figure("Sensitivity and cross-talk", draw(found), words[0].text),)),
+            Section("Charts", (Figure("Gains, cross-talk and zeros", draw(found), words[0].text),)),
             Section("Checks", (Table("Checks with the calibration in use", rows, head),)),
         ),
-        closing="Sensitivity: felt over applied force. Cross-talk: share felt across the weight.",
+        closing="Sensitivity, gain: felt over applied force. Cross-talk: share felt across the"
+        " weight, or by one axis of a force along the other. Zero: less that of the calibration.",
     )
 
 
@@ -51,10 +52,10 @@ def draw(found: DailyHistory) -> bytes:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure as Canvas
 
-    canvas = Canvas(figsize=(7.5, 5.0), dpi=120, layout="constrained")
-    for place, name in enumerate(COLUMNS, 1):
-        one = found.charts[name]
-        axes = canvas.add_subplot(2, 1, place)
+    canvas = Canvas(figsize=(7.5, 2.2 * len(found.charts)), dpi=120, layout="constrained")
+    for place, (name, one) in enumerate(found.charts.items(), 1):
+        of_zero = CHARTED[name].of_zero
+        axes = canvas.add_subplot(len(found.charts), 1, place)
         count = np.arange(1, len(one.values) + 1)
         axes.plot(count, one.values, "-o", color=BLUE, ms=4, lw=1, label="checks")
         flagged = sorted({finding.at for finding in one.findings})
@@ -63,13 +64,14 @@ def draw(found: DailyHistory) -> bytes:
                       mew=1.8, label="see the words")  # fmt: skip
         axes.axhline(one.promised, color=GREY, lw=1.0)
         if one.expanded is not None:
+            words = "allowed" if of_zero else "U of the calibration"
             axes.axhspan(one.promised - one.expanded, one.promised + one.expanded, color=GREY,
-                         alpha=0.15, label="U of the calibration")  # fmt: skip
+                         alpha=0.15, label=words)  # fmt: skip
         if one.limits is not None:
             for limit in one.limits:
                 axes.axhline(limit, color=ORANGE, ls="--", lw=1.0)
             axes.plot([], [], "--", color=ORANGE, label="limits of the history")
-        axes.set_ylabel(NAMES[name])
+        axes.set_title(CHARTED[name].words + (" (N)" if of_zero else ""), fontsize=9, loc="left")
         axes.set_xlabel("check")
         axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     FigureCanvasAgg(canvas)

@@ -11,15 +11,36 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from calibration.load_cell.daily import DailyCheck
 from calibration.taking.control_chart import Chart, ChartFinding, chart
 from rigapp.calibrating.journal import Journal
 from rigapp.config.errors import UnusableInput
 
 STORE = "daily-checks.jsonl"
-COLUMNS = ("sensitivity_ratio", "cross_talk_ratio")
-NAMES = {"sensitivity_ratio": "Sensitivity", "cross_talk_ratio": "Cross-talk"}
-PROMISED = {"sensitivity_ratio": 1.0, "cross_talk_ratio": 0.0}
+
+
+@dataclass(frozen=True, slots=True)
+class Charted:
+    """What of a check is charted: its words, what the calibration promises; of the zero, N."""
+
+    words: str
+    promised: float = 0.0
+    of_zero: bool = False
+
+
+CHARTED: Mapping[str, Charted] = {
+    "sensitivity_ratio": Charted("Sensitivity", 1.0),
+    "cross_talk_ratio": Charted("Cross-talk"),
+    "gain_1_ratio": Charted("Gain of axis 1", 1.0),
+    "gain_2_ratio": Charted("Gain of axis 2", 1.0),
+    "cross_talk_1_by_2_ratio": Charted("Cross-talk of axis 1 by a force along 2"),
+    "cross_talk_2_by_1_ratio": Charted("Cross-talk of axis 2 by a force along 1"),
+    "zero_1_N": Charted("Zero of axis 1", of_zero=True),
+    "zero_2_N": Charted("Zero of axis 2", of_zero=True),
+}
+"""Means over the angles first; files of before have only these."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,13 +55,16 @@ class DailyHistory:
     def findings(self) -> tuple[tuple[str, ChartFinding], ...]:
         """Return (name of the chart, finding)."""
         return tuple(
-            (NAMES[name], one) for name, found in self.charts.items() for one in found.findings
+            (CHARTED[name].words, one)
+            for name, found in self.charts.items()
+            for one in found.findings
         )
 
     @property
     def in_control(self) -> bool:
-        """Tell whether no rule asks for action."""
-        return not any(one.action for _, one in self.findings)
+        """Tell whether the last check is passed and no rule asks for action."""
+        passed = bool(self.entries[-1]["passed"])
+        return passed and not any(one.action for _, one in self.findings)
 
 
 def entry_of(
@@ -64,7 +88,15 @@ def entry_of(
         "passed": check.passed,
         "sensitivity_ratio": check.sensitivity,
         "cross_talk_ratio": check.cross_talk,
+        "gain_1_ratio": float(check.elements[0, 0]),
+        "gain_2_ratio": float(check.elements[1, 1]),
+        "cross_talk_1_by_2_ratio": float(check.elements[0, 1]),
+        "cross_talk_2_by_1_ratio": float(check.elements[1, 0]),
         "zero_N": check.zero.tolist(),
+        "zero_1_N": float(check.zero[0]),
+        "zero_2_N": float(check.zero[1]),
+        "zero_allowed_N": check.zero_allowed,
+        "sentence": check.sentence,
         "largest_N": check.largest,
         "allowed_N": check.allowed,
         "weight_N": weight,
@@ -112,12 +144,23 @@ def read_history(store: Path, rig: str | None = None) -> DailyHistory:
     while present > 0 and mine[present - 1]["calibration"] == used:
         present -= 1
     entries = tuple(mine[present:])
-    return DailyHistory(entries, present, {name: _chart(entries, name) for name in COLUMNS})
+    return DailyHistory(entries, present, _charts(entries))
 
 
-def _chart(entries: Sequence[Mapping[str, Any]], name: str) -> Chart:
-    expanded = entries[-1]["expanded_uncertainty_ratio"]
-    return chart([one[name] for one in entries], PROMISED[name], expanded)
+def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:
+    """Return the charts of what the last check tells; a zero is judged by what is allowed."""
+    last = entries[-1]
+    charts = {}
+    for name, one in CHARTED.items():
+        values = [entry[name] for entry in entries if name in entry]
+        if name not in last:
+            continue
+        if one.of_zero:
+            # A zero follows the temperature: no limits of its history.
+            charts[name] = Chart(np.array(values), one.promised, last["zero_allowed_N"])
+        else:
+            charts[name] = chart(values, one.promised, last["expanded_uncertainty_ratio"])
+    return charts
 
 
 def _verify(store: Path, events: Sequence[Mapping[str, Any]]) -> str:
@@ -153,7 +196,11 @@ def history_result(found: DailyHistory) -> dict[str, Any]:
             for name, one in found.findings
         ],
         "checks": [
-            {key: one[key] for key in ("time", "operator", "passed", *COLUMNS, "largest_N")}
+            {
+                key: one[key]
+                for key in ("time", "operator", "passed", *CHARTED, "largest_N")
+                if key in one
+            }
             for one in found.entries
         ],
         "charts": {
@@ -187,6 +234,10 @@ def verdict_lines(found: DailyHistory) -> list[str]:
     """Return what the charts say, in sentences."""
     count = len(found.entries)
     lines = [f"{name}: {one.sentence}" for name, one in found.findings]
+    last = found.entries[-1]
+    if not last["passed"]:
+        told = f"{last['largest_N']:.2f} N off, {last['allowed_N']:.2f} N are allowed."
+        lines.insert(0, f"The last check failed: {last.get('sentence', told)}")
     if not lines:
         lines = [f"{count} check{'s' if count > 1 else ''} with this calibration: in control."]
     limits = found.charts["sensitivity_ratio"].limits

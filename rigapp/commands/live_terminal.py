@@ -264,4 +264,4 @@ def _keep_check(
     for line in (*outcome.lines, *verdict_lines(history)):
         say(line)
     say(f"It is kept in {STORE}; 'rigapp calibrate history' draws the chart.")
-    return 0 if outcome.accepted else 1
+    return 0 if outcome.accepted and history.in_control else 1

@@ -123,6 +123,8 @@ class ResultPage(QWizardPage):
     def _show_history(self, found: DailyHistory) -> None:
         self.chart.show_history(found)
         self.chart.show()
+        if self._live.outcome is not None and self._live.outcome.accepted and not found.in_control:
+            self.verdict.setText("✗ The check is passed, but the cell changes")
         self.words.setText(f"The check is kept in {self._store}.")
 
     def _show_calibration(self, outcome: Outcome) -> None:
