@@ -137,6 +137,6 @@ def moved(life: DepthLife, scaled: Array) -> float:
     number = np.unique(np.geomspace(1, last, 80).astype(np.int64))
     true = life.stretches[0].at(scaled[number - 1])[0]
     noise = np.hypot(ERRORS.scatter, ERRORS.drift * np.sqrt(np.log(number)))
-    ratios = scaled[-1] / last * np.geomspace(0.2, 5.0, 600)
+    ratios = scaled[-1] / last * np.geomspace(0.2, 5.0, 200)
     other = life.stretches[0].at(ratios[:, None] * number)[0]
     return float((np.abs(other - true) / noise).max(axis=1).min())
