@@ -97,9 +97,13 @@ class FaultPlan:
                 return default if fault.value is None else fault.value
         return None
 
-    def hold_back(self, reply: bytes, delay_s: float) -> None:
-        """Keep a reply that comes late."""
-        self._late.append((self.time_s + delay_s, reply))
+    def in_time(self, reply: bytes, slow: enum.StrEnum, target: int, delay_s: float) -> bytes:
+        """Return a reply, or none when a fault strikes that lets it come late (see ``due``)."""
+        told_s = self.strike(slow, target, delay_s)
+        if told_s is None:
+            return reply
+        self._late.append((self.time_s + told_s, reply))
+        return b""
 
     def due(self) -> bytes:
         """Return the late replies whose time has come."""

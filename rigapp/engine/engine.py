@@ -162,10 +162,6 @@ class Engine:
         then = then or next_step(core, connection).sentence
         raise InFault(f"{core.reason} {then}".strip(), core.fault_code)
 
-    def reconnect(self) -> None:
-        """Close and open the devices again; as ``connect``."""
-        self.connect()
-
     def _open(self) -> Connection:
         core = self._core
         devices = make_devices(core.rig.record, self._ports, self._load, str(core.rig.path))

@@ -45,7 +45,7 @@ def ended(rig: MemoryRig, reason: FinishReason, *words: str) -> Finished:
 
 def back_to_work(rig: MemoryRig) -> None:
     """Repair, reconnect, acknowledge, reset, and run a test to its end."""
-    rig.engine.reconnect()
+    rig.engine.connect()
     rig.engine.acknowledge(operator="Ada")
     rig.engine.reset("Ada")
     rig.start(a_test(5))
@@ -65,7 +65,7 @@ def test_a_pulled_cable_ends_the_test_names_the_port_and_can_be_mended(rig: Memo
     with pytest.raises(Refused):
         rig.start(a_test(5))
     with pytest.raises(DeviceError):
-        rig.engine.reconnect()
+        rig.engine.connect()
     assert rig.engine.state is RunState.FAULT
     rig.source.lost = False
     back_to_work(rig)

@@ -124,7 +124,7 @@ def test_a_broken_bridge_wire_ends_the_test() -> None:
     assert "force_1" in raised.cause
     assert rig.stands
     faults.clear()
-    rig.engine.reconnect()
+    rig.engine.connect()
     cleared = alarm(rig, "input:")
     assert cleared is not None
     assert not cleared.active

@@ -260,11 +260,7 @@ class DataqSimulator:
         if strike(DataqFault.WRONG_ECHO, target) is not None:
             reply = b"?" + reply
         reply = before + reply + bytes(0 if words[0] == "start" else self._echo_nuls)
-        delay_s = strike(DataqFault.SLOW_REPLY, target, 0.3)
-        if delay_s is not None:
-            self._plan.hold_back(reply, delay_s)
-            return b""
-        return reply
+        return self._plan.in_time(reply, DataqFault.SLOW_REPLY, target, 0.3)
 
     def _obey(self, command: str, fields: list[str]) -> str | None:
         """Do what a command says; return what stands behind its echo, None when it is wrong."""

@@ -137,11 +137,7 @@ class Gsv8Simulator:
             reply = encode_response(response, checksum=asked.checksum)
         if strike(Gsv8Fault.NO_REPLY, command) is not None:
             return b""
-        delay_s = strike(Gsv8Fault.SLOW_REPLY, command, 0.3)
-        if delay_s is None:
-            return reply
-        self._plan.hold_back(reply, delay_s)
-        return b""
+        return self._plan.in_time(reply, Gsv8Fault.SLOW_REPLY, command, 0.3)
 
     def _response(self, command: int, parameters: bytes, status: int) -> Response:
         try:

@@ -111,11 +111,7 @@ class ModbusSensorSimulator:
         reply += struct.pack("<H", checksum)
         cut = strike(ModbusSensorFault.CUT_REPLY, function, 3)
         reply = reply if cut is None else reply[: int(cut)]
-        delay_s = strike(ModbusSensorFault.SLOW_REPLY, function, 1.0)
-        if delay_s is None:
-            return reply
-        self._plan.hold_back(reply, delay_s)
-        return b""
+        return self._plan.in_time(reply, ModbusSensorFault.SLOW_REPLY, function, 1.0)
 
     def _read(self, function: int, first: int, count: int) -> bytes:
         if function not in _READS:

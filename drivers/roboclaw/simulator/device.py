@@ -195,11 +195,7 @@ class RoboClawSimulator:
             return b""
         if self._plan.strike(RoboClawFault.DUPLICATED_REPLY, command) is not None:
             reply += reply
-        delay_s = self._plan.strike(RoboClawFault.SLOW_REPLY, command, _SLOW_S)
-        if delay_s is None:
-            return reply
-        self._plan.hold_back(reply, delay_s)
-        return b""
+        return self._plan.in_time(reply, RoboClawFault.SLOW_REPLY, command, _SLOW_S)
 
 
 def _generation(

@@ -17,11 +17,6 @@ class GuardedButton(QPushButton):
         self._tip = ""
         self._why = ""
 
-    @property
-    def why_forbidden(self) -> str:
-        """Return why it is closed, empty when it is not."""
-        return self._why
-
     def setEnabled(self, enabled: bool) -> None:
         """Enable it, unless it is forbidden."""
         self._wanted = enabled

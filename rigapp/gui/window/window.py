@@ -202,9 +202,7 @@ class MainWindow(QMainWindow):
         """Open the help window, or bring it to the front."""
         if self._help is None:
             self._help = HelpWindow(self)
-        self._help.show()
-        self._help.raise_()
-        self._help.activateWindow()
+        self._front(self._help)
 
     def calibrate(self) -> None:
         """Ask what to calibrate, or bring the open wizard to the front; refused during a test."""
