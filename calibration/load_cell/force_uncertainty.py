@@ -8,14 +8,16 @@ whole force also where a component is told. A single sample has its noise beside
 
     U = sqrt((constant + relative |F|)^2 + (coverage factor noise)^2 / n)
 
-of a mean of n samples, n = 1 of one. Records of before state U of a reading, its scatter included.
+of a mean of n samples, n = 1 of one. The straight line bounds U from above; where the calibration
+states U at each load, along the force and across it, that is taken between the loads, and holds the
+truth in 95 of 100. Records of before state U of a reading, its scatter included.
 """
 
 from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -35,6 +37,7 @@ LARGEST_SHARE = 0.05
 """Of full scale. A cell that is not calibrated, read by the sensitivity of its data sheet, is wrong
 by its cross-talk, up to 5 %; a calibration that states more tells less than none."""
 
+BY_LOAD = ("by_load_N", "by_load_along_N", "by_load_across_N")
 SHARES_OF_FULL_SCALE = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
@@ -44,7 +47,8 @@ class ForceUncertainty:
 
     noise_N: standard deviation of one sample of one component, 0 where it is not known; ``source``
     says who states the rest. magnitude: constant (N) and relative part of |F|, None where they are
-    not stated: those of a component hold.
+    not stated: those of a component hold. by_load: loads (N) from 0 up, and U at each of them along
+    the force (that of |F|) and across it; empty where it is not stated.
     """
 
     constant_N: float
@@ -53,22 +57,45 @@ class ForceUncertainty:
     source: str
     noise_N: float = 0.0
     magnitude: tuple[float, float] | None = None
+    by_load: tuple[tuple[float, ...], ...] = ()
 
-    def at(self, force: ArrayLike, samples: ArrayLike = 1, *, of_magnitude: bool = False) -> Floats:
+    def at(
+        self,
+        force: ArrayLike,
+        samples: ArrayLike = 1,
+        *,
+        of_magnitude: bool = False,
+        component: ArrayLike | None = None,
+    ) -> Floats:
         """Return the expanded uncertainty of components, N, that are means of so many samples.
 
-        force: magnitudes of the whole force. of_magnitude: of |F| instead.
+        force: magnitudes of the whole force. of_magnitude: of |F| instead. component: of components
+        of this size, N; else of one in its worst direction.
         """
-        constant, relative = (
-            self.magnitude
-            if of_magnitude and self.magnitude is not None
-            else (self.constant_N, self.relative)
-        )
-        stated = constant + relative * np.abs(np.asarray(force, dtype=np.float64))
+        size = np.abs(np.asarray(force, dtype=np.float64))
+        stated = self._stated(size, of_magnitude=of_magnitude, component=component)
         random = (
             self.coverage_factor * self.noise_N / np.sqrt(np.asarray(samples, dtype=np.float64))
         )
         return np.asarray(np.hypot(stated, random), np.float64)
+
+    def _stated(self, size: Floats, *, of_magnitude: bool, component: ArrayLike | None) -> Floats:
+        """Return what does not average out."""
+        own = self.magnitude if of_magnitude else None
+        constant, relative = own or (self.constant_N, self.relative)
+        line = constant + relative * size
+        if not self.by_load:
+            return line
+        loads, *both = map(np.asarray, self.by_load)
+        along, across = (np.interp(size, loads, one) for one in both)
+        if of_magnitude:
+            told = along
+        elif component is None:
+            told = np.maximum(along, across)
+        else:
+            cosine = np.clip(np.abs(component) / np.maximum(size, 1e-300), 0.0, 1.0)
+            told = np.hypot(along * cosine, across * np.sqrt(1.0 - cosine**2))
+        return np.asarray(np.where(size <= loads[-1], told, line), np.float64)
 
     @property
     def words(self) -> str:
@@ -146,7 +173,9 @@ def uncertainty_record(
         "description": "expanded uncertainty U of a measured force, of one component as of |F|, "
         "that is a mean of n samples (n = 1: one sample): "
         "U = sqrt((constant_N + relative |F|)^2 + (coverage_factor noise_N)^2 / n); of |F| with "
-        "magnitude_constant_N and magnitude_relative it is as small as it may be stated. "
+        "magnitude_constant_N and magnitude_relative it is as small as a line may state it. "
+        "These lines bound U; by_load_along_N (that of |F|) and by_load_across_N are U of a mean "
+        "of many at the loads by_load_N, linear between them, where the calibration states it. "
         "|F|: magnitude of the whole force, also for a component; for the largest of a revolution "
         "force_max, for a mean or RMS force_rms",
         "source": known.source,
@@ -156,6 +185,7 @@ def uncertainty_record(
         "relative": known.relative,
         "magnitude_constant_N": of_magnitude[0],
         "magnitude_relative": of_magnitude[1],
+        **dict(zip(BY_LOAD, map(list, known.by_load), strict=False)),
         "noise_N": noise_N,
         "noise_from": noise_from,
         "force_N": forces.tolist(),
@@ -178,6 +208,7 @@ def _of_numbers(stored: Mapping[str, Any]) -> ForceUncertainty | None:
                 str(stored["source"]),
                 float(stored["noise_N"]),
                 _magnitude(stored),
+                _by_load([stored[name] for name in BY_LOAD if name in stored]),
             )
         )
     except (KeyError, TypeError, ValueError):
@@ -206,6 +237,12 @@ def _of_record(text: str) -> ForceUncertainty | None:
             NORMAL_FACTOR,
             source,
             magnitude=_line(lines["magnitude"]),
+            by_load=_by_load(
+                [
+                    [one[key] for one in result.get("uncertainty_by_load", ())]
+                    for key in ("load_N", "magnitude_mean_of_many_N", "across_mean_of_many_N")
+                ]
+            ),
         )
     except (RecordError, KeyError, TypeError, ValueError):
         return None
@@ -213,6 +250,10 @@ def _of_record(text: str) -> ForceUncertainty | None:
 
 def _line(line: Mapping[str, Any]) -> tuple[float, float]:
     return float(line["constant_N"]), float(line["per_N"])
+
+
+def _by_load(columns: Sequence[Sequence[float]]) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(map(float, one)) for one in columns if len(one))
 
 
 def _magnitude(stored: Mapping[str, Any]) -> tuple[float, float] | None:

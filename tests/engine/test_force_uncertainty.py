@@ -82,6 +82,34 @@ def test_a_record_states_the_magnitude_for_itself() -> None:
     assert one == pytest.approx(math.hypot(0.5, 1.96 * 0.8), rel=1e-3)
 
 
+def test_u_by_load_is_taken_between_the_loads_and_the_line_beyond() -> None:
+    by_load = [
+        {"load_N": 0.0, "magnitude_mean_of_many_N": 0.2, "across_mean_of_many_N": 0.2},
+        {"load_N": 200.0, "magnitude_mean_of_many_N": 0.4, "across_mean_of_many_N": 1.0},
+        {"load_N": 400.0, "magnitude_mean_of_many_N": 0.5, "across_mean_of_many_N": 2.0},
+    ]
+    lines = {
+        "component": {"constant_N": 0.3, "per_N": 0.005},
+        "magnitude": {"constant_N": 0.3, "per_N": 0.001},
+    }
+    result = {
+        **RECORD["result"], "uncertainty_lines_of_mean_N": lines, "uncertainty_by_load": by_load,
+    }  # fmt: skip
+    stated = stated_uncertainty(seal({**RECORD, "result": result}).decode(), None)
+    assert stated is not None
+    kept = uncertainty_record(stated, 0.0, "nothing", 400.0)
+    found = force_uncertainty({"force_uncertainty": kept}, {})
+    assert found is not None
+    assert found.by_load == stated.by_load
+    assert found.at([100.0, 300.0], of_magnitude=True) == pytest.approx([0.3, 0.45])
+    assert found.at(300.0) == pytest.approx(1.5)
+    # A component along the force, square to it, and half way.
+    assert found.at(300.0, component=[300.0, 0.0]) == pytest.approx([0.45, 1.5])
+    half = math.sqrt(0.5)
+    assert found.at(300.0, component=300.0 * half) == pytest.approx(half * math.hypot(0.45, 1.5))
+    assert found.at(500.0) == pytest.approx(2.8)
+
+
 def test_noise_is_seen_at_rest_or_is_that_of_the_steps() -> None:
     seen, source = noise_of_sample(MATRIX, (0.01, 0.0), 2.0)
     assert seen == pytest.approx(2.0)

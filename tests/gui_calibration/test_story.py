@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from calibration.load_cell.force_uncertainty import force_uncertainty
 from calibration.records import unseal
 from rigapp.calibrating.session import Rig
 from rigapp.commands.run import run_test
@@ -138,10 +139,10 @@ def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_te
     pump(wizard, line, lambda: np.array_equal(live.window.matrix, found), "the record", WITHIN_S)
     wizard.accept()
     pump(wizard, line, lambda: not wizard.isVisible(), "the end", WITHIN_S)
-    measured, at_plant = forces_of_a_test(file, tmp_path, monkeypatch)
-    allowed_N = line_N["constant_N"] + line_N["per_N"] * np.hypot(*at_plant)
+    measured, at_plant, allowed_N = forces_of_a_test(file, tmp_path, monkeypatch)
     error = np.hypot(*(measured - at_plant))
-    assert np.all(error < allowed_N)
+    # U holds nineteen of twenty; of 72 values fewer than 60 come once in some thousand tests.
+    assert (np.abs(measured - at_plant) <= allowed_N).sum() >= 60
     # With the numbers of the rig file it would be worse: the record is what was used.
     believed = np.diag([200.0, 200.0]) @ np.linalg.inv(found) @ measured
     worse = np.hypot(*(believed - at_plant))
@@ -150,8 +151,8 @@ def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_te
 
 def forces_of_a_test(
     rig: Path, folder: Path, monkeypatch: pytest.MonkeyPatch
-) -> tuple[np.ndarray, np.ndarray]:
-    """Run a test; return the mean cycle, (2, bins) N, as measured and as the plant had it."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Run a test; return the mean cycle, (2, bins) N: measured, as the plant had it, and U."""
     truth = folder / "truth.npz"
     start = partial(start_simulated_rig, truth=truth)
     monkeypatch.setattr("rigapp.service.simulated.start_simulated_rig", start)
@@ -170,6 +171,8 @@ def forces_of_a_test(
     told = []
     with open_test(out) as reader:
         assert "load_cell" in reader.calibration()
+        stated = force_uncertainty(reader.calibration(), reader.configuration())
+        assert stated is not None
         for cycle in reader.cycles():
             if int(cycle.revolution) > REVOLUTIONS // 2:
                 columns = cycle.columns
@@ -178,7 +181,10 @@ def forces_of_a_test(
         steady = np.abs(stored["speed_rad_per_s"] * 30.0 / np.pi / 60.0 - 1.0) < 0.03
         angle = np.degrees(stored["angle_rad"][steady])
         plant = np.array([angle, stored["force_e1_N"][steady], stored["force_n1_N"][steady]])
-    return mean_cycle(np.hstack(told)), mean_cycle(plant)
+    true, samples = mean_cycle(plant), np.hstack(told)
+    count = np.bincount((np.mod(samples[0], 360.0) // 10.0).astype(int), minlength=36)
+    allowed = stated.at(np.hypot(*true), count, component=true)
+    return mean_cycle(samples), true, allowed
 
 
 def mean_cycle(columns: np.ndarray) -> np.ndarray:

@@ -1,0 +1,30 @@
+"""A calibration, then a test: its forces lie within U of the plant's truth in 93 to 97 of 100."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.calibration.calibrated_tests import coverage
+
+LOW, HIGH = 0.93, 0.97
+LONG = 1000
+SHORT, FORCES = 16, 50
+SPREAD = 0.045 / SHORT**0.5
+"""Standard deviation of a part: that of one calibration's 50 forces is 0.045, since a calibration
+that is off by much of its own U loses more of them."""
+
+
+def test_forces_of_a_test_lie_within_the_stated_uncertainty(tmp_path: Path) -> None:
+    found = coverage(tmp_path, range(SHORT), FORCES)
+    low, high = LOW - 3.0 * SPREAD, HIGH + 2.0 * SPREAD
+    assert all(low <= part <= high for part in found.values()), found
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(7200)
+def test_forces_lie_within_the_stated_uncertainty_in_93_to_97_of_100(tmp_path: Path) -> None:
+    found = coverage(tmp_path, range(LONG))
+    print("\n".join(f"{name}: {100.0 * part:.1f} %" for name, part in found.items()))
+    assert all(LOW <= part <= HIGH for part in found.values()), found
