@@ -16,9 +16,11 @@ import numpy as np
 from calibration.arrays import Array
 from calibration.load_cell.characteristics import hysteresis_by_load
 from calibration.load_cell.evidence import SURE, Evidence, applied_forces, examine
+from calibration.load_cell.patterns import check_patterns
 from calibration.load_cell.reading_checks import coarse
 from calibration.load_cell.reading_faults import single_faults
-from calibration.load_cell.two_axis import Terms, fit, huber_fit
+from calibration.load_cell.two_axis import Terms, huber_fit
+from calibration.load_cell.wiring import check_wiring
 from calibration.problems import Problem
 from calibration.taking.readings import place_of
 
@@ -30,7 +32,7 @@ reference."""
 
 def check_fit(evidence: Evidence) -> Iterator[Problem]:
     """Yield the mistakes that the fit shows, the most telling first."""
-    wiring = list(_exchanged(evidence)) or list(_dead(evidence))
+    wiring = list(check_wiring(evidence))
     if wiring:
         yield from wiring
         return
@@ -39,10 +41,11 @@ def check_fit(evidence: Evidence) -> Iterator[Problem]:
     if saturated:
         yield from saturated
         return
-    for whole in (_wandering, _hanger):
-        problem, evidence = whole(evidence)
-        if problem is not None:
-            yield problem
+    problem, evidence = _wandering(evidence)
+    if problem is not None:
+        yield problem
+    problems, evidence = check_patterns(evidence)
+    yield from problems
     problem, evidence = _hysteresis(evidence)
     if problem is not None:
         yield problem
@@ -50,57 +53,7 @@ def check_fit(evidence: Evidence) -> Iterator[Problem]:
     yield from _range(evidence)
 
 
-# --- wiring --------------------------------------------------------------------------------------
-
-
-def _dead(evidence: Evidence) -> Iterator[Problem]:
-    rows = np.linalg.norm(evidence.found.sensitivity, axis=1)
-    weak = int(np.argmin(rows))
-    if rows[weak] < 0.05 * rows[1 - weak]:
-        yield Problem(
-            "bridge_dead",
-            f"signal_{weak + 1} hardly follows the load ({100.0 * rows[weak] / rows[1 - weak]:.1f}"
-            " % of the other signal): is the bridge connected and switched on?",
-        )
-
-
-WIRINGS = (
-    ("axes_swapped", ((0.0, 1.0), (1.0, 0.0)), "the two signals are swapped: were the plugs"
-     " exchanged before it?"),
-    ("axis_reversed", ((-1.0, 0.0), (0.0, 1.0)), "signal_1 has the wrong sign: was its plug turned"
-     " before it?"),
-    ("axis_reversed", ((1.0, 0.0), (0.0, -1.0)), "signal_2 has the wrong sign: was its plug turned"
-     " before it?"),
-)  # fmt: skip
-
-
-def _exchanged(evidence: Evidence) -> Iterator[Problem]:
-    """Series that fit all others only with signals exchanged or turned: wiring changed between."""
-    readings, force = evidence.readings, applied_forces(evidence)
-    series = np.array(readings.series)
-    names = list(dict.fromkeys(readings.series))
-    if len(names) < 4:
-        return
-    for name in names:
-        here = series == name
-        if np.count_nonzero(here & (evidence.loads.applied > 0.0)) < 3:
-            continue
-        try:
-            others = fit(force[~here], readings.signal[~here], Terms())
-        except np.linalg.LinAlgError:
-            continue
-        size = float(np.sqrt(np.mean(force[here] ** 2)))
-        if others.residual_std > 0.02 * size:
-            continue  # The others do not agree among themselves.
-        for code, wiring, words in WIRINGS:
-            undone = readings.signal[here] @ np.array(wiring)
-            as_is, changed = (
-                float(np.sqrt(np.mean((others.force(one) - force[here]) ** 2)))
-                for one in (readings.signal[here], undone)
-            )
-            if as_is > 0.5 * size and changed < 0.1 * as_is:
-                yield Problem(code, f"In series {name} {words} Take it again.")
-                return
+# --- the axes of all readings --------------------------------------------------------------------
 
 
 def _axes(evidence: Evidence) -> Iterator[Problem]:
@@ -269,34 +222,6 @@ def _drift(evidence: Evidence) -> tuple[Problem, Array] | None:
         ),
         ramp,
     )
-
-
-def _hanger(evidence: Evidence) -> tuple[Problem | None, Evidence]:
-    """The same mass missing, or too much, at every load but at none of the zeros."""
-    found = evidence.loads
-    loaded = found.applied > 0.0
-    if np.count_nonzero(loaded) < 8 or len(np.unique(np.round(found.applied[loaded], 3))) < 3:
-        return None, evidence
-    rows = np.column_stack((np.ones(np.count_nonzero(loaded)), found.applied[loaded]))
-    (extra, slope), *_ = np.linalg.lstsq(rows, found.along[loaded], rcond=None)
-    rest = found.along[loaded] - rows @ np.array([extra, slope])
-    before = found.along[loaded] - found.applied[loaded]
-    spread = np.sqrt(np.mean(rest**2) * np.linalg.inv(rows.T @ rows)[0, 0])
-    least = max(SURE * float(spread), 0.01 * evidence.settings.cell.full_scale)
-    if abs(extra) < least or slope < 0.5:
-        return None, evidence
-    if np.median(np.abs(rest)) > 0.5 * np.median(np.abs(before)):
-        return None, evidence
-    mass = extra / slope / evidence.newton_per_kg
-    words = "heavier" if mass > 0.0 else "lighter"
-    problem = Problem(
-        "hanger_mass",
-        f"Every load seems {abs(mass):.2f} kg {words} than written, while the zeros are right: is"
-        " hanger_mass_kg what hangs beside the pieces at every load?",
-    )
-    weights = evidence.settings.weights
-    right = replace(weights, hanger_mass=weights.hanger_mass + mass)
-    return problem, examine(evidence.readings, replace(evidence.settings, weights=right))
 
 
 def _hysteresis(evidence: Evidence) -> tuple[Problem | None, Evidence]:

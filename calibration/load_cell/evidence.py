@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibration.arrays import Array
+from calibration.arrays import Array, Whole
 from calibration.load_cell.characteristics import Loads, loads
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.settings import LoadCellSettings
@@ -44,3 +44,10 @@ def applied_forces(evidence: Evidence) -> Array:
     return pin_force(
         evidence.loads.applied, evidence.readings.angle, evidence.settings.angle_offset
     )
+
+
+def runs(evidence: Evidence) -> Whole:
+    """Return the number of the run (a series at one pin angle) of each reading, as taken."""
+    numbers: dict[tuple[str, int], int] = {}
+    names = zip(evidence.readings.series, evidence.loads.group.tolist(), strict=True)
+    return np.array([numbers.setdefault(name, len(numbers)) for name in names], dtype=np.int64)

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibration.load_cell.pieces import WeightChange, next_change, possible_loads
 from calibration.load_cell.readings import LoadCellReadings
+from calibration.taking.pieces import WeightChange, next_change, possible_loads
 from calibration.taking.procedure import Event, Method, Procedure, Step, StepKind
 
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from itertools import combinations
 
 import numpy as np
 
-from calibration.arrays import Marks, Whole
+from calibration.arrays import Whole
 from calibration.load_cell.characteristics import angle_groups
 from calibration.load_cell.plausible import RATED_OUTPUT, check_settings, heaviest_mass
 from calibration.load_cell.readings import LoadCellReadings
@@ -20,6 +20,11 @@ FEWEST_LOADED = 12
 """Twice the coefficients of the linear model: fewer leave no mistake to be seen."""
 FEWEST_ANGLES = 4
 """Each axis in both directions; three angles would tell A, but no wrong one among them."""
+FEWEST_COPIED = 4
+"""A series of so few readings may repeat another one."""
+BY_CHANCE = 1e-3
+"""A series that repeats another one by chance less often was copied: one good calibration in a
+thousand that takes an angle twice would be refused."""
 LIGHTEST_SHARE = 2e-3
 """Of what the cell may bear: with lighter weights its noise is all that is seen."""
 WIDEST_GAP = np.radians(130.0)
@@ -140,40 +145,33 @@ def _rated_output(readings: LoadCellReadings, settings: LoadCellSettings) -> Ite
 
 
 def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
-    """Rows that stand in the table twice, every digit the same.
+    """Rows that stand in the table twice, every digit the same; step numbers that do.
 
-    Where a coarse display lets readings repeat themselves this cannot be told.
+    A coarse display repeats single readings of a second run that is numbered like the first; it is
+    no second run where all of them repeat.
     """
-    if coarse(readings):
-        yield from _numbering(readings)
-        return
-    rows: dict[tuple[object, ...], int] = {}
-    twice = []
-    for index in range(len(readings)):
-        key = (
-            readings.series[index],
-            int(readings.step[index]),
-            float(readings.mass[index]),
-            float(readings.angle[index]),
-            *readings.signal[index].tolist(),
-        )
-        if key in rows:
-            twice.append(index)
-        rows[key] = index
-    if twice:
-        more = f" ({len(twice) - 1} more like it)" if len(twice) > 1 else ""
+    steps = list(zip(_runs_of(readings), readings.step.tolist(), strict=True))
+    values = np.column_stack((readings.mass, readings.angle, readings.signal)).tolist()
+    rows = [(*one, *two) for one, two in zip(steps, values, strict=True)]
+    again, same = _seen_before(steps), _seen_before(rows)
+    if same and (again == same or not coarse(readings)):
+        more = f" ({len(same) - 1} more like it)" if len(same) > 1 else ""
         yield Problem(
             "duplicated_rows",
-            f"The reading at {place_of(readings, twice[0])} stands twice in the table{more};"
-            " remove what was pasted twice.",
+            f"The reading at {place_of(readings, same[0])} stands twice in the table{more}; remove"
+            " what was pasted twice. A second run has series of its own.",
         )
     else:
-        yield from _numbering(readings)
+        yield from check_steps(readings, _runs_of(readings))
 
 
-def _numbering(readings: LoadCellReadings) -> Iterator[Problem]:
-    groups = angle_groups(readings.angle).tolist()
-    return check_steps(readings, list(zip(readings.series, groups, strict=True)))
+def _seen_before(rows: Sequence[Hashable]) -> list[int]:
+    first = {row: index for index, row in reversed(list(enumerate(rows)))}
+    return [index for index, row in enumerate(rows) if first[row] < index]
+
+
+def _runs_of(readings: LoadCellReadings) -> list[tuple[str, int]]:
+    return list(zip(readings.series, angle_groups(readings.angle).tolist(), strict=True))
 
 
 def coarse(readings: LoadCellReadings) -> bool:
@@ -186,36 +184,44 @@ def coarse(readings: LoadCellReadings) -> bool:
 def _copied(readings: LoadCellReadings) -> Iterator[Problem]:
     """Two series with the same digits, where the cell's noise would have changed some."""
     names = list(dict.fromkeys(readings.series))
-    series = np.array(readings.series)
+    series, group = np.array(readings.series), angle_groups(readings.angle)
     members = {name: np.flatnonzero(series == name) for name in names}
-    group = angle_groups(readings.angle)
-    for place, name in enumerate(names):
-        for other in names[:place]:
-            here, there = members[name], members[other]
-            if len(here) <= 4 or not np.array_equal(readings.signal[here], readings.signal[there]):
-                continue
-            if np.array_equal(group[here], group[there]):
-                rest = ~np.isin(series, (name, other))
-                if _repeating(readings, group, rest) ** len(here) > 1e-3:
-                    continue
-            yield Problem(
-                "copied_series",
-                f"Series {name} repeats series {other} digit for digit; was it copied instead"
-                " of taken?",
-            )
+    alike = [
+        (name, other)
+        for other, name in combinations(names, 2)
+        if len(members[name]) > FEWEST_COPIED
+        and np.array_equal(readings.signal[members[name]], readings.signal[members[other]])
+    ]
+    repeating = _repeating(readings, group, set(alike)) if alike else 0.0
+    copies = [
+        (name, other)
+        for name, other in alike
+        if not np.array_equal(group[members[name]], group[members[other]])
+        or repeating ** len(members[name]) < BY_CHANCE
+    ]
+    if copies:
+        name, other = copies[0]
+        more = f" (and {len(copies) - 1} more)" if len(copies) > 1 else ""
+        yield Problem(
+            "copied_series",
+            f"Series {name} repeats series {other} digit for digit{more}; was it copied instead"
+            " of taken?",
+        )
 
 
-def _repeating(readings: LoadCellReadings, group: Whole, chosen: Marks) -> float:
-    """Return how often two of the chosen readings of one load and angle have the same digits.
+def _repeating(readings: LoadCellReadings, group: Whole, alike: set[tuple[str, str]]) -> float:
+    """Return how often two readings of one load and angle have the same digits.
 
-    A quiet cell with a coarse display repeats itself; 0 where nothing was taken twice.
+    A quiet cell with a coarse display repeats itself. Pairs of series that are ``alike`` are left
+    out; 0 where nothing was taken twice.
     """
     same = pairs = 0
     where: dict[tuple[int, float], list[int]] = {}
-    for index in np.flatnonzero(chosen):
-        where.setdefault((int(group[index]), float(readings.mass[index])), []).append(int(index))
+    for index, key in enumerate(zip(group.tolist(), readings.mass.tolist(), strict=True)):
+        where.setdefault(key, []).append(index)
     for members in where.values():
         for first, second in combinations(members, 2):
-            pairs += 1
-            same += np.array_equal(readings.signal[first], readings.signal[second])
+            if (readings.series[second], readings.series[first]) not in alike:
+                pairs += 1
+                same += np.array_equal(readings.signal[first], readings.signal[second])
     return same / pairs if pairs else 0.0

@@ -14,6 +14,10 @@ from calibration.load_cell.evidence import SURE, Evidence
 from calibration.problems import Problem
 from calibration.taking.readings import place_of
 
+ANGLE_OFF = np.radians(0.5)
+"""An angle set by eye and read from a protractor is right to a few tenths: that is scatter, which
+the uncertainty holds; five times the 0.1 degrees of an encoder is a mistake."""
+
 
 def single_faults(evidence: Evidence) -> Iterator[Problem]:
     """Yield what is wrong with single readings and series, one of each code."""
@@ -54,7 +58,7 @@ def _angle_off(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     off = [
         (turn - middle, block)
         for turn, sigma, block in turns
-        if abs(turn - middle) > max(SURE * sigma, np.radians(0.2))
+        if abs(turn - middle) > max(SURE * sigma, ANGLE_OFF)
     ]
     if not off or len(off) > 0.6 * len(turns):
         return

@@ -13,7 +13,6 @@ import numpy as np
 
 from calibration.load_cell.calibrate import calibrate_load_cell
 from calibration.load_cell.daily import daily_check
-from calibration.load_cell.level import LevelError, LevelReading, reversed_level, single
 from calibration.load_cell.live import LoadCellWindow, assess_load
 from calibration.load_cell.plans import (
     WEIGHING,
@@ -26,6 +25,7 @@ from calibration.load_cell.readings import LOAD_CELL_COLUMNS, LoadCellReadings, 
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import Terms, fit
 from calibration.load_cell.weights import pin_force, weight_force
+from calibration.taking.level import LevelError, LevelReading, reversed_level, single
 from calibration.taking.procedure import Event, ProcedureError, Step, TakenReading
 from calibration.taking.signals import Readiness
 from rigapp.calibrating.daily_history import DailyHistory, append_check, entry_of, read_history

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from calibration.load_cell.level import LevelError, reversed_level, single
+from calibration.taking.level import LevelError, reversed_level, single
 
 
 @pytest.mark.parametrize("true_deg", [-3.0, 0.0, 0.4, 12.0])

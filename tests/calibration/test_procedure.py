@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.load_cell.pieces import PiecesError, next_change, possible_loads
 from calibration.load_cell.plans import WEIGHING, LoadCellPlan, PlanKind, load_cell_readings
 from calibration.load_cell.weights import force_per_mass, pin_force
+from calibration.taking.pieces import PiecesError, next_change, possible_loads
 from calibration.taking.procedure import (
     Procedure,
     ProcedureError,

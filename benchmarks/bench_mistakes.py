@@ -1,0 +1,81 @@
+"""Plant mistakes in virtual calibrations: how often is each named, and a good one refused?
+
+Run with ``python benchmarks/bench_mistakes.py [--sets 200] [--word WORD]``. Each line is a kind of
+calibration; a mistake is named rightly when its codes, and no others, are what it is refused for.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from tests.calibration.virtual_mistakes import (
+    KINDS,
+    MISTAKES,
+    UNSEEN,
+    can_be_told,
+    outcomes,
+    refusals,
+    rightly_named,
+)
+
+GOAL_NAMED, GOAL_REFUSED = 0.95, 0.005
+
+
+def good(sets: int, word: str) -> bool:
+    """Print how many good calibrations of each kind are refused; tell whether few enough are."""
+    total = count = 0
+    print(f"{'good calibrations':34} refused")
+    for name, kind in KINDS.items():
+        if word in name:
+            found = refusals(kind, sets, 11)
+            total, count = total + found.total(), count + sets
+            print(f"{name:34} {100.0 * found.total() / sets:5.1f} %  {dict(found) or ''}")
+    print(f"{'all':34} {100.0 * total / max(count, 1):5.2f} % of {count}")
+    return total < GOAL_REFUSED * max(count, 1)
+
+
+def planted(sets: int, word: str) -> bool:
+    """Print how often each mistake has its right name; tell whether all reach the goal."""
+    reached = True
+    for mistake, (right, plant) in MISTAKES.items():
+        print(f"\n{mistake}: refused as {' or '.join(sorted(right))}")
+        for name, kind in KINDS.items():
+            if word not in name or not name.endswith("all"):
+                continue
+            found = outcomes(kind, plant, sets, 12)
+            share, told = rightly_named(found, right), can_be_told(mistake, name)
+            reached = reached and (share >= GOAL_NAMED or not told)
+            rest = {code: one for code, one in found.most_common(4) if not {code} <= right}
+            mark = "" if told else "(too few readings to tell)"
+            print(f"  {name:32} {100.0 * share:5.1f} %  {rest or ''} {mark}")
+    return reached
+
+
+def unseen(sets: int) -> None:
+    """Print what no reading can show, as the notes say."""
+    print("\nevery pin angle off: no reading shows it, an angle reference must")
+    for mistake, plant in UNSEEN.items():
+        found = outcomes(KINDS["8 angles, means, all"], plant, sets, 13)
+        print(f"  {mistake:32} accepted in {100.0 * found['accepted'] / sets:.0f} %")
+
+
+def main() -> int:
+    """Print the tables; the status is 1 when a goal is missed."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--sets", type=int, default=200)
+    parser.add_argument("--word", default="", help="only kinds whose name contains it")
+    told = parser.parse_args()
+    start = time.perf_counter()
+    reached = [good(told.sets, told.word), planted(told.sets, told.word)]
+    unseen(told.sets)
+    print(f"\n{time.perf_counter() - start:.0f} s; goals {'reached' if all(reached) else 'MISSED'}")
+    return 0 if all(reached) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

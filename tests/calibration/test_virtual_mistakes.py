@@ -1,0 +1,48 @@
+"""Virtual calibrations: each mistake is refused with its right name, good ones are not refused."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import pytest
+
+from tests.calibration.virtual_mistakes import (
+    KINDS,
+    MISTAKES,
+    can_be_told,
+    outcomes,
+    refusals,
+    rightly_named,
+)
+
+ALL = [name for name in KINDS if name.endswith("all")]
+PAIRS = [pair for pair in product(MISTAKES, ALL) if can_be_told(*pair)]
+SHORT = [pair for pair in PAIRS if pair[1] in ("4 angles, coarse, all", "8 angles, means, all")]
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_good_calibrations_are_accepted(name: str) -> None:
+    assert refusals(KINDS[name], 2, 1) == {}
+
+
+@pytest.mark.parametrize(("mistake", "name"), SHORT)
+def test_a_mistake_has_its_right_name(mistake: str, name: str) -> None:
+    right, plant = MISTAKES[mistake]
+    found = outcomes(KINDS[name], plant, 3, 2)
+    assert rightly_named(found, right) == 1.0, found
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(7200)
+def test_good_calibrations_are_hardly_ever_refused() -> None:
+    found = {name: refusals(kind, 200, 3) for name, kind in KINDS.items()}
+    assert sum(one.total() for one in found.values()) < 0.005 * 200 * len(KINDS), found
+
+
+@pytest.mark.soak
+@pytest.mark.timeout(7200)
+@pytest.mark.parametrize(("mistake", "name"), PAIRS)
+def test_a_mistake_nearly_always_has_its_right_name(mistake: str, name: str) -> None:
+    right, plant = MISTAKES[mistake]
+    found = outcomes(KINDS[name], plant, 200, 4)
+    assert rightly_named(found, right) >= 0.95, found
