@@ -17,6 +17,7 @@ from model.wear.front import (
     WearProblem,
     contact_pressure,
     implicit_step,
+    touched,
     wear_problem,
     worn_area,
 )
@@ -109,8 +110,11 @@ class WearState:
             return replace(self, cycles=self.cycles + cycles, mean_force=0.0, peak_pressure=0.0)
         law, done = self.problem.law, self.cycles
         effort = float(steady_cycles(law, done + cycles) - steady_cycles(law, done))
-        coarse = implicit_step(self.problem, self.front, loads, effort)
-        fine = self.front
+        front = self.front
+        if front.pins is None:
+            front = touched(self.problem, front, loads)
+        coarse = implicit_step(self.problem, front, loads, effort)
+        fine = front
         for _ in range(2):
             fine = implicit_step(self.problem, fine, loads, 0.5 * effort)
         inner = self.problem.ring.inner

@@ -153,6 +153,40 @@ def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[s
     return found
 
 
+@dataclass(frozen=True, slots=True)
+class ProbesStated:
+    """What the records of the probes state of a depth.
+
+    sensitivity: relative standard uncertainty, the larger of both probes'; drift_um: standard, what
+    a position may wander by in a decade of revolutions: as far as it did not come back to in the
+    record's series. records: which ones.
+    """
+
+    sensitivity: float
+    drift_um: float
+    records: str
+
+
+def probes_stated(texts: Mapping[str, str]) -> ProbesStated | None:
+    """Return what the probes' records among some texts state, None where there are none.
+
+    texts: as ``RigRecords`` has them. Raises RecordError for one that was changed.
+    """
+    records = [
+        unseal(texts[label].encode())
+        for label in ("probe_1", "probe_2", "probes")
+        if label in texts
+    ]
+    results = [one.content["result"] for one in records]
+    each = [part for result in results for part in result.get("probes", [result])]
+    sensitivity = [one.get("sensitivity_relative_standard_uncertainty") for one in each]
+    residual = [one.get("residual_std_um") for one in each]
+    if not each or not all(isinstance(one, int | float) for one in (*sensitivity, *residual)):
+        return None
+    names = " + ".join(dict.fromkeys(str(one.number) for one in records))
+    return ProbesStated(float(max(sensitivity)), float(max(residual)), names)
+
+
 # --- what the records of a place replace ----------------------------------------------------------
 
 

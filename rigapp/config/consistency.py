@@ -153,6 +153,8 @@ def _of_test(test: TestFile) -> Iterator[str]:
                 f"stop.{name} {criterion.model}, but prediction.enabled is false; enable the"
                 " prediction or leave the criterion out"
             )
+    if stop.remaining_revolutions is not None and stop.wear_depth_um is None:
+        yield "stop.remaining_revolutions needs stop.wear_depth_um, the depth to which they remain"
     try:
         check_rules(limits.rule)
     except UnusableInput as error:

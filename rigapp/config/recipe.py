@@ -80,8 +80,9 @@ class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[stop]: what ends the test before its last revolution; the first that is met, any of them.
 
-    Planned ends (the test is complete): elapsed_time_h, running_time_h, wear_depth_um. Limits (the
-    test is stopped): force_N, wear_rate_um_per_1000_revolutions, deviation_N, deviation_percent.
+    Planned ends (the test is complete): elapsed_time_h, running_time_h, wear_depth_um,
+    remaining_revolutions. Limits (the test is stopped): force_N, wear_rate_um_per_1000_revolutions,
+    deviation_N, deviation_percent, wear_coefficient_mm3_per_Nm, wear_consistency.
     A level must be passed in so many judged revolutions in a row as the key beside it says.
     """
 
@@ -96,6 +97,12 @@ class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     deviation_N: Annotated[float | None, within(0.1, 10_000.0)] = None
     deviation_percent: Annotated[float | None, within(0.1, 1000.0)] = None
     deviation_revolutions: Annotated[int, IN_A_ROW] = 20
+    wear_coefficient_mm3_per_Nm: Annotated[float | None, within(1e-12, 1.0)] = None
+    remaining_revolutions: Annotated[float | None, within(0.0, MOST, unit="revolutions")] = None
+    wear_consistency: Annotated[float | None, within(0.1, 1000.0, unit="standard deviations")] = (
+        None
+    )
+    identified_revolutions: Annotated[int, IN_A_ROW] = 20
     hold_off_revolutions: Annotated[int, within(0, MOST)] = 0
 
 

@@ -105,8 +105,8 @@ def identified_columns() -> tuple[Column, ...]:
             "wear_consistency",
             "<f8",
             "1",
-            "how far the newest depth is from what the ones before let expect, in standard"
-            " deviations",
+            "how far newer depths together are from what the ones before let expect, in standard"
+            " deviations; positive where the joint wears faster",
         ),
         Column(
             "wear_model",
@@ -117,6 +117,12 @@ def identified_columns() -> tuple[Column, ...]:
         ),
         Column("wear_model_weight", "<f8", "1", "probability of that among these, 0 to 1"),
         Column("wear_change_revolution", "<f8", "1", "revolution at which the wear changed, if so"),
+        Column(
+            "wear_departure_revolution",
+            "<f8",
+            "1",
+            "revolution since which the joint wears otherwise than before, once that was told",
+        ),
     )
 
 

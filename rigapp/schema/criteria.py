@@ -29,6 +29,7 @@ class Sight(enum.Enum):
 class Criterion:
     """What ends a test when its value, in the unit of its key, is at or above the key's level.
 
+    falls: it is met at or below the level instead.
     value: of the columns that ``sight`` gives; a clock has ``time`` (s) and ``running_time`` (h).
     planned: it is the end that was planned (complete), else a limit (stopped). count: key of how
     many judged revolutions in a row must reach the level. window: key of the revolutions over which
@@ -46,13 +47,14 @@ class Criterion:
     window: str = ""
     model: str = ""
     doubt: Callable[[At], float] | None = None
+    falls: bool = False
 
 
-def _in_a_row(what: str, unit: str) -> Sentence:
+def _in_a_row(what: str, unit: str, side: str = "above") -> Sentence:
     def sentence(value: float, level: float, number: int) -> str:
         times = f"in {number} revolutions in a row" if number > 1 else "in one revolution"
         return (
-            f"{what} was at or above {level:g} {unit} {times}, {value:.4g} {unit} in the last one."
+            f"{what} was at or {side} {level:g} {unit} {times}, {value:.4g} {unit} in the last one."
         )
 
     return sentence
@@ -66,6 +68,7 @@ def _share(at: At) -> float:
 
 _ELASTIC = "needs the model's elastic approach"
 _COMPARED = "compares with the model"
+_IDENTIFIED = "is identified beside the model"
 _DEVIATION = "The RMS of measured less predicted |F|"
 
 CRITERIA = {
@@ -139,6 +142,35 @@ CRITERIA = {
             _in_a_row(_DEVIATION, "% of the predicted RMS"),
             count="deviation_revolutions",
             model=_COMPARED,
+        ),
+        Criterion(
+            "wear_coefficient_mm3_per_Nm",
+            "wear coefficient",
+            Sight.PREDICTION,
+            lambda at: at("wear_coefficient_low"),
+            _in_a_row("The lower 95 % limit of the wear coefficient", "mm^3/(N m)"),
+            count="identified_revolutions",
+            model=_IDENTIFIED,
+        ),
+        Criterion(
+            "remaining_revolutions",
+            "remaining revolutions",
+            Sight.PREDICTION,
+            lambda at: at("remaining_revolutions_low"),
+            _in_a_row("The lower 95 % limit of what remains", "revolutions", "below"),
+            planned=True,
+            count="identified_revolutions",
+            model=_IDENTIFIED,
+            falls=True,
+        ),
+        Criterion(
+            "wear_consistency",
+            "wear consistency",
+            Sight.PREDICTION,
+            lambda at: abs(at("wear_consistency")),
+            _in_a_row("The wear's departure from what was expected", "standard deviations"),
+            count="identified_revolutions",
+            model=_IDENTIFIED,
         ),
     )
 }

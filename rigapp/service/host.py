@@ -17,7 +17,7 @@ from typing import Any
 import msgspec
 
 from drivers.api import DeviceError
-from rigapp.calibrating.records_in_use import with_records
+from rigapp.calibrating.records_in_use import probes_stated, with_records
 from rigapp.calibrating.rig_file import only_records_differ
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, read_rig, read_test
@@ -70,6 +70,7 @@ from rigapp.service.security import Bind, authorise_own_viewer, parse_bind, requ
 from rigapp.service.server import Server
 from rigapp.service.simulated import SampleNumbers, SimulatedDevices, Speed, parse_speed
 from rigapp.simulation.handle import SimulationFailed
+from rigapp.twin.identifying import Sought
 from rigapp.twin.link import TwinLink
 from rigapp.twin.worker import TwinSetup
 
@@ -303,7 +304,19 @@ class EngineHost:
             self._twin.close()
             self._twin = None
         if test.prediction.enabled:
-            setup = TwinSetup(test.model, test.prediction.joint)
+            rig, stated = self._records.rig.record, probes_stated(self._records.texts)
+            setup = TwinSetup(
+                test.model,
+                test.prediction.joint,
+                sought=Sought(
+                    stated.sensitivity if stated is not None else None,
+                    stated.drift_um if stated is not None else None,
+                    test.stop.wear_depth_um,
+                    test.run.revolutions,
+                    stated.records if stated is not None else "",
+                ),
+                force_uncertainty_N=rig.load_cell.uncertainty_N,
+            )
             if past is not None:
                 setup = msgspec.structs.replace(
                     setup, new_position_um=past.new_position_um, checkpoint=checkpoint(file)

@@ -13,6 +13,7 @@ from model.parameters import Parameters
 from model.wear.loads import CycleLoads
 from model.wear.state import restored_state
 from rigapp.twin.ahead import BushingAhead
+from rigapp.twin.identifying import IdentifiedRecord
 from rigapp.twin.pinpath import Reference
 from rigapp.twin.twin import TrackedBushing, Twin
 
@@ -44,7 +45,7 @@ class Checkpoint(msgspec.Struct, frozen=True):
     """Everything of a twin after revolution ``newest``.
 
     loads: of the bushing ahead, float64 (positions, 3) as bytes: force (N) and slip (m); empty
-    where there is none.
+    where there is none. identified: the wear coefficient so far, None in those of before.
     """
 
     version: int
@@ -55,6 +56,7 @@ class Checkpoint(msgspec.Struct, frozen=True):
     driven: BushingRecord | None
     reference: ReferenceRecord | None
     loads: bytes = b""
+    identified: IdentifiedRecord | None = None
 
 
 def packed(twin: Twin) -> bytes:
@@ -70,6 +72,7 @@ def packed(twin: Twin) -> bytes:
         Checkpoint(
             VERSION, twin.newest, twin.profiled, twin.kept_profile,
             _record(twin.predicted), _record(twin.driven), reference, _loads(twin.ahead),
+            None if twin.identifier is None else twin.identifier.packed(),
         )
     )  # fmt: skip
 
@@ -88,6 +91,8 @@ def restore(twin: Twin, checkpoint: bytes) -> bool:
     twin.predicted, twin.driven, twin.ahead = predicted, driven, ahead
     twin.newest, twin.profiled = found.newest, found.profiled
     twin.kept_profile = found.kept_profile
+    if twin.identifier is not None and found.identified is not None:
+        twin.identifier.restore(found.identified, None if ahead is None else ahead.loads)
     kept = found.reference
     if kept is not None:
         twin.reference = Reference(

@@ -30,7 +30,7 @@ GRID: Array = np.arange(PREDICTION_POINTS, dtype=np.float64) * (2.0 * np.pi / PR
 
 
 NOTHING: Mapping[str, float] = dict.fromkeys((one.name for one in identified_columns()), math.nan)
-"""The columns of what is identified while nothing is."""
+"""The columns of what is identified while nothing is known."""
 
 
 class Unpredictable(ValueError):

@@ -10,7 +10,7 @@ import functools
 import logging
 import math
 import operator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import msgspec
 import numpy as np
@@ -21,12 +21,14 @@ from model.errors import ModelError
 from model.frames import into_frame
 from model.friction_circle import CellDoubt
 from model.parameters import Parameters
+from model.wear.front import Front
 from model.wear.loads import CycleLoads
 from model.wear.state import WearState, unworn_state, worn_by
 from rigapp.schema.columns import PROFILES_PER_DECADE, in_order, profile_columns
 from rigapp.schema.messages import Prediction, WornProfile
 from rigapp.twin.ahead import BushingAhead, bushing_ahead
 from rigapp.twin.approach import RIGID, Approach
+from rigapp.twin.identifying import Identifier
 from rigapp.twin.jointload import joint_load
 from rigapp.twin.measureddepth import (
     ELASTIC_DOUBT,
@@ -46,6 +48,7 @@ from rigapp.twin.pinpath import (
 )
 from rigapp.twin.predict import (
     GRID,
+    NOTHING,
     MeasuredRevolution,
     Wear,
     compare,
@@ -86,7 +89,9 @@ class TrackedBushing:
             pending = cycles - self.state.cycles
             if pending < max(1.0, STEP_SHARE * self.state.cycles):
                 return False
-            self.state = _advanced(self.state, loads, cycles)
+            # Begun from the surface alone, as after a checkpoint: both give the same numbers.
+            bare = replace(self.state, front=Front(self.state.front.surface))
+            self.state = _advanced(bare, loads, cycles)
         except (ModelError, ValueError, ArithmeticError) as error:
             self.failed = str(error)
             log.warning("The twin's bushing is not worn on: %s", error)
@@ -124,7 +129,8 @@ class Twin:
 
     new_position_um: mean reading of the probes in the new bushing, for a test whose first
     revolutions this twin has not seen and of which no checkpoint is left. cell: what is stated of
-    the load cell, None where nothing is. changed: whether the
+    the load cell, None where nothing is. identifier: of the wear coefficient, None where it cannot
+    be told. changed: whether the
     last revolution changed what a checkpoint keeps.
     """
 
@@ -132,6 +138,7 @@ class Twin:
     joint: str
     new_position_um: tuple[float, float] | None = None
     cell: CellDoubt | None = None
+    identifier: Identifier | None = None
     predicted: TrackedBushing = field(default_factory=TrackedBushing)
     driven: TrackedBushing = field(default_factory=TrackedBushing)
     reference: Reference | None = None
@@ -170,8 +177,13 @@ class Twin:
         self.newest = measured.revolution
         profile = self._profile(measured.revolution, path)
         self.changed = changed or profile is not None
+        known = NOTHING
+        if self.identifier is not None:
+            usual = self.ahead.loads if self.ahead is not None else None
+            self.identifier.take(measured.revolution, loads, usual, self._last)
+            self.changed, known = True, self.identifier.known
         load = joint_load(self.parameters, in_crank, motion, self.cell)
-        found = compare(measured, motion, wear, doubt, load)
+        found = compare(measured, motion, wear, doubt, load, known)
         return msgspec.structs.replace(found, profile=profile)
 
     def _learn(self, revolution: int, path: PathSum) -> bool:

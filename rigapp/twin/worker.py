@@ -16,11 +16,13 @@ import msgspec
 import zmq
 
 from model.errors import ModelError
+from model.friction_circle import COVERAGE_FACTOR, CellDoubt
 from model.wear.techniques import solve_of
 from rigapp.config.errors import UnusableInput
 from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.schema.messages import Prediction, RevolutionMeasured
 from rigapp.twin.checkpoint import packed, restore
+from rigapp.twin.identifying import Identifier, Sought
 from rigapp.twin.predict import Unpredictable, unpack
 from rigapp.twin.twin import Twin
 
@@ -28,19 +30,24 @@ WAIT_MS = 500
 LINGER_MS = 2000
 SAID_AT_ONCE = 8
 
+log = logging.getLogger(__name__)
+
 
 class TwinSetup(msgspec.Struct, frozen=True):
     """Tell the twin which model to run.
 
     new_position_um: mean pin position (probe_1, probe_2) of the new bushing, where the file of a
     resumed test knows it; else the first revolutions tell. checkpoint: what an earlier twin of the
-    same test left, to go on from there.
+    same test left, to go on from there. sought: what is to be identified. force_uncertainty_N:
+    expanded (k = 2) of the measured force, constant and per N, None where nothing states it.
     """
 
     parameters: ParameterFile
     joint: str
     new_position_um: tuple[float, float] | None = None
     checkpoint: bytes = b""
+    sought: Sought = Sought()
+    force_uncertainty_N: tuple[float, float] | None = None
 
 
 class TwinAnswer(msgspec.Struct, frozen=True):
@@ -82,11 +89,30 @@ def new_twin(setup: TwinSetup) -> Twin:
     Raises UnusableInput, ModelError for a setup that no twin can be made of.
     """
     solve_of(setup.joint)
-    twin = Twin(to_parameters(setup.parameters), setup.joint)
+    parameters = to_parameters(setup.parameters)
+    identifier = Identifier(parameters, setup.sought)
+    twin = Twin(
+        parameters,
+        setup.joint,
+        cell=_cell(setup.force_uncertainty_N),
+        identifier=identifier if identifier.possible() else None,
+    )
     restore(twin, setup.checkpoint)
     if twin.reference is None:
         twin.new_position_um = setup.new_position_um
     return twin
+
+
+def _cell(stated: tuple[float, float] | None) -> CellDoubt | None:
+    """Return what is stated of the load cell; say in words what follows where nothing is."""
+    if stated is None:
+        log.warning(
+            "The friction coefficient is not stated: the load cell has no calibration record that"
+            " states its uncertainty."
+        )
+        return None
+    constant, relative = (one / COVERAGE_FACTOR for one in stated)
+    return CellDoubt(constant, relative)
 
 
 def answer(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:

@@ -52,7 +52,7 @@ def test_a_criterion_has_keys_columns_and_a_row_of_the_manual(criterion: Criteri
     assert {criterion.key, criterion.count or criterion.key, criterion.window or criterion.key} <= {
         *keys
     }
-    assert unit_of(criterion.key)
+    assert unit_of(f"stop.{criterion.key}")
     asked: set[str] = set()
 
     def at(name: str) -> float:

@@ -36,6 +36,18 @@ def test_a_pairing_beyond_its_range_is_told_once_and_ends_when_it_is_back(value:
     assert list(told(watch, 0.01, 100)) == ["pairing_left"]
 
 
+def test_a_joint_that_wears_otherwise_is_told_once_for_each_departure() -> None:
+    watch, values = JointWatch(), {**NOTHING, "wear_consistency": 7.1}
+    assert not list(watch.look(values))
+    values["wear_departure_revolution"] = 4210.0
+    (cause,) = watch.look(values)
+    assert isinstance(cause, Cause)
+    assert cause.key == "wears_otherwise"
+    assert "Since about revolution 4210 the joint wears faster" in cause.sentence
+    assert "Of 100 tests of 21,377 revolutions without a change fewer than 1" in cause.sentence
+    assert not list(watch.look(values))
+
+
 def test_what_is_not_known_leaves_no_range() -> None:
     assert not list(told(JointWatch(PairingSection(sliding_speed_high_m_per_s=0.1)), np.nan, 100))
     assert not list(told(JointWatch(), 1e9, 100))

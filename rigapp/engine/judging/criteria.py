@@ -122,13 +122,16 @@ class _Watched:
             if value is None:
                 return None
         self.since_value = 0
-        self._beyond = self._beyond + 1 if value >= self._level else 0
+        met = value <= self._level if criterion.falls else value >= self._level
+        self._beyond = self._beyond + 1 if met else 0
         if not self._beyond or self._beyond < self._needed:
             return None
         sentence = criterion.sentence(value, self._level, self._number)
         doubt = criterion.doubt(at) if criterion.doubt is not None else math.nan
         if math.isfinite(doubt):
-            sentence = f"{sentence[:-1]}, +/- {doubt:.2g} {unit_of(criterion.key)} (k = 2)."
+            sentence = (
+                f"{sentence[:-1]}, +/- {doubt:.2g} {unit_of('stop.' + criterion.key)} (k = 2)."
+            )
         return Met(criterion.key, sentence, criterion.planned)
 
 
@@ -228,5 +231,6 @@ def levels(stop: StopSection) -> dict[str, float]:
 def described(stop: StopSection) -> list[str]:
     """Return the criteria that are set, in words, for a check or a report."""
     return [
-        f"{CRITERIA[key].title} {level:g} {unit_of(key)}" for key, level in levels(stop).items()
+        f"{CRITERIA[key].title} {level:g} {unit_of('stop.' + key)}"
+        for key, level in levels(stop).items()
     ]

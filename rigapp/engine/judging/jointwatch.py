@@ -1,10 +1,12 @@
 """What the twin's answers tell of the joint that is worth a warning, whatever the test file limits.
 
-The pairing of materials leaves the range that was given for it. Nothing here ends a test.
+The pairing of materials leaves the range that was given for it; the joint wears otherwise than
+before. Nothing here ends a test.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 from rigapp.config.parameters import PairingSection
@@ -23,6 +25,7 @@ class JointWatch:
         self._pairing = pairing or PairingSection()
         self._in_a_row = 0
         self._left = False
+        self._told = math.nan
 
     def look(self, values: Mapping[str, float]) -> Iterator[Cause | str]:
         """Yield what is to be raised, and the keys of alarms whose condition is over.
@@ -34,6 +37,11 @@ class JointWatch:
         if self._in_a_row >= STAYS:
             self._in_a_row, self._left = 0, bool(beyond)
             yield because("pairing_left", sentence=beyond) if beyond else "pairing_left"
+        since = values["wear_departure_revolution"]
+        if math.isfinite(since) and since != self._told:
+            self._told = since
+            how = "faster" if values["wear_consistency"] > 0.0 else "more slowly"
+            yield because("wears_otherwise", since=since, how=how)
 
     def _beyond(self, values: Mapping[str, float]) -> str:
         """Say which level of the pairing is passed, nothing when none."""

@@ -1,0 +1,316 @@
+"""The wear coefficient beside the test: readings into bins, a life worn ahead, what they tell.
+
+All of it is a function of the revolutions seen, in their order, and of nothing else: a twin that
+goes on from a checkpoint gives the same numbers to the last bit.
+"""
+
+from __future__ import annotations
+
+import logging
+import math
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import msgspec
+
+from model.errors import ModelError
+from model.identification import (
+    Bins,
+    CannotBeTold,
+    Consistency,
+    Credible,
+    DepthLife,
+    Prior,
+    ProbeErrors,
+    bins_of,
+    consistency_of,
+    depth_life,
+    identify,
+    probe_errors,
+    remaining,
+    weight,
+)
+from model.identification.identify import Identification
+from model.identification.words import revolution_of
+from model.parameters import Parameters
+from model.wear.loads import CycleLoads
+from model.wear.state import WearState, unworn_state
+from rigapp.schema.columns import WEAR_MODELS
+from rigapp.twin.measureddepth import MeasuredDepth
+from rigapp.twin.predict import NOTHING
+
+LIFE_ERROR = 0.01
+"""The computed life is right to this part of the depth: so much do two independent methods for
+elasticity and wear differ at an equal coefficient, the model's and the simulated rig's."""
+LEAST_REFERENCE = 1e-8
+"""The zero of the depth is never better known than this, m: the resolution of the probes."""
+STEP_SHARE, FIRST_CYCLES = 0.05, 2.0
+"""The life goes on by so much of its cycles, and by so many at first: halving moves no depth by
+1e-3. One step a revolution, so that none waits for it."""
+AHEAD = 1.4
+"""The life reaches further than depth, criterion and planned end by this factor."""
+FIRST_REACH = 40e-6
+"""It reaches this depth at least, m: what an early posterior still holds possible."""
+MM3_PER_NM = 1e9
+REMAINING = tuple(f"remaining_revolutions{end}" for end in ("", "_low", "_high"))
+NEVER = (math.nan, math.nan, math.nan)
+
+log = logging.getLogger(__name__)
+
+
+class Sought(msgspec.Struct, frozen=True):
+    """Say what a test asks of its wear, and what the record of its probes states.
+
+    sensitivity: relative standard uncertainty; drift_um: what a position may wander by in a decade
+    of revolutions, standard; None where no record states it. depth_um: of the stop criterion, None
+    without one. planned: the last revolution. record: which one it is.
+    """
+
+    sensitivity: float | None = None
+    drift_um: float | None = None
+    depth_um: float | None = None
+    planned: float = 0.0
+    record: str = ""
+
+    @property
+    def depth(self) -> float | None:
+        """Return the depth of the stop criterion, m."""
+        return None if self.depth_um is None else 1e-6 * self.depth_um
+
+
+class IdentifiedRecord(msgspec.Struct, frozen=True):
+    """Everything of an ``Identifier``: see its fields; known: the columns that are held."""
+
+    sought: Sought
+    bins: dict[str, Any]
+    consistency: dict[str, Any]
+    progress: float
+    revolution: float
+    reference: float
+    deepest: float
+    steps: int
+    ratio: float
+    ends: tuple[float, float, float]
+    known: dict[str, float]
+
+
+@dataclass(slots=True)
+class LifeAhead:
+    """Wear a new bushing on under one load, a step a time, as far as is asked for."""
+
+    parameters: Parameters
+    loads: CycleLoads
+    progress: list[float] = field(default_factory=lambda: [0.0])
+    depth: list[float] = field(default_factory=lambda: [0.0])
+    failed: str = ""
+    _state: WearState | None = None
+    _life: DepthLife | None = None
+
+    @property
+    def steps(self) -> int:
+        """Return how many steps were made."""
+        return len(self.depth) - 1
+
+    def step(self) -> None:
+        """Wear on by one step, unless the model cannot."""
+        if self.failed:
+            return
+        try:
+            if self._state is None:
+                largest = float(self.loads.magnitude.max())
+                self._state = unworn_state(_without_running_in(self.parameters), largest)
+            state = self._state
+            self._state = state.advance_by(self.loads, max(FIRST_CYCLES, STEP_SHARE * state.cycles))
+            reached = self._state.depth_at_contact
+            if reached <= self.depth[-1]:
+                raise ModelError("loads", self.loads.mean_force, "they wear no depth", "N")
+        except (ModelError, ValueError, ArithmeticError) as error:
+            self.failed = str(error)
+            log.warning("The life is not computed beyond %g um: %s", 1e6 * self.depth[-1], error)
+            return
+        self.progress.append(self._state.cycles)
+        self.depth.append(reached)
+
+    def life(self) -> DepthLife | None:
+        """Return the life so far; None while there is hardly any."""
+        if self.steps < 3:
+            return None
+        if self._life is None or self._life.reach < self.depth[-1]:
+            coefficient = self.parameters.bushing.wear_coefficient
+            self._life = depth_life(coefficient, self.progress, self.depth, LIFE_ERROR)
+        return self._life
+
+
+def _without_running_in(parameters: Parameters) -> Parameters:
+    """Return parameters whose wear depends on progress alone: running-in is a statement here."""
+    law = replace(parameters.bushing.law, excess=0.0)
+    return replace(parameters, bushing=replace(parameters.bushing, law=law))
+
+
+@dataclass(slots=True)
+class Identifier:
+    """Gather readings of the depth, and say what they tell when a bin closes.
+
+    progress: measured, nominal cycles by revolution ``revolution``; reference: standard
+    uncertainty of the depth's zero, m; deepest: measured, m; ratio: K to the model's; ends: the
+    revolution at which the criterion's depth is reached, with its limits; known: the columns, held
+    from bin to bin, but what remains counts down; refused: why the last bin told nothing.
+    """
+
+    parameters: Parameters
+    sought: Sought
+    bins: Bins = field(default_factory=Bins)
+    consistency: Consistency = field(default_factory=Consistency)
+    ahead: LifeAhead | None = None
+    progress: float = 0.0
+    revolution: float = 0.0
+    reference: float = LEAST_REFERENCE
+    deepest: float = 0.0
+    ratio: float = 1.0
+    ends: tuple[float, float, float] = NEVER
+    known: dict[str, float] = field(default_factory=lambda: dict(NOTHING))
+    refused: str = ""
+    _closed: list[Any] = field(default_factory=list)
+
+    def take(
+        self, revolution: int, loads: CycleLoads, reference: CycleLoads | None, depth: MeasuredDepth
+    ) -> None:
+        """Take a revolution: its loads, those that progress is counted in, its measured depth.
+
+        reference: None while there is none; revolutions count as one cycle each until then.
+        """
+        since, self.revolution = revolution - self.revolution, float(revolution)
+        if reference is None:
+            self.progress += since
+            return
+        if self.ahead is None:
+            self.ahead = LifeAhead(self.parameters, reference)
+        self.progress += since * weight(loads, reference)
+        if not math.isfinite(depth.depth) or not math.isfinite(depth.uncertainty):
+            return
+        self.deepest = max(self.deepest, depth.depth)
+        if self._wanted(self.ahead):
+            self.ahead.step()
+        self.reference = max(0.5 * depth.uncertainty, LEAST_REFERENCE)
+        life = self.ahead.life()
+        if life is not None:
+            self._judge(life, depth.depth)
+        if self.bins.add(self.revolution, self.progress, depth.depth) is not None:
+            self._closed = self.bins.numbers()["closed"]
+            self._renew(life)
+        for name, end in zip(REMAINING, self.ends, strict=True):
+            self.known[name] = math.nan if math.isnan(end) else max(end - self.revolution, 0.0)
+
+    def _wanted(self, ahead: LifeAhead) -> bool:
+        """Tell whether the life has to go on."""
+        deep = AHEAD * max(self.deepest, self.sought.depth or 0.0, FIRST_REACH)
+        far = AHEAD * self.ratio * self.sought.planned
+        return ahead.depth[-1] < deep or ahead.progress[-1] < far
+
+    def _judge(self, life: DepthLife, depth: float) -> None:
+        """Compare a reading with what was expected of it."""
+        watch = self.consistency
+        watch.add(self.revolution, self.progress, depth, life)
+        if watch.mean is None:
+            return
+        faster, slower = watch.sums
+        self.known["wear_consistency"] = faster if faster >= slower else -slower
+        departure = watch.departure
+        self.known["wear_departure_revolution"] = math.nan if departure is None else departure.since
+
+    def _renew(self, life: DepthLife | None) -> None:
+        """Say anew what is known, now that a bin is closed."""
+        if life is None:
+            return
+        try:
+            found = identify(self.bins, life, self.errors(), self.prior())
+        except (CannotBeTold, ModelError) as refused:
+            self.refused = str(refused)
+            return
+        self.refused = ""
+        self.ratio = found.coefficient.median / self.parameters.bushing.wear_coefficient
+        self.consistency.renew(found)
+        self.known |= self._columns(found, life)
+
+    def _columns(self, found: Identification, life: DepthLife) -> dict[str, float]:
+        best = found.best
+        place = best.place.median if best.place is not None else math.nan
+        changed = best.name == WEAR_MODELS[2]
+        columns = {
+            **_limited("wear_coefficient", found.coefficient, MM3_PER_NM),
+            "wear_model": float(WEAR_MODELS.index(best.name)),
+            "wear_model_weight": best.weight,
+            "wear_change_revolution": revolution_of(found, place) if changed else math.nan,
+        }
+        self.ends = NEVER
+        if self.sought.depth is not None:
+            left = remaining(found, life, self.sought.depth).revolutions
+            if left is not None:
+                now = found.revolution
+                self.ends = (now + left.median, now + left.low, now + left.high)
+        return columns
+
+    def errors(self) -> ProbeErrors:
+        """Return what the record states of the probes; raise CannotBeTold where none does."""
+        drift = self.sought.drift_um
+        per_root = None if drift is None else 1e-6 * drift / math.sqrt(math.log(10.0))
+        return probe_errors(self.sought.sensitivity, self.reference, per_root)
+
+    def prior(self) -> Prior:
+        """Return what is known beforehand; raise CannotBeTold for a model that does not wear."""
+        coefficient = self.parameters.bushing.wear_coefficient
+        if coefficient <= 0.0:
+            raise CannotBeTold(
+                "model.bushing.wear_coefficient_mm3_per_Nm is 0: give its order of magnitude"
+            )
+        return Prior(coefficient)
+
+    def possible(self) -> bool:
+        """Tell whether anything can ever be stated; say in words why not."""
+        try:
+            self.errors()
+            self.prior()
+        except CannotBeTold as refused:
+            self.refused = str(refused)
+            log.warning("The wear coefficient is not stated: %s.", self.refused)
+        return not self.refused
+
+    # --- checkpoint ------------------------------------------------------------------------------
+
+    def packed(self) -> IdentifiedRecord:
+        """Return all that goes on."""
+        open_bin = replace(self.bins, closed=[]).numbers()
+        return IdentifiedRecord(
+            self.sought,
+            {**open_bin, "closed": self._closed},
+            self.consistency.numbers(),
+            self.progress,
+            self.revolution,
+            self.reference,
+            self.deepest,
+            self.ahead.steps if self.ahead is not None else 0,
+            self.ratio,
+            self.ends,
+            self.known,
+        )
+
+    def restore(self, kept: IdentifiedRecord, reference: CycleLoads | None) -> None:
+        """Go on from what was kept; the life is worn again as far as it had come."""
+        self.bins, self.consistency = bins_of(kept.bins), consistency_of(kept.consistency)
+        self._closed = kept.bins["closed"]
+        self.progress, self.revolution = kept.progress, kept.revolution
+        self.reference, self.deepest, self.ratio = kept.reference, kept.deepest, kept.ratio
+        self.ends, self.known = kept.ends, {**NOTHING, **kept.known}
+        if reference is not None:
+            self.ahead = LifeAhead(self.parameters, reference)
+            for _ in range(kept.steps):
+                self.ahead.step()
+
+
+def _limited(name: str, found: Credible, factor: float) -> dict[str, float]:
+    """Return the columns of a quantity with its limits."""
+    return {
+        name: factor * found.median,
+        f"{name}_low": factor * found.low,
+        f"{name}_high": factor * found.high,
+    }
