@@ -32,6 +32,7 @@ reference."""
 
 def check_fit(evidence: Evidence) -> Iterator[Problem]:
     """Yield the mistakes that the fit shows, the most telling first."""
+    yield from _no_reference(evidence)
     wiring = list(check_wiring(evidence))
     if wiring:
         yield from wiring
@@ -54,6 +55,20 @@ def check_fit(evidence: Evidence) -> Iterator[Problem]:
 
 
 # --- the axes of all readings --------------------------------------------------------------------
+
+
+def _no_reference(evidence: Evidence) -> Iterator[Problem]:
+    """Say what no reading can show: an error that all pin angles have in common."""
+    if not evidence.settings.angle_stated:
+        full = evidence.settings.cell.full_scale
+        yield Problem(
+            "no_angle_reference",
+            "No angle reference is stated: an error that all pin angles have in common leaves no"
+            f" trace in the readings (1 degree turns every force by {full * np.radians(1.0):.1f} N"
+            f" at {full:g} N), and U does not hold it. Take it with a level on the flat of the"
+            " crank, and write [angle] offset_deg.",
+            blocks=False,
+        )
 
 
 def _axes(evidence: Evidence) -> Iterator[Problem]:

@@ -10,6 +10,8 @@ import numpy as np
 from calibration.arrays import Array
 from calibration.load_cell.plans import wrong_angle
 from calibration.load_cell.two_axis import forces
+from calibration.load_cell.weights import STANDARD_GRAVITY, pin_force
+from calibration.load_cell.wiring import told_by_one_load
 from calibration.taking.procedure import Step, StepKind
 from calibration.taking.signals import (
     Demand,
@@ -26,6 +28,8 @@ NOISE_SHARE = 0.6
 """And of one sample's noise, which is about half the resolution: it is no swinging."""
 SLOPE_SHARE = 0.05
 """Part of the resolution by which a steady signal may change in a second: creep is slower."""
+FELT_SHARE = 0.3
+"""Of what hangs must be felt before the plugs are judged: else it does not hang yet."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -59,7 +63,7 @@ def assess_load(
             spread=resolution * (SPREAD_SHARE + NOISE_SHARE * window.noise_share) * per_newton,
             slope=resolution * SLOPE_SHARE * per_newton,
             first=_first(window),
-            set_up=lambda _: _stands(window, step),
+            set_up=lambda found: _stands(window, step) or _plugs(window, step, found.mean),
             felt=window.force,
         ),
     )
@@ -85,3 +89,16 @@ def _stands(window: LoadCellWindow, step: Step) -> Judgement | None:
     if step.kind is StepKind.SET_UP:
         return SignalState.STEADY, f"the pin stands at {math.degrees(window.angle):.1f} degrees"
     return None
+
+
+def _plugs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:
+    """Judge by the load that hangs whether the plugs are exchanged or turned, before it is taken.
+
+    The first preload tells it already, whatever calibration is in use.
+    """
+    assert window.angle is not None
+    expected = FELT_SHARE * step.value * STANDARD_GRAVITY
+    if not (expected > 0.0 and window.force(signal) > expected):
+        return None
+    problem = told_by_one_load(signal - window.zero, pin_force(1.0, window.angle, 0.0))
+    return None if problem is None else (SignalState.WAITING, problem.sentence)

@@ -38,8 +38,9 @@ class Use:
 class LoadCellSettings:
     """Gather all settings of a load-cell calibration; angles in rad.
 
-    gravity_stated: gravity was given as a value, not from latitude and height.
-    gravity_expected: what latitude and height give, None when they are unknown.
+    angle_stated: an angle reference was taken; else the offset is unknown. gravity_stated: it was
+    given as a value, not from latitude and height. gravity_expected: what latitude and height give,
+    None when they are unknown.
     """
 
     cell: CellSettings
@@ -47,6 +48,7 @@ class LoadCellSettings:
     place: Place
     angle_offset: float = 0.0
     angle_uncertainty: float = 0.0
+    angle_stated: bool = True
     gravity_stated: bool = True
     gravity_expected: float | None = None
     use: Use = Use()

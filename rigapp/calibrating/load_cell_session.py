@@ -220,6 +220,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             self.settings,
             angle_offset=self.angle_reference["offset"],
             angle_uncertainty=self.angle_reference["uncertainty"],
+            angle_stated=True,
         )
         readings = parse_load_cell(self.readings_csv())
         if self.procedure.plan.kind is PlanKind.DAILY:

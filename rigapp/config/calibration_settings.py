@@ -90,11 +90,12 @@ class PlaceSection(SurroundingsSection, frozen=True, forbid_unknown_fields=True,
 class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[angle]: the result of the angle reference step.
 
+    offset_deg: None where no reference was taken: no reading tells it, it counts as 0.
     setting_standard_uncertainty_deg: of bringing the bubble to the middle once, for a level that is
     turned end for end. level_readings_deg: what the encoder showed, both ways, from a live step.
     """
 
-    offset_deg: Annotated[float, TURN_DEG] = 0.0
+    offset_deg: Annotated[float | None, TURN_DEG] = None
     standard_uncertainty_deg: Annotated[float, within(0.0, 10.0)] = 0.05
     setting_standard_uncertainty_deg: Annotated[float, within(0.0, 10.0)] = 0.02
     level_readings_deg: Annotated[tuple[float, ...], within(-1e6, 1e6)] = ()
@@ -242,8 +243,9 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
             place.air_density_kg_per_m3,
             place.air_density_standard_uncertainty_kg_per_m3,
         ),
-        angle_offset=math.radians(given.angle.offset_deg),
+        angle_offset=math.radians(given.angle.offset_deg or 0.0),
         angle_uncertainty=math.radians(given.angle.standard_uncertainty_deg),
+        angle_stated=given.angle.offset_deg is not None,
         gravity_stated=place.gravity_m_s2 is not None,
         gravity_expected=expected,
         use=_use(given.use, given.paperwork.valid_days),

@@ -233,6 +233,19 @@ def test_an_impossible_setting_is_refused(folder: Path, line: str, needle: str) 
     assert needle in done.stderr
 
 
+def test_a_calibration_without_an_angle_reference_says_so(folder: Path) -> None:
+    done = fit(folder, "record.json")
+    assert done.returncode == 0
+    assert "note: No angle reference is stated" in done.stderr
+    made = rigapp("calibrate", "certificate", folder / "record.json", "--to", folder / "c.html")
+    assert made.returncode == 0, made.stderr
+    page = (folder / "c.html").read_text()
+    assert "No angle reference is stated" in page
+    assert "none was stated; offset taken as 0 deg" in page
+    (folder / "settings.toml").write_text(f"{SETTINGS}[angle]\noffset_deg = 0.0\n")
+    assert "angle reference" not in fit(folder, "again.json").stderr
+
+
 def test_a_step_number_twice_is_refused(folder: Path) -> None:
     path = folder / "readings.csv"
     lines = path.read_text().splitlines()

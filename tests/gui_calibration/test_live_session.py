@@ -60,31 +60,39 @@ def test_whole_calibration_finds_the_hidden_matrix(
         session.save(outcome, tmp_path / "c.json")
 
 
-@pytest.mark.parametrize(
-    ("mistake", "code"),
-    [
-        (WeighingMistake.WRONG_WEIGHT, "wrong_weight"),
-        (WeighingMistake.SWAPPED_CABLE, "axes_swapped"),
-    ],
-)
 def test_planted_mistake_is_named_and_nothing_is_saved(
-    mistake: WeighingMistake,
-    code: str,
-    scripted: Any,
-    settings_file: Path,
-    simulated: Rig,
-    tmp_path: Path,
+    scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
     session = begin(tmp_path / "c.journal", settings_file, simulated)
-    if mistake is WeighingMistake.SWAPPED_CABLE:
-        scripted.faults.add("swapped_bridges")
-    finish(session, scripted, ClumsyHands(session, scripted.ask, mistake, 8, only=True))
+    wrong = WeighingMistake.WRONG_WEIGHT
+    finish(session, scripted, ClumsyHands(session, scripted.ask, wrong, 8, only=True))
     outcome = session.judge()
     assert not outcome.accepted
-    assert code in {one["code"] for one in outcome.result["problems"]}
+    assert "wrong_weight" in {one["code"] for one in outcome.result["problems"]}
     with pytest.raises(UnusableInput, match="refused"):
         session.save(outcome, tmp_path / "c.json")
     assert not (tmp_path / "c.json").exists()
+
+
+def test_exchanged_plugs_are_told_at_the_first_preload(
+    scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
+) -> None:
+    session = begin(tmp_path / "c.journal", settings_file, simulated)
+    scripted.faults.add("swapped_bridges")
+    session.look(session.window_of(scripted.ask("signals", {})))
+    session.reference(0.0, 0.001)
+    hands = SimulatedHands(session, scripted.ask)
+    while session.procedure.step.kind is not StepKind.PRELOAD:
+        hands.do(session)
+        session.take(session.window_of(scripted.ask("signals", {})))
+    hands.do(session)
+    with pytest.raises(ProcedureError, match="the two signals are swapped: exchange the two"):
+        session.take(session.window_of(scripted.ask("signals", {})))
+    assert session.procedure.step.kind is StepKind.PRELOAD
+    assert not session.procedure.taken
+    scripted.faults.clear()
+    session.take(session.window_of(scripted.ask("signals", {})))
+    assert session.procedure.step.value == 0.0
 
 
 def test_swinging_weight_is_never_recorded(

@@ -69,7 +69,7 @@ def loads_of(content: Content) -> tuple[Load, ...]:
         np.array(result["zero"]),
         None if quadratic is None else np.array(quadratic),
     )
-    offset = math.radians(content["settings"]["angle"]["offset_deg"])
+    offset = math.radians(content["settings"]["angle"]["offset_deg"] or 0.0)
     along = pin_force(np.ones(len(taken)), taken.angle, offset)
     across = along @ np.array([[0.0, 1.0], [-1.0, 0.0]])
     applied = np.sum(np.array(result["applied_N"]) * along, axis=1)
@@ -196,10 +196,16 @@ def _conditions(content: Content) -> list[Row]:
         ("Weights", f"{weights['mass_kind']} mass, density {weights['density_kg_per_m3']:g} kg/m3,"
                     f" relative u = {used:.2g}"),
         ("Hanger", f"{weights['hanger_mass_kg']:g} kg"),
-        ("Angle reference", f"offset {angle['offset_deg']:.6g} deg,"
+        ("Angle reference", _offset(angle["offset_deg"]) +
                             f" u = {angle['standard_uncertainty_deg']:.3g} deg"
                             + _level(angle.get("level_readings_deg", ()))),
     ]  # fmt: skip
+
+
+def _offset(offset: float | None) -> str:
+    if offset is None:
+        return "none was stated; offset taken as 0 deg,"
+    return f"offset {offset:.6g} deg,"
 
 
 def _statements(result: Content, loads: Sequence[Load], extrapolated: str) -> list[str]:
