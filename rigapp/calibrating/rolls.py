@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -85,7 +85,8 @@ def roll_plan(rpm: str, revolutions: int, orders: int) -> RollPlan:
     """Return the plan that words ask for; raise UnusableInput naming the one that is wrong."""
     if revolutions < 1:
         raise UnusableInput("--revolutions: take at least 1; 12 are good.")
-    speeds = speeds_of("--rpm", rpm, SLOWEST_RPM, FASTEST * 30.0 / math.pi, 1)
+    fastest = round(FASTEST * 30.0 / math.pi, 6)
+    speeds = speeds_of("--rpm", rpm, SLOWEST_RPM, fastest, 1)
     return RollPlan(tuple(speeds), revolutions, orders)
 
 
@@ -170,10 +171,6 @@ class RollSession:
         self.journal.append({"event": "begin", "rig": self.rig.name, "plan": asdict(plan)})
         return plan
 
-    def go_on(self, status: Mapping[str, Any]) -> Any:
-        """Return what to ask of the engine now, as ``SpindleRuns.go_on``."""
-        return self.runs.go_on(status)
-
     def judge(self) -> Outcome:
         """Make the map; nothing is saved. Raises ProcedureError before the end."""
         if not self.runs.done:
@@ -200,5 +197,7 @@ class RollSession:
         return ResidualsSoFar(((angle, one), (angle, two)), (0.0, 360.0), reach, words)
 
     def close(self) -> None:
-        """Let the journal go; it can be taken up again."""
+        """Let the journal go; it can be taken up again. One without a roll goes."""
+        if not list(self.journal.path.parent.glob(f"{self.journal.path.stem}.roll-*")):
+            self.journal.path.unlink(missing_ok=True)
         self.journal.close()

@@ -59,7 +59,7 @@ class SpindleRuns:
         self.runs, self.what = tuple(runs), what
         self.position = 0
         self.words = ""
-        self._begun = False
+        self._begun, self._now = False, 0
         for run in self.runs:
             text = toml_text(run.test)
             parse_test(text, what)
@@ -74,6 +74,20 @@ class SpindleRuns:
     def done(self) -> bool:
         """Tell whether every run is recorded."""
         return self.position >= len(self.runs)
+
+    @property
+    def planned(self) -> int:
+        """Return the revolutions of all runs."""
+        return sum(run.test.run.revolutions for run in self.runs)
+
+    @property
+    def turned(self) -> int:
+        """Return the revolutions that are recorded, those of the present run included."""
+        return sum(run.test.run.revolutions for run in self.runs[: self.position]) + self._now
+
+    def forget(self) -> None:
+        """Take note that the engine refused what ``go_on`` asked for."""
+        self._begun, self._now = False, 0
 
     @property
     def turning(self) -> bool:
@@ -94,11 +108,11 @@ class SpindleRuns:
         planned, done = run.test.run.revolutions, int(status["revolution"])
         idle = status["state"] in IDLE
         if not idle and str(status["file"]) == str(run.out.resolve()):
-            self._begun = True
+            self._begun, self._now = True, done
             self.words = f"{run.rpm:g} rpm: revolution {done} of {planned}"
             return None
         if self._begun:
-            self._begun = False
+            self.forget()
             if done < planned or status["state"] == RunState.FAULT.value:
                 raise UnusableInput(
                     f"the {self.what} ended after {done} of {planned} revolutions:"
@@ -113,7 +127,8 @@ class SpindleRuns:
             )
             self.position += 1
             return None
-        run.recipe.write_text(toml_text(run.test), encoding="utf-8")
+        for one in self.runs[self.position :]:
+            one.recipe.write_text(toml_text(one.test), encoding="utf-8")
         self._begun = True
         self.words = f"{run.rpm:g} rpm for {planned} revolutions; {run.out} records it."
         return Action("start", {"test": str(run.recipe.resolve()), "out": str(run.out.resolve())})

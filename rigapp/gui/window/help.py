@@ -18,7 +18,7 @@ KEYS = """
 | F8 | Go to the line for reasons and notes; Enter adds the note to the log |
 | {recover} | Do the next step of the *Recover* panel |
 | F1 | This help |
-| F3 | Calibrate the load cell or the probes |
+| F3 | Calibrate the load cell or the probes, map the pin's run-out |
 | F9 | Light or dark |
 | Ctrl+1 … Ctrl+9 | Go to a tab |
 | Alt + underlined letter | Press a button, go to a field |

@@ -230,7 +230,8 @@ class MainWindow(QMainWindow):
         if status is None:
             return
         operator = status.operator or getuser()
-        rig = Rig(status.rig, status.simulated, operator, self._rig_file)
+        test = self.tabs.prepare.recipe.path
+        rig = Rig(status.rig, status.simulated, operator, self._rig_file, test)
         line, folder = self._connection.request, self._results_folder
         subject = CHOICES[which].subject
         self._calibration = CalibrationWizard(
@@ -349,7 +350,7 @@ class MainWindow(QMainWindow):
             "calibrate_button",
             "Calibrate…  F3",
             self.calibrate,
-            "Calibrate the load cell",
+            "Calibrate",
             guarded=True,
         )
         corner = QWidget()

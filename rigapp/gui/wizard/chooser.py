@@ -28,6 +28,7 @@ CHOICES = {
     "both": Choice(
         "&Both probes", "with a micrometer stage; finds how the probes stand as well", "probes"
     ),
+    "run-out": Choice("&Run-out of the pin", "by slow rolls of the spindle", "run-out"),
 }
 """What is chosen: the subject, or which of several things of it."""
 
@@ -51,11 +52,7 @@ class CalibrationChooser(QDialog):
             made.setMinimumHeight(2 * made.fontMetrics().height())
             made.setStyleSheet("text-align: left; padding-left: 1em; padding-right: 1em;")
             self.buttons[key] = made
-        hint = QLabel(
-            "The map of the pin's run-out is taken by a slow roll of the spindle:\n"
-            "rigapp calibrate run-out, in the terminal."
-        )
-        filled(QVBoxLayout(self), (heading, *self.buttons.values(), hint))
+        filled(QVBoxLayout(self), (heading, *self.buttons.values()))
         self.buttons["load cell"].setFocus()
 
     def _choose(self, which: str) -> None:

@@ -129,12 +129,13 @@ class Stability(QWidget):
 
 @dataclass(frozen=True, slots=True)
 class PlotNames:
-    """Of a residual plot: stem of the widgets' names, read aloud, unit, lower axis."""
+    """Of a residual plot: stem of the widgets' names, read aloud, unit, lower and left axis."""
 
     stem: str
     spoken: str
     unit: str
     bottom: str
+    left: str = "Residual"
 
 
 class ResidualPlot(QWidget):
@@ -144,7 +145,7 @@ class ResidualPlot(QWidget):
         """Make the plot with words below."""
         super().__init__()
         self.plot = QuietPlot(f"{names.stem}_plot", names.spoken, theme)
-        self.plot.label("left", f"Residual ({names.unit})")
+        self.plot.label("left", f"{names.left} ({names.unit})")
         self.plot.label("bottom", names.bottom)
         self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.plot.guide(0.0, horizontal=True)
@@ -178,3 +179,9 @@ def probe_plot(theme: Theme) -> ResidualPlot:
     spoken, bottom = "Residuals so far, micrometres", "Position (µm)"
     names = PlotNames("probe_residual", spoken, "µm", bottom)
     return ResidualPlot(theme, names)
+
+
+def run_out_plot(theme: Theme) -> ResidualPlot:
+    """Return the plot of a run-out map, µm, over the crank angle."""
+    spoken, bottom = "Run-out map, micrometres", "Crank angle (degrees)"
+    return ResidualPlot(theme, PlotNames("run_out", spoken, "µm", bottom, "Run-out"))

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QWidget, QWizard, QWizardPage
 
+from rigapp.calibrating.rolls import RollSession
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.plots.palette import Theme
@@ -16,10 +18,11 @@ from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
 from rigapp.gui.wizard.hands_queue import AskLater
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import ResidualPlot, probe_plot
+from rigapp.gui.wizard.parts import ResidualPlot, probe_plot, run_out_plot
 from rigapp.gui.wizard.plan_page import LoadCellPlanPage, PlanPage, ProbePlanPage
 from rigapp.gui.wizard.readings_page import LoadCellReadingsPage, ProbeReadingsPage
 from rigapp.gui.wizard.result_page import ResultPage
+from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage, RollPlanPage
 from rigapp.gui.wizard.taking_page import TakingPage
 
 BUTTONS = {
@@ -40,16 +43,19 @@ class SubjectPages:
 
     name: of the wizard; what: in its title; prefix: of the widgets' names. plan (calibration,
     folder, settings file, which of several), readings, and angle if there is an angle reference;
-    plot: of the residuals beside the result, if there is one.
+    plot: of the residuals beside the result, if there is one. session: where it has no steps.
+    live: what listens to the engine for the pages.
     """
 
     name: str
     what: str
     prefix: str
     plan: PlanMaker
-    readings: Callable[[LiveCalibration, Theme], TakingPage]
+    readings: Callable[[Any, Theme], TakingPage | RollingPage]
     angle: Callable[[LiveCalibration, Theme], AnglePage] | None = None
     plot: Callable[[Theme], ResidualPlot] | None = None
+    session: type[RollSession] | None = None
+    live: type[LiveCalibration] = LiveCalibration
 
 
 PAGES = {
@@ -68,6 +74,16 @@ PAGES = {
         plan=ProbePlanPage,
         readings=ProbeReadingsPage,
         plot=probe_plot,
+    ),
+    "run-out": SubjectPages(
+        name="run_out_wizard",
+        what="the pin's run-out",
+        prefix="run_out_",
+        plan=lambda live, folder, settings, _: RollPlanPage(live, folder, settings),
+        readings=RollingPage,
+        plot=run_out_plot,
+        session=RollSession,
+        live=RollingCalibration,
     ),
 }
 
@@ -90,7 +106,7 @@ class CalibrationWizard(QWizard):
         """Make the pages of a subject; which: of several things of it."""
         super().__init__(parent)
         of, pages = SUBJECTS[subject], PAGES[subject]
-        assert of.session is not None
+        session: Any = pages.session or of.session
         assert of.place is not None
         self.setObjectName(pages.name)
         self.setWindowTitle(f"Calibrate {pages.what} – rigapp")
@@ -98,10 +114,10 @@ class CalibrationWizard(QWizard):
         self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
         self.setModal(False)
-        self.live = LiveCalibration(line, rig, of.session)
+        self.live = pages.live(line, rig, session)
         self.plan = pages.plan(self.live, folder, settings, which)
         self.angle = None if pages.angle is None else pages.angle(self.live, theme)
-        self.readings = pages.readings(self.live, theme)
+        self.readings: Any = pages.readings(self.live, theme)
         plot = None if pages.plot is None else pages.plot(theme)
         self.result_page = ResultPage(self.live, theme, folder, pages.prefix, plot)
         self.certificate = CertificatePage(self.live, pages.prefix, of.place)
