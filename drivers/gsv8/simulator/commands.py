@@ -1,7 +1,8 @@
 """The commands of a simulated GSV-8: each a function of the device and the parameter bytes.
 
-Those that a rig has no use for are not there: levels of digital lines, analog outputs, units of the
-display, stored sets of settings, the bit rate of a UART. The device answers that it has no such.
+Those that a rig has no use for are not there: levels of digital lines, raw values, analog outputs,
+units of the display, stored sets of settings, the bit rate of a UART, which commands there are. The
+device answers that it has no such.
 """
 
 from __future__ import annotations
@@ -138,14 +139,6 @@ def _get_interface_setting(d: Device, a: bytes) -> bytes:
     if a[0] not in settings:
         raise RequestRefused(0x51)
     return settings[a[0]].encode()
-
-
-def _available(d: Device, a: bytes) -> bytes:
-    high, low = a
-    known = commands_of(d)
-    if not all(number in known for number in range(low, high + 1)):
-        raise RequestRefused(0x41)
-    return b""
 
 
 # --- the stream -----------------------------------------------------------------------------------
@@ -290,15 +283,6 @@ def _inject(d: Device, a: bytes) -> bytes:
     return b""
 
 
-def _raw_value(d: Device, a: bytes) -> bytes:
-    place = _user(a[0])
-    if place < p.ANALOG_CHANNELS:
-        value = p.HALF_SCALE_CODE if d.state.injection == 1 else d.state.raw[place]
-    else:
-        value = d.counters[place - p.ANALOG_CHANNELS].last_count
-    return struct.pack(">i", value)
-
-
 def _counter_values(d: Device, index: int) -> tuple[int, list[int]]:
     """Return the counter's number and the list (modes, gates, homes) that an index byte names."""
     lists = (d.settings.counter_modes, d.settings.counter_gates, d.settings.counter_homes)
@@ -381,7 +365,6 @@ _COMMANDS: Mapping[int, Entry] = {
         lambda d, a: u16(d.hardware.zero_prohibited), 0, since=p.ZERO_LOCK_FIRMWARE
     ),
     Command.SET_INJECTION: Entry(_inject, 1),
-    Command.GET_RAW_VALUE: Entry(_raw_value, 1),
     Command.GET_VALUE: Entry(_nothing, 0),  # answered by a measured value, not by this
     Command.GET_LAST_PROTOCOL_ERROR: Entry(_protocol_error, 1),
     Command.GET_LAST_VALUE_ERROR: Entry(_value_error, 1),
@@ -406,7 +389,6 @@ _COMMANDS: Mapping[int, Entry] = {
     Command.WRITE_DATA_RATE: Entry(_write_rate, 4, writes=True),
     Command.READ_ANALOG_FILTER: Entry(_read_filter, 0),
     Command.WRITE_ANALOG_FILTER: Entry(_write_filter, 4, writes=True),
-    Command.GET_COMMAND_AVAILABLE: Entry(_available, 2),
     Command.READ_USER_OFFSET: Entry(lambda d, a: f32(d.settings.offsets[_user(a[0])]), 1),
     Command.WRITE_USER_OFFSET: Entry(
         lambda d, a: _write_floats(d.settings.offsets, a), 5, writes=True
@@ -414,12 +396,6 @@ _COMMANDS: Mapping[int, Entry] = {
     Command.GET_INPUT_TYPE: Entry(_get_input_type, 2),
     Command.SET_INPUT_TYPE: Entry(_set_input_type, 2, writes=True),
 }
-
-
-def commands_of(d: Device) -> Mapping[int, Entry]:
-    """Return the commands that the device's firmware knows."""
-    firmware = d.hardware.firmware
-    return {number: entry for number, entry in _COMMANDS.items() if entry.since <= firmware}
 
 
 def obey(d: Device, command: int, parameters: bytes) -> bytes:
