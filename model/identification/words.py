@@ -18,7 +18,7 @@ MM3_PER_M2 = 1e9
 
 def sentence(known: Identification, departure: Departure | None = None) -> str:
     """Return in plain words how the joint wears, or why that cannot be told."""
-    if departure is not None:
+    if departure is not None and not _explained(known, departure):
         return (
             f"The joint wears {'faster' if departure.faster else 'slower'} than before: it was told"
             f" at revolution {departure.revolution:.0f}, and began about revolution"
@@ -47,6 +47,14 @@ def sentence(known: Identification, departure: Departure | None = None) -> str:
             f" only; {in_words(best.coefficient)} now."
         )
     return {RUNNING_IN: _running_in, CHANGE: _changed}[best.name](known)
+
+
+def _explained(known: Identification, departure: Departure) -> bool:
+    """Tell whether a change is told since, and no earlier than the departure by half a bin."""
+    best, place = known.best, known.best.place
+    if best.name != CHANGE or place is None or best.weight <= TOLD * (1.0 - best.weight):
+        return False
+    return revolution_of(known, place.high) > 0.9 * departure.since
 
 
 def _running_in(known: Identification) -> str:

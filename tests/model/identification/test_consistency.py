@@ -120,3 +120,6 @@ def test_sentences_say_what_is_known_and_why_not() -> None:
         virtual.gathered(virtual.readings(LIFE, 1, 8000)), LIFE, virtual.ERRORS, virtual.PRIOR
     )
     assert sentence(known, told.departure).startswith("The joint wears faster than before")
+    later = virtual.gathered(virtual.readings(LIFE, 1, LAST, 1.1 * DOUBLED))
+    known = identify(later, LIFE, virtual.ERRORS, virtual.PRIOR)
+    assert sentence(known, told.departure).startswith("Changed at revolution 10")
