@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import log_ndtr
 
-from model.identification.evidence import LN_TWO_PI, Fitted, Noise, fitted
+from model.identification.evidence import LN_TWO_PI, Fitted, Linearised, Noise, best_step, fitted
 from model.identification.posterior import Given, Nodes, kept
 from model.identification.statements import RUNNING_IN_PLACES, Hypotheses, Statement
 
@@ -28,7 +28,7 @@ DIVIDED = 2
 """Cells are divided into so many parts, so many times."""
 COUNTS = 10.0
 """A cell counts while it is less probable than the best by no more than exp of this."""
-DIVIDED_FROM = 0.1
+DIVIDED_FROM = 0.2
 """A cell is divided when it holds this share of the weight: where all are alike, none is sharp."""
 LARGEST_STEP = 0.7
 """Gauss-Newton changes K or r by a factor of 2 at most in a step."""
@@ -127,13 +127,15 @@ def _settled(
     """
     at = Hypotheses(statement, cells.log_coefficient, cells.log_ratio, cells.place)
     for _ in range(steps):
-        step = np.clip(_all_four(given, at, noise).step[0, :, :2], -LARGEST_STEP, LARGEST_STEP)
+        step = np.clip(
+            best_step(noise, _all_four(given, at))[0, :, :2], -LARGEST_STEP, LARGEST_STEP
+        )
         at = replace(
             at,
             log_coefficient=at.log_coefficient + step[:, 0],
             log_ratio=at.log_ratio + step[:, 1],
         )
-    fit = _all_four(given, at, given.noise)
+    fit = fitted(given.noise, _all_four(given, at))
     log_weight = fit.log_evidence + np.log(cells.high - cells.low) + given.noise.log_prior[:, None]
     if statement.falls:
         log_weight = log_weight + log_ndtr(at.log_ratio / np.sqrt(fit.covariance[..., 1, 1]))
@@ -151,15 +153,15 @@ def _settled(
     ), given.noise.at(order)
 
 
-def _all_four(given: Given, at: Hypotheses, noise: Noise) -> Fitted:
-    """Integrate ln K, ln r, e and b out about some hypotheses."""
+def _all_four(given: Given, at: Hypotheses) -> Linearised:
+    """Linearise some hypotheses in ln K, ln r, e and b."""
     depth, slopes = given.depth(at)
     columns = np.concatenate([slopes.swapaxes(0, 1), given.linear(depth)], axis=1)
     off = np.zeros((depth.shape[0], 4))
     off[:, 0], off[:, 1] = given.log_median - at.log_coefficient, -at.log_ratio
     precision = np.eye(4)
     precision[:2, :2] = at.statement.precision(given.prior)
-    return fitted(noise, given.readings.depth - depth, columns, off, precision)
+    return Linearised(given.readings.depth - depth, columns, off, precision)
 
 
 def _nodes(given: Given, statement: Statement, cells: Cells, whole: float) -> tuple[float, Nodes]:
@@ -186,9 +188,8 @@ def _nodes(given: Given, statement: Statement, cells: Cells, whole: float) -> tu
     away = at.log_coefficient - given.log_median
     off = np.zeros((depth.shape[0], 3))
     off[:, 0] = -precision[0, 1] / by_ratio * away - at.log_ratio
-    fit = fitted(
-        given.noise, given.readings.depth - depth, columns, off, np.diag([by_ratio, 1.0, 1.0])
-    )
+    linear = Linearised(given.readings.depth - depth, columns, off, np.diag([by_ratio, 1.0, 1.0]))
+    fit = fitted(given.noise, linear)
     log_cell = np.log(size * (points[1] - points[0]) * (cells.high - cells.low) / whole)
     log_weight = (
         fit.log_evidence

@@ -1,6 +1,6 @@
 """Whether the joint still wears as it did: how new readings lie in what was predicted of them.
 
-Readings are gathered in fine bins, 0.5 % of the revolutions long. Each is compared with the depth
+Readings are gathered in fine bins, 0.25 % of the revolutions long. Each is compared with the depth
 predicted before it came; the innovation over its standard deviation is standard normal while the
 statement holds. Two cumulative sums (E. S. Page, Biometrika 41 (1954) 100-115), for faster and for
 slower wear, raise an alarm where they pass a threshold that follows from the false alarm rate (D.
@@ -23,14 +23,14 @@ from model.identification.statements import STATEMENTS, Hypotheses
 
 Array = NDArray[np.float64]
 
-FINE = 460
-"""Fine bins a decade, each 0.5 % of the revolutions: at 10,000 of them a tenth of the delay wanted
-when K doubles, and 50 readings to average."""
+FINE = 920
+"""Fine bins a decade, each 0.25 % of the revolutions: three with the largest innovation raise the
+alarm, and a bushing that wears 5 um in 1,000 revolutions wears 0.1 um in each at 10,000."""
 FALSE_ALARM = 0.0015
 """Probability of a false alarm in a decade of revolutions: 0.005 in the first 21,377."""
 REFERENCE = 0.75
 """What a sum loses with each innovation: half of the shift that it finds soonest, 1.5 sigma, which
-is what K times 1.3 makes of a fine bin at 10,000 revolutions with a scatter of 0.4 um."""
+is what K times 1.5 makes of a fine bin at 10,000 revolutions with a scatter of 0.4 um."""
 LARGEST = 4.0
 """An innovation counts as no more than this: one wrong bin raises no alarm."""
 OVERSHOOT = 1.166

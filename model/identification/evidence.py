@@ -168,31 +168,54 @@ class Fitted:
     pulled: Array
 
 
-def fitted(noise: Noise, misfit: Array, columns: Array, off: Array, precision: Array) -> Fitted:
-    """Integrate normal parameters out, in closed form.
+@dataclass(frozen=True, slots=True, eq=False)
+class Linearised:
+    """Hold H hypotheses where they are linearised in k parameters, whose prior is normal.
 
-    misfit (H, n): depth less what the hypotheses say where they are linearised, m; columns
-    (H, k, n): their slopes; off (H, k): the prior's mean less that place; precision (k, k): the
-    prior's.
+    misfit (H, n): depth less what they say, m; columns (H, k, n): their slopes; off (H, k): the
+    prior's mean less that place; precision (k, k): the prior's.
     """
-    count, k, n = columns.shape
-    both = np.concatenate([columns, misfit[:, None]], axis=1) @ noise.basis
-    product = (both * noise.share[:, None, None]) @ both.swapaxes(1, 2)
-    matrix = product[:, :, :k, :k] + precision
-    pull = off @ precision
-    right = product[:, :, :k, k] + pull
+
+    misfit: Array
+    columns: Array
+    off: Array
+    precision: Array
+
+    def along(self, noise: Noise) -> Array:
+        """Return slopes and misfit, (H, k + 1, n), along the noise's directions."""
+        return np.concatenate([self.columns, self.misfit[:, None]], axis=1) @ noise.basis
+
+    def normal_equations(self, noise: Noise, along: Array) -> tuple[Array, Array, Array]:
+        """Return matrix (J, H, k, k), right side (J, H, k), and square of the misfit (J, H)."""
+        k = self.columns.shape[1]
+        product = (along * noise.share[:, None, None]) @ along.swapaxes(1, 2)
+        pull = self.off @ self.precision
+        square = product[:, :, k, k] + (pull * self.off).sum(axis=1)
+        return product[:, :, :k, :k] + self.precision, product[:, :, :k, k] + pull, square
+
+
+def best_step(noise: Noise, at: Linearised) -> Array:
+    """Return the most probable parameters less where they are linearised, (J, H, k)."""
+    matrix, right, _ = at.normal_equations(noise, at.along(noise))
+    return np.asarray(np.linalg.solve(matrix, right[..., None])[..., 0], dtype=np.float64)
+
+
+def fitted(noise: Noise, at: Linearised) -> Fitted:
+    """Integrate the parameters out, in closed form."""
+    count, k, n = at.columns.shape
+    along = at.along(noise)
+    matrix, right, square = at.normal_equations(noise, along)
     covariance = np.asarray(np.linalg.inv(matrix), dtype=np.float64)
     step = (covariance @ right[..., None])[..., 0]
     log_evidence = -0.5 * (
-        product[:, :, k, k]
-        + (pull * off).sum(axis=1)
+        square
         - (right * step).sum(axis=2)
         + np.linalg.slogdet(matrix)[1]
-        - float(np.linalg.slogdet(precision)[1])
+        - float(np.linalg.slogdet(at.precision)[1])
         + noise.log_determinant[:, None]
         + n * LN_TWO_PI
     )
-    onward = (both.reshape(-1, n) @ noise.onward.T).T.reshape(-1, count, k + 1)
+    onward = (along.reshape(-1, n) @ noise.onward.T).T.reshape(-1, count, k + 1)
     pulled = onward[:, :, :k]
     left = onward[:, :, k] - (pulled * step).sum(axis=2)
     return Fitted(np.asarray(log_evidence, dtype=np.float64), step, covariance, left, pulled)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from model.identification.errors import CannotBeTold, Prior, ProbeErrors
-from model.identification.evidence import LN_TWO_PI, DepthBins, Fitted, Noise, fitted
+from model.identification.evidence import LN_TWO_PI, DepthBins, Fitted, Linearised, Noise, fitted
 from model.identification.life import DepthLife
 from model.identification.statements import Hypotheses, Statement
 
@@ -119,7 +119,10 @@ def constant_posterior(given: Given, statement: Statement) -> tuple[float, Nodes
         hypotheses = Hypotheses(statement, grid, np.zeros(GRID), np.ones(GRID))
         depth, _ = given.depth(hypotheses)
         misfit = given.readings.depth - depth
-        fit = fitted(given.noise, misfit, given.linear(depth), np.zeros((GRID, 2)), np.eye(2))
+        fit = fitted(
+            given.noise,
+            Linearised(misfit, given.linear(depth), np.zeros((GRID, 2)), np.eye(2)),
+        )
         log_density = -0.5 * (((grid - centre) / spread) ** 2 + LN_TWO_PI) - np.log(spread)
         log_post = fit.log_evidence + log_density + given.noise.log_prior[:, None]
         counts = log_post > log_post.max() - NEGLIGIBLE
