@@ -231,6 +231,23 @@ def report(
 
 
 @app.command()
+def identify(
+    files: Annotated[list[Path], typer.Argument(help="Test files (HDF5).", metavar="FILE...")],
+    to: Annotated[
+        Path | None, _file("--to", "Write it: REPORT.html, .pdf, or a .csv or .json.")
+    ] = None,
+    json: JsonOption = False,
+    after: Annotated[
+        int | None, _option("--after", "As it was known after so many revolutions.", min=1)
+    ] = None,
+) -> int:
+    """Tell the wear coefficient of recorded tests, what remains, and how specimens scatter."""
+    from rigapp.commands.identify import identify_tests
+
+    return identify_tests(files, to, as_json=json, after=after)
+
+
+@app.command()
 def picture(file: RecordedArgument, to: ToOption) -> int:
     """Draw a recorded test as the window shows it (PNG)."""
     from rigapp.commands.window import draw_picture

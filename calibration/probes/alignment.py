@@ -23,7 +23,6 @@ from numpy.typing import NDArray
 
 from calibration.arrays import Array
 from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
-from calibration.probes.positions import slope_uncertainty
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
@@ -102,10 +101,10 @@ def align(
     along, across = readings
     assert along.other is not None
     assert across.other is not None
-    own_1, *_ = slope_uncertainty(along.position, along.signal)
-    own_2, *_ = slope_uncertainty(across.position, across.signal)
-    cross_1, spread_1, _ = slope_uncertainty(across.position, across.other)
-    cross_2, spread_2, _ = slope_uncertainty(along.position, along.other)
+    own_1, _ = _slope(along.position, along.signal)
+    own_2, _ = _slope(across.position, across.signal)
+    cross_1, spread_1 = _slope(across.position, across.other)
+    cross_2, spread_2 = _slope(along.position, along.other)
     tangent = np.array([cross_1 / own_1, -cross_2 / own_2])
     spread = np.array([spread_1 / abs(own_1), spread_2 / abs(own_2)])
     uncertainty = np.hypot(spread, np.array(direction))
@@ -126,6 +125,15 @@ def align(
         matrix=np.asarray(matrix, np.float64),
         matrix_uncertainty=np.asarray(np.hypot(parts[0], parts[1]), np.float64),
     )
+
+
+def _slope(position: Array, signal: Array) -> tuple[float, float]:
+    """Return the slope of a straight line and its standard uncertainty."""
+    centred = position - position.mean()
+    square = float(centred @ centred)
+    slope = float(centred @ signal) / square
+    rest = signal - signal.mean() - slope * centred
+    return slope, math.sqrt(float(rest @ rest) / (len(rest) - 2) / square)
 
 
 def split_pair(readings: ProbeReadings) -> tuple[ProbeReadings, ProbeReadings]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from calibration.arrays import Array
 from calibration.probes.checks import checks, unusable
 from calibration.probes.cylinder import apparent_gap, sensitivity_gain
-from calibration.probes.positions import robust_line, slope_uncertainty
+from calibration.probes.positions import robust_line
 from calibration.probes.readings import ProbeReadings
 from calibration.probes.settings import ProbeSettings
 from calibration.problems import Problem
@@ -23,8 +23,7 @@ class ProbeCalibration:
 
     linearity: largest residual over the range, best-fit line, per cent. residual_std in m.
     hysteresis: mean difference between falling and rising steps, m. gain: cylinder correction
-    included in the sensitivity (1 without). sensitivity_uncertainty, sensitivity_expanded: of the
-    sensitivity, relative. budget: of one position, m.
+    included in the sensitivity (1 without). budget: of one position, m.
     """
 
     accepted: bool
@@ -32,7 +31,6 @@ class ProbeCalibration:
     sensitivity: float | None = None
     offset: float | None = None
     sensitivity_uncertainty: float | None = None
-    sensitivity_expanded: float | None = None
     linearity: float | None = None
     residual_std: float | None = None
     hysteresis: float | None = None
@@ -90,20 +88,14 @@ def _result(
     std = math.sqrt(float(np.sum(residual**2)) / (count - 2))
     span = float(np.ptp(readings.position))
     gain, bending = _cylinder(readings, settings)
-    _, of_slope, degrees = slope_uncertainty(readings.position, readings.signal)
-    scale = combine(
-        1.0,
-        (
-            Contribution("slope", of_slope / abs(slope), degrees, "A"),
-            Contribution("scale of the micrometer", settings.micrometer_scale),
-        ),
-    )
+    spread = float(np.sqrt(np.sum((readings.position - readings.position.mean()) ** 2)))
+    relative = std / spread
     hysteresis = _hysteresis(readings, residual)
     free, even = float(count - 2), math.sqrt(3.0)
     resolution = settings.resolution_volts / abs(slope) / math.sqrt(12.0)
     lines = (
         Contribution("residual of the line", std, free, "A", averages=True),
-        *(replace(one, uncertainty=0.5 * span * one.uncertainty) for one in scale.contributions),
+        Contribution("slope", 0.5 * span * relative, free, "A"),
         Contribution("micrometer", settings.micrometer_uncertainty),
         Contribution("resolution", resolution, distribution="rectangular"),
         Contribution("backlash", abs(hysteresis or 0.0) / 2.0, math.inf, "A", "two-point"),
@@ -124,8 +116,7 @@ def _result(
         problems=tuple(problems),
         sensitivity=float(1.0 / (slope * gain)),
         offset=float(intercept),
-        sensitivity_uncertainty=scale.combined,
-        sensitivity_expanded=scale.expanded,
+        sensitivity_uncertainty=relative,
         linearity=float(100.0 * np.max(np.abs(residual)) / span),
         residual_std=std,
         hysteresis=hysteresis,

@@ -40,23 +40,6 @@ def robust_line(position: Array, signal: Array) -> RobustLine:
     return RobustLine(float(slope), float(intercept), residual, noise)
 
 
-def slope_uncertainty(position: Array, signal: Array) -> tuple[float, float, float]:
-    """Return the slope of a straight line, its standard uncertainty, its degrees of freedom.
-
-    The screw of a micrometer errs by the same at the same position, however often it is set: not
-    readings are independent, positions are.
-    """
-    slope, intercept = np.polyfit(position, signal, 1)
-    places, number = np.unique(np.round(position, 9), return_inverse=True)
-    residual = signal - intercept - slope * position
-    centred = position - position.mean()
-    count, free = np.bincount(number), max(len(places) - 2, 1)
-    mean = np.bincount(number, residual) / count
-    pull = np.bincount(number, centred) / float(centred @ centred)
-    spread = float(mean @ mean) / free * float(pull @ pull)
-    return float(slope), math.sqrt(spread), float(free)
-
-
 def positions(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
     """Yield a wrong, a skipped or a repeated position, or a wrong probe moved at one step."""
     um = 1e6 * line.residual / line.slope

@@ -13,8 +13,7 @@ class ProbeSettings:
     sensing area. gap_at_zero: gap at the micrometer's zero, needed for the cylinder correction.
     nominal: expected sensitivity, m/V with its sign, None when unknown. off_axis: how far the pin
     moves across the probe's axis in use. direction: standard uncertainty (rad) of the direction in
-    which the micrometer moves, against the follower's axis. micrometer_scale: relative standard
-    uncertainty of the micrometer's own scale (lead of the screw, temperature).
+    which the micrometer moves, against the follower's axis.
     """
 
     name: str
@@ -27,4 +26,3 @@ class ProbeSettings:
     nominal: float | None = None
     off_axis: float = 0.0
     direction: float = 0.0
-    micrometer_scale: float = 0.0

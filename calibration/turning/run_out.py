@@ -20,6 +20,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from GTC import reporting
 
 from calibration.arrays import Array
 from calibration.problems import Problem
@@ -44,10 +45,6 @@ DISTINCT = 1.3
 """Ratio of the fastest to the slowest roll from which the speed's part can be told."""
 MODEL = 0.3
 """Relative standard uncertainty of that part: that it grows with the square is a model."""
-
-
-OUTSIDE = 0.05
-"""Part of the maps whose truth may leave U anywhere on the turn."""
 
 
 class RunOutError(ValueError):
@@ -96,9 +93,7 @@ class Harmonics:
 class RunOutMap:
     """The result. coefficients (2, 2 N), m, and their covariance (2, 2 N, 2 N).
 
-    combined (2,): uncertainty of the map where it is largest, m. expanded (2,): what holds the
-    whole turn in 95 of 100 maps, m; coverage_factor: the larger of their ratios. inertia (2,): the
-    largest
+    combined, expanded (2,): uncertainty of the map where it is largest, m. inertia (2,): largest
     motion with the speed that was taken off the slowest roll, m, None for rolls of one speed.
     elastic (2,): largest elastic motion that was taken off, m, None where the turns tell none.
     between (2,): largest deviation of a roll from the map, m, None where nothing is left to show
@@ -179,7 +174,7 @@ def map_of_harmonics(
     rest = np.asarray(np.mean([h.rest for h in found], axis=0), np.float64)
     peak = np.asarray(np.ptp(curve, axis=1), np.float64)
     problems = (*problems, *_judge(curve, combined, within, between, drift))
-    expanded = _expanded(part, grid, len(found) - len(speeds))
+    factor = float(reporting.k_factor(max(2.0, float(len(found) - 1))))
     return RunOutMap(
         accepted=not any(problem.blocks for problem in problems),
         problems=problems,
@@ -187,8 +182,8 @@ def map_of_harmonics(
         coefficients=part.coefficients,
         covariance=part.covariance,
         combined=combined,
-        expanded=expanded,
-        coverage_factor=float(np.max(expanded / np.maximum(combined, 1e-300))),
+        expanded=factor * combined,
+        coverage_factor=factor,
         peak=peak,
         inertia=inertia,
         elastic=elastic,
@@ -196,34 +191,6 @@ def map_of_harmonics(
         drift=drift,
         rest=rest,
     )
-
-
-def _expanded(part: _Combined, grid: Array, free: int) -> Array:
-    """Return the half width (2,) that holds the whole turn with 95 %, m.
-
-    What the revolutions scatter is a random curve: its largest value over the turn, not its value
-    at one angle, is held by the length of its path on the unit sphere (the tube formula: Sun and
-    Loader, Annals of Statistics 22, 1994). free: degrees of freedom of one coefficient; of the
-    variance over the turn there are as many more as the scatter has independent directions. What
-    the revolutions do not show (speed, load, elastic model) is known but for its size, k = 2.
-    """
-    widths = np.empty(2)
-    basis = _basis(grid, part.within.shape[1] // 2)
-    for probe, (within, whole) in enumerate(zip(part.within, part.covariance, strict=True)):
-        values, vectors = np.linalg.eigh(within)
-        path = basis @ (vectors * np.sqrt(np.maximum(values, 0.0)))
-        size = np.hypot.reduce(path, axis=1)
-        unit = path / np.maximum(size, 1e-300)[:, None]
-        length = float(np.hypot.reduce(np.roll(unit, -1, axis=0) - unit, axis=1).sum())
-        power = float(np.sum(values**2))
-        degrees = free * float(np.sum(values)) ** 2 / power if power > 0.0 else 1.0
-        beyond = min(1.0, OUTSIDE * math.pi / max(length, 1e-300))
-        factor = math.sqrt(degrees * (beyond ** (-2.0 / degrees) - 1.0))
-        systematic = np.einsum("ni,ij,nj->n", basis, whole - within, basis).max()
-        widths[probe] = math.hypot(
-            factor * math.sqrt(float(np.mean(size**2))), 2.0 * math.sqrt(max(systematic, 0.0))
-        )
-    return widths
 
 
 def _basis(angle: Array, orders: int) -> Array:

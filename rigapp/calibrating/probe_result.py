@@ -24,7 +24,6 @@ def probe_result(found: ProbeCalibration) -> dict[str, Any]:
         "problems": problems_of(found.problems),
         "sensitivity_um_per_V": _times(found.sensitivity),
         "sensitivity_relative_standard_uncertainty": found.sensitivity_uncertainty,
-        "sensitivity_relative_expanded_uncertainty": found.sensitivity_expanded,
         "offset_V": found.offset,
         "linearity_percent": found.linearity,
         "residual_std_um": _times(found.residual_std),

@@ -177,7 +177,6 @@ class ProbeSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     range_V: Annotated[float, within(0.001, 1000.0)] = 10.0
     resolution_V: Annotated[float, within(0.0, 100.0)] = 0.0
     micrometer_standard_uncertainty_um: Annotated[float, within(0.0, 1000.0)] = 0.5
-    micrometer_scale_standard_uncertainty_percent: Annotated[float, within(0.0, 5.0)] = 0.02
     target_radius_mm: Annotated[float | None, within(0.1, 10_000.0)] = None
     sensor_radius_mm: Annotated[float | None, within(0.01, 1000.0)] = None
     gap_at_zero_um: Annotated[float | None, within(0.1, 100_000.0)] = None
@@ -277,7 +276,6 @@ def probe_meaning(given: ProbeFile) -> ProbeSettings:
         nominal=_scaled(probe.nominal_sensitivity_um_per_V or None, 1e-6),
         off_axis=1e-6 * probe.off_axis_um,
         direction=math.radians(probe.alignment_standard_uncertainty_deg),
-        micrometer_scale=0.01 * probe.micrometer_scale_standard_uncertainty_percent,
     )
 
 

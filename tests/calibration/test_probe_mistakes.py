@@ -247,28 +247,6 @@ def test_cylindrical_target_adds_its_share_to_the_budget() -> None:
     assert found.expanded > plain.expanded
 
 
-@pytest.mark.parametrize("scale", [0.0, 3e-4])
-def test_sensitivity_is_held_though_the_screw_errs_the_same_each_time(scale: float) -> None:
-    """A screw's error of a position comes back in every run: it is no scatter that averages out."""
-    rng = np.random.default_rng(21)
-    settings = replace(SETTINGS, micrometer_scale=scale)
-    places = np.linspace(-400e-6, 400e-6, 11)
-    shown = np.tile(np.concatenate((places, places[-2::-1])), 3)
-    series = tuple(np.repeat(["1", "2", "3"], 21))
-    step = np.tile(np.arange(1, 22), 3)
-    held = 0
-    for _ in range(300):
-        screw = dict(zip(places, rng.normal(0.0, 0.5e-6, 11), strict=True))
-        true = (1.0 + rng.normal(0.0, scale)) * shown + np.array([screw[one] for one in shown])
-        signal = true / 100e-6 + rng.normal(0.0, 0.3e-3, len(true))
-        found = calibrate_probe(ProbeReadings(series, step, shown, signal), settings)
-        assert found.sensitivity is not None
-        assert found.sensitivity_expanded is not None
-        error = abs(found.sensitivity / 100e-6 - 1.0)
-        held += error <= found.sensitivity_expanded
-    assert 0.92 < held / 300 < 0.98
-
-
 def test_procedure_is_taken_up_from_its_events_after_every_one() -> None:
     whole = calibration(honest, (1, 2), runs=1, positions=5)
     for count in range(1, len(whole.events) + 1):

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from calibration.records import seal
+from rigapp.schema.columns import JOINT_CURVES
 from rigapp.schema.messages import Event, Flag
 from rigapp.storage import FilePlan, TestMetadata, TestWriter, create_test
 
@@ -133,7 +134,7 @@ def prediction(plan: FilePlan, revolution: int, measured_wear: bool) -> dict[str
             f"{name}_min": array.min(),
             f"{name}_rms": math.sqrt(np.mean(array**2)),
         }
-    return {one.name: float(found[one.name]) for one in plan.prediction_columns}
+    return {one.name: float(found.get(one.name, math.nan)) for one in plan.prediction_columns}
 
 
 def cycle(plan: FilePlan, revolution: int, samples: int = 960) -> dict[str, NDArray[np.float64]]:
@@ -163,7 +164,9 @@ def append(
     writer.append_row(list(values.values()))
     if model:
         predicted = prediction(plan, revolution, measured_wear)
-        kept = {name: one.astype(np.float32) for name, one in curves(ANGLES).items()}
+        unknown = {one.name: np.full(ANGLES.size, np.nan) for one in JOINT_CURVES}
+        known = {**unknown, **curves(ANGLES)}
+        kept = {name: one.astype(np.float32) for name, one in known.items()}
         writer.append_prediction(list(predicted.values()), kept if keep else None)
 
 

@@ -23,6 +23,7 @@ from rigapp.gui.panels.faults import fault_page
 from rigapp.gui.panels.logbook import log_page
 from rigapp.gui.panels.overview import overview_page
 from rigapp.gui.panels.trends import trend_page
+from rigapp.gui.panels.wear import wear_page
 from rigapp.gui.plots.palette import Theme
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
@@ -63,6 +64,7 @@ TABS = (
     Tab("devices", "Devices", "Ctrl+6", device_page),
     Tab("log", "Log", "Ctrl+7", log_page),
     Tab("results", "Results", "Ctrl+8", browser_page),
+    Tab("wear", "Wear", "Ctrl+W", wear_page),
     Tab("faults", "Simulated faults", "Ctrl+9", fault_page, _simulated),
 )
 PLACES = {tab.name: place for place, tab in enumerate(TABS)}

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+import math
+import time
 from collections.abc import Sequence
 from getpass import getuser
 from pathlib import Path
@@ -12,8 +14,9 @@ from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
-from rigapp.gui.data.channels import free_values
+from rigapp.gui.data.channels import FreeValue, free_values
 from rigapp.gui.data.connection import ConnectionState, EngineConnection
+from rigapp.gui.data.knownwear import wear_values
 from rigapp.gui.data.news import News
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
@@ -33,7 +36,7 @@ from rigapp.gui.window.replaybar import ReplayBar
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import Watchdog
-from rigapp.schema.messages import Snapshot, Status
+from rigapp.schema.messages import RunState, Snapshot, Status
 from rigapp.schema.states import ACTIVE
 
 if TYPE_CHECKING:
@@ -143,7 +146,8 @@ class MainWindow(QMainWindow):
             )
         )
         data, views = self._test.data, status.channels if status is not None else ()
-        self.header.show_free(free_values(data.channels, views, data.rows.last))
+        free = free_values(data.channels, views, data.rows.last)
+        self.header.show_free([*free, *self._wear(status)])
         self.controls.show_status(status, self._connection.state, replay=self._connection.is_replay)
         self.replay_bar.setVisible(self._connection.is_replay)
         if self._connection.is_replay and status is not None:
@@ -153,6 +157,17 @@ class MainWindow(QMainWindow):
             self.controls.show_answer(self._test.problem, good=False)
             self._test.problem = ""
         self._close_when_stopped()
+
+    def _wear(self, status: Status | None) -> list[FreeValue]:
+        """Return the tiles of what is known of the wear; the date while the test goes on."""
+        data = self._test.data
+        turning = status is not None and status.state is RunState.RUNNING
+        live = turning and not self._connection.is_replay
+        rpm = abs(data.rows.last("speed")) if len(data.rows) else 0.0
+        if live and status is not None and 0.0 < status.simulated_speed < math.inf:
+            rpm *= status.simulated_speed
+        revolution = data.rows.revolutions[-1] if len(data.rows) else math.nan
+        return wear_values(data.predictions, rpm, time.time() if live else None, revolution)
 
     @property
     def news(self) -> News:

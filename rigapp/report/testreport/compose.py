@@ -18,6 +18,8 @@ from calibration.load_cell.force_uncertainty import ForceUncertainty, force_unce
 from rigapp.report.page.manuscript import Block, Manuscript, Section, Table, Text
 from rigapp.report.testreport import datasections, logsections, setupsections
 from rigapp.report.testreport.facts import Rows, rows_of
+from rigapp.report.testreport.identified import identified
+from rigapp.report.testreport.identifiedsections import known_section
 from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of
 from rigapp.report.testreport.uncertainty import position_uncertainty
 from rigapp.report.testreport.wording import (
@@ -95,6 +97,7 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
             [one.revolution for one in reader.unfinished()],
         ),
         datasections.wear(agreement, gaps, vector, worn_of(reader)),
+        *([] if agreement is None else [known_section(identified(reader, path), vector)]),
         datasections.quality(rows),
         *setupsections.sections(reader),
         _file_section(identity, summary, reader),

@@ -113,7 +113,8 @@ def saved(canvas: Any, title: str, words: str, caption: str, vector: bool) -> Fi
     return Figure(title, stream.getvalue(), words, "image/png", caption)
 
 
-def _revolution_axis(axes: Any) -> None:
+def revolution_axis(axes: Any) -> None:
+    """Let an axis count revolutions, from edge to edge."""
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
     axes.xaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
@@ -186,7 +187,7 @@ def trends(
             short = SHORT.get(channel.name, "")
             axes.set_ylabel(f"{short} ({symbol(channel.unit)})".lstrip())
             axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-        _revolution_axis(panels[-1])
+        revolution_axis(panels[-1])
         words = f"{title}: " + " ".join(
             f"{title_of(one.channel)} between {number(one.smallest.value, one.unit)} and "
             f"{quantity(one.largest.value, one.unit)}."
@@ -246,7 +247,7 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> F
         lower.axhline(0.0, color="#777777", lw=0.6)
         lower.set_ylabel("phase shift (°)")
         lower.set_title("shift of the measured |F| against the model", loc="left")
-        _revolution_axis(lower)
+        revolution_axis(lower)
         words = "Agreement with the model: " + " ".join(
             f"{name.replace('_', ' ')}: mean {quantity(one.mean, one.unit, 2)}, last "
             f"{quantity(one.last, one.unit, 2)}."
@@ -281,7 +282,7 @@ def wear_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figur
             words += f" by the measured forces {quantity(1e3 * driven.depth, 'um')} at the end."
         axes.set_ylabel("wear depth (µm)")
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-        _revolution_axis(axes)
+        revolution_axis(axes)
         caption = "From the probes (solid), by the model (dashed), by the model from the measured"
         caption += " forces (dash-dotted); what is unknown is not drawn."
         return saved(canvas, "Wear depth", words, caption, vector)

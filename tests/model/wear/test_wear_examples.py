@@ -40,6 +40,14 @@ def test_life(capsys: pytest.CaptureFixture[str]) -> None:
     assert result["continuous_mean_force_N"] < result["perfect_mean_force_N"]
 
 
+def test_identify(capsys: pytest.CaptureFixture[str]) -> None:
+    result = run("model_wear_identify", capsys)
+    assert result["low_mm3_per_Nm"] < 1.1 * 5.05e-4 < result["high_mm3_per_Nm"]
+    assert result["next_low_mm3_per_Nm"] < 1.1 * 5.05e-4 < result["next_high_mm3_per_Nm"]
+    assert result["scatter_factor"] == pytest.approx(1.15, abs=0.15)
+    assert 4000.0 < result["remaining_revolutions"] < 5500.0
+
+
 def test_live(capsys: pytest.CaptureFixture[str]) -> None:
     result = run("model_wear_live", capsys)
     assert result["cycles"] == 1000.0

@@ -1,0 +1,202 @@
+"""What the window knows of the wear: the tiles from the newest columns, the bands from the file.
+
+Bands and posteriors are computed by ``rigapp identify`` in a process of its own, so that the
+window does not stand still for it and shows the numbers that the command and the report show.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.gui.data.channels import FreeValue
+from rigapp.gui.data.series import SeriesTable
+from rigapp.gui.data.texts import duration, grouped, unit_text
+from rigapp.schema.columns import WEAR_MODELS, prediction_columns
+
+Floats = NDArray[np.float64]
+
+TOLD = 20.0
+"""Odds from which a statement is made, as in the sentences of ``model.identification``."""
+TIMEOUT_S = 120.0
+"""Of one computation: it takes seconds, on a computer that does much else a minute."""
+COEFFICIENT, REMAINING = "wear_coefficient", "remaining_revolutions"
+UNIT = unit_text({one.name: one.unit for one in prediction_columns()}[COEFFICIENT])
+
+
+@dataclass(frozen=True, slots=True)
+class NewestWear:
+    """Hold the newest statement of the prediction's columns; NaN where nothing is known."""
+
+    revolution: float = math.nan
+    values: Mapping[str, float] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> float:
+        return self.values.get(name, math.nan)
+
+    @property
+    def known(self) -> bool:
+        """Tell whether a coefficient is stated."""
+        return math.isfinite(self[COEFFICIENT])
+
+    @property
+    def statement(self) -> str:
+        """Return the most probable statement, in a word, with its probability."""
+        if not math.isfinite(self["wear_model"]):
+            return ""
+        word, share = WEAR_MODELS[int(self["wear_model"])], self["wear_model_weight"]
+        if share >= TOLD * (1.0 - share):
+            return word
+        return f"not told, most likely {word} ({100.0 * share:.0f} %)"
+
+
+_NAMES = (
+    *(f"{one}{suffix}" for one in (COEFFICIENT, REMAINING) for suffix in ("", "_low", "_high")),
+    "wear_model",
+    "wear_model_weight",
+)
+
+
+def newest_wear(predictions: SeriesTable) -> NewestWear:
+    """Return the newest statement that stands in the columns."""
+    known = np.flatnonzero(predictions.series(COEFFICIENT).values > 0.0)
+    if not known.size:
+        return NewestWear()
+    place = int(known[-1])
+    values = {name: float(predictions.series(name).values[place]) for name in _NAMES}
+    return NewestWear(float(predictions.revolutions[place]), values)
+
+
+def wear_values(
+    predictions: SeriesTable, rpm: float, now: float | None, revolution: float
+) -> list[FreeValue]:
+    """Return the tiles of the wear coefficient and of the time that remains; none without it.
+
+    rpm: the present speed, by the clock on the wall; now: the host's time, None where the test does
+    not go on; revolution: the present one, from which the remaining ones count down.
+    """
+    found = newest_wear(predictions)
+    if not found.known:
+        return []
+    power = math.floor(math.log10(found[COEFFICIENT]))
+    middle, low, high = (
+        found[f"{COEFFICIENT}{suffix}"] / 10.0**power for suffix in ("", "_low", "_high")
+    )
+    value = f"{middle:.2f}·10{_raised(power)} {UNIT}"
+    limits = f"{low:.2f} to {high:.2f} (95 %); {found.statement}"
+    tiles = [FreeValue(COEFFICIENT, "Wear coefficient", value, limits)]
+    since = max(revolution - found.revolution, 0.0) if math.isfinite(revolution) else 0.0
+    left, soon, late = (
+        max(found[f"{REMAINING}{suffix}"] - since, 0.0) for suffix in ("", "_low", "_high")
+    )
+    if math.isfinite(left):
+        tiles.append(_remaining(left, soon, late, rpm, now))
+    return tiles
+
+
+def _remaining(left: float, soon: float, late: float, rpm: float, now: float | None) -> FreeValue:
+    """Return the tile of the time that remains, in revolutions while the crank stands."""
+    title = "Until the final wear depth"
+    latest = grouped(round(late)) if math.isfinite(late) else "beyond the model"
+    turns = f"{grouped(round(soon))} to {latest} revolutions (95 %)"
+    if rpm <= 0.0:
+        return FreeValue(REMAINING, title, f"{grouped(round(left))} revolutions", turns)
+    seconds = 60.0 * left / rpm
+    date = ""
+    if now is not None:
+        date = time.strftime("%a %d %b, %H:%M", time.localtime(now + seconds)) + "; "
+    return FreeValue(REMAINING, title, duration(seconds), date + turns)
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def _raised(power: int) -> str:
+    return str(power).translate(_RAISED)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class WearBand:
+    """Hold the band predicted after a revolution, (n,) each: revolutions and um."""
+
+    after: int
+    revolution: Floats
+    low: Floats
+    median: Floats
+    high: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KnownWear:
+    """Hold what ``rigapp identify`` says of a test.
+
+    after: the revolution that it was known after, 0 where nothing is; planned: the last one;
+    bands: the early one first, the last one last; readings: revolution and depth (um) of the bins;
+    course: columns over the revolutions after which something was known; depth_um: of the end.
+    """
+
+    sentence: str
+    after: int = 0
+    planned: int = 0
+    bands: tuple[WearBand, ...] = ()
+    readings: tuple[Floats, Floats] = (np.empty(0), np.empty(0))
+    course: Mapping[str, Floats] = field(default_factory=dict)
+    depth_um: float = math.nan
+
+
+Run = Callable[[list[str]], str]
+
+
+def run_identify(arguments: list[str]) -> str:
+    """Return what ``rigapp identify`` prints; raise OSError with its sentence when it fails."""
+    done = subprocess.run(
+        [sys.executable, "-m", "rigapp", "identify", *arguments],
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    if not done.stdout.strip():
+        raise OSError(done.stderr.strip() or f"rigapp identify ended with {done.returncode}")
+    return done.stdout
+
+
+def known_wear(path: Path, after: int, run: Run = run_identify) -> KnownWear:
+    """Return what is known of the wear of a test after a revolution; runs on a worker thread."""
+    return of_tree(json.loads(run([str(path), "--json", "--after", str(after)]))["tests"][0])
+
+
+def of_tree(tree: Mapping[str, Any]) -> KnownWear:
+    """Return what the JSON of one test says."""
+    if tree["refused"]:
+        return KnownWear(tree["sentence"])
+    left = tree["remaining_revolutions"]
+    return KnownWear(
+        tree["sentence"],
+        tree["revolution"],
+        tree["planned_revolutions"],
+        tuple(
+            WearBand(
+                one["after_revolution"],
+                *(_floats(one[key]) for key in ("revolution", "low_um", "median_um", "high_um")),
+            )
+            for one in tree["bands"]
+        ),
+        (_floats(tree["readings"]["revolution"]), _floats(tree["readings"]["depth_um"])),
+        {name: _floats(values) for name, values in tree["course"].items()},
+        left["depth_um"] if left is not None else math.nan,
+    )
+
+
+def _floats(values: list[float | None]) -> Floats:
+    return np.array([math.nan if one is None else one for one in values], dtype=np.float64)

@@ -1,0 +1,264 @@
+"""What is known of the wear of recorded tests: each alone, and specimens of one pairing together.
+
+The course is what the twin stated while the test ran, from the columns of the file. Posterior and
+bands are made again from what it kept in the file, by the same functions of
+``model.identification``: the same bins give the same numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from model.identification import (
+    Band,
+    Bin,
+    CannotBeTold,
+    Credible,
+    DepthLife,
+    Estimate,
+    Identification,
+    Pairing,
+    Remaining,
+    estimate_of,
+    identify,
+    pairing_of,
+    predictive_band,
+    remaining,
+)
+from model.identification.words import sentence
+from rigapp.config.errors import UnusableInput
+from rigapp.schema.columns import identified_columns
+from rigapp.storage import TestReader, open_test
+from rigapp.twin.identifying import LEAST_REFERENCE
+from rigapp.twin.kept import kept_of, life_of
+
+Array = NDArray[np.float64]
+
+EARLY = 0.1
+"""Share of the planned revolutions after which the early band was predicted, to be compared."""
+BAND_POINTS = 60
+"""Revolutions at which a band is told: it is a smooth curve."""
+STATED = tuple(one.name for one in identified_columns())
+"""The columns of the course."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ForecastBand:
+    """Hold the band predicted after a revolution, to the planned end."""
+
+    after: int
+    band: Band
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class IdentifiedTest:
+    """Hold what is known of the wear of one test.
+
+    identifier: of the test; record: the probes' calibration; said: the statement in words, or why
+    there is none, and then refused; course: columns over the revolutions at which the twin stated
+    something new; known: after the last bin; left: None without a depth at which the test ends.
+    """
+
+    path: Path
+    title: str
+    identifier: str
+    specimen: str
+    planned: int
+    rpm: float
+    said: str
+    refused: bool = True
+    record: str = ""
+    course: Mapping[str, Array] = field(default_factory=dict)
+    known: Identification | None = None
+    left: Remaining | None = None
+    bands: tuple[ForecastBand, ...] = ()
+
+    @property
+    def remaining_s(self) -> float:
+        """Return for how long the test goes on at its last speed, s; NaN where it is not known."""
+        if self.left is None or self.left.revolutions is None or not self.rpm:
+            return float("nan")
+        return 60.0 * self.left.revolutions.median / self.rpm
+
+
+def identified_test(path: Path, after: int | None = None) -> IdentifiedTest:
+    """Return what is known of the wear of a recorded test; raise UnusableInput for no test.
+
+    after: as it was known after a revolution. What cannot be told says why.
+    """
+    with open_test(path) as reader:
+        return identified(reader, path, after)
+
+
+def identified(reader: TestReader, path: Path, after: int | None = None) -> IdentifiedTest:
+    """Return what is known of the wear of an open test."""
+    about = reader.metadata()
+    speed = reader.column("speed")[-1:]
+    plain: dict[str, Any] = {
+        "path": path,
+        "title": str(about["title"]),
+        "identifier": str(about["identifier"]),
+        "specimen": str(about["specimen"]),
+        "planned": int(about["planned_revolutions"]),
+        "rpm": abs(float(speed[0])) if speed.size else 0.0,
+    }
+    record = ""
+    try:
+        kept = kept_of(reader)
+        record = kept.sought.record
+        moments = _moments(reader, kept.bins.closed, after)
+        life = life_of(kept)
+
+        def known_at(place: int) -> Identification:
+            moment = moments[place]
+            errors = replace(kept.errors(), reference=max(moment.reference, LEAST_REFERENCE))
+            return identify(kept.bins.closed[: place + 1], life, errors, kept.prior())
+
+        known = known_at(len(moments) - 1)
+    except CannotBeTold as error:
+        words = f"The wear coefficient cannot be told, because {str(error).rstrip('.')}."
+        return IdentifiedTest(**plain, record=record, said=words)
+    depth, departure = kept.sought.depth, kept.consistency.departure
+    if departure is not None and after is not None and departure.revolution > after:
+        departure = None
+    early = [place for place, one in enumerate(moments) if one.closed <= EARLY * plain["planned"]]
+    bands = [_band(known, life, plain["planned"])]
+    if early and early[-1] < len(moments) - 1:
+        bands = [*_early(known_at, early[-1], life, plain["planned"]), *bands]
+    return IdentifiedTest(
+        **plain,
+        record=record,
+        said=sentence(known, departure),
+        refused=False,
+        course=_course(reader, after),
+        known=known,
+        left=None if depth is None else _left(known, life, depth, _last(reader, after)),
+        bands=tuple(bands),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Moment:
+    """Tell when a bin was closed, and the standard uncertainty of the depth's zero then, m."""
+
+    closed: float
+    reference: float
+
+
+def _moments(reader: TestReader, bins: Sequence[Bin], after: int | None) -> list[_Moment]:
+    """Return the moments at which bins were closed: at the first reading that is in none of them.
+
+    Raises CannotBeTold where there is none.
+    """
+    table = reader.predictions()
+    read = np.isfinite(table["measured_wear_depth"])
+    revolutions = table["revolution"][read].astype(np.float64)
+    doubt = 0.5e-3 * table["measured_wear_depth_uncertainty"][read]
+    found = []
+    for one in bins:
+        place = int(np.searchsorted(revolutions, one.revolution, side="right"))
+        if place < revolutions.size and (after is None or revolutions[place] <= after):
+            found.append(_Moment(float(revolutions[place]), float(doubt[place])))
+    if not found:
+        raise CannotBeTold("no bin of revolutions is complete yet: wait")
+    return found
+
+
+def _last(reader: TestReader, after: int | None) -> float:
+    """Return the last revolution that counts."""
+    last = float(reader.predictions()["revolution"][-1])
+    return last if after is None else min(last, float(after))
+
+
+def _left(known: Identification, life: DepthLife, depth: float, last: float) -> Remaining:
+    """Return what remains after the last revolution, which lies behind the last bin."""
+    found = remaining(known, life, depth)
+    if found.revolutions is None:
+        return found
+    since = last - known.revolution
+    left = found.revolutions
+    counted = (max(one - since, 0.0) for one in (left.median, left.low, left.high))
+    return replace(found, revolutions=Credible(*counted))
+
+
+def _course(reader: TestReader, after: int | None) -> dict[str, Array]:
+    """Return the columns of the rows that state something new."""
+    table = reader.predictions()
+    stated = np.isfinite(table["wear_coefficient"])
+    if after is not None:
+        stated &= table["revolution"] <= after
+    columns = {name: np.asarray(table[name][stated], float) for name in ("revolution", *STATED)}
+    told = np.column_stack([columns[f"wear_coefficient{one}"] for one in ("", "_low", "_high")])
+    new = np.ones(len(told), dtype=bool)
+    new[1:] = (np.diff(told, axis=0) != 0.0).any(axis=1)
+    return {name: values[new] for name, values in columns.items()}
+
+
+def _early(
+    known_at: Callable[[int], Identification], place: int, life: DepthLife, planned: int
+) -> list[ForecastBand]:
+    """Return the early band; none where nothing could be told so early."""
+    try:
+        return [_band(known_at(place), life, planned)]
+    except CannotBeTold:
+        return []
+
+
+def _band(known: Identification, life: DepthLife, planned: int) -> ForecastBand:
+    now = int(known.revolution)
+    revolutions = np.unique(np.linspace(now, max(planned, now + 1), BAND_POINTS).astype(int))
+    return ForecastBand(now, predictive_band(known, life, revolutions.astype(float)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class IdentifiedTests:
+    """Hold what is known of several tests; pairing: of them together, None with why not."""
+
+    tests: tuple[IdentifiedTest, ...]
+    pairing: Pairing | None = None
+    counted: tuple[IdentifiedTest, ...] = ()
+    why_not: str = ""
+
+
+def identified_tests(
+    paths: Sequence[Path],
+    after: int | None = None,
+    progress: Callable[[float, float], None] | None = None,
+) -> IdentifiedTests:
+    """Return what is known of tests, and of their pairing by all that tell enough.
+
+    after: as it was known after a revolution. progress: called with the number of files done and of
+    all. Raises UnusableInput for no test, or the same one twice.
+    """
+    tests: list[IdentifiedTest] = []
+    for path in paths:
+        tests.append(identified_test(path, after))
+        same = next((one for one in tests[:-1] if one.identifier == tests[-1].identifier), None)
+        if same is not None:
+            raise UnusableInput(f"{path}: that is the test of {same.path} again; give it once.")
+        if progress is not None:
+            progress(float(len(tests)), float(len(paths)))
+    counted: list[IdentifiedTest] = []
+    estimates: list[Estimate] = []
+    why_not = ""
+    for one in tests:
+        if one.known is None:
+            continue
+        try:
+            estimates.append(estimate_of(one.known, one.record))
+        except CannotBeTold as error:
+            why_not = f"{one.path.name}: {error}"
+            continue
+        counted.append(one)
+    if not estimates:
+        return IdentifiedTests(tuple(tests), why_not=why_not)
+    names = ", ".join(one.path.name for one in counted)
+    specimens = "one specimen" if len(counted) == 1 else f"{len(counted)} specimens"
+    pairing = pairing_of(estimates, f"{specimens}: {names}")
+    return IdentifiedTests(tuple(tests), pairing, tuple(counted), why_not)

@@ -1,0 +1,49 @@
+"""What the twin of a test kept of its identification in the file, to be gone through again."""
+
+from __future__ import annotations
+
+import msgspec
+
+from model.identification import CannotBeTold, DepthLife
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import parse_test
+from rigapp.config.parameters import to_parameters
+from rigapp.storage import TestReader
+from rigapp.twin.checkpoint import Checkpoint, restore
+from rigapp.twin.identifying import Identifier, Sought
+from rigapp.twin.twin import Twin
+
+
+def kept_of(reader: TestReader) -> Identifier:
+    """Return the identification of a test as its twin left it; raise CannotBeTold for none.
+
+    Its readings stand in bins, and its life is worn as far as it had come.
+    """
+    if "wear_coefficient" not in reader.column_units("prediction"):
+        raise CannotBeTold(
+            "the file was recorded without a prediction, or by a version that did not ask for it"
+        )
+    try:
+        text = str(reader.configuration()["test"])
+        test = parse_test(text, "its test", recorded=True)
+        found = msgspec.msgpack.decode(reader.checkpoint(), type=Checkpoint)
+    except (UnusableInput, msgspec.DecodeError) as error:
+        raise CannotBeTold(f"the twin has left nothing readable in the file ({error})") from error
+    parameters = to_parameters(test.model)
+    if found.identified is None:
+        nobody = Identifier(parameters, Sought())
+        nobody.prior()
+        nobody.errors()
+        raise CannotBeTold("the twin did not ask for it")
+    identifier = Identifier(parameters, found.identified.sought)
+    twin = Twin(parameters, test.prediction.joint, identifier=identifier)
+    restore(twin, reader.checkpoint())
+    return identifier
+
+
+def life_of(identifier: Identifier) -> DepthLife:
+    """Return the life that readings are compared with; raise CannotBeTold while there is none."""
+    life = identifier.ahead.life() if identifier.ahead is not None else None
+    if life is None:
+        raise CannotBeTold("hardly any revolution has been measured yet: wait")
+    return life

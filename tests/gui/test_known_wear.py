@@ -1,0 +1,182 @@
+"""What the window says of the wear: tiles, sentence, bands and the narrowing of the posterior."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from patience import PATIENCE_MS
+
+from rigapp.gui.data.knownwear import KnownWear, known_wear, newest_wear, of_tree, wear_values
+from rigapp.gui.data.news import News
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.panels.wear import WearPanel
+from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.window.window import MainWindow
+from rigapp.schema.columns import prediction_columns
+from rigapp.schema.messages import Snapshot
+
+NAMES = [one.name for one in prediction_columns()]
+STATED = {
+    "wear_coefficient": 5.55e-4,
+    "wear_coefficient_low": 5.3e-4,
+    "wear_coefficient_high": 5.8e-4,
+    "remaining_revolutions": 3000.0,
+    "remaining_revolutions_low": 2500.0,
+    "remaining_revolutions_high": np.inf,
+    "wear_consistency": 0.2,
+    "wear_model": 0.0,
+    "wear_model_weight": 0.97,
+}
+TREE: dict[str, Any] = {
+    "refused": False,
+    "sentence": "The joint wears at a constant coefficient (sure to 97 %).",
+    "revolution": 1000,
+    "planned_revolutions": 4000,
+    "bands": [
+        {
+            "after_revolution": after,
+            "revolution": [after, 2000, 4000],
+            "low_um": [low, 20.0, None],
+            "median_um": [low + 1.0, 25.0, None],
+            "high_um": [low + 2.0, 30.0, None],
+        }
+        for after, low in ((400, 4.0), (1000, 10.0))
+    ],
+    "readings": {"revolution": [10, 100, 1000], "depth_um": [0.1, 1.0, 10.0]},
+    "course": {
+        "revolution": [100.0, 1000.0],
+        "wear_coefficient_low": [4e-4, 5.3e-4],
+        "wear_coefficient": [5e-4, 5.55e-4],
+        "wear_coefficient_high": [7e-4, 5.8e-4],
+    },
+    "remaining_revolutions": {"depth_um": 40.0},
+}
+
+
+@pytest.fixture
+def worker() -> Iterator[TaskWorker]:
+    worker = TaskWorker("test-wear")
+    yield worker
+    worker.close()
+
+
+@pytest.fixture
+def stated(make_snapshot: Callable[..., Snapshot]) -> Callable[..., Snapshot]:
+    """Return the maker of snapshots whose newest prediction states the wear."""
+
+    def make(count: int = 1000, **values: float) -> Snapshot:
+        plain = make_snapshot(count=count)
+        table = np.frombuffer(plain.predictions).reshape(count, len(NAMES)).copy()
+        for name, value in {**STATED, **values}.items():
+            table[-5:-2, NAMES.index(name)] = value
+        return msgspec.structs.replace(plain, predictions=table.tobytes())
+
+    return make
+
+
+def test_the_tiles_tell_coefficient_limits_and_what_remains(stated: Any) -> None:
+    data = LiveData()
+    data.take(stated())
+    now = 1.8e9
+    coefficient, left = wear_values(data.predictions, 30.0, now, 1000.0)
+    assert coefficient.value == "5.55·10⁻⁴ mm³/(N m)"
+    assert coefficient.detail == "5.30 to 5.80 (95 %); constant"
+    assert left.value == "1 h 39 min", "2 revolutions of 2 s less than 6000 s"
+    assert left.detail.endswith("2\u2009498 to beyond the model revolutions (95 %)")
+    assert ":" in left.detail.partition(";")[0]
+    standing = wear_values(data.predictions, 0.0, None, 1000.0)[1]
+    assert standing.value == "2\u2009998 revolutions"
+
+
+def test_without_a_statement_there_is_no_tile(make_snapshot: Any) -> None:
+    data = LiveData()
+    data.take(make_snapshot(count=10))
+    assert wear_values(data.predictions, 30.0, 0.0, 10.0) == []
+    assert newest_wear(data.predictions).statement == ""
+
+
+def test_running_in_and_a_change_are_words_in_the_tile(stated: Any) -> None:
+    for model, share, words in (
+        (1.0, 0.97, "running-in"),
+        (2.0, 0.97, "change"),
+        (2.0, 0.9, "not told, most likely change (90 %)"),
+    ):
+        data = LiveData()
+        data.take(stated(wear_model=model, wear_model_weight=share))
+        assert newest_wear(data.predictions).statement == words
+
+
+def test_the_panel_draws_bands_and_course_and_asks_again_only_for_news(
+    qtbot: Any, qapp: Any, stated: Any, worker: TaskWorker
+) -> None:
+    asked: list[tuple[Path, int]] = []
+
+    def read(path: Path, after: int) -> KnownWear:
+        asked.append((path, after))
+        return of_tree(TREE)
+
+    panel = WearPanel(LIGHT, worker, read)
+    qtbot.addWidget(panel)
+    panel.show_news(News())
+    assert panel.sentence.text().startswith("No revolution measured yet")
+    data = LiveData()
+    data.take(stated())
+    news = News(data=data, path=Path("a.h5"))
+
+    def drawn() -> bool:
+        panel.show_news(news)
+        worker.deliver()
+        x = panel.bands.newest.median.getData()[0]
+        return x is not None and len(x) > 0
+
+    qtbot.waitUntil(drawn, timeout=PATIENCE_MS)
+    for _ in range(3):
+        panel.show_news(news)
+    assert asked == [(Path("a.h5"), 1000)]
+    assert panel.sentence.text().startswith("The joint wears at a constant coefficient")
+    assert panel.bands.legend.accessibleName().startswith(
+        "Legend: 95 % from 400 on, 95 % from 1\u2009000 on, measured"
+    )
+    assert list(panel.bands.newest.median.getData()[0]) == [1000, 2000], "not what is unknown"
+    assert panel.narrowing.plot.instead == ""
+    panel.dress(DARK)
+    panel.show_news(News(path=Path("b.h5")))
+    assert panel.narrowing.plot.instead.startswith("No revolution measured yet")
+
+
+def test_a_refusal_is_told_in_words(
+    qtbot: Any, qapp: Any, make_snapshot: Any, worker: TaskWorker
+) -> None:
+    sentence = "The wear coefficient cannot be told, because the probes have no record."
+
+    def run(arguments: list[str]) -> str:
+        assert arguments == ["a.h5", "--json", "--after", "50"]
+        return json.dumps({"tests": [{"refused": True, "sentence": sentence}]})
+
+    panel = WearPanel(LIGHT, worker, lambda path, after: known_wear(path, after, run))
+    qtbot.addWidget(panel)
+    data = LiveData()
+    data.take(make_snapshot(count=50))
+
+    def told() -> bool:
+        panel.show_news(News(data=data, path=Path("a.h5")))
+        worker.deliver()
+        return panel.sentence.text() == sentence
+
+    qtbot.waitUntil(told, timeout=PATIENCE_MS)
+    assert panel.narrowing.plot.instead == sentence
+
+
+def test_the_tiles_stand_in_the_window(
+    window: MainWindow, engine: Any, attach: Callable[[], None], stated: Any
+) -> None:
+    engine.snapshots.append(stated())
+    attach()
+    assert window.header.free["wear_coefficient"].value.whole == "5.55·10⁻⁴ mm³/(N m)"

@@ -1,0 +1,155 @@
+"""What is known of the wear afterwards, from files as the twin left them: the same numbers."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from plant_revolutions import EXAMPLES, PARAMETERS, measured_revolutions
+
+from rigapp.commands.identify import identify_tests
+from rigapp.config.errors import UnusableInput
+from rigapp.report.testreport.identified import identified_test, identified_tests
+from rigapp.schema.channels import BASE
+from rigapp.schema.messages import as_array
+from rigapp.storage import FilePlan, TestMetadata, create_test, open_test
+from rigapp.twin.checkpoint import packed
+from rigapp.twin.identifying import Identifier, Sought
+from rigapp.twin.twin import Twin
+
+REVOLUTIONS, PLANNED = 130, 800
+RECORDED = Sought(0.01, 0.3, 20.0, 400.0, "P-3")
+TRUE = 5.05e-4
+
+
+def record(path: Path, factor: float, sought: Sought, number: int = REVOLUTIONS) -> Path:
+    """Record a test of the simulated plant with its twin, without an engine."""
+    plan = FilePlan(revolutions=PLANNED, cycles=1, samples_per_cycle=400, profiles=40)
+    metadata = TestMetadata(
+        title="Virtual test",
+        rig_text='name = "rig"\n',
+        test_text=(EXAMPLES / "quick.toml").read_text("utf-8"),
+        specimen=path.stem,
+        started=1.8e9,
+        identifier=path.stem,
+    )
+    identifier = Identifier(PARAMETERS, sought)
+    asked = identifier if identifier.possible() else None
+    twin = Twin(PARAMETERS, "continuous", identifier=asked)
+    writer = create_test(path, plan, metadata)
+    row = dict.fromkeys(BASE.names, 0.0) | {"speed": 60.0}
+    for measured, _ in measured_revolutions(factor, number):
+        row["revolution"] = float(measured.revolution)
+        writer.append_row(list(row.values()))
+        writer.append_prediction(as_array(twin.predict(measured).values, "<f8"))
+        writer.keep_checkpoint(measured.revolution, packed(twin))
+    writer.commit()
+    writer.finish("complete", "complete", "All revolutions are done.")
+    return path
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with two tests whose probes have a record, and one whose have none."""
+    folder = tmp_path_factory.mktemp("kept")
+    record(folder / "first.h5", 1.1, RECORDED)
+    record(folder / "second.h5", 0.8, RECORDED, 100)
+    record(folder / "bare.h5", 1.1, Sought(planned=400.0), 10)
+    return folder
+
+
+@pytest.mark.parametrize("after", [None, 60, 100])
+def test_the_numbers_are_those_that_were_told_while_it_ran(folder: Path, after: int | None) -> None:
+    found = identified_test(folder / "first.h5", after)
+    with open_test(folder / "first.h5") as reader:
+        table = reader.predictions()
+    last = REVOLUTIONS - 1 if after is None else after - 1
+    known, left = found.known, found.left
+    assert known is not None
+    assert left is not None
+    assert left.revolutions is not None
+    for name, told, factor in (
+        ("wear_coefficient", known.coefficient, 1e9),
+        ("remaining_revolutions", left.revolutions, 1.0),
+    ):
+        if after is not None and name != "wear_coefficient":
+            continue  # the life may not have reached the depth yet, as it does now
+        again = [factor * one for one in (told.median, told.low, told.high)]
+        live = [float(table[f"{name}{end}"][last]) for end in ("", "_low", "_high")]
+        # Of a moment before the end, the life has gone on since, and bends otherwise at its end.
+        exact = 1e-9 if after is None else 1e-5
+        assert again == pytest.approx(live, rel=exact), name
+    assert known.best.weight == pytest.approx(float(table["wear_model_weight"][last]), rel=1e-5)
+    assert found.course["wear_coefficient"][-1] == table["wear_coefficient"][last]
+    assert np.all(np.diff(found.course["revolution"]) > 0)
+
+
+def test_the_early_band_holds_what_came(folder: Path) -> None:
+    found = identified_test(folder / "first.h5")
+    bands = [one.band for one in found.bands]
+    assert found.known is not None
+    readings = found.known.readings
+    early = found.bands[0]
+    later = readings.revolution > early.after
+    low, high = (np.interp(readings.revolution[later], bands[0].revolution, one)
+                 for one in (bands[0].low, bands[0].high))  # fmt: skip
+    assert later.any()
+    inside = (low < readings.depth[later]) & (readings.depth[later] < high)
+    assert inside.mean() > 0.8
+
+
+def test_two_specimens_tell_their_scatter_and_the_next_ones_limits(folder: Path) -> None:
+    found = identified_tests([folder / "first.h5", folder / "second.h5", folder / "bare.h5"])
+    assert found.pairing is not None
+    assert [one.path.name for one in found.counted] == ["first.h5", "second.h5"]
+    assert found.pairing.scatter.median > 1.1
+    middle = 1e9 * found.pairing.coefficient.median
+    assert 0.8 * TRUE < middle < 1.1 * TRUE
+    assert found.pairing.next.low < found.pairing.coefficient.low
+    assert found.pairing.prior.source == "2 specimens: first.h5, second.h5"
+    with pytest.raises(UnusableInput, match="give it once"):
+        identified_tests([folder / "first.h5", folder / "first.h5"])
+
+
+def test_a_file_whose_probes_have_no_record_is_refused_in_words(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert identify_tests([folder / "bare.h5"], None, as_json=False) == 1
+    said = capsys.readouterr().out
+    assert "cannot be told, because the probes have no calibration record" in said
+    assert identify_tests([folder / "bare.h5"], None, as_json=True) == 1
+    tree = json.loads(capsys.readouterr().out)
+    assert tree["tests"][0]["refused"] is True
+    assert "wear_coefficient" not in tree["tests"][0]
+    assert tree["pairing"] is None
+
+
+@pytest.mark.parametrize("ending", [".csv", ".json", ".html", ".pdf"])
+def test_it_is_written_in_each_form(
+    folder: Path, tmp_path: Path, ending: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    to = tmp_path / f"wear{ending}"
+    files = [folder / "first.h5", folder / "second.h5"]
+    assert identify_tests(files, to, as_json=False) == 0
+    said = capsys.readouterr().out
+    assert "Scatter between specimens: a factor of" in said
+    data = to.read_bytes()
+    if ending == ".csv":
+        head, *rows = data.decode().splitlines()
+        assert head.startswith("file,specimen,revolution,wear_coefficient_mm3_per_N_m,")
+        assert {row.partition(",")[0] for row in rows} == {"first.h5", "second.h5"}
+        assert all(row.count(",") == head.count(",") for row in rows)
+    elif ending == ".json":
+        tree = json.loads(data)
+        assert tree["tests"][0]["wear_coefficient"]["unit"] == "mm^3/(N m)"
+        assert tree["tests"][0]["bands"][-1]["after_revolution"] <= REVOLUTIONS
+        assert tree["pairing"]["prior"]["spread_ln"] > 0.0
+    else:
+        assert data.startswith(b"%PDF" if ending == ".pdf" else b"<!doctype html>")
+
+
+def test_a_target_of_another_kind_is_refused_before_anything_is_read(tmp_path: Path) -> None:
+    with pytest.raises(UnusableInput, match="the name must end with one of"):
+        identify_tests([tmp_path / "missing.h5"], tmp_path / "wear.txt", as_json=False)
