@@ -51,11 +51,14 @@ def draw(found: DailyHistory) -> bytes:
     """Return the charts as PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure as Canvas
+    from matplotlib.ticker import MaxNLocator
 
-    canvas = Canvas(figsize=(7.5, 2.2 * len(found.charts)), dpi=120, layout="constrained")
+    columns = 2 if len(found.charts) > 2 else 1
+    rows = -(-len(found.charts) // columns)
+    canvas = Canvas(figsize=(7.5, 2.2 * rows + 0.4), dpi=120, layout="constrained")
     for place, (name, one) in enumerate(found.charts.items(), 1):
         of_zero = CHARTED[name].of_zero
-        axes = canvas.add_subplot(len(found.charts), 1, place)
+        axes = canvas.add_subplot(rows, columns, place)
         count = np.arange(1, len(one.values) + 1)
         axes.plot(count, one.values, "-o", color=BLUE, ms=4, lw=1, label="checks")
         flagged = sorted({finding.at for finding in one.findings})
@@ -73,7 +76,8 @@ def draw(found: DailyHistory) -> bytes:
             axes.plot([], [], "--", color=ORANGE, label="limits of the history")
         axes.set_title(CHARTED[name].words + (" (N)" if of_zero else ""), fontsize=9, loc="left")
         axes.set_xlabel("check")
-        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+        axes.legend(fontsize=6, loc="best")
     FigureCanvasAgg(canvas)
     stream = io.BytesIO()
     canvas.savefig(stream, format="png", metadata={"Software": None})
