@@ -13,6 +13,7 @@ from calibration.load_cell.calibrate import LoadCellCalibration
 from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.problems import Problem
+from calibration.taking.uncertainty import Budget
 from rigapp.calibrating.budget_lines import budget_lines, finite
 from rigapp.calibrating.records import problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
@@ -63,8 +64,6 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "sensitivity_unit_per_N": fit.sensitivity.tolist(),
         "quadratic_unit_per_N2": None if fit.quadratic is None else fit.quadratic.tolist(),
         "residual_std_N": fit.residual_std,
-        "expanded_uncertainty_N": budget.expanded,
-        "coverage_factor": budget.coverage_factor,
         "uncertainty_line_N": {"constant_N": line[0], "per_N": line[1]},
         "uncertainty_lines_of_mean_N": {
             name: dict(zip(("constant_N", "per_N"), expanded_line(budgets), strict=True))
@@ -73,8 +72,8 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
                 ("magnitude", [one.magnitude.of_mean(math.inf) for one in found.by_load]),
             )
         },
-        "effective_degrees_of_freedom": finite(budget.degrees),
-        "budget": budget_lines(budget.contributions, "N"),
+        **_budget(budget),
+        "magnitude": _budget(found.by_load[-1].magnitude),
         "uncertainty_by_load": [
             {
                 "load_N": one.load,
@@ -107,6 +106,16 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "zero_drift_N": traits.drift,
         "applied_N": applied.tolist(),
         "residual_N": fit.residual.tolist(),
+    }
+
+
+def _budget(found: Budget) -> dict[str, Any]:
+    """Return a budget and what comes of it."""
+    return {
+        "expanded_uncertainty_N": found.expanded,
+        "coverage_factor": found.coverage_factor,
+        "effective_degrees_of_freedom": finite(found.degrees),
+        "budget": budget_lines(found.contributions, "N"),
     }
 
 

@@ -80,7 +80,9 @@ def test_a_whole_certificate_says_what_an_assessor_asks_for(tmp_path: Path) -> N
     assert all(f"Note: {one}" in html for one in notes)
     # Full scale was not reached: its row of the results, of U by load, and its budget say so.
     assert words.count(">extrapolated<") >= 3
-    assert "Budget of one reading at 400 N EXTRAPOLATED" in words
+    for what in ("a component in its worst direction", "|F|"):
+        assert f"Budget of one reading of {what} at 400 N EXTRAPOLATED" in words
+    assert "creep" in words
 
 
 def test_the_results_by_load_are_those_of_the_readings(tmp_path: Path) -> None:

@@ -31,14 +31,20 @@ def load_cell_parts(content: Content) -> Parts:
     result, loads = content["result"], loads_of(content)
     full = result["full_scale_N"]
     extrapolated = " EXTRAPOLATED beyond the calibrated range" * (full > loads[-1].applied)
-    budget = budget_table(f"Budget of one reading at {full:g} N{extrapolated}", result, "N", "N")
+    budgets = [
+        budget_table(f"Budget of one reading of {what} at {full:g} N{extrapolated}", one, "N", "N")
+        for what, one in (
+            ("a component in its worst direction", result),
+            ("|F|", result.get("magnitude", {})),
+        )
+    ]
     return Parts(
-        _statements(result, loads, extrapolated),
+        _statements(content, loads, extrapolated),
         [_results(loads, result), *_cell_tables(content)],
         _cell_figures(content),
         calibrated=_range(loads),
         conditions=_conditions(content),
-        uncertainty=[*_by_load(result, loads), *([] if budget is None else [budget])],
+        uncertainty=[*_by_load(result, loads), *filter(None, budgets)],
         readings=[_readings_table(content)],
     )
 
@@ -199,16 +205,31 @@ def _conditions(content: Content) -> list[Row]:
         ("Angle reference", _offset(angle["offset_deg"]) +
                             f" u = {angle['standard_uncertainty_deg']:.3g} deg"
                             + _level(angle.get("level_readings_deg", ()))),
+        *_in_use(settings.get("use")),
     ]  # fmt: skip
 
 
 def _offset(offset: float | None) -> str:
     if offset is None:
         return "none was stated; offset taken as 0 deg,"
-    return f"offset {offset:.6g} deg,"
+    return f"offset {round(offset, 6) + 0.0:g} deg,"
 
 
-def _statements(result: Content, loads: Sequence[Load], extrapolated: str) -> list[str]:
+def _in_use(use: Content | None) -> list[Row]:
+    """Return the changes from the calibration to a test that U contains, each at most so much."""
+    if use is None:
+        return []
+    kelvin = use["temperature_difference_K"]
+    words = (
+        f"up to {kelvin:g} K from the calibration, gain {use['gain_percent_per_K']:g} %/K, zero"
+        f" {use['zero_percent_of_full_scale_per_K']:g} % of full scale/K; creep"
+        f" {use['creep_percent']:g} %; gain {use['gain_change_percent_per_year']:g} % a year"
+    )
+    return [("Changes in use, contained in U", words)]
+
+
+def _statements(content: Content, loads: Sequence[Load], extrapolated: str) -> list[str]:
+    result, in_use = content["result"], "use" in content["settings"]
     factor = f"{result['coverage_factor']:.2f}"
     line = result["uncertainty_line_N"]
     beyond = (
@@ -216,13 +237,18 @@ def _statements(result: Content, loads: Sequence[Load], extrapolated: str) -> li
         if extrapolated
         else ""
     )
+    holds = (
+        "It holds in use, too, within the changes that the conditions name."
+        if in_use
+        else "It holds for the conditions and the time of the calibration."
+    )
     return [
         "Method: dead weights at several angles of the pin. The procedure follows the ideas of ASTM"
         " E74 and ISO 376, which are for one axis and static forces; it does not comply with them.",
         result["classification"],
         f"The expanded uncertainty of one reading is U(F) = {line['constant_N']:.2f} N +"
-        f" {line['per_N']:.5f} F with a coverage factor k = {factor} at full scale (about 95 %). It"
-        f" holds for the conditions and the time of the calibration.{beyond}",
+        f" {line['per_N']:.5f} F with a coverage factor k = {factor} at full scale (about 95 %)."
+        f" {holds}{beyond}",
         "A common error of the pin angle leaves no residual; it is covered by the uncertainty of"
         " the angle reference only.",
     ]

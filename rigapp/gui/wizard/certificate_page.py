@@ -62,7 +62,9 @@ class CertificatePage(QWizardPage):
         self.words.setText("Writing the certificate; the first one takes some seconds …")
         self._live.run(
             lambda: write_certificate(record, target),
-            lambda _: self.words.setText(f"The certificate is {target}."),
+            lambda mark: self.words.setText(
+                f"The certificate is {target}." + (f" Each page is marked {mark}." if mark else "")
+            ),
         )
 
     def _leave(self) -> None:
