@@ -74,7 +74,7 @@ def pump(wizard: CalibrationWizard, line: HostLine, until: Any, what: str, withi
 
 
 @pytest.mark.timeout(900)
-def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_tells_the_forces(
+def test_wizard_tells_plugs_refuses_wrong_weights_and_a_test_with_its_record_tells_the_forces(
     qtbot: Any, line: HostLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     settings = tmp_path / "settings.toml"
@@ -94,17 +94,20 @@ def test_wizard_calibrates_refuses_exchanged_plugs_and_a_test_with_its_record_te
     assert wizard.currentPage() is wizard.readings
     live.goes_ahead = True
     pump(wizard, line, lambda: live.session.procedure.position > 43, "series 3", WITHIN_S)
-    # The plugs of the two bridges are exchanged at the last pin angle.
+    # The plugs of the two bridges are exchanged at the last pin angle: no load is taken with them.
     wizard.readings.hands.mistake.setCurrentIndex(2)
+    pump(wizard, line, lambda: "are swapped" in live.readiness.words, "the plugs", WITHIN_S)
+    # They are put right, and from then on a wrong weight hangs.
+    wizard.readings.hands.mistake.setCurrentIndex(1)
     pump(wizard, line, wizard.readings.isComplete, "the end", WITHIN_S)
     wizard.next()
     pump(wizard, line, lambda: live.outcome is not None, "the verdict", WITHIN_S)
     assert wizard.result_page.verdict.text() == "✗ Refused"
     assert not list(tmp_path.glob("*.json"))
-    # The plugs are put right and the last series is taken again.
+    # The last series is taken again with the right weights.
     wizard.back()
     wizard.readings.hands.mistake.setCurrentIndex(0)
-    assert live.reject(len(live.session.procedure.taken) - 1, "plugs exchanged")
+    assert live.reject(len(live.session.procedure.taken) - 1, "a wrong weight hung")
     pump(wizard, line, wizard.readings.isComplete, "series 4 again", WITHIN_S)
     wizard.next()
     pump(wizard, line, lambda: live.outcome is not None, "the verdict", WITHIN_S)
