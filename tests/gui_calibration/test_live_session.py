@@ -19,7 +19,7 @@ from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan, parse_pieces
 from rigapp.calibrating.practice import WeighingMistake
 from rigapp.calibrating.session import Rig
-from rigapp.commands.live_terminal import LISTEN_S, SimulatedHands, Terminal
+from rigapp.commands.live_terminal import LISTEN_S, SimulatedHands, Terminal, _keep_check
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
@@ -290,3 +290,15 @@ def test_journal_with_a_bad_line_names_it(tmp_path: Path) -> None:
     path.write_text('{"event": "begin"}\n[]\n', "utf-8")
     with pytest.raises(UnusableInput, match="line 2"):
         Journal(path).read()
+
+
+def test_the_command_of_a_kept_daily_check_begins_a_new_one(
+    scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
+) -> None:
+    session = begin(tmp_path / "d.journal", settings_file, simulated, "daily")
+    finish(session, scripted)
+    session.look(session.window_of(scripted.ask("signals", {})))
+    store, said = tmp_path / "daily-checks.jsonl", list[str]()
+    _keep_check(session, session.judge(), store, as_json=False, say=said.append)
+    assert len(list(tmp_path.glob("d.journal.*.kept"))) == 1
+    assert begin(tmp_path / "d.journal", settings_file, simulated, "daily").procedure.position == 0
