@@ -24,8 +24,9 @@ from rigapp.gui.data.comparison import CURVES, compose
 from rigapp.gui.data.frames import ForceFrame
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import LiveData, MeasuredCycle, PredictedCycle
+from rigapp.gui.look.dress import apply_theme
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.overlay import OverlayPanel
-from rigapp.gui.plots.palette import LIGHT, apply_theme
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns

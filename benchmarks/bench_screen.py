@@ -136,7 +136,8 @@ def revolution_ms(folder: Path) -> list[float]:
 
     from rigapp.gui.data.connection import EngineConnection
     from rigapp.gui.data.showntest import ShownTest
-    from rigapp.gui.plots.palette import LIGHT, apply_theme
+    from rigapp.gui.look.dress import apply_theme
+    from rigapp.gui.look.tokens import LIGHT
     from rigapp.gui.window.window import MainWindow
     from rigapp.service.launch import attach
 

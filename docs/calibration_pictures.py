@@ -62,7 +62,7 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
 
 def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
     from rigapp.calibrating.session import Rig
-    from rigapp.gui.plots.palette import LIGHT
+    from rigapp.gui.look.tokens import LIGHT
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
     settings = folder / "settings.toml"
@@ -95,7 +95,7 @@ def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: A
 
 def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
     from rigapp.calibrating.session import Rig
-    from rigapp.gui.plots.palette import LIGHT
+    from rigapp.gui.look.tokens import LIGHT
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
     mine = Rig("Simulated slider-crank", True, "E. Sample", rig)

@@ -14,7 +14,7 @@ from typing import Any, Protocol, TypeVar, runtime_checkable
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 
 
 class Panel(Protocol):

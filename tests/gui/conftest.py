@@ -26,7 +26,8 @@ from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.recording import StoredTest
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.plots.palette import LIGHT, apply_theme
+from rigapp.gui.look.dress import apply_theme
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.channels import BASE
 from rigapp.schema.columns import prediction_columns

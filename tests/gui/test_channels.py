@@ -20,10 +20,10 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import compared_columns, trend_quantities
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.showntest import ShownTest
+from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.limits import LimitPanel
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
 from rigapp.gui.plots.overlay import OverlayPanel
-from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.wearprofile import WearProfilePanel
@@ -93,10 +93,10 @@ def test_a_free_channel_is_watched_live_with_its_unit_and_age(
     )
     engine.snapshots.append(warm_snapshot(count=0, curves=False, channels=views))
     attach()
-    free = window.header.free
+    free = window.side.live.free
     assert free[WARM.name].value.whole == "31.50 °C"
     assert free[ROOM.name].value.whole == "21.40 °C"
-    assert free[ROOM.name].detail.whole == "7 s old"
+    assert free[ROOM.name].caption.whole.endswith(", 7 s old")
     window.tabs.setCurrentIndex(5)
     window.draw_now()
     rows = {row[0]: row[1:] for row in window.tabs.panels["devices"].channels.texts()}
@@ -105,7 +105,7 @@ def test_a_free_channel_is_watched_live_with_its_unit_and_age(
     window.dress(DARK)
     engine.say(first=1, count=3)  # another rig, without them
     attach()
-    assert not window.header.free
+    assert not window.side.live.free
 
 
 def test_a_plot_without_data_says_what_it_waits_for_and_shows_no_axes(
@@ -212,8 +212,8 @@ def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
     with operate(EXAMPLES / "simulated_channels.toml", test) as hands:
         window, panels = hands.window, hands.window.tabs.panels
         hands.start_test()
-        hands.see(lambda: window.header.free["bushing_temperature"].value.whole.endswith(" °C"))
-        hands.see(lambda: window.header.free["humidity"].detail.whole.endswith(" old"))
+        hands.see(lambda: window.side.live.free["bushing_temperature"].value.whole.endswith(" °C"))
+        hands.see(lambda: window.side.live.free["humidity"].caption.whole.endswith(" old"))
         trend = panels["overview_trend"]
         trend.choice.setCurrentIndex(trend.choice.findData("bushing_temperature"))
         hands.see(lambda: "maximum 2" in trend.values.whole)
@@ -240,8 +240,8 @@ def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
 
     trend = window.tabs.panels["overview_trend"]
     qtbot.waitUntil(lambda: trend.choice.findData("humidity") >= 0, timeout=PATIENCE_MS)
-    assert window.header.free["bushing_temperature"].value.whole.endswith(" °C")
-    assert window.header.free["humidity"].detail.whole.endswith(" old")
+    assert window.side.live.free["bushing_temperature"].value.whole.endswith(" °C")
+    assert window.side.live.free["humidity"].caption.whole.endswith(" old")
     trend.choice.setCurrentIndex(trend.choice.findData("humidity"))
     window.draw_now()
     assert trend.values.whole.startswith("Now: newest ")

@@ -13,9 +13,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPen
 
+from rigapp.gui.look.tokens import DARK, LIGHT, Theme
 from rigapp.gui.panels.alarms import MARKS
 from rigapp.gui.panels.compare import COLOURS
-from rigapp.gui.plots.palette import DARK, LIGHT, MODEL, STALE_CURVE, LinePen, Theme
+from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
 from rigapp.gui.window.headline import _STATES, Level
 from rigapp.schema.messages import RunState, Severity
 
@@ -135,7 +136,7 @@ def test_curves_and_words_stand_out_from_their_background(theme: Theme) -> None:
         (theme.text, theme.window),
         (theme.text, theme.base),
         (theme.muted, theme.window),
-        (theme.text, theme.button),
+        (theme.text, theme.base),
         (theme.critical, theme.window),
         (theme.on_signal, theme.warning),
         (theme.highlighted_text, theme.highlight),

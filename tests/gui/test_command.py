@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 
 from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Reply, Request, RunState, Snapshot

@@ -15,7 +15,7 @@ from patience import PATIENCE_MS, PATIENCE_S
 
 from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import RunState
 from rigapp.service.client import Client

@@ -16,8 +16,8 @@ from rigapp.gui.data.knownwear import KnownWear, known_wear, newest_wear, of_tre
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.wear import WearPanel
-from rigapp.gui.plots.palette import DARK, LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Snapshot
@@ -179,4 +179,4 @@ def test_the_tiles_stand_in_the_window(
 ) -> None:
     engine.snapshots.append(stated())
     attach()
-    assert window.header.free["wear_coefficient"].value.whole == "5.55·10⁻⁴ mm³/(N m)"
+    assert window.side.live.free["wear_coefficient"].value.whole == "5.55·10⁻⁴ mm³/(N m)"

@@ -16,7 +16,7 @@ from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.loading import parse_test, read_rig, read_test
 from rigapp.gui.data.news import News
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.testfile.fields import (
     changes,
     form_fields,

@@ -14,7 +14,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 
 from rigapp.config.loading import read_test
-from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.testfile.fields import form_fields
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.testfile.tomltext import edited

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from rigapp.gui.plots.palette import DARK, LIGHT
+from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.window.recover import KEY, RecoverPanel
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Alarm, Ends, Recovery, Remedy, Reply, RunState, Severity

@@ -14,7 +14,7 @@ from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.frames import ForceFrame
 from rigapp.gui.data.recording import load_events, load_revolution
 from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.plots.palette import DARK
+from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.window.headline import Level
 from rigapp.gui.window.picture import save_picture
 from rigapp.gui.window.window import MainWindow
@@ -86,9 +86,9 @@ def test_the_picture_shows_the_end_of_the_test(recorded: Path, tmp_path: Path, q
     target = tmp_path / "window.png"
     save_picture(recorded, target)
     image = QImage(str(target))
-    assert (image.width(), image.height()) == (1400, 900)
+    assert (image.width(), image.height()) == (1440, 900)
     colours = {image.pixelColor(x, y).name() for x in range(0, 700, 2) for y in range(220, 690, 2)}
-    assert {"#000000", "#0072b2", "#2ca25f"} <= colours
+    assert {LIGHT.curves[role] for role in ("main", "first", "second")} <= colours
 
 
 def test_a_file_that_is_no_test_is_said_in_one_sentence(tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.pyramid import Pyramid
 from rigapp.gui.data.recording import load_history
 from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.replay.alarms import RecordedAlarms
 from rigapp.replay.client import ReplayClient
@@ -204,8 +204,7 @@ def test_the_window_shows_margin_of_a_recorded_test(
     player: tuple[MainWindow, ReplayClient],
 ) -> None:
     window, _ = player
-    assert window.header.tiles["margin"].value.whole == "66 %"
-    assert window.header.tiles["margin"].detail.whole == "overspeed"
+    assert window.header.tiles["force"].detail.whole == "least margin 66 %, overspeed"
     assert window._connection.status is not None
     assert window._connection.status.state is RunState.STOPPED
 

@@ -10,8 +10,8 @@ import pytest
 
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import LiveData
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.overlay import OverlayPanel
-from rigapp.gui.plots.palette import LIGHT
 from tests.gui.conftest import PREDICTION_NAMES, make_predictions, make_snapshot
 
 

@@ -12,7 +12,7 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.profiles import shown_profile
 from rigapp.gui.data.recording import load_history
 from rigapp.gui.data.series import LiveData
-from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.wearprofile import WearProfilePanel
 from rigapp.replay.client import read_recording
 from rigapp.replay.messages import profile_message

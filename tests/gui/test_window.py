@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.messages import Alarm, Reply, RunState
 
@@ -46,12 +47,16 @@ def test_the_header_tells_state_cycle_end_age_margin_agreement(
     header = window.header
     assert header.state.value.whole == "Running"
     assert header.tiles["cycle"].value.whole.replace("\u2009", "") == "1234 of 21377"
-    assert "in 11 h" in header.tiles["end"].detail.whole
-    assert header.tiles["age"].value.whole.endswith(" s")
-    assert header.tiles["margin"].value.whole == "43 %"
+    assert "in 11 h" in header.tiles["cycle"].detail.whole
+    assert window.side.live.values["age"].value.whole.endswith(" s")
+    assert header.tiles["force"].value.whole.endswith(" N")
+    assert header.tiles["force"].detail.whole.startswith("least margin 43 %, force max")
+    assert header.margin.value() == 0
+    assert " ± 1.1 µm" in header.tiles["wear"].value.whole
     assert header.tiles["agreement"].value.whole == "±1.7 N"
     assert header.tiles["alarms"].value.whole == "1, 1 new"
-    assert "SIMULATED" in header.line.whole
+    assert window.rail.kind.text() == "SIMULATED"
+    assert window.controls.test.whole == "The paper's wear test"
 
 
 def test_one_key_does_it(window: MainWindow, engine: Any, attach: Attach, qtbot: Any) -> None:
@@ -395,10 +400,10 @@ def test_values_that_are_not_known_yet_are_dashes(
     header = window.header
     for tile in (
         header.tiles["cycle"],
-        header.tiles["end"],
-        header.tiles["age"],
-        header.tiles["margin"],
+        header.tiles["force"],
+        header.tiles["wear"],
         header.tiles["agreement"],
+        window.side.live.values["age"],
     ):
         assert tile.value.whole == "–"
 
@@ -410,7 +415,7 @@ def test_light_and_dark_are_both_complete(
     attach()
     with qtbot.waitActive(window):
         window.activateWindow()
-    for theme, background in (("dark", "#1c1c1c"), ("light", "#ffffff")):
+    for theme, background in (("dark", DARK.base), ("light", LIGHT.base)):
         qtbot.keyClick(window, Qt.Key.Key_F9)
         assert window.theme.name == theme
         picture = window.tabs.panels["overview"].plot.grab().toImage()

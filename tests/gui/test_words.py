@@ -8,8 +8,8 @@ from typing import Any
 import msgspec
 
 from rigapp.engine.judging.alarms import AlarmBook
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.panels.alarms import COLUMNS, AlarmPanel
-from rigapp.gui.plots.palette import LIGHT
 from rigapp.schema.alarms import KINDS, because
 from rigapp.schema.words import WORDS
 

@@ -141,7 +141,7 @@ def wizard(
     qtbot: Any, scripted: ScriptedRig, simulated: Rig, settings_file: Path, tmp_path: Path
 ) -> Iterator[Any]:
     """Return the wizard on a scripted rig; the test ticks its bench by hand."""
-    from rigapp.gui.plots.palette import LIGHT
+    from rigapp.gui.look.tokens import LIGHT
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
     wizard = CalibrationWizard(scripted.line, simulated, LIGHT, tmp_path, settings_file)

@@ -20,7 +20,7 @@ from rigapp.calibrating.session import Rig
 from rigapp.commands.live_terminal import Terminal
 from rigapp.config.calibration_settings import ProbeFile
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.chooser import CalibrationChooser
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Reply

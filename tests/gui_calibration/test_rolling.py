@@ -13,7 +13,7 @@ from patience import PATIENCE_S
 from calibration.records import unseal
 from rigapp.calibrating.session import Rig
 from rigapp.config.loading import read_rig
-from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from tests.gui_calibration.test_story import EXAMPLE, HostLine, line
 

@@ -17,7 +17,7 @@ from rigapp.calibrating.session import Rig
 from rigapp.commands.run import run_test
 from rigapp.config.loading import read_rig
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.wizard.wizard import CalibrationWizard
 from rigapp.schema.messages import Request
 from rigapp.service.host import EngineHost

@@ -160,7 +160,7 @@ from PySide6.QtWidgets import QApplication
 from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.panels.steadiness import SteadinessPanel
-from rigapp.gui.plots.palette import LIGHT
+from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.window.window import MainWindow
 from rigapp.replay.client import ReplayClient
 application = QApplication([])

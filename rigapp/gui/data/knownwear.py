@@ -20,9 +20,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.gui.data.channels import FreeValue
+from rigapp.gui.data.news import News
 from rigapp.gui.data.series import SeriesTable
 from rigapp.gui.data.texts import duration, grouped, unit_text
 from rigapp.schema.columns import WEAR_MODELS, prediction_columns
+from rigapp.schema.messages import RunState
 
 Floats = NDArray[np.float64]
 
@@ -75,6 +77,17 @@ def newest_wear(predictions: SeriesTable) -> NewestWear:
     place = int(known[-1])
     values = {name: float(predictions.series(name).values[place]) for name in _NAMES}
     return NewestWear(float(predictions.revolutions[place]), values)
+
+
+def wear_of(news: News, now: float) -> list[FreeValue]:
+    """Return what is known of the wear of the test that is shown; the date while it goes on."""
+    status, rows = news.status, news.data.rows
+    live = status is not None and status.state is RunState.RUNNING and not news.is_replay
+    rpm = abs(rows.last("speed")) if len(rows) else 0.0
+    if live and status is not None and 0.0 < status.simulated_speed < math.inf:
+        rpm *= status.simulated_speed
+    revolution = rows.revolutions[-1] if len(rows) else math.nan
+    return wear_values(news.data.predictions, rpm, now if live else None, revolution)
 
 
 def wear_values(

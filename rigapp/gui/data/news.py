@@ -57,6 +57,11 @@ class News:
         return mechanism.crank_radius_mm / mechanism.follower_length_mm
 
     @property
+    def data_age_s(self) -> float | None:
+        """Return the age of the newest sample, None before the engine's first word."""
+        return self.status.data_age_s + self.silence_s if self.status is not None else None
+
+    @property
     def stale(self) -> bool:
         """Tell whether the prediction has fallen behind a running test."""
         return self.status is not None and is_stale(self.status)

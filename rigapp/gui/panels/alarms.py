@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.news import News, Takes
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.panels.limits import LimitPanel
-from rigapp.gui.plots.palette import Theme
 from rigapp.gui.widgets.build import button, column, edit, named, row, split, whole_number
 from rigapp.gui.widgets.tables import Mark, PlainTable
 from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, RunState, Severity

@@ -16,9 +16,9 @@ from rigapp.config.errors import UnusableInput
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.panels.compare import ComparePanel
-from rigapp.gui.plots.palette import Theme
 from rigapp.gui.widgets.build import button, named, page, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.tables import PlainTable

@@ -16,7 +16,8 @@ from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredTest, load_history
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.plots.palette import LinePen, Theme
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import LegendRow, PlotPanel, QuietPlot, clear
 from rigapp.gui.widgets.build import choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel

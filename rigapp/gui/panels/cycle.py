@@ -16,10 +16,10 @@ from rigapp.gui.data.comparison import RevolutionCurves, statistics
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
 from rigapp.gui.plots.overlay import OverlayPanel
-from rigapp.gui.plots.palette import Theme
 from rigapp.gui.plots.polar import PolarPanel
 from rigapp.gui.widgets.build import button, filled, named, page, split, whole_number
 

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
 from rigapp.gui.data.channels import value_text
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.texts import duration, unit_text
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Host, StallCounter
-from rigapp.gui.plots.palette import Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.messages import ChannelView, RunState, Status

@@ -14,9 +14,9 @@ from rigapp.gui.data.knownwear import KnownWear, known_wear, newest_wear
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.knownwear import DepthBandPanel, NarrowingPanel
-from rigapp.gui.plots.palette import Theme
 from rigapp.gui.plots.plotting import NO_REVOLUTION
 from rigapp.gui.widgets.build import column, prose, split
 

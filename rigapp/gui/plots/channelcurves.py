@@ -13,7 +13,8 @@ from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import MeasuredCycle
 from rigapp.gui.data.texts import unit_text
-from rigapp.gui.plots.palette import LinePen, Theme
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, LegendRow, PlotPanel, QuietPlot, clear
 from rigapp.gui.widgets.build import choice, column, row
 from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind

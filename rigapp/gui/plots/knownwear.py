@@ -11,7 +11,8 @@ from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import SeriesTable
 from rigapp.gui.data.texts import grouped
-from rigapp.gui.plots.palette import LinePen, Theme
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, LegendRow, PlotPanel, QuietPlot, clear
 from rigapp.gui.widgets.build import column
 

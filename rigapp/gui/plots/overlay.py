@@ -20,7 +20,8 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
-from rigapp.gui.plots.palette import MODEL_CURVE, STALE_CURVE, LinePen, Theme
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import MODEL_CURVE, STALE_CURVE, LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, LegendRow, PlotPanel, clear
 from rigapp.gui.widgets.build import choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
@@ -270,5 +271,5 @@ class OverlayPanel(PlotPanel):
         if self._reference is not None:
             entries.append(("stored", STORED))
         if self._uncertainty is not None:
-            entries.append((f"±{self._uncertainty:.3g} N uncertainty", LinePen("band")))
+            entries.append((f"±{self._uncertainty:.3g} N", LinePen("band")))
         self.legend.show_entries(entries)

@@ -12,7 +12,8 @@ from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen, 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.plots.palette import LinePen, Theme, line_pen
+from rigapp.gui.look.tokens import GAP, STEP, Theme
+from rigapp.gui.plots.palette import LinePen, line_pen
 from rigapp.gui.widgets.build import named
 
 
@@ -217,7 +218,7 @@ class LegendRow(QWidget):
         if entries == self._entries:
             return
         self._entries = entries
-        gap = QFontMetrics(self.font()).horizontalAdvance("MM")
+        gap = QFontMetrics(self.font()).horizontalAdvance("M")
         while self._row.count() > 1:
             item = self._row.takeAt(0)
             widget = item.widget() if item is not None else None
@@ -230,6 +231,7 @@ class LegendRow(QWidget):
             label = QLabel(text)
             label.setTextFormat(Qt.TextFormat.PlainText)
             label.setContentsMargins(0, 0, gap, 0)
+            label.setProperty("role", "caption")
             self._row.insertWidget(at + 1, label)
         self.setAccessibleName("Legend: " + ", ".join(text for text, _ in entries))
 
@@ -239,7 +241,9 @@ class PlotPanel(QWidget):
 
     def __init__(self, name: str, spoken: str) -> None:
         super().__init__()
-        named(self, name, spoken)
+        named(self, name, spoken).setProperty("role", "card")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setContentsMargins(GAP, STEP, GAP, STEP)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -256,7 +260,7 @@ class _Sample(QWidget):
         super().__init__()
         self._pen = QPen(pen)
         self._pen.setWidthF(2.0)
-        self.setFixedWidth(QFontMetrics(self.font()).horizontalAdvance("MMM"))
+        self.setFixedWidth(QFontMetrics(self.font()).horizontalAdvance("MM"))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 
     def paintEvent(self, event: QPaintEvent) -> None:

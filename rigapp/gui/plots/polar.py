@@ -8,7 +8,8 @@ from rigapp.gui.data.channels import COMPONENTS, SIZE
 from rigapp.gui.data.comparison import RevolutionCurves
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.ranges import nice_step
-from rigapp.gui.plots.palette import MODEL_CURVE, LinePen, Theme
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import MODEL_CURVE, LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, clear
 from rigapp.gui.widgets.build import column
 

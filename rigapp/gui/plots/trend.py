@@ -17,7 +17,8 @@ from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantitie
 from rigapp.gui.data.ranges import SteadyRange, nice_step
 from rigapp.gui.data.series import LiveData, SeriesTable
 from rigapp.gui.data.texts import duration
-from rigapp.gui.plots.palette import MODEL, LinePen, Theme
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import MODEL, LinePen
 from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, LegendRow, PlotPanel, Pointed
 from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel

@@ -17,7 +17,8 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.profiles import ANGLES_DEG as RECORDED_DEG
 from rigapp.gui.data.profiles import ShownProfile
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.plots.palette import MODEL_CURVE, LinePen, Theme
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import MODEL_CURVE, LinePen
 from rigapp.gui.plots.plotting import LegendRow, PlotPanel, QuietPlot, clear
 from rigapp.gui.widgets.build import column
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import named
 from rigapp.gui.widgets.tables import Mark, PlainTable
 from rigapp.service.preflight import Check, Checked

@@ -15,8 +15,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Host
-from rigapp.gui.plots.palette import Theme
 from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.widgets.build import named, split

@@ -29,7 +29,7 @@ from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_tree
 from rigapp.config.writing import whole_file
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.testfile.fields import (
     FieldSpec,
     changes,

@@ -1,4 +1,4 @@
-"""A bar across the window: it tells or asks something below the state and never covers it."""
+"""A bar in the line of messages: it tells or asks something and covers nothing."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
+from rigapp.gui.look.tokens import GAP, MARGIN
 from rigapp.gui.widgets.build import named, prose, row
 
 
@@ -20,7 +21,6 @@ class Bar(QFrame):
     def __init__(self, name: str, spoken: str, text_spoken: str = "") -> None:
         super().__init__()
         named(self, f"{name}_bar", spoken)
-        self.setFrameShape(QFrame.Shape.StyledPanel)
         self.text = prose(f"{name}_text", text_spoken or spoken)
         self.escape: Callable[[], object] | None = None
         self._sheet = ""
@@ -29,7 +29,7 @@ class Bar(QFrame):
     def lay_out(self, buttons: Sequence[QPushButton]) -> None:
         """Put the buttons beside the sentence."""
         parts: list[QWidget | tuple[QWidget, int]] = [(self.text, 1), *buttons]
-        row(*parts, on=self).setContentsMargins(8, 2, 8, 2)
+        row(*parts, on=self).setContentsMargins(MARGIN, 0, GAP, 0)
 
     def say(self, text: str) -> None:
         """Show a sentence; nothing is laid out again when it is the one shown."""
@@ -41,12 +41,11 @@ class Bar(QFrame):
         if self.isHidden() == wanted:
             self.setVisible(wanted)
 
-    def frame_in(self, base: str, edge: str, more: str = "") -> None:
-        """Paint the bar on a colour within an edge (CSS: width, style, colour)."""
-        sheet = (
-            f"#{self.objectName()} {{ background: {base}; border: {edge}; border-radius: 4px; }}"
-            f" {more}"
-        )
+    def paint(self, base: str, ink: str, more: str = "") -> None:
+        """Paint the bar on a colour, its sentence in another; more: further rules."""
+        name = self.objectName()
+        sheet = f"#{name} {{ background: {base}; }} #{self.text.objectName()} {{ color: {ink}; }}"
+        sheet = f"{sheet} {more}"
         if sheet != self._sheet:
             self._sheet = sheet
             self.setStyleSheet(sheet)

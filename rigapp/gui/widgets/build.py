@@ -22,15 +22,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from rigapp.gui.look.tokens import GAP
 from rigapp.gui.widgets.guarded import GuardedButton
 
 Made = TypeVar("Made", bound=QWidget)
 Layout = TypeVar("Layout", bound=QBoxLayout)
 Item = QWidget | QLayout | str | None
 Called = Callable[..., Any]
-
-CHECKED = "QPushButton:checked { font-weight: bold; }"
-"""Style sheet of a button that stays pressed, so that its state does not rest on its shade."""
 
 
 def named(widget: Made, name: str, spoken: str, tip: str = "") -> Made:
@@ -51,8 +49,11 @@ def button(
     tip: str = "",
     guarded: bool = False,
     checkable: bool = False,
+    rank: str = "",
 ) -> QPushButton:
     """Return a button; guarded: closed while another viewer is in command.
+
+    rank: primary, dangerous or quiet (see ``look.sheet``), ordinary unless told.
 
     spoken: its text without access key and dots unless told. A checkable button calls with its
     new state, any other without arguments.
@@ -60,9 +61,10 @@ def button(
     plain = text.replace("&", "").rstrip("…").strip()
     kind = GuardedButton if guarded else QPushButton
     made = named(kind(text), name, spoken or plain, tip)
+    if rank:
+        made.setProperty("rank", rank)
     if checkable:
         made.setCheckable(True)
-        made.setStyleSheet(CHECKED)
         if call is not None:
             made.toggled.connect(call)
     elif call is not None:
@@ -168,6 +170,7 @@ def split(
     """Return parts with movable borders between them."""
     made = named(QSplitter(orientation), name, spoken)
     made.setChildrenCollapsible(False)
+    made.setHandleWidth(GAP)
     for part in parts:
         made.addWidget(part)
     made.setSizes(list(sizes))

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QApplication
 
 from rigapp.gui.data.connection import ClientFactory, EngineConnection
 from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.plots.palette import THEMES, apply_theme
+from rigapp.gui.look.dress import apply_theme
+from rigapp.gui.look.tokens import THEMES
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import MainWindow
 from rigapp.process.ending import asked_to_end, end_at_once

@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.commanding import CommandHolder
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
-from rigapp.gui.widgets.build import button, named, row
+from rigapp.gui.widgets.build import button, column, named
 
 KEY = "F2"
 
@@ -26,8 +26,9 @@ class CommandLine(QWidget):
         named(self, "command_line", "Who is in command")
         self.text = named(QLabel(), "command_text", "Who is in command")
         self.text.setTextFormat(Qt.TextFormat.PlainText)
-        self.button = button("command_button", "", self.act)
-        row(self.text, self.button, on=self).setContentsMargins(0, 0, 0, 0)
+        self.button = button("command_button", "", self.act, rank="quiet")
+        self.text.setProperty("role", "caption")
+        column(None, self.text, self.button, None, on=self)
         self.show_holder(CommandHolder.NOBODY, "")
 
     def show_holder(self, holder: CommandHolder, name: str) -> None:
@@ -83,8 +84,7 @@ class ViewerBar(Bar):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        bold = "#viewer_text { font-weight: bold; }"
-        self.frame_in(theme.base, f"3px double {theme.text}", bold)
+        self.paint(theme.tint, theme.text, "#viewer_text { font-weight: 600; }")
 
     def show_holder(self, holder: CommandHolder, name: str) -> None:
         """Appear while another viewer is in command."""

@@ -1,4 +1,4 @@
-"""Start, pause, resume, stop and note: one row, never behind a dialog, each on one key."""
+"""Start, pause, go on, stop and note: one bar, never behind a dialog, each on one key."""
 
 from __future__ import annotations
 
@@ -8,15 +8,18 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QFont, QKeySequence, QShortcut
+from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QStackedWidget
 
 from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.icons import Icon, icon
+from rigapp.gui.look.tokens import MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import button, column, edit, filled, named, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.window.command import CommandLine
+from rigapp.gui.window.headline import identity
 from rigapp.schema.messages import NOTE_CHARACTERS, Remedy, Reply, RunState, Status
 from rigapp.schema.states import ACTIVE
 
@@ -32,6 +35,7 @@ class ButtonSpec:
     key: str
     states: frozenset[RunState]
     tip: str
+    icon: Icon
 
     @property
     def spoken(self) -> str:
@@ -51,14 +55,16 @@ BUTTONS = (
         "F4",
         frozenset({RunState.IDLE, RunState.FAULT}),
         "Connect the devices of the rig",
+        Icon.CONNECT,
     ),
-    ButtonSpec("start", "&Start test…", "F5", STARTABLE, "Choose test and file, then start"),
+    ButtonSpec("start", "&Start…", "F5", STARTABLE, "Choose test and file, then start", Icon.START),
     ButtonSpec(
         "pause",
         "&Pause",
         "F6",
         frozenset({RunState.STARTING, RunState.RUNNING}),
         "Stop at the safe angle; the test can be resumed",
+        Icon.PAUSE,
     ),
     ButtonSpec(
         "resume",
@@ -66,19 +72,29 @@ BUTTONS = (
         "F7",
         frozenset({RunState.PAUSED}),
         "Go on with the paused test",
+        Icon.START,
     ),
     ButtonSpec(
         "stop",
-        "S&top test",
+        "S&top",
         "F12",
         ACTIVE | {RunState.CONNECTING, RunState.FAULT},
         "End the test: controlled stop of the spindle, file closed. This is not the emergency stop",
+        Icon.STOP,
     ),
 )
 
 
-class ControlRow(QWidget):
-    """Hold the buttons, the line for reasons and notes, and the answer to the last command."""
+BAR_HEIGHT = 8 * STEP
+BUTTON_HEIGHT = 5 * STEP
+STOP_SIZE = QSize(22 * STEP, 6 * STEP)
+
+
+class ControlRow(QFrame):
+    """The bar at the bottom: what runs, the buttons at their fixed places, Stop apart from them.
+
+    Start and Go on share a place, since only one of them can apply.
+    """
 
     start_wanted = Signal()
     answered = Signal()
@@ -92,30 +108,63 @@ class ControlRow(QWidget):
         self._state: RunState | None = None
         self._waiting_start: tuple[dict[str, Any], float] | None = None
         named(self, "controls", "Control of the test")
+        self.setFixedHeight(BAR_HEIGHT)
         self.buttons = {spec.verb: self._button(spec) for spec in BUTTONS}
         self.text = edit("reason_or_note", "Reason or note", most=NOTE_CHARACTERS)
         self.text.setClearButtonEnabled(True)
         self.text.returnPressed.connect(self.add_note)
         self.note = button(
             "add_note",
-            "&Add note",
+            "&Note",
             self.add_note,
+            "Add note",
             guarded=True,
             tip="Write the text into the log of the test (Enter)",
         )
         QShortcut(QKeySequence("F8"), self, self._to_text)
         self.answer = ElidedLabel("answer", "Answer to the last command")
+        self.answer.hide()
+        self.test = ElidedLabel("identity", "Test")
+        self.test.setProperty("role", "title")
+        self.line = ElidedLabel("identity_line", "Rig, speed and file of the test")
+        self.line.setProperty("role", "caption")
         self.command_line = CommandLine()
-        above = row(*self.buttons.values())
-        above.setSpacing(6)
-        above.addSpacing(12)
-        filled(above, ("&Note (F8)", (self.text, 1), self.note))
-        column(above, row((self.answer, 1), self.command_line), on=self)
+        self._lay_out()
         self._ask_nothing()
+        self.dress(theme)
+
+    def _lay_out(self) -> None:
+        identity = column(None, self.test, self.line, None)
+        identity.setSpacing(0)
+        self.start_place = QStackedWidget()
+        self.start_place.setFixedHeight(BUTTON_HEIGHT)
+        self.start_place.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        for verb in ("start", "resume"):
+            self.start_place.addWidget(self.buttons[verb])
+        self.note.setFixedHeight(BUTTON_HEIGHT)
+        self.text.setFixedHeight(BUTTON_HEIGHT)
+        stop = self.buttons["stop"]
+        stop.setFixedSize(STOP_SIZE)
+        stop.setFont(sized(stop.font(), VALUE_PT, QFont.Weight.DemiBold))
+        asked = (self.buttons["connect"], self.start_place, self.buttons["pause"])
+        whole = row((identity, 3), *asked, (self.text, 3), self.note, on=self)
+        whole.addSpacing(STEP)
+        filled(whole, (self.command_line,))
+        whole.addSpacing(STEP)
+        filled(whole, (stop,))
+        whole.setContentsMargins(MARGIN, 0, MARGIN, 0)
+        whole.setSpacing(STEP)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
+        self.setStyleSheet(
+            f"#controls {{ background: {theme.base}; border-top: 1px solid {theme.hairline}; }}"
+        )
+        for spec in BUTTONS:
+            colour = theme.critical if spec.verb == "stop" else theme.text
+            self.buttons[spec.verb].setIcon(icon(spec.icon, colour, theme.muted))
+        self.note.setIcon(icon(Icon.NOTE, theme.text, theme.muted))
         self._paint_answer()
 
     def show_status(
@@ -124,6 +173,7 @@ class ControlRow(QWidget):
         """Enable what applies now; Stop stays enabled when the state is not known."""
         self._state = status.state if status is not None else None
         self._start_when_ready()
+        self._show_identity(status)
         for command in BUTTONS:
             applies = status is not None and self._applies(command, status)
             if command.verb == "stop":
@@ -134,6 +184,14 @@ class ControlRow(QWidget):
                 applies = False
             self.buttons[command.verb].setEnabled(applies)
             self.buttons[command.verb].setToolTip(self._tip(command, applies, status))
+
+    def _show_identity(self, status: Status | None) -> None:
+        test, line = identity(status) if status is not None else ("", "")
+        self.test.show_text(test)
+        self.line.show_text(line)
+        # Pressing Start or Go on disables it: the other one may only come when it applies.
+        paused = status is not None and status.state is RunState.PAUSED
+        self.start_place.setCurrentIndex(int(paused))
 
     def _applies(self, command: ButtonSpec, status: Status) -> bool:
         """Tell whether a command means something now; what the engine names as next always does."""
@@ -201,12 +259,13 @@ class ControlRow(QWidget):
     def show_answer(self, sentence: str, *, good: bool) -> None:
         """Show one sentence; a refusal is marked."""
         self.answer.show_text(sentence if good else f"▲ {sentence}")
+        self.answer.setVisible(bool(sentence))
         self._good = good
         self._paint_answer()
 
     def _paint_answer(self) -> None:
-        colour = self._theme.muted if self._good else self._theme.critical
-        weight = "" if self._good else " font-weight: bold;"
+        colour = self._theme.secondary if self._good else self._theme.critical
+        weight = "" if self._good else " font-weight: 600;"
         self.answer.setStyleSheet(f"color: {colour};{weight}")
 
     def _answered(self, label: str, reply: Reply) -> None:
@@ -235,8 +294,9 @@ class ControlRow(QWidget):
             tip=f"{spec.tip} ({spec.key})",
             # Stopping is for everybody, whoever is in command.
             guarded=spec.verb != "stop",
+            rank={"stop": "dangerous", "start": "primary", "resume": "primary"}.get(spec.verb, ""),
         )
-        made.setMinimumHeight(int(made.sizeHint().height() * 1.3))
+        made.setFixedHeight(BUTTON_HEIGHT)
         QShortcut(QKeySequence(spec.key), self).activated.connect(made.click)
         return made
 
@@ -251,4 +311,4 @@ class ControlRow(QWidget):
 
     def _ask_nothing(self) -> None:
         self._asked_why = ""
-        self.text.setPlaceholderText("")
+        self.text.setPlaceholderText("Note or reason (F8)")

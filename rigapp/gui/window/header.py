@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
-    QFontMetrics,
+    QFont,
     QPainter,
     QPaintEvent,
     QPolygonF,
 )
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QLabel,
-    QProgressBar,
-    QSizePolicy,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QProgressBar, QWidget
 
-from rigapp.gui.data.channels import FreeValue
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import CAPTION_PT, LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import column, named, row
-from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel, scaled_font
+from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.window.headline import Headline, Level, StateShape, TileText
+
+BAR_HEIGHT = 5
+"""Of the bars in tiles, in pixels: thin, since the number says it exactly."""
 
 MARKS = {Level.NORMAL: "", Level.WARNING: "▲ ", Level.CRITICAL: "◆ "}
 
@@ -97,21 +93,25 @@ def paint_shape(painter: QPainter, shape: StateShape) -> None:
 
 
 class Tile(QFrame):
-    """Show a caption, a large value and one line below it."""
+    """Show a caption, a value, a bar where there is one, and one line below it."""
 
-    def __init__(self, name: str, caption: str, theme: Theme, factor: float) -> None:
+    def __init__(self, name: str, caption: str, theme: Theme, points: float) -> None:
         super().__init__()
         self._theme = theme
         self._level: Level | None = None
         self._caption_text = caption
         named(self, f"tile_{name}", caption)
-        self.caption = named(QLabel(caption), f"{name}_caption", caption)
-        self.caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.value = FittedLabel(f"{name}_value", caption, scaled_font(self, factor, bold=True))
+        self.caption = ElidedLabel(f"{name}_caption", caption)
+        self.value = FittedLabel(
+            f"{name}_value", caption, sized(self.font(), points, QFont.Weight.DemiBold)
+        )
         self.detail = ElidedLabel(f"{name}_detail", f"{caption}, detail")
-        self.column = column(self.caption, self.value, self.detail, None, on=self)
-        self.column.setContentsMargins(8, 2, 8, 2)
-        self.column.setSpacing(0)
+        small = sized(self.font(), CAPTION_PT)
+        for label in (self.caption, self.detail):
+            label.setFont(small)
+        self.column = column(self.caption, self.value, None, self.detail, on=self)
+        self.column.setContentsMargins(MARGIN, STEP, STEP, STEP)
+        self.column.setSpacing(2)
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -133,15 +133,16 @@ class Tile(QFrame):
         self._level = level
         theme = self._theme
         colours = {
-            Level.NORMAL: (theme.window, theme.text, theme.muted),
+            Level.NORMAL: (theme.base, theme.text, theme.muted),
             Level.WARNING: (theme.warning, theme.on_signal, theme.on_signal),
             Level.CRITICAL: (theme.critical, theme.on_critical, theme.on_critical),
         }
         back, text, small = colours[level]
-        self.caption.setText(MARKS[level] + self._caption_text)
+        self.caption.show_text(MARKS[level] + self._caption_text)
         self.setStyleSheet(
-            f"#{self.objectName()} {{ background: {back}; border: 1px solid {theme.border};"
-            f" border-radius: 4px; }} QLabel {{ color: {text}; background: transparent; }}"
+            f"#{self.objectName()} {{ background: {back}; border: 0;"
+            f" border-right: 1px solid {theme.hairline}; }}"
+            f" QLabel {{ color: {text}; background: transparent; }}"
             f" #{self.caption.objectName()}, #{self.detail.objectName()} {{ color: {small}; }}"
         )
 
@@ -153,58 +154,56 @@ class Tile(QFrame):
         return self._theme.on_signal if self._level is Level.WARNING else self._theme.text
 
 
+@dataclass(frozen=True, slots=True)
+class TileSpec:
+    """One tile of the strip: its name in the headline, caption, size of the value, share."""
+
+    name: str
+    caption: str
+    points: float
+    share: int
+
+
 TILES = (
-    ("state", "State", 2.6, 30),
-    ("cycle", "Cycle", 2.2, 32),
-    ("end", "Ends", 1.9, 16),
-    ("age", "Data age", 1.9, 13),
-    ("margin", "Least margin to a limit", 1.9, 20),
-    ("agreement", "Measured − model", 1.9, 19),
-    ("alarms", "Alarms", 1.9, 20),
+    TileSpec("state", "State", LARGE_PT, 248),
+    TileSpec("cycle", "Cycle", LARGE_PT, 296),
+    TileSpec("force", "|F| maximum", VALUE_PT, 192),
+    TileSpec("wear", "Wear depth", VALUE_PT, 264),
+    TileSpec("agreement", "Measured − model", VALUE_PT, 160),
+    TileSpec("alarms", "Alarms", LARGE_PT, 184),
 )
-"""The tiles in order: name in the headline, caption, size of the value, share of the width."""
+"""The tiles in their order; a share is the width in a window of 1440."""
 
-FREE_SIZE = 1.3
-"""Size of a free channel's value: read at the desk, not from three metres."""
+STRIP_HEIGHT = 14 * STEP
 
 
-class Header(QWidget):
-    """Hold the tiles in one row, the identity of test, rig and file below, then free channels."""
+class Header(QFrame):
+    """Hold the tiles in one strip whose height never changes."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         named(self, "header", "State of the test")
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(4)
-        self.tiles: dict[str, Tile] = {}
-        for place, (name, caption, factor, share) in enumerate(TILES):
-            self.tiles[name] = Tile(name, caption, theme, factor)
-            grid.addWidget(self.tiles[name], 0, place)
-            grid.setColumnStretch(place, share)
+        self.setFixedHeight(STRIP_HEIGHT)
+        self.tiles = {one.name: Tile(one.name, one.caption, theme, one.points) for one in TILES}
+        whole = row(*((self.tiles[one.name], one.share) for one in TILES), on=self)
+        whole.setContentsMargins(0, 0, 0, 1)
+        whole.setSpacing(0)
         self.state = self.tiles["state"]
-        height = QFontMetrics(self.state.value.font()).height()
-        self.shape = ShapeMark(int(height * 0.95))
+        self.shape = ShapeMark(int(0.6 * self.state.value.height()))
         self.state.column.removeWidget(self.state.value)
         beside = row(self.shape, (self.state.value, 1))
-        beside.setSpacing(8)
+        beside.setSpacing(STEP)
         self.state.column.insertLayout(1, beside)
-        self.progress = named(QProgressBar(), "progress", "Progress of the test")
-        self.progress.setTextVisible(False)
-        self.progress.setMaximum(1000)
-        self.progress.setFixedHeight(max(6, height // 7))
-        self.tiles["cycle"].column.addWidget(self.progress)
-        self.line = ElidedLabel("identity", "Test, rig and file")
-        grid.addWidget(self.line, 1, 0, 1, len(TILES))
-        self._theme = theme
-        self.free: dict[str, Tile] = {}
-        self._free_row = row()
-        grid.addLayout(self._free_row, 2, 0, 1, len(TILES))
+        self.progress = self._bar("cycle", "progress", "Progress of the test")
+        self.margin = self._bar("force", "margin", "Force against its limit")
+        self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        self._theme = theme
-        for tile in (*self.tiles.values(), *self.free.values()):
+        self.setStyleSheet(
+            f"#header {{ background: {theme.base}; border-bottom: 1px solid {theme.hairline}; }}"
+        )
+        for tile in self.tiles.values():
             tile.dress(theme)
 
     def show_headline(self, shown: Headline) -> None:
@@ -212,16 +211,13 @@ class Header(QWidget):
         for name, tile in self.tiles.items():
             tile.show_field(getattr(shown, name))
         self.shape.show_shape(shown.shape, self.state.foreground)
-        self.progress.setValue(min(1000, int(1000 * shown.progress)))
-        self.line.show_text(shown.line)
+        for bar, share in ((self.progress, shown.progress), (self.margin, shown.used)):
+            bar.setValue(min(bar.maximum(), int(bar.maximum() * share)))
 
-    def show_free(self, values: Sequence[FreeValue]) -> None:
-        """Show a tile for each free channel of the rig, in a row of their own."""
-        for gone in self.free.keys() - {one.name for one in values}:
-            self.free.pop(gone).deleteLater()
-        for one in values:
-            if one.name not in self.free:
-                made = Tile(f"free_{one.name}", one.title, self._theme, FREE_SIZE)
-                self.free[one.name] = made
-                self._free_row.addWidget(made, 1)
-            self.free[one.name].show_field(TileText(one.value, one.detail))
+    def _bar(self, tile: str, name: str, spoken: str) -> QProgressBar:
+        made = named(QProgressBar(), name, spoken)
+        made.setTextVisible(False)
+        made.setMaximum(1000)
+        made.setFixedHeight(BAR_HEIGHT)
+        self.tiles[tile].column.insertWidget(2, made)
+        return made

@@ -9,16 +9,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
 
+from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.connection import ConnectionState
-from rigapp.gui.data.news import is_stale
+from rigapp.gui.data.margins import overload_limit
+from rigapp.gui.data.news import News, is_stale
 from rigapp.gui.data.texts import duration, grouped
 from rigapp.schema.messages import RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
+LOW_MARGIN_PERCENT = 10.0
+"""A margin below this is worth a look: the scatter of a maximum is some per cent."""
 LATE_DATA_S, MISSING_DATA_S = 2.0, 10.0
 """Devices send ten times a second or more: later data are a warning, then a failure."""
-
-LOW_MARGIN_PERCENT = 10.0  # of the limit; nearer than that is worth a look
 
 
 class Level(enum.IntEnum):
@@ -58,12 +60,26 @@ class Headline:
     state: TileText
     cycle: TileText
     progress: float
-    end: TileText
-    age: TileText
-    margin: TileText
+    force: TileText
+    used: float
+    wear: TileText
     agreement: TileText
     alarms: TileText
-    line: str
+
+
+@dataclass(frozen=True, slots=True)
+class NewestMeasured:
+    """What the newest revolutions say: NaN where it is not known.
+
+    force_max_N: largest |F| of the newest revolution; overload_N: where the drive is switched off.
+    wear_um, wear_uncertainty_um: measured wear
+    depth with its expanded uncertainty (k = 2).
+    """
+
+    force_max_N: float = math.nan
+    overload_N: float = math.nan
+    wear_um: float = math.nan
+    wear_uncertainty_um: float = math.nan
 
 
 _STATES: dict[RunState, tuple[str, StateShape, Level]] = {
@@ -72,8 +88,8 @@ _STATES: dict[RunState, tuple[str, StateShape, Level]] = {
     RunState.READY: ("Ready", StateShape.CIRCLE, Level.NORMAL),
     RunState.STARTING: ("Starting", StateShape.ARROWS, Level.NORMAL),
     RunState.RUNNING: ("Running", StateShape.TRIANGLE, Level.NORMAL),
-    RunState.PAUSING: ("Pausing", StateShape.ARROWS, Level.WARNING),
-    RunState.PAUSED: ("Paused", StateShape.BARS, Level.WARNING),
+    RunState.PAUSING: ("Pausing", StateShape.ARROWS, Level.NORMAL),
+    RunState.PAUSED: ("Paused", StateShape.BARS, Level.NORMAL),
     RunState.STOPPING: ("Stopping", StateShape.ARROWS, Level.NORMAL),
     RunState.STOPPED: ("Stopped", StateShape.SQUARE, Level.NORMAL),
     RunState.FAULT: ("Fault", StateShape.DIAMOND, Level.CRITICAL),
@@ -84,7 +100,7 @@ def headline(
     status: Status | None,
     connection: ConnectionState,
     connection_reason: str,
-    data_age_s: float | None,
+    measured: NewestMeasured,
     now: Callable[[], float] = time.time,
 ) -> Headline:
     """Return what the header shows for a status (None: never heard of the engine)."""
@@ -92,20 +108,19 @@ def headline(
     if status is None:
         state = TileText("Attaching", connection_reason)
         return Headline(
-            StateShape.ARROWS, state, unknown, 0.0, unknown, unknown, unknown, unknown, unknown, ""
+            StateShape.ARROWS, state, unknown, 0.0, unknown, 0.0, unknown, unknown, unknown
         )
     shape, state = _state(status, connection, connection_reason)
     return Headline(
         shape=shape,
         state=state,
-        cycle=_cycle(status),
+        cycle=_cycle(status, now()),
         progress=status.revolution / status.planned if status.planned > 0 else 0.0,
-        end=_end(status, now()),
-        age=_age(status, data_age_s),
-        margin=_margin(status),
+        force=_force(status, measured),
+        used=_used(measured),
+        wear=_wear(status, measured),
         agreement=_agreement(status),
         alarms=_alarms(status),
-        line=_line(status),
     )
 
 
@@ -125,26 +140,31 @@ def _state(
     return shape, TileText(word, status.reason, level)
 
 
-def _cycle(status: Status) -> TileText:
+def _cycle(status: Status, now: float) -> TileText:
     if status.planned <= 0:
         return TileText("–", "no test")
+    count = f"{grouped(status.revolution)} of {grouped(status.planned)}"
     saved = f"{grouped(status.committed)} saved"
-    return TileText(f"{grouped(status.revolution)} of {grouped(status.planned)}", saved)
+    end = _end(status, now)
+    return TileText(count, f"{saved}, {end}" if end else saved)
 
 
-def _end(status: Status, now: float) -> TileText:
+def _end(status: Status, now: float) -> str:
+    """Return when the test ends; while it is paused, nobody knows."""
+    if status.state in (RunState.PAUSED, RunState.PAUSING):
+        return "the end waits"
     if status.state not in ACTIVE or status.expected_end_at <= 0.0:
-        return TileText("–", "no test running" if status.state not in ACTIVE else "")
+        return ""
     left = max(0.0, status.expected_end_at - now)
     moment = time.localtime(status.expected_end_at)
     today = time.localtime(now)
     days = (moment.tm_year, moment.tm_yday) != (today.tm_year, today.tm_yday)
-    day = time.strftime("%a, ", moment) if days else ""
-    return TileText(time.strftime("%H:%M", moment), f"{day}in {duration(left)}")
+    return f"ends {time.strftime('%a %H:%M' if days else '%H:%M', moment)}, in {duration(left)}"
 
 
-def _age(status: Status, data_age_s: float | None) -> TileText:
-    if data_age_s is None or not math.isfinite(data_age_s):
+def data_age(status: Status | None, data_age_s: float | None) -> TileText:
+    """Return the age of the newest sample; while a test is under way an old one is not normal."""
+    if status is None or data_age_s is None or not math.isfinite(data_age_s):
         return TileText("–", "no data yet")
     level = Level.NORMAL
     if status.state in ACTIVE and data_age_s > LATE_DATA_S:
@@ -154,17 +174,38 @@ def _age(status: Status, data_age_s: float | None) -> TileText:
     )
 
 
-def _margin(status: Status) -> TileText:
+def _force(status: Status, measured: NewestMeasured) -> TileText:
+    known = math.isfinite(measured.force_max_N)
+    value = f"{measured.force_max_N:.1f} N" if known else "–"
+    if known and math.isfinite(measured.overload_N):
+        value += f" of {measured.overload_N:.0f} N"
     if not status.worst_margin or not math.isfinite(status.worst_margin_percent):
         running = status.state in ACTIVE
-        return TileText("–", "nothing judged yet" if running else "no test running")
+        return TileText(value, "nothing judged yet" if running else "no test running")
     percent = status.worst_margin_percent
     level = Level.NORMAL
     if percent <= 0.0:
         level = Level.CRITICAL
     elif percent < LOW_MARGIN_PERCENT:
         level = Level.WARNING
-    return TileText(f"{percent:.0f} %", status.worst_margin.replace("_", " "), level)
+    return TileText(
+        value, f"least margin {percent:.0f} %, {status.worst_margin.replace('_', ' ')}", level
+    )
+
+
+def _used(measured: NewestMeasured) -> float:
+    """Return how much of the overload limit the force takes, 0 .. 1; 0 where it is not known."""
+    share = measured.force_max_N / measured.overload_N
+    return min(1.0, share) if math.isfinite(share) else 0.0
+
+
+def _wear(status: Status, measured: NewestMeasured) -> TileText:
+    if not math.isfinite(measured.wear_um):
+        return TileText("–", "not measured yet" if status.state in ACTIVE else "no test running")
+    value = f"{measured.wear_um:.1f}"
+    if math.isfinite(measured.wear_uncertainty_um):
+        value += f" ± {measured.wear_uncertainty_um:.1f}"
+    return TileText(f"{value} µm", "measured by the probes, k = 2")
 
 
 def _agreement(status: Status) -> TileText:
@@ -190,20 +231,36 @@ def _alarms(status: Status) -> TileText:
     return TileText(count, first.title, Level.CRITICAL if critical else Level.WARNING)
 
 
-def _line(status: Status) -> str:
+def measured(news: News) -> NewestMeasured:
+    """Return what the newest revolutions of a test say."""
+    rows, predictions = news.data.rows, news.data.predictions
+    depth, doubt = (
+        1e3 * predictions.last(name)
+        for name in ("measured_wear_depth", "measured_wear_depth_uncertainty")
+    )
+    overload = overload_limit(news)
+    return NewestMeasured(rows.last(f"{SIZE}_max"), overload, depth, doubt)
+
+
+def rig_words(news: News) -> tuple[str, str]:
+    """Return the rig's name, and what it is where it is no real one."""
+    if news.status is None:
+        return "", ""
+    kind = "REPLAY" if news.is_replay else "SIMULATED" if news.status.simulated else ""
+    return news.status.rig, kind
+
+
+def identity(status: Status) -> tuple[str, str]:
+    """Return what runs, in a line, and with which rig, speed, operator and file, in another."""
     parts = []
-    if status.test:
-        parts.append(f"Test: {status.test}")
-    parts.append(f"Rig: {status.rig}")
     if status.simulated:
         speed = status.simulated_speed
-        parts.append(
-            f"SIMULATED × {speed:.3g}" if math.isfinite(speed) and speed > 0 else "SIMULATED"
-        )
+        known = math.isfinite(speed) and speed > 0
+        parts.append(f"simulated × {speed:.3g}" if known else "simulated")
     if status.state in ACTIVE:
         parts.append(f"{status.speed_rpm:.1f} of {status.target_rpm:.1f} rpm")
     if status.operator:
-        parts.append(f"Operator: {status.operator}")
+        parts.append(status.operator)
     if status.file:
-        parts.append(f"File: {PurePath(status.file).name}")
-    return "     ".join(parts)
+        parts.append(PurePath(status.file).name)
+    return status.test or "No test yet", ", ".join(parts)

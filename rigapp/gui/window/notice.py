@@ -1,19 +1,26 @@
-"""One line, whole, below the state: why the test stands, and what became of a lost engine."""
+"""What is, and what is next, in one line below the state; and what became of a lost engine."""
 
 from __future__ import annotations
 
 from rigapp.gui.data.texts import grouped
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
+from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.schema.messages import RunState, Status
 from rigapp.schema.states import ACTIVE
 
-WORTH_SAYING = frozenset({RunState.FAULT, RunState.STOPPED, RunState.PAUSED, RunState.PAUSING})
+USUAL = {
+    RunState.RUNNING: "Running as planned.",
+    RunState.READY: "Ready: the devices are connected. Start a test with F5.",
+    RunState.CONNECTING: "Connecting: finding the devices of the rig.",
+    RunState.STARTING: "Starting: the zeros are taken, then the spindle is brought to speed.",
+}
+"""What is said in a state of which the engine says nothing more."""
 
 
 class NoticeBar(Bar):
-    """Show the reason of a state in full; a restart of the engine stays until it is put away."""
+    """Show the reason of a state and the next step; a restart stays until it is put away."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__("notice", "What happened")
@@ -21,7 +28,6 @@ class NoticeBar(Bar):
         self._last: Status | None = None
         self._restart = ""
         self._bad = False
-        self._told = False
         self.away = button("notice_away", "Understood", self._put_away, "Put the notice away")
         self.lay_out((self.away,))
 
@@ -30,9 +36,8 @@ class NoticeBar(Bar):
         self._theme = theme
         self._paint()
 
-    def take_status(self, status: Status, *, told: bool = False) -> None:
-        """Take the newest status; told: its reason is shown elsewhere."""
-        self._told = told
+    def take_status(self, status: Status) -> None:
+        """Take the newest status."""
         last, self._last = self._last, status
         if last is not None and last.engine_pid != status.engine_pid:
             self._restart = restart_sentence(last)
@@ -40,24 +45,35 @@ class NoticeBar(Bar):
 
     def _show(self) -> None:
         status = self._last
-        text = self._restart
-        self._bad = bool(self._restart)
-        worth = status is not None and status.state in WORTH_SAYING and not self._told
-        if not text and worth and status is not None and status.reason:
-            text = f"{status.state.value.capitalize()}: {status.reason}"
-            self._bad = status.state is RunState.FAULT
+        text = self._restart or (sentence(status) if status is not None else "")
+        bad = bool(self._restart) or (status is not None and status.state is RunState.FAULT)
         self.away.setVisible(bool(self._restart))
         self.say(text)
+        self.setToolTip(text)
         self.show_when(bool(text))
-        self._paint()
+        if bad != self._bad:
+            self._bad = bad
+            self._paint()
 
     def _paint(self) -> None:
-        edge = self._theme.critical if self._bad else self._theme.border
-        self.frame_in(self._theme.base, f"2px solid {edge}")
+        theme = self._theme
+        if self._bad:
+            self.paint(theme.critical_tint, theme.critical, "#notice_text { font-weight: 600; }")
+        else:
+            self.paint(theme.alternate, theme.text)
 
     def _put_away(self) -> None:
         self._restart = ""
         self._show()
+
+
+def sentence(status: Status) -> str:
+    """Return what is, and what is next."""
+    word = status.state.value.capitalize()
+    step = status.recovery
+    key = f" ({RECOVER_KEY})" if step.verb and step.left else ""
+    told = [f"{word}: {status.reason}" if status.reason else "", step.sentence + key]
+    return "  ".join(one for one in told if one) or USUAL.get(status.state, f"{word}.")
 
 
 def restart_sentence(last: Status) -> str:

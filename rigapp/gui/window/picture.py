@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QApplication
 
 from rigapp.gui.data.connection import EngineConnection
 from rigapp.gui.data.showntest import ShownTest
-from rigapp.gui.plots.palette import THEMES, apply_theme
+from rigapp.gui.look.dress import apply_theme
+from rigapp.gui.look.tokens import THEMES
 from rigapp.gui.window.window import WINDOW, MainWindow
 from rigapp.replay.client import ReplayClient
 
@@ -19,7 +20,7 @@ WAIT_S = 30.0  # far longer than reading takes
 
 
 def save_picture(path_h5: Path, target_png: Path, *, theme: str = "light", tab: int = 0) -> None:
-    """Draw the window as it stands at the end of a recorded test into a PNG of 1400 x 900.
+    """Draw the window as it stands at the end of a recorded test into a PNG of 1440 x 900.
 
     Raises UnusableInput when the file is not a readable test, TimeoutError when it cannot be read
     within half a minute, OSError when the picture cannot be written.

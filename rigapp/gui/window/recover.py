@@ -8,11 +8,10 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel
+from PySide6.QtWidgets import QFrame, QLabel
 
-from rigapp.gui.plots.palette import Theme
-from rigapp.gui.widgets.build import button, named, prose, row
+from rigapp.gui.look.tokens import CARD_RADIUS, GAP, MARGIN, STEP, Theme
+from rigapp.gui.widgets.build import button, column, named, prose
 from rigapp.schema.messages import Alarm, Remedy, RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
@@ -79,13 +78,14 @@ class RecoverPanel(QFrame):
             step: named(QLabel(), f"recover_step_{step.name.lower()}", f"Step: {text}")
             for step, text in STEPS.items()
         }
-        self.button = button("recover_do", "", self.act, "Do the next step", guarded=True)
-        self.button.setMinimumHeight(int(self.button.sizeHint().height() * 1.5))
+        self.button = button(
+            "recover_do", "", self.act, "Do the next step", guarded=True, rank="primary"
+        )
+        self.button.setFixedHeight(5 * STEP)
         self.other = button(
             "recover_other", "Start another test…", self.start_wanted.emit, guarded=True
         )
         self.away = button("recover_away", "Close", self.hide, "Close the panel")
-        QShortcut(QKeySequence(KEY), self, self.button.click)
         self._lay_out()
         self.dress(theme)
         self.hide()
@@ -114,6 +114,11 @@ class RecoverPanel(QFrame):
         """Take note that a request was answered: the button may be pressed again."""
         self._asked = False
         self._show()
+
+    def press(self) -> None:
+        """Do the next step where there is something to recover from, on whatever page."""
+        if not self.isHidden():
+            self.button.click()
 
     def act(self) -> None:
         """Ask for the next step."""
@@ -159,7 +164,8 @@ class RecoverPanel(QFrame):
         edge = theme.border if recovered else theme.critical
         sheet = (
             f"#recover_panel {{ background: {theme.base}; border: 2px solid {edge};"
-            " border-radius: 4px; } #recover_title, #recover_next { font-weight: bold; }"
+            f" border-radius: {CARD_RADIUS}px; }}"
+            " #recover_title, #recover_next { font-weight: 600; }"
         )
         if sheet != self.styleSheet():
             self.setStyleSheet(sheet)
@@ -168,24 +174,19 @@ class RecoverPanel(QFrame):
         theme = self._theme
         if now:
             return (
-                f"background: {theme.highlight}; color: {theme.highlighted_text};"
-                " font-weight: bold; padding: 2px 8px; border-radius: 3px;"
+                f"background: {theme.tint}; color: {theme.highlight}; font-weight: 600;"
+                f" padding: 4px 8px; border-left: 3px solid {theme.highlight};"
             )
-        return f"color: {theme.text if left else theme.muted}; padding: 2px 8px;"
+        return f"color: {theme.text if left else theme.muted}; padding: 4px 8px;"
 
     def _lay_out(self) -> None:
-        steps = row(self.title, *self.steps.values(), None)
-        buttons = row(self.button, self.other, self.away)
-        buttons.setSpacing(6)
-        grid = QGridLayout(self)
-        grid.setContentsMargins(8, 4, 8, 4)
-        grid.setVerticalSpacing(2)
-        grid.setHorizontalSpacing(12)
-        grid.addLayout(steps, 0, 0)
-        grid.addWidget(self.cause, 1, 0)
-        grid.addWidget(self.next, 2, 0)
-        grid.addLayout(buttons, 0, 1, 3, 1)
-        grid.setColumnStretch(0, 1)
+        steps = column(*self.steps.values())
+        steps.setSpacing(STEP // 2)
+        made = column(
+            self.title, self.cause, steps, self.next, self.button, self.other, self.away, on=self
+        )
+        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        made.setSpacing(STEP)
 
 
 def _situation(status: Status) -> tuple[object, ...]:

@@ -1,4 +1,4 @@
-"""Choose test, length and file of a start, below the buttons and never in front of the state."""
+"""Choose test, length and file of a start, on a card above the buttons that hides no state."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MOST_REVOLUTIONS = int(RANGES["run.revolutions"].high)
 
 
 class StartBar(QFrame):
-    """Ask for test, length and file below the buttons; the state bar stays in sight."""
+    """Ask for test, length and file on a card that floats above the bar of buttons."""
 
     started = Signal(dict)
 
@@ -26,7 +26,7 @@ class StartBar(QFrame):
         super().__init__()
         self._results = results_folder
         named(self, "start_bar", "Start a test")
-        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setProperty("role", "card")
         self.test = choice("start_test", "Test to start", (), self._name_file)
         self.out = edit("start_file", "File that the test is written to")
         self.revolutions = whole_number(
@@ -34,7 +34,7 @@ class StartBar(QFrame):
         )
         self.revolutions.setSpecialValueText("as in the test")
         browse = button("start_browse", "&Browse…", self._browse, "Choose another test file")
-        self.go = button("start_now", "Start no&w", self._go, guarded=True)
+        self.go = button("start_now", "Start no&w", self._go, guarded=True, rank="primary")
         cancel = button("start_cancel", "Cancel", self.hide, "Do not start")
         row(
             "Test &file", (self.test, 2), browse,

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Dressed, Host, Panel, StallCounter
 from rigapp.gui.panels.alarms import alarm_page
 from rigapp.gui.panels.browser import browser_page
@@ -24,10 +25,10 @@ from rigapp.gui.panels.logbook import log_page
 from rigapp.gui.panels.overview import overview_page
 from rigapp.gui.panels.trends import trend_page
 from rigapp.gui.panels.wear import wear_page
-from rigapp.gui.plots.palette import Theme
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import named
+from rigapp.gui.window.places import PageName, RailPlace
 
 TURN_MS = 10
 """Between two parts of a long drawing, so that keys and the state bar come in between."""
@@ -43,7 +44,7 @@ def _simulated(news: News) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Tab:
-    """One tab: its name, title and key, who makes its page, and when it is shown.
+    """One tab: its name, title, key and place, who makes its page, and when it is shown.
 
     What a page takes of the news is said by its panels (``Panel.takes``).
     """
@@ -51,23 +52,24 @@ class Tab:
     name: str
     title: str
     key: str
+    place: RailPlace
     make: Callable[[Host], QWidget]
     shown: Callable[[News], bool] = _always
 
 
 TABS = (
-    Tab("overview", "Overview", "Ctrl+1", overview_page),
-    Tab("cycle", "Cycle", "Ctrl+2", cycle_page),
-    Tab("trends", "Trends", "Ctrl+3", trend_page),
-    Tab("limits", "Alarms and limits", "Ctrl+4", alarm_page),
-    Tab("prepare", "Prepare", "Ctrl+5", prepare_page),
-    Tab("devices", "Devices", "Ctrl+6", device_page),
-    Tab("log", "Log", "Ctrl+7", log_page),
-    Tab("results", "Results", "Ctrl+8", browser_page),
-    Tab("wear", "Wear", "Ctrl+W", wear_page),
-    Tab("faults", "Simulated faults", "Ctrl+9", fault_page, _simulated),
+    Tab("overview", "Overview", "Ctrl+1", RailPlace.WATCH, overview_page),
+    Tab("cycle", "Cycle", "Ctrl+2", RailPlace.WATCH, cycle_page),
+    Tab("trends", "Trends", "Ctrl+3", RailPlace.WATCH, trend_page),
+    Tab("limits", "Alarms and limits", "Ctrl+4", RailPlace.WATCH, alarm_page),
+    Tab("prepare", "Prepare", "Ctrl+5", RailPlace.PREPARE, prepare_page),
+    Tab("devices", "Devices", "Ctrl+6", RailPlace.RIG, device_page),
+    Tab("log", "Log", "Ctrl+7", RailPlace.WATCH, log_page),
+    Tab("results", "Results", "Ctrl+8", RailPlace.RESULTS, browser_page),
+    Tab("wear", "Wear", "Ctrl+W", RailPlace.WATCH, wear_page),
+    Tab("faults", "Simulated faults", "Ctrl+9", RailPlace.RIG, fault_page, _simulated),
 )
-PLACES = {tab.name: place for place, tab in enumerate(TABS)}
+NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
 
 
 class Tabs(QTabWidget):
@@ -102,7 +104,10 @@ class Tabs(QTabWidget):
             test.ask_revolution,
         )
         self.panels = host.panels
+        self._last_page = {tab.place: number for number, tab in reversed(list(enumerate(TABS)))}
         named(self, "tabs", "Panels")
+        self.tabBar().hide()
+        self.setDocumentMode(True)
         for place, tab in enumerate(TABS):
             page = tab.make(host)
             page.setAutoFillBackground(True)
@@ -121,9 +126,26 @@ class Tabs(QTabWidget):
         assert isinstance(panel, PreparePanel)
         return panel
 
+    @property
+    def place(self) -> RailPlace:
+        """Return the place that is shown."""
+        return TABS[self.currentIndex()].place
+
+    def pages(self) -> list[PageName]:
+        """Return the pages of the place that is shown."""
+        return [
+            PageName(number, tab.title, tab.key)
+            for number, tab in enumerate(TABS)
+            if tab.place is self.place and self.isTabVisible(number)
+        ]
+
+    def show_place(self, place: RailPlace) -> None:
+        """Go to the page of a place that was seen last, its first one at the beginning."""
+        self._go_to(self._last_page[place])
+
     def show_prepare(self) -> None:
         """Go to the tab that prepares a test."""
-        self.setCurrentIndex(PLACES["prepare"])
+        self.setCurrentIndex(NUMBERS["prepare"])
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -172,6 +194,7 @@ class Tabs(QTabWidget):
             self.setCurrentIndex(place)
 
     def _changed(self) -> None:
+        self._last_page[self.place] = self.currentIndex()
         self.draw_fast(self._news)
         calls: list[Callable[[], object]] = []
         for plot in self.currentWidget().findChildren(QuietPlot)[1:]:

@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import importlib
-import math
-import time
 from collections.abc import Sequence
 from getpass import getuser
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSettings, QTimer
-from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence, QShortcut
+from PySide6.QtCore import QEvent, QObject, QSettings, QTimer
+from PySide6.QtGui import (
+    QCloseEvent,
+    QGuiApplication,
+    QKeySequence,
+    QResizeEvent,
+    QShortcut,
+)
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
-from rigapp.gui.data.channels import FreeValue, free_values
 from rigapp.gui.data.connection import ConnectionState, EngineConnection
-from rigapp.gui.data.knownwear import wear_values
 from rigapp.gui.data.news import News
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.plots.palette import THEMES, Theme, apply_theme
+from rigapp.gui.look.dress import apply_theme, dress_window
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, Theme
 from rigapp.gui.widgets.build import button, column, row
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.closebar import CloseBar
@@ -28,15 +31,19 @@ from rigapp.gui.window.command import KEY as COMMAND_KEY
 from rigapp.gui.window.command import ViewerBar, why_forbidden
 from rigapp.gui.window.controls import STARTABLE, ControlRow
 from rigapp.gui.window.header import Header
-from rigapp.gui.window.headline import headline
+from rigapp.gui.window.headline import headline, measured, rig_words
 from rigapp.gui.window.help import HelpWindow
+from rigapp.gui.window.messageline import MessageLine
 from rigapp.gui.window.notice import NoticeBar
+from rigapp.gui.window.places import PageBar, Rail, RailPlace
+from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
 from rigapp.gui.window.replaybar import ReplayBar
+from rigapp.gui.window.side import SideColumn
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import Watchdog
-from rigapp.schema.messages import RunState, Snapshot, Status
+from rigapp.schema.messages import Snapshot, Status
 from rigapp.schema.states import ACTIVE
 
 if TYPE_CHECKING:
@@ -50,8 +57,12 @@ TICK_MS = 25
 STATE_EVERY = 4
 """Ticks between two looks at the state bar when there are no news: its ages grow all the same."""
 
-WINDOW = (1400, 900)
-"""Width and height that show every tab without scrolling."""
+WINDOW = (1440, 900)
+"""Of the window where the screen has the room."""
+
+BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
+"""Places with newest values and the way out of a fault beside them; the others need the width."""
+
 FRAME_HEIGHT = 40
 """Room for the frame that the window manager puts around a window."""
 
@@ -103,11 +114,18 @@ class MainWindow(QMainWindow):
         self.replay_bar = ReplayBar()
         self.replay_bar.hide()
         self.tabs = Tabs(test, theme, results_folder, self._reader, self.watchdog)
+        self.side = SideColumn(theme, self.recover)
+        self.tabs.panels["side"] = self.side
+        self.rail = Rail(theme, self.switch_theme, self.show_help)
+        self.messages = MessageLine(
+            (self.viewer_bar, self.close_bar, self.notice), self.controls.answer, theme
+        )
         if rig is not None:
             self.tabs.prepare.set_rig(rig)
         if tests:
             self.tabs.prepare.recipe.open_file(tests[0])
         self._build()
+        dress_window(self, theme)
         self._connect()
         self._timer = QTimer(self)
         self._timer.setInterval(TICK_MS)
@@ -136,18 +154,12 @@ class MainWindow(QMainWindow):
             self.tabs.draw_slow(self.news, self._ticks % SLOW_EVERY, SLOW_EVERY)
 
     def _show_state(self) -> None:
-        status = self._connection.status
-        self.header.show_headline(
-            headline(
-                status,
-                self._connection.state,
-                self._connection.reason,
-                self._connection.data_age_s(),
-            )
-        )
-        data, views = self._test.data, status.channels if status is not None else ()
-        free = free_values(data.channels, views, data.rows.last)
-        self.header.show_free([*free, *self._wear(status)])
+        status, news = self._connection.status, self.news
+        state, reason = self._connection.state, self._connection.reason
+        self.header.show_headline(headline(status, state, reason, measured(news)))
+        self.side.show_news(news)
+        self.rail.show_rig(*rig_words(news))
+        self.messages.show_time()
         self.controls.show_status(status, self._connection.state, replay=self._connection.is_replay)
         self.replay_bar.setVisible(self._connection.is_replay)
         if self._connection.is_replay and status is not None:
@@ -157,17 +169,6 @@ class MainWindow(QMainWindow):
             self.controls.show_answer(self._test.problem, good=False)
             self._test.problem = ""
         self._close_when_stopped()
-
-    def _wear(self, status: Status | None) -> list[FreeValue]:
-        """Return the tiles of what is known of the wear; the date while the test goes on."""
-        data = self._test.data
-        turning = status is not None and status.state is RunState.RUNNING
-        live = turning and not self._connection.is_replay
-        rpm = abs(data.rows.last("speed")) if len(data.rows) else 0.0
-        if live and status is not None and 0.0 < status.simulated_speed < math.inf:
-            rpm *= status.simulated_speed
-        revolution = data.rows.revolutions[-1] if len(data.rows) else math.nan
-        return wear_values(data.predictions, rpm, time.time() if live else None, revolution)
 
     @property
     def news(self) -> News:
@@ -208,8 +209,9 @@ class MainWindow(QMainWindow):
         application = QApplication.instance()
         if isinstance(application, QApplication):
             apply_theme(application, theme)
-        bars = (self.header, self.notice, self.recover, self.viewer_bar, self.controls)
-        for part in (*bars, self.tabs):
+        dress_window(self, theme)
+        bars = (self.header, self.notice, self.viewer_bar, self.messages, self.controls)
+        for part in (*bars, self.rail, self.tabs):
             part.dress(theme)
         self.draw_now()
 
@@ -314,9 +316,10 @@ class MainWindow(QMainWindow):
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
         self.recover.take_status(None if self._connection.is_replay else status)
-        self.notice.take_status(status, told=not self.recover.isHidden())
+        self.notice.take_status(status)
         self._test.take(snapshot)
         self.tabs.take(self.news)
+        self._show_place()
         if self._start_wanted is not None and status.state in STARTABLE:
             test, self._start_wanted = self._start_wanted, None
             self.controls.show_status(status, self._connection.state)
@@ -357,10 +360,6 @@ class MainWindow(QMainWindow):
         self.start_bar.open()
 
     def _build(self) -> None:
-        self.help_button = button("help_button", "Help  F1", self.show_help, "Help")
-        self.theme_button = button(
-            "theme_button", "Light / dark  F9", self.switch_theme, "Light or dark"
-        )
         self.calibrate_button = button(
             "calibrate_button",
             "Calibrate…  F3",
@@ -368,25 +367,59 @@ class MainWindow(QMainWindow):
             "Calibrate",
             guarded=True,
         )
-        corner = QWidget()
-        tools = row(self.calibrate_button, self.theme_button, self.help_button, on=corner)
-        tools.setContentsMargins(0, 0, 0, 2)
-        self.tabs.setCornerWidget(corner)
+        self.page_bar = PageBar(((RailPlace.RIG, self.calibrate_button),))
+        pages = column(self.page_bar, (self.tabs, 1))
+        content = row((pages, 1), self.side)
+        content.setContentsMargins(MARGIN, STEP, MARGIN, GAP)
+        content.setSpacing(GAP)
         body = QWidget()
-        bars = (self.header, self.viewer_bar, self.notice, self.recover, self.controls)
-        asked = (self.replay_bar, self.start_bar, self.close_bar)
-        layout = column(*bars, *asked, (self.tabs, 1), on=body)
-        layout.setContentsMargins(6, 6, 6, 6)
-        layout.setSpacing(6)
+        upper = column(self.header, self.messages, self.replay_bar, (content, 1), self.controls)
+        upper.setSpacing(0)
+        layout = row(self.rail, (upper, 1), on=body)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        self.start_bar.setParent(body)
+        self.start_bar.installEventFilter(self)
+        self._show_place()
         self.setCentralWidget(body)
         screen = QGuiApplication.primaryScreen()
         room = screen.availableGeometry() if screen is not None else None
         if room is None or QGuiApplication.platformName() == "offscreen":
             self.resize(*WINDOW)
         else:
-            self.resize(min(WINDOW[0], room.width()), min(WINDOW[1], room.height() - FRAME_HEIGHT))
+            width, height = WINDOW
+            self.resize(min(width, room.width()), min(height, room.height() - FRAME_HEIGHT))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the side column in proportion, and the card of a start above the buttons."""
+        super().resizeEvent(event)
+        self.side.set_window_width(self.width())
+        self._place_start_bar()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """RailPlace the card of a start when it appears."""
+        if watched is self.start_bar and event.type() == QEvent.Type.Show:
+            self._place_start_bar()
+        return super().eventFilter(watched, event)
+
+    def _place_start_bar(self) -> None:
+        if self.start_bar.isHidden():
+            return
+        height = self.start_bar.sizeHint().height()
+        left, room = self.rail.width() + MARGIN, self.width() - self.rail.width() - 2 * MARGIN
+        bottom = self.height() - self.controls.height() - STEP
+        self.start_bar.setGeometry(left, bottom - height, room, height)
+        self.start_bar.raise_()
+
+    def _show_place(self) -> None:
+        self.side.setVisible(self.tabs.place in BESIDE)
+        self.rail.show_place(self.tabs.place)
+        self.page_bar.show_pages(self.tabs.place, self.tabs.pages(), self.tabs.currentIndex())
 
     def _connect(self) -> None:
+        self.rail.chosen.connect(self.tabs.show_place)
+        self.page_bar.chosen.connect(self.tabs.setCurrentIndex)
+        self.tabs.currentChanged.connect(self._show_place)
         self.controls.start_wanted.connect(self.start_bar.open)
         self.start_bar.started.connect(self.controls.start_test)
         self.recover.wanted.connect(self.controls.send)
@@ -404,6 +437,7 @@ class MainWindow(QMainWindow):
         for key, call in (
             ("F1", self.show_help),
             (COMMAND_KEY, self.controls.command_line.act),
+            (RECOVER_KEY, self.recover.press),
             ("F9", self.switch_theme),
             ("F3", self.calibrate),
         ):

@@ -6,7 +6,7 @@ import math
 
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QVBoxLayout, QWizardPage
 
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, filled, named, row
 from rigapp.gui.wizard.hands_panel import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration

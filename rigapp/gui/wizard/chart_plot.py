@@ -7,7 +7,8 @@ import pyqtgraph as pg
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from rigapp.calibrating.daily_history import DailyHistory, verdict_lines
-from rigapp.gui.plots.palette import Theme, line_pen
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column
 from rigapp.gui.wizard.parts import sentence

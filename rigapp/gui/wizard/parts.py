@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
 
 from calibration.taking.signals import Readiness, SignalState
 from rigapp.calibrating.session import ResidualsSoFar
-from rigapp.gui.plots.palette import Theme, line_pen
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column, named, prose, row
 from rigapp.gui.widgets.labels import scaled_font

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFormLayout
 
 from calibration.taking.procedure import StepKind
 from calibration.taking.signals import Readiness
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.wizard.hands_panel import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import field, load_cell_plot, number, probe_plot

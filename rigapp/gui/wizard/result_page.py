@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 from rigapp.calibrating.daily_history import STORE, DailyHistory
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import edit, filled, named, row
 from rigapp.gui.wizard.chart_plot import ChartPlot
 from rigapp.gui.wizard.live_calibration import LiveCalibration

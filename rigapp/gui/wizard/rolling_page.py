@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget, QWizardPage
 from rigapp.calibrating.rolls import ORDERS, REVOLUTIONS, RollPlan, roll_plan
 from rigapp.config.calibration_settings import RunOutFile
 from rigapp.config.errors import UnusableInput
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row, whole_number
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import field, sentence

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from calibration.taking.signals import Readiness
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row
 from rigapp.gui.wizard.hands_panel import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QWidget, QWizard, QWizardPage
 from rigapp.calibrating.rolls import RollSession
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
-from rigapp.gui.plots.palette import Theme
+from rigapp.gui.look.tokens import Theme
 from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
 from rigapp.gui.wizard.hands_queue import AskLater

@@ -1,0 +1,39 @@
+"""The font of the window: Inter, with figures of one width, so that a changing number stands."""
+
+from __future__ import annotations
+
+import fontpkg
+from PySide6.QtGui import QFont, QFontDatabase
+
+from rigapp.gui.look.tokens import BODY_PT
+
+FAMILY = "Inter"
+
+
+def window_font() -> QFont:
+    """Return the font of the window in its usual size; the desktop's own where Inter fails."""
+    font = QFont()
+    if FAMILY in QFontDatabase.families() or _loaded():
+        font.setFamily(FAMILY)
+    font.setPointSizeF(BODY_PT)
+    return tabular(font)
+
+
+def tabular(font: QFont) -> QFont:
+    """Return a font whose figures are all of one width."""
+    made = QFont(font)
+    made.setFeature(QFont.Tag("tnum"), 1)
+    return made
+
+
+def sized(font: QFont, points: float, weight: QFont.Weight = QFont.Weight.Normal) -> QFont:
+    """Return a font in one of the sizes of ``tokens``."""
+    made = tabular(font)
+    made.setPointSizeF(points)
+    made.setWeight(weight)
+    made.setVariableAxis(QFont.Tag("wght"), float(weight.value))
+    return made
+
+
+def _loaded() -> bool:
+    return QFontDatabase.addApplicationFont(str(fontpkg.path(FAMILY))) >= 0

@@ -1,0 +1,43 @@
+"""The icons by what they mean; one set (Phosphor), drawn in a colour of the theme."""
+
+from __future__ import annotations
+
+import enum
+
+import qtawesome
+from PySide6.QtGui import QIcon
+
+
+class Icon(enum.StrEnum):
+    """Name an icon by its meaning; the value is its name in the set."""
+
+    WATCH = "ph.activity"
+    PREPARE = "ph.clipboard-text"
+    RIG = "ph.gear-six"
+    RESULTS = "ph.folder-open"
+    LIGHT = "ph.sun"
+    DARK = "ph.moon"
+    HELP = "ph.question"
+    CONNECT = "ph.link"
+    START = "ph.play"
+    PAUSE = "ph.pause"
+    STOP = "ph.stop-fill"
+    NOTE = "ph.note-pencil"
+    CALIBRATE = "ph.scales"
+    COMMAND = "ph.hand"
+    FILE = "ph.file-text"
+    TRY = "ph.flask"
+    MESSAGE = "ph.info"
+    WARNING = "ph.warning-fill"
+    CRITICAL = "ph.warning-octagon-fill"
+    FINE = "ph.check"
+    CHOOSE = "ph.caret-down"
+    MORE = "ph.caret-up"
+
+
+def icon(meaning: Icon, colour: str, disabled: str | None = None) -> QIcon:
+    """Return an icon in a colour, and in another one while what bears it cannot be pressed."""
+    made: QIcon = qtawesome.icon(
+        meaning.value, color=colour, color_disabled=disabled or colour, scale_factor=1.0
+    )
+    return made

@@ -1,0 +1,97 @@
+"""The style sheet of the window, from the tokens of a theme.
+
+A widget is told what it is by properties: ``rank`` of a button (primary, ordinary, dangerous,
+quiet), ``role`` of a frame or label (card, caption, value).
+"""
+
+from __future__ import annotations
+
+from string import Template
+
+from rigapp.gui.look.tokens import CAPTION_PT, CARD_RADIUS, RADIUS, Theme
+
+_SHEET = Template(
+    """
+QToolTip { background: $base; color: $text; border: 1px solid $strong; padding: 4px; }
+
+QPushButton {
+    background: $base; color: $text; border: 1px solid $border; border-radius: ${radius}px;
+    padding: 0 12px; min-height: 28px;
+}
+QPushButton:hover { background: $alternate; }
+QPushButton:pressed, QPushButton:checked {
+    background: $tint; border-color: $highlight; color: $highlight; font-weight: 600;
+}
+QPushButton:focus { border: 2px solid $highlight; padding: 0 11px; }
+QPushButton:disabled { color: $muted; border-color: $hairline; background: $alternate; }
+QPushButton[rank="primary"] {
+    background: $highlight; color: $highlighted_text; border-color: $highlight; font-weight: 600;
+}
+QPushButton[rank="primary"]:focus { border: 2px solid $text; }
+QPushButton[rank="primary"]:disabled {
+    background: $alternate; color: $muted; border-color: $hairline;
+}
+QPushButton[rank="dangerous"] {
+    border: 2px solid $critical; color: $critical; font-weight: 600; padding: 0 11px;
+}
+QPushButton[rank="dangerous"]:pressed { background: $critical; color: $on_critical; }
+QPushButton[rank="dangerous"]:focus { border: 3px solid $critical; padding: 0 10px; }
+QPushButton[rank="dangerous"]:disabled { color: $muted; border-color: $hairline; }
+QPushButton[rank="quiet"] { border: 0; background: transparent; padding: 0 8px; }
+QPushButton[rank="quiet"]:hover { background: $tint; }
+QPushButton[rank="quiet"]:focus { border: 2px solid $highlight; padding: 0 6px; }
+
+QLineEdit, QPlainTextEdit, QTextEdit {
+    background: $base; color: $text; border: 1px solid $border; border-radius: ${radius}px;
+    padding: 0 8px; min-height: 28px; selection-background-color: $highlight;
+    selection-color: $highlighted_text;
+}
+QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border: 2px solid $highlight; }
+QLineEdit:disabled { background: $alternate; color: $muted; border-color: $hairline; }
+
+QTableView {
+    background: $base; alternate-background-color: $alternate; border: 1px solid $hairline;
+    border-radius: ${card}px; gridline-color: $hairline; selection-background-color: $tint;
+    selection-color: $text;
+}
+QHeaderView { background: $alternate; }
+QHeaderView::section {
+    background: $alternate; color: $secondary; border: 0; border-bottom: 1px solid $hairline;
+    padding: 6px 8px; font-size: ${caption}pt;
+}
+QTableCornerButton::section { background: $alternate; border: 0; }
+
+QGroupBox {
+    background: $base; border: 1px solid $hairline; border-radius: ${card}px; margin-top: 0;
+    padding-top: 28px;
+}
+QGroupBox::title {
+    subcontrol-origin: border; subcontrol-position: top left; left: 12px; top: 8px;
+    color: $text; font-weight: 600;
+}
+QProgressBar { background: $track; border: 0; border-radius: 3px; }
+QProgressBar::chunk { background: $bar; border-radius: 3px; }
+QSplitter::handle { background: transparent; }
+QSplitter::handle:hover { background: $strong; }
+QScrollBar:vertical { background: transparent; width: 12px; margin: 0; }
+QScrollBar:horizontal { background: transparent; height: 12px; margin: 0; }
+QScrollBar::handle { background: $strong; border-radius: 4px; margin: 2px; min-height: 24px; }
+QScrollBar::handle:hover { background: $border; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+
+QWidget[role="card"] {
+    background: $base; border: 1px solid $hairline; border-radius: ${card}px;
+}
+QLabel[role="title"] { font-weight: 600; }
+QLabel[role="caption"] { color: $muted; font-size: ${caption}pt; }
+QLabel[role="secondary"] { color: $secondary; }
+"""
+)
+
+
+def style_sheet(theme: Theme) -> str:
+    """Return the style sheet of a theme."""
+    colours = {
+        name: getattr(theme, name) for name in Theme.__dataclass_fields__ if name != "curves"
+    }
+    return _SHEET.substitute(colours, radius=RADIUS, card=CARD_RADIUS, caption=CAPTION_PT)

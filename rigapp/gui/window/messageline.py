@@ -1,0 +1,47 @@
+"""The line below the strip: one message, of one height, so that nothing moves when it changes."""
+
+from __future__ import annotations
+
+import time
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
+
+from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, Theme
+from rigapp.gui.widgets.bars import Bar
+from rigapp.gui.widgets.build import named, row
+
+HEIGHT = 6 * STEP
+
+
+class MessageLine(QFrame):
+    """Hold the bars that tell or ask something, the answer to the last command, and the time."""
+
+    def __init__(self, bars: tuple[Bar, ...], answer: QWidget, theme: Theme) -> None:
+        super().__init__()
+        named(self, "message_line", "Messages")
+        self.setFixedHeight(HEIGHT)
+        self.clock = named(QLabel(), "clock", "Time")
+        self.clock.setFixedWidth(18 * STEP)
+        self.clock.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        whole = row(*((bar, 4) for bar in bars), (answer, 3), self.clock, on=self)
+        whole.setContentsMargins(0, 0, MARGIN, 1)
+        whole.setSpacing(GAP)
+        for bar in bars:
+            bar.setFixedHeight(HEIGHT - 1)
+        answer.setContentsMargins(MARGIN, 0, 0, 0)
+        self.dress(theme)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.setStyleSheet(
+            f"#message_line {{ background: {theme.alternate};"
+            f" border-bottom: 1px solid {theme.hairline}; }}"
+            f" #clock {{ color: {theme.muted}; font-size: {CAPTION_PT}pt; }}"
+        )
+
+    def show_time(self) -> None:
+        """Show the time of day."""
+        now = time.strftime("%a %d %b  %H:%M:%S")
+        if now != self.clock.text():
+            self.clock.setText(now)

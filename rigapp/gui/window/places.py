@@ -1,0 +1,182 @@
+"""The four places of the window: a rail to choose one, and the pages of the chosen one."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QPushButton, QToolButton, QWidget
+
+from rigapp.gui.look.icons import Icon, icon
+from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, Theme
+from rigapp.gui.widgets.build import button, column, named, row
+
+RAIL_WIDTH = 12 * STEP
+ITEM_HEIGHT = 9 * STEP
+ICON = QSize(24, 24)
+PAGE_BAR_HEIGHT = 6 * STEP
+
+
+class RailPlace(enum.StrEnum):
+    """Name a place as the rail writes it."""
+
+    WATCH = "Watch"
+    PREPARE = "Prepare"
+    RIG = "Rig"
+    RESULTS = "Results"
+
+
+ICONS = {
+    RailPlace.WATCH: Icon.WATCH,
+    RailPlace.PREPARE: Icon.PREPARE,
+    RailPlace.RIG: Icon.RIG,
+    RailPlace.RESULTS: Icon.RESULTS,
+}
+
+
+class Rail(QFrame):
+    """Choose a place; above them the rig and whether it is real, below theme and help."""
+
+    chosen = Signal(RailPlace)
+
+    def __init__(self, theme: Theme, switch_theme: Callable[[], None], help_: Callable[[], None]):
+        super().__init__()
+        named(self, "rail", "Places")
+        self.setFixedWidth(RAIL_WIDTH)
+        self.rig = named(QLabel(), "rail_rig", "Rig")
+        self.rig.setWordWrap(True)
+        self.kind = named(QLabel(), "rail_kind", "Simulated or replayed")
+        for label in (self.rig, self.kind):
+            label.setAlignment(Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+        self.rig.setFixedHeight(7 * STEP)
+        self.kind.setFixedHeight(3 * STEP)
+        self.kind.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.buttons = {place: self._item(place) for place in RailPlace}
+        group = QButtonGroup(self)
+        for one in self.buttons.values():
+            group.addButton(one)
+        self.theme_button = button(
+            "theme_button", "Theme F9", switch_theme, "Light or dark", rank="quiet"
+        )
+        self.help_button = button("help_button", "Help F1", help_, "Help", rank="quiet")
+        places = [self.buttons[place] for place in RailPlace]
+        above = column(self.rig, self.kind, None)
+        above.setSpacing(STEP // 2)
+        held = QWidget()
+        held.setLayout(above)
+        held.setFixedHeight(12 * STEP)
+        made = column(held, *places, None, self.theme_button, self.help_button, on=self)
+        made.setContentsMargins(STEP, STEP, STEP, STEP)
+        made.setSpacing(STEP // 2)
+        self.dress(theme)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.setStyleSheet(
+            f"#rail {{ background: {theme.base}; border-right: 1px solid {theme.hairline}; }}"
+            f" QToolButton {{ border: 0; border-radius: 6px; color: {theme.secondary}; }}"
+            f" QToolButton:hover {{ background: {theme.alternate}; }}"
+            f" QToolButton:checked {{ background: {theme.tint}; color: {theme.highlight};"
+            " font-weight: 600; }"
+            f" QToolButton:focus {{ border: 2px solid {theme.highlight}; }}"
+            f" #rail_rig {{ font-size: {CAPTION_PT}pt; font-weight: 600; }}"
+            f" #rail_kind {{ color: {theme.secondary}; font-size: {CAPTION_PT - 1.5}pt;"
+            f" font-weight: 600; border: 1px dashed {theme.border}; border-radius: 4px; }}"
+            f" QPushButton {{ font-size: {CAPTION_PT}pt; color: {theme.secondary}; }}"
+        )
+        for place, one in self.buttons.items():
+            chosen = theme.highlight if one.isChecked() else theme.secondary
+            one.setIcon(icon(ICONS[place], chosen))
+        dark = theme.name == "dark"
+        self.theme_button.setIcon(icon(Icon.LIGHT if dark else Icon.DARK, theme.secondary))
+        self.theme_button.setText("Light F9" if dark else "Dark F9")
+        self.help_button.setIcon(icon(Icon.HELP, theme.secondary))
+        self._theme = theme
+
+    def show_place(self, place: RailPlace) -> None:
+        """Mark the place that is shown."""
+        if not self.buttons[place].isChecked():
+            self.buttons[place].setChecked(True)
+            self.dress(self._theme)
+
+    def show_rig(self, rig: str, kind: str) -> None:
+        """Show the rig's name, and what it is: SIMULATED, REPLAY, or nothing for a real one."""
+        for label, text in ((self.rig, rig), (self.kind, kind)):
+            if label.text() != text:
+                label.setText(text)
+                label.setToolTip(text)
+        if self.kind.isVisibleTo(self) != bool(kind):
+            self.kind.setVisible(bool(kind))
+
+    def _item(self, place: RailPlace) -> QToolButton:
+        made = named(QToolButton(), f"place_{place.name.lower()}", place.value)
+        made.setText(place.value)
+        made.setCheckable(True)
+        made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        made.setIconSize(ICON)
+        made.setFixedSize(RAIL_WIDTH - 2 * STEP, ITEM_HEIGHT)
+        key = f"Alt+{list(RailPlace).index(place) + 1}"
+        made.setToolTip(f"{place.value} ({key})")
+        made.clicked.connect(partial(self.chosen.emit, place))
+        QShortcut(QKeySequence(key), self).activated.connect(partial(self.chosen.emit, place))
+        return made
+
+
+@dataclass(frozen=True, slots=True)
+class PageName:
+    """A page as its button names it: where it stands among all, title and key."""
+
+    number: int
+    title: str
+    key: str
+
+
+class PageBar(QWidget):
+    """The pages of a place side by side, and at the right what else can be done there.
+
+    It has its height also where a place has one page: nothing below it moves.
+    """
+
+    chosen = Signal(int)
+
+    def __init__(self, more: Sequence[tuple[RailPlace, QPushButton]]) -> None:
+        super().__init__()
+        named(self, "page_bar", "Pages")
+        self.setFixedHeight(PAGE_BAR_HEIGHT)
+        self._more = tuple(more)
+        self._shown: tuple[PageName, ...] = ()
+        self.buttons: dict[int, QPushButton] = {}
+        self._row = row()
+        self._row.setSpacing(STEP)
+        whole = row((self._row, 0), None, *(one for _, one in self._more), on=self)
+        whole.setContentsMargins(0, STEP, 0, STEP)
+        whole.setSpacing(GAP)
+
+    def show_pages(self, place: RailPlace, pages: Sequence[PageName], now: int) -> None:
+        """Show the pages of a place, and which one is seen."""
+        if tuple(pages) != self._shown:
+            self._shown = tuple(pages)
+            for gone in self.buttons.values():
+                gone.deleteLater()
+            self.buttons = {page.number: self._button(page) for page in pages}
+            for made in self.buttons.values():
+                self._row.addWidget(made)
+        for number, made in self.buttons.items():
+            made.setChecked(number == now)
+        for where, other in self._more:
+            other.setVisible(where is place)
+
+    def _button(self, page: PageName) -> QPushButton:
+        made = button(f"page_button_{page.number}", page.title, spoken=page.title, checkable=True)
+        made.setToolTip(f"{page.title} ({page.key})")
+        made.clicked.connect(partial(self._choose, page.number))
+        return made
+
+    def _choose(self, number: int) -> None:
+        self.buttons[number].setChecked(True)
+        self.chosen.emit(number)

@@ -1,0 +1,242 @@
+"""The column at the right: newest values, below them the way out of a fault or the limits."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+
+from PySide6.QtGui import QFont
+from PySide6.QtWidgets import QFrame, QGridLayout, QProgressBar, QWidget
+
+from rigapp.gui.data.channels import SIZE, FreeValue, free_values
+from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, wear_of
+from rigapp.gui.data.margins import Margin, margins
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.gui.widgets.build import column, named
+from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
+from rigapp.gui.window.headline import Level, TileText, data_age
+from rigapp.gui.window.recover import RecoverPanel
+
+WIDTH = 42 * STEP
+NARROW_WIDTH = 39 * STEP
+NARROW_WINDOW = 1440
+"""A window less wide has the narrow column."""
+
+MOST_MARGINS = 8
+"""Limits that are listed; all of them stand on their page."""
+
+
+WIDE = dict.fromkeys((COEFFICIENT, REMAINING)).keys()
+"""Values whose words need the whole width, in their order."""
+
+
+class Value(QWidget):
+    """A caption and a value."""
+
+    def __init__(self, name: str, caption: str, theme: Theme) -> None:
+        super().__init__()
+        named(self, f"live_{name}", caption)
+        self.caption = ElidedLabel(f"live_{name}_caption", caption)
+        self.caption.setFont(sized(self.font(), CAPTION_PT))
+        bold = sized(self.font(), VALUE_PT, QFont.Weight.DemiBold)
+        self.value = FittedLabel(f"live_{name}_value", caption, bold)
+        column(self.caption, self.value, on=self).setSpacing(0)
+        self._name, self._level, self._theme = caption, Level.NORMAL, theme
+        self.dress(theme)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        colours = {Level.WARNING: theme.warning_text, Level.CRITICAL: theme.critical}
+        self.value.setStyleSheet(f"color: {colours.get(self._level, theme.text)};")
+        self.caption.setStyleSheet(f"color: {theme.muted};")
+
+    def show_field(self, field: TileText) -> None:
+        """Show a value; its line, where there is one, stands beside the caption."""
+        self.caption.show_text(f"{self._name}, {field.detail}" if field.detail else self._name)
+        self.value.show_text(field.value)
+        if field.level is not self._level:
+            self._level = field.level
+            self.dress(self._theme)
+
+
+class LiveCard(QFrame):
+    """The newest values: force, speed, age of the data, and every free channel."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self._theme = theme
+        named(self, "live", "Newest values").setProperty("role", "card")
+        self.values = {
+            name: Value(name, caption, theme)
+            for name, caption in (
+                ("force", "|F| now"),
+                ("rms", "|F| RMS"),
+                ("speed", "Speed"),
+                ("age", "Data age"),
+            )
+        }
+        self.free: dict[str, Value] = {}
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        self._grid.setHorizontalSpacing(MARGIN)
+        self._grid.setVerticalSpacing(STEP)
+        for side in (0, 1):
+            self._grid.setColumnStretch(side, 1)
+        self._place()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        for one in (*self.values.values(), *self.free.values()):
+            one.dress(theme)
+
+    def show_news(self, news: News) -> None:
+        """Show what is newest."""
+        status, rows = news.status, news.data.rows
+        views = {view.name: view for view in status.channels} if status is not None else {}
+        parts = [views[name].value for name in ("force_1", "force_2") if name in views]
+        force = math.hypot(*parts) if len(parts) == 2 else math.nan
+        fields = {
+            "force": TileText(_number(force, "N")),
+            "rms": TileText(_number(rows.last(f"{SIZE}_rms"), "N")),
+            "speed": TileText(_number(status.speed_rpm if status else math.nan, "rpm")),
+            "age": data_age(status, news.data_age_s),
+        }
+        for name, field in fields.items():
+            self.values[name].show_field(field)
+        shown = status.channels if status is not None else ()
+        free = free_values(news.data.channels, shown, rows.last)
+        self.show_free([*free, *wear_of(news, time.time())])
+
+    def show_free(self, values: Sequence[FreeValue]) -> None:
+        """Show a value for each free channel of the rig."""
+        names = [one.name for one in values]
+        if names != list(self.free):
+            for gone in self.free.values():
+                gone.deleteLater()
+            self.free = {one.name: Value(one.name, one.title, self._theme) for one in values}
+            self._place()
+        for one in values:
+            self.free[one.name].show_field(TileText(one.value, one.detail))
+
+    def _place(self) -> None:
+        values = {**self.values, **self.free}
+        narrow = [one for name, one in values.items() if name not in WIDE]
+        for number, one in enumerate(narrow):
+            self._grid.addWidget(one, number // 2, number % 2)
+        below = (len(narrow) + 1) // 2
+        for number, name in enumerate(WIDE & values.keys()):
+            self._grid.addWidget(values[name], below + number, 0, 1, 2)
+
+
+class MarginRow(QWidget):
+    """A limit: quantity, value and limit in words, and a bar that is full at the limit."""
+
+    def __init__(self, number: int, theme: Theme) -> None:
+        super().__init__()
+        named(self, f"margin_{number}", "Limit")
+        self._theme = theme
+        self._passed = False
+        self.title = ElidedLabel(f"margin_{number}_title", "Limited quantity")
+        self.text = ElidedLabel(f"margin_{number}_text", "Value and limit")
+        self.text.setFont(sized(self.font(), CAPTION_PT))
+        self.bar = named(QProgressBar(), f"margin_{number}_bar", "Way to the limit")
+        self.bar.setTextVisible(False)
+        self.bar.setMaximum(1000)
+        self.bar.setFixedHeight(4)
+        column(self.title, self.text, self.bar, on=self).setSpacing(2)
+        self.dress(theme)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        colour = theme.critical if self._passed else theme.secondary
+        self.text.setStyleSheet(f"color: {colour};")
+        fill = theme.critical if self._passed else theme.bar
+        self.bar.setStyleSheet(
+            f"QProgressBar {{ background: {theme.track}; border-radius: 2px; }}"
+            f" QProgressBar::chunk {{ background: {fill}; border-radius: 2px; }}"
+        )
+
+    def show_margin(self, margin: Margin) -> None:
+        """Show a limit."""
+        mark = "◆ " if margin.passed else ""
+        self.title.show_text(margin.title)
+        self.text.show_text(mark + margin.text)
+        self.bar.setValue(round(1000 * margin.used))
+        self.setAccessibleDescription(f"{margin.title}: {margin.text}")
+        if margin.passed != self._passed:
+            self._passed = margin.passed
+            self.dress(self._theme)
+
+
+class LimitsCard(QFrame):
+    """The limits that the newest revolution was judged by."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        named(self, "limits_watched", "Limits watched").setProperty("role", "card")
+        self.title = ElidedLabel("limits_watched_title", "Limits watched")
+        self.title.setProperty("role", "title")
+        self.rows = [MarginRow(number, theme) for number in range(MOST_MARGINS)]
+        made = column(self.title, *self.rows, on=self)
+        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        made.setSpacing(STEP)
+        for one in self.rows:
+            one.hide()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        for one in self.rows:
+            one.dress(theme)
+
+    def show_news(self, news: News) -> None:
+        """Show the newest revolution beside its limits."""
+        found = margins(news)[:MOST_MARGINS]
+        self.title.show_text("Limits watched" if found else "No limit is watched now")
+        for line, one in zip(self.rows, found, strict=False):
+            line.show_margin(one)
+        for number, line in enumerate(self.rows):
+            if line.isVisibleTo(self) != (number < len(found)):
+                line.setVisible(number < len(found))
+
+
+class SideColumn(QWidget):
+    """Hold the cards; a fault takes the place of the limits, and nothing else moves."""
+
+    takes = Takes.STATUS | Takes.HISTORY | Takes.LOG
+
+    def __init__(self, theme: Theme, recover: RecoverPanel) -> None:
+        super().__init__()
+        named(self, "side", "Newest values and limits")
+        self.live = LiveCard(theme)
+        self.limits = LimitsCard(theme)
+        self.recover = recover
+        column(self.live, recover, self.limits, None, on=self).setSpacing(GAP)
+        self.set_window_width(NARROW_WINDOW)
+
+    def set_window_width(self, width: int) -> None:
+        """Take the width of the window."""
+        self.setFixedWidth(WIDTH if width >= NARROW_WINDOW else NARROW_WIDTH)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        for one in (self.live, self.limits, self.recover):
+            one.dress(theme)
+
+    def show_news(self, news: News) -> None:
+        """Show what is newest; limits give way to the recovery."""
+        self.live.show_news(news)
+        wanted = self.recover.isHidden()
+        if self.limits.isVisibleTo(self) != wanted:
+            self.limits.setVisible(wanted)
+        if wanted:
+            self.limits.show_news(news)
+
+
+def _number(value: float, unit: str) -> str:
+    return f"{value:.1f} {unit}" if math.isfinite(value) else "–"
