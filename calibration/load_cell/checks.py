@@ -29,6 +29,9 @@ BLOCKING_TURN = np.radians(4.0)
 """A cell's own cross-talk looks like a turn of up to about two degrees; twice that is the angle
 reference."""
 
+DRIFT_STEPS = 2.0
+"""Steps of the resolution: of a quiet cell the first zero and the last may each be one off."""
+
 
 def check_fit(evidence: Evidence) -> Iterator[Problem]:
     """Yield the mistakes that the fit shows, the most telling first."""
@@ -221,7 +224,7 @@ def _drift(evidence: Evidence) -> tuple[Problem, Array] | None:
     rows = [terms.count - 1, 2 * terms.count - 1]
     spread = found.matrix @ found.covariance[np.ix_(rows, rows)] @ found.matrix.T
     sigma = float(np.sqrt(np.linalg.eigvalsh(spread)[-1]))
-    least = max(1.5 * cell.resolution, 0.0075 * cell.full_scale)
+    least = max(DRIFT_STEPS * cell.resolution, 0.0075 * cell.full_scale)
     if size <= max(SURE * sigma, least):
         return None
     zeros = np.flatnonzero(evidence.loads.applied == 0.0)
