@@ -120,7 +120,8 @@ def _budget(found: Budget) -> dict[str, Any]:
 
 
 def _too_uncertain(found: LoadCellCalibration, settings: LoadCellSettings) -> Iterator[Problem]:
-    if found.budget is not None:
+    """Judge U where nothing else is wrong: a mistake that has a name makes it large by itself."""
+    if found.budget is not None and found.accepted:
         against = too_uncertain(found.budget.expanded, settings.cell.full_scale)
         if against:
             largest = max(found.budget.contributions, key=lambda one: one.uncertainty)

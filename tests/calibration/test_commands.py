@@ -246,6 +246,18 @@ def test_a_calibration_without_an_angle_reference_says_so(folder: Path) -> None:
     assert "angle reference" not in fit(folder, "again.json").stderr
 
 
+def test_a_mistake_that_makes_u_large_is_named_alone(folder: Path) -> None:
+    readings = take(Cell(), np.random.default_rng(4), angles=8)
+    late = np.array([int(name) > 4 for name in readings.series])
+    signal = np.where(late[:, None], readings.signal[:, ::-1], readings.signal)
+    (folder / "readings.csv").write_text(as_csv(replace(readings, signal=signal)))
+    done = fit(folder, "record.json", "--json")
+    assert done.returncode == 1
+    problems = [one for one in json.loads(done.stdout)["problems"] if one["blocks"]]
+    assert [one["code"] for one in problems] == ["axes_swapped"]
+    assert problems[0]["sentence"].startswith("From series 5 on the two signals are swapped")
+
+
 def test_a_step_number_twice_is_refused(folder: Path) -> None:
     path = folder / "readings.csv"
     lines = path.read_text().splitlines()
