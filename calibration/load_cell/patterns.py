@@ -21,9 +21,8 @@ from calibration.load_cell.two_axis import HUBER, Terms, design
 from calibration.problems import Problem
 from calibration.taking.readings import place_of
 
-FALSE_ALARMS = 1e-4
-"""Of good calibrations with normal errors, by Bonferroni's bound over all patterns. Rounding is not
-normal and the weights choose: ten times as many come true, one in a thousand."""
+FALSE_ALARMS = 1e-3
+"""Of good calibrations, by Bonferroni's bound over all patterns: one in a thousand is refused."""
 GAIN_CHANGE = 0.005
 """Relative: a bridge and its amplifier keep their gain ten times better through an afternoon."""
 MASS_SHARE = 0.003
@@ -213,8 +212,8 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
         power = np.maximum(np.einsum("ij,ij->j", shapes, shapes), 1e-12)
         sizes = shapes.T @ off / power
         rest = np.maximum(off @ off - sizes**2 * power, 1e-12)
-        # A display that repeats itself rounds a load and its opposite alike: half as many tell.
-        sigmas = np.sqrt((1.0 + cells.repeats) * rest / (max(degrees - 1, 1) * power))
+        # A display that repeats itself rounds a load and its opposite alike: fewer tell.
+        sigmas = np.sqrt((1.0 + cells.repeats**2) * rest / (max(degrees - 1, 1) * power))
         told = sigmas < least
         if degrees < FEWEST_DEGREES or not told.any():
             return None
