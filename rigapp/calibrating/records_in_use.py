@@ -158,8 +158,8 @@ class ProbesStated:
     """What the records of the probes state of a depth.
 
     sensitivity: relative standard uncertainty, the larger of both probes'; drift_um: standard, what
-    a position may wander by in a decade of revolutions: as far as it did not come back to in the
-    record's series. records: which ones.
+    a depth may wander by in a decade of revolutions: the uncertainty of one position, since wear
+    moves the pin through positions that are each wrong by so much. records: which ones.
     """
 
     sensitivity: float
@@ -180,11 +180,12 @@ def probes_stated(texts: Mapping[str, str]) -> ProbesStated | None:
     results = [one.content["result"] for one in records]
     each = [part for result in results for part in result.get("probes", [result])]
     sensitivity = [one.get("sensitivity_relative_standard_uncertainty") for one in each]
-    residual = [one.get("residual_std_um") for one in each]
-    if not each or not all(isinstance(one, int | float) for one in (*sensitivity, *residual)):
+    expanded = [one.get("expanded_uncertainty_um") for one in each]
+    if not each or not all(isinstance(one, int | float) for one in (*sensitivity, *expanded)):
         return None
+    position = max(one["expanded_uncertainty_um"] / one.get("coverage_factor", 2.0) for one in each)
     names = " + ".join(dict.fromkeys(str(one.number) for one in records))
-    return ProbesStated(float(max(sensitivity)), float(max(residual)), names)
+    return ProbesStated(float(max(sensitivity)), float(position), names)
 
 
 # --- what the records of a place replace ----------------------------------------------------------
