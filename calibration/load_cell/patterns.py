@@ -205,6 +205,9 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
     tried = list(patterns(evidence, cells))
     columns = np.column_stack([one.column for one in tried])
     least = np.array([one.least for one in tried])
+    # A display that repeats itself rounds a load and its opposite alike, so that fewer tell of a
+    # load; what changes from run to run it blurs only where it repeats nearly always.
+    fewer = np.array([1.0 + cells.repeats ** (2 if one.bridges else 1) for one in tried])
     weights, found = np.ones(len(cells.run)), None
     for _ in range(ROUNDS):
         left, degrees = _left(evidence, cells, Terms(), columns, weights)
@@ -212,8 +215,7 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
         power = np.maximum(np.einsum("ij,ij->j", shapes, shapes), 1e-12)
         sizes = shapes.T @ off / power
         rest = np.maximum(off @ off - sizes**2 * power, 1e-12)
-        # A display that repeats itself rounds a load and its opposite alike: fewer tell.
-        sigmas = np.sqrt((1.0 + cells.repeats**2) * rest / (max(degrees - 1, 1) * power))
+        sigmas = np.sqrt(fewer * rest / (max(degrees - 1, 1) * power))
         told = sigmas < least
         if degrees < FEWEST_DEGREES or not told.any():
             return None
