@@ -17,7 +17,18 @@ from calibration_pictures import take_calibrations
 
 ROOT = Path(__file__).resolve().parents[1]
 IMAGES = ROOT / "docs" / "images"
-TABS = ("overview", "cycle", "trends", "alarms", "prepare", "devices", "log", "results", "faults")
+TABS = {
+    "overview": "ctrl+1",
+    "cycle": "ctrl+2",
+    "trends": "ctrl+3",
+    "alarms": "ctrl+4",
+    "prepare": "ctrl+5",
+    "devices": "ctrl+6",
+    "log": "ctrl+7",
+    "results": "ctrl+8",
+    "faults": "ctrl+9",
+}
+"""Pages and their keys."""
 REVOLUTIONS = 250
 PLANNED = 20_000
 """The test outlasts the pictures, however slow the computer is."""
@@ -64,7 +75,7 @@ def _screen() -> tuple[subprocess.Popen[bytes], str]:
     """Start a virtual screen on a display that nobody else has."""
     read, write = os.pipe()
     screen = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x900x24", "-nolisten", "tcp"],
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", "1440x940x24", "-nolisten", "tcp"],
         pass_fds=(write,),
     )
     os.close(write)
@@ -86,9 +97,9 @@ def _take_all() -> None:
         if time.monotonic() > deadline:
             raise TimeoutError(f"{REVOLUTIONS} revolutions were not made in 400 s")
         time.sleep(0.2)
-    for number, name in enumerate(TABS, 1):
+    for number, (name, key) in enumerate(TABS.items(), 1):
         before = _tab_bar()
-        subprocess.run(["xdotool", "key", "--window", identity, f"ctrl+{number}"], check=True)
+        subprocess.run(["xdotool", "key", "--window", identity, key], check=True)
         deadline = time.monotonic() + 60.0
         while number > 1 and _tab_bar() == before and time.monotonic() < deadline:
             time.sleep(0.1)
@@ -101,8 +112,8 @@ def _take_all() -> None:
 
 
 def _tab_bar() -> bytes:
-    """Return how the row of tabs looks, to know when another one is in front."""
-    area = ["-crop", "800x30+0+175", "+repage", "-depth", "8", "rgb:-"]
+    """Return how the row of pages looks, to know when another one is in front."""
+    area = ["-crop", "1000x60+0+180", "+repage", "-depth", "8", "rgb:-"]
     return subprocess.run(
         ["import", "-window", "root", *area], check=True, capture_output=True
     ).stdout
