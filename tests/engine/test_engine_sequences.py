@@ -89,10 +89,6 @@ class Operating(RuleBasedStateMachine):
         self.command(self.rig.engine.reset, "Ada")
 
     @rule()
-    def reconnect(self) -> None:
-        self.command(self.rig.engine.reconnect)
-
-    @rule()
     def disconnect(self) -> None:
         """Let the program end as it should: it stops a test under way, and says so."""
         self.rig.engine.shutdown(10.0)

@@ -643,6 +643,7 @@ def test_a_minimised_window_draws_nothing(
 def test_a_replay_starts_again(recorded: Path, qtbot: Any, qapp: Any) -> None:
     from rigapp.gui.data.connection import EngineConnection
     from rigapp.gui.data.showntest import ShownTest
+    from rigapp.gui.window.tabs import NUMBERS
     from rigapp.gui.window.window import MainWindow
     from rigapp.replay.client import ReplayClient
 
@@ -657,7 +658,7 @@ def test_a_replay_starts_again(recorded: Path, qtbot: Any, qapp: Any) -> None:
 
     qtbot.waitUntil(lambda: rows(300), timeout=PATIENCE_MS)
     assert window.replay_bar.isVisible()
-    assert not window.tabs.isTabVisible(8)
+    assert not window.tabs.isTabVisible(NUMBERS["faults"])
     client.request("replay", {"speed": 0.0})
     client.request("rewind")
     qtbot.waitUntil(lambda: rows(0), timeout=PATIENCE_MS)
