@@ -36,7 +36,7 @@ class News:
 
     status: None before the engine's first word. data: statistics, predictions and curves of the
     test that is shown; recipe, path, events: its test file, its file and its log; log_problem: what
-    hinders reading it. silence_s: since the engine's last word.
+    hinders reading it. silence_s: since the engine's last word. data_age_s: of the newest sample.
     """
 
     status: Status | None = None
@@ -47,6 +47,7 @@ class News:
     log_problem: str = ""
     silence_s: float = 0.0
     is_replay: bool = False
+    data_age_s: float | None = None
 
     @property
     def crank_over_follower(self) -> float | None:
@@ -55,11 +56,6 @@ class News:
             return None
         mechanism = self.recipe.model.mechanism
         return mechanism.crank_radius_mm / mechanism.follower_length_mm
-
-    @property
-    def data_age_s(self) -> float | None:
-        """Return the age of the newest sample, None before the engine's first word."""
-        return self.status.data_age_s + self.silence_s if self.status is not None else None
 
     @property
     def stale(self) -> bool:

@@ -206,9 +206,13 @@ class LimitsCard(QFrame):
 
 
 class SideColumn(QWidget):
-    """Hold the cards; a fault takes the place of the limits, and nothing else moves."""
+    """Hold the cards; a fault takes the place of the limits, and nothing else moves.
 
-    takes = Takes.STATUS | Takes.HISTORY | Takes.LOG
+    The window shows it the news with the strip above, since its ages grow; as a panel it only asks
+    that the log is followed, which tells of changed limits.
+    """
+
+    takes = Takes.LOG
 
     def __init__(self, theme: Theme, recover: RecoverPanel) -> None:
         super().__init__()

@@ -157,7 +157,8 @@ class MainWindow(QMainWindow):
         status, news = self._connection.status, self.news
         state, reason = self._connection.state, self._connection.reason
         self.header.show_headline(headline(status, state, reason, measured(news)))
-        self.side.show_news(news)
+        if self.tabs.place in BESIDE:
+            self.side.show_news(news)
         self.rail.show_rig(*rig_words(news))
         self.messages.show_time()
         self.controls.show_status(status, self._connection.state, replay=self._connection.is_replay)
@@ -183,6 +184,7 @@ class MainWindow(QMainWindow):
             test.log_problem,
             connection.silence_s(),
             connection.is_replay,
+            connection.data_age_s(),
         )
 
     @property
