@@ -8,3 +8,6 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 Marks = NDArray[np.bool_]
+
+ACROSS = np.array([[0.0, 1.0], [-1.0, 0.0]])
+"""A row vector times this is turned by a right angle."""

@@ -8,15 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibration.arrays import Array
+from calibration.arrays import ACROSS, Array
 from calibration.load_cell.scatter import Scatter
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import design
 from calibration.load_cell.weights import relative_force_uncertainty
 from calibration.taking.uncertainty import Budget, Contribution, Evaluation, combine
 
-ACROSS = np.array([[0.0, 1.0], [-1.0, 0.0]])
-"""A row vector times this is turned by a right angle."""
 DIRECTIONS = 16
 """Directions of the load of which the worst is stated: of eight or more angles all are alike."""
 
@@ -36,11 +34,6 @@ class LoadUncertainty:
     def component(self) -> Budget:
         """Return the budget of a component in its worst direction."""
         return max(self.magnitude, self.across, key=lambda one: one.expanded)
-
-    def component_at(self, cosine: float, readings: float = 1.0) -> float:
-        """Return U of a component that stands so to the force, of a mean of so many readings."""
-        along, across = (one.of_mean(readings).expanded for one in (self.magnitude, self.across))
-        return math.hypot(along * cosine, across * math.sqrt(1.0 - cosine**2))
 
 
 def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> LoadUncertainty:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from calibration.arrays import Array, Whole
+from calibration.arrays import ACROSS, Array, Whole
 from calibration.load_cell.characteristics import Loads
 from calibration.load_cell.two_axis import TwoAxisFit, design
 from calibration.taking.clustered import SeriesScores, series_scores
@@ -85,7 +85,7 @@ class Scatter:
 
 def scatter(found: TwoAxisFit, force: Array, seen: Loads) -> Scatter:
     """Take the residuals of a fit apart; force (n, 2) applied, N."""
-    across = seen.direction @ np.array([[0.0, 1.0], [-1.0, 0.0]])
+    across = seen.direction @ ACROSS
     largest, runs = float(seen.applied.max()), seen.runs()
     along = np.einsum("ni,ni->n", found.residual, seen.direction)
     shapes, branches = _shapes(seen.applied / largest), _branch_rows(seen)

@@ -145,13 +145,6 @@ class Bins:
         end = float(np.floor(10.0 ** ((number + 1.0) / self.per_decade) - 1e-9))
         return max(end, revolution + GROUP - 1.0)
 
-    def so_far(self) -> list[Bin]:
-        """Return the closed bins with the one that is being filled, as if it ended now."""
-        now = Gathering(**{**asdict(self._open), "waiting": list(self._open.waiting)})
-        now.sums = list(now.sums)
-        last = now.closed()
-        return [*self.closed, *([last] if last is not None else [])]
-
     def numbers(self) -> dict[str, Any]:
         """Return all that is kept as plain numbers, for a checkpoint."""
         return {

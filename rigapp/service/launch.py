@@ -26,7 +26,7 @@ from rigapp.service.registry import (
     starting_engine,
 )
 
-START_S = 60.0  # importing and compiling on a slow disk
+START_S = 180.0  # importing and compiling on a slow disk, on a computer that is busy
 HELLO_S = 10.0  # far longer than an engine that runs takes
 LOOK_EVERY_S = 0.05  # no longer than a person notices
 

@@ -26,7 +26,7 @@ from rigapp.schema.messages import Prediction, RevolutionMeasured
 from rigapp.twin.worker import TwinAnswer, TwinSetup
 
 MAILBOX = 64
-START_S = 60.0
+START_S = 180.0  # importing and compiling, on a computer that is busy
 ANSWER_S = 10.0
 RESTART_PAUSE_S = 1.0
 ATTEMPTS = 5

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from calibration.load_cell.budget import (
+    LoadUncertainty,
     element_uncertainties,
     uncertainty_at,
     zero_uncertainty,
@@ -108,8 +109,14 @@ def calibrate_once(scenario: Scenario, rng: np.random.Generator) -> dict[str, li
         magnitude = abs(np.hypot(*told) - size)
         component = abs(told[0] - force[0, 0])
         held[f"|F|{words}"] = [magnitude <= stated.magnitude.of_mean(count).expanded]
-        held[f"component{words}"] = [component <= stated.component_at(np.cos(way), count)]
+        held[f"component{words}"] = [component <= component_at(stated, np.cos(way), count)]
     return held
+
+
+def component_at(stated: LoadUncertainty, cosine: float, readings: float) -> float:
+    """Return U of a component that stands so to the force, of a mean of so many readings."""
+    along, across = (one.of_mean(readings).expanded for one in (stated.magnitude, stated.across))
+    return float(np.hypot(along * cosine, across * np.sqrt(1.0 - cosine**2)))
 
 
 def coverage(scenario: Scenario, count: int, seed: int) -> dict[str, tuple[float, int]]:

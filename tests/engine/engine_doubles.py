@@ -421,11 +421,11 @@ class MemoryRig:
             poll=0.02,
             commit=0.05,
             supervise=0.01,
-            silence=1.0,
-            silence_commit=1.0,
+            silence=4.0,
+            silence_commit=4.0,
             stop_margin=1.0,
             coast=1.5,
-            start_margin=5.0,
+            start_margin=15.0,
             zero=0.2,
         )
     )
@@ -530,7 +530,7 @@ def a_test(
         model=packaged_parameters(),
         cycles=CyclesSection(schedule, every, 3, before_alarm=0, after_alarm=0),
         limits=LimitsSection(
-            overload_N=overload_N, overspeed_rpm=200.0, stale_data_s=0.5, rule=rules
+            overload_N=overload_N, overspeed_rpm=200.0, stale_data_s=3.0, rule=rules
         ),
         prediction=PredictionSection(),
     )

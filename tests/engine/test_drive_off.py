@@ -163,7 +163,8 @@ def bring_to(rig: Watched, state: RunState) -> None:
             rig.engine.pause("Ada")
         elif state is STOPPING:
             rig.engine.stop("Ada")
-    rig.engine.wait((state,), 60.0)
+    reached = rig.engine.wait((state, *ENDED), 60.0)
+    assert reached is state, rig.engine.outcome
     if state is PAUSING:  # the creep has been commanded; only the angle is awaited
         eventually(lambda: rig.told[-1].rpm == 10.0)
     rig.crank.deaf = False

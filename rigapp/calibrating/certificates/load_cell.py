@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import msgspec
 import numpy as np
 
+from calibration.arrays import ACROSS
 from calibration.load_cell.readings import parse_load_cell
 from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import pin_force
@@ -77,7 +78,7 @@ def loads_of(content: Content) -> tuple[Load, ...]:
     )
     offset = math.radians(content["settings"]["angle"]["offset_deg"] or 0.0)
     along = pin_force(np.ones(len(taken)), taken.angle, offset)
-    across = along @ np.array([[0.0, 1.0], [-1.0, 0.0]])
+    across = along @ ACROSS
     applied = np.sum(np.array(result["applied_N"]) * along, axis=1)
     indicated = np.sum(told * along, axis=1)
     aside = np.sum(told * across, axis=1)

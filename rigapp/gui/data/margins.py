@@ -62,14 +62,17 @@ def margins(news: News) -> list[Margin]:
 
 def overload_limit(news: News) -> float:
     """Return the force (N) at which the drive is switched off, NaN where no test is known."""
-    if news.recipe is None:
-        return math.nan
-    return newest_limits(news.events).get("overload_N", news.recipe.limits.overload_N)
+    test = news.recipe
+    return math.nan if test is None else _overload(test, newest_limits(news.events))
+
+
+def _overload(test: TestFile, changed: Mapping[str, float]) -> float:
+    return changed.get("overload_N", test.limits.overload_N)
 
 
 def _always(test: TestFile, news: News, changed: Mapping[str, float]) -> Iterator[Margin]:
     limits = test.limits
-    overload = overload_limit(news)
+    overload = _overload(test, changed)
     yield Margin("|F|, any sample", _newest(news, f"{SIZE}_max"), overload, "N", DRIVE_OFF)
     overspeed = changed.get("overspeed_rpm", limits.overspeed_rpm)
     yield Margin("Speed", _newest(news, "speed_max"), overspeed, "rpm", DRIVE_OFF)

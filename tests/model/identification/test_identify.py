@@ -185,7 +185,9 @@ def test_the_weights_of_the_statements_sum_up_to_one() -> None:
 
 def test_bins_at_once_are_those_of_the_stream() -> None:
     depth = virtual.readings(LIFE, 6, 3333)
-    one, other = virtual.gathered(depth).so_far(), virtual.gathered_at_once(depth)
+    stream, other = virtual.gathered(depth), virtual.gathered_at_once(depth)
+    stream._close()
+    one = stream.closed
     assert len(one) == len(other)
     for each, same in zip(one, other, strict=True):
         for name in ("revolution", "first", "progress", "last", "depth", "count", "freedom"):

@@ -59,7 +59,7 @@ def gathered(depth: Array) -> Bins:
 
 
 def gathered_at_once(depth: Array, per_decade: float = 12.0) -> list[Bin]:
-    """Return the bins of ``gathered(depth).so_far()`` all at once."""
+    """Return all at once the bins of ``gathered(depth)``, and the one that is being filled."""
     scratch, starts = Bins(per_decade), [1.0]
     while starts[-1] <= depth.size:
         starts.append(scratch._end_of(starts[-1]) + 1.0)
