@@ -79,7 +79,11 @@ class Sought(msgspec.Struct, frozen=True):
 
 
 class IdentifiedRecord(msgspec.Struct, frozen=True):
-    """Everything of an ``Identifier``: see its fields; known: the columns that are held."""
+    """Everything of an ``Identifier``: see its fields; known: the columns that are held.
+
+    A field that a record of before may lack has a default; without ``ends``, what remains is
+    unknown until the next bin closes.
+    """
 
     sought: Sought
     bins: dict[str, Any]
@@ -90,8 +94,8 @@ class IdentifiedRecord(msgspec.Struct, frozen=True):
     deepest: float
     steps: int
     ratio: float
-    ends: tuple[float, float, float]
-    known: dict[str, float]
+    ends: tuple[float, float, float] = NEVER
+    known: dict[str, float] = {}
 
 
 @dataclass(slots=True)

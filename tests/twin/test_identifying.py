@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import logging
+from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -89,6 +90,20 @@ def test_a_checkpoint_of_before_opens_and_the_identification_begins_there() -> N
     assert np.isfinite(column(last, "measured_wear_depth"))
     assert twin.identifier is not None
     assert twin.identifier.progress == pytest.approx(REVOLUTIONS, rel=0.03)
+
+
+def test_a_checkpoint_recorded_before_the_ends_were_kept_goes_on_with_the_same_coefficient() -> (
+    None
+):
+    predictions, _ = told()
+    twin = a_twin()
+    recorded = Path(__file__).parents[1] / "data" / "checkpoint_without_ends.msgpack"
+    assert restore(twin, recorded.read_bytes())
+    for measured, _ in revolutions(1.1, REVOLUTIONS)[twin.newest : 80]:
+        last = twin.predict(measured)
+    for name in ("wear_coefficient_low", "wear_coefficient", "wear_coefficient_high"):
+        expected = column(predictions[79], name)
+        assert column(last, name) == pytest.approx(expected, rel=1e-6), name
 
 
 @pytest.mark.parametrize(
