@@ -17,9 +17,16 @@ from model.errors import require_not_negative
 
 Array = NDArray[np.float64]
 
-COVERAGE_FACTOR = 2.0
+COVERAGE_FACTOR = 2.0  # 95 % of a normal distribution
 LEAST_COUPLE = 1e-9
 """A lever of friction, N per unit of sin(atan mu), below which there is no force to rub."""
+LEAST_NOISE = 1e-12  # N: a model that explains its own forces leaves rounding
+ROUNDS = 2  # the first takes all that is not explained for noise, the second what is left
+MOST_CORRELATED = 0.98
+"""Correlation of neighbours that counts at most: 100 samples say as much as one.
+
+More is no noise, but a slow part that a revolution is too short to tell the size of.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,10 +82,10 @@ def friction_of(
     free = held > 0.0
     columns, held = columns[:, free], held[free]
     noise = float(wanted.std())
-    for _ in range(2):  # the noise that is left decides how much the cell's own doubt counts
-        precision = columns.T @ columns / max(noise, 1e-12) ** 2 + np.diag(held**-2.0)
-        spread = np.linalg.inv(precision)
-        found = spread @ (columns.T @ wanted) / max(noise, 1e-12) ** 2
+    for _ in range(ROUNDS):  # the noise that is left decides how much the cell's own doubt counts
+        weight = max(noise, LEAST_NOISE) ** -2.0
+        spread = np.linalg.inv(weight * (columns.T @ columns) + np.diag(held**-2.0))
+        found = weight * (spread @ (columns.T @ wanted))
         noise = _correlated(wanted - columns @ found)
     sine, doubted = float(found[0]), float(np.sqrt(spread[0, 0]))
     if not abs(sine) < 1.0:
@@ -92,5 +99,5 @@ def _correlated(rest: Array) -> float:
     centred = rest - rest.mean()
     power = float(centred @ centred)
     near = float(centred @ np.roll(centred, 1)) / power if power > 0.0 else 0.0
-    near = min(max(near, 0.0), 0.98)
+    near = min(max(near, 0.0), MOST_CORRELATED)
     return float(np.sqrt(np.mean(rest * rest) * (1.0 + near) / (1.0 - near)))

@@ -37,6 +37,12 @@ from rigapp.config.rig import RigFile
 LOOK_EVERY_S = 0.1  # the progress line moves ten times a second
 RUN_RAMP = 3
 """Revolutions beyond those wanted: the first ones carry the ramp."""
+GENTLEST_RPM_PER_S = 60.0  # a usual drive's; a run's length allows for it at any speed
+RAMP_S = 2.0  # a faster run takes no longer than this to its speed
+OVERLOAD_SHARE = 0.5
+"""Of full scale: without the follower only the pin's own inertia pulls; half is a mistake."""
+OVERSPEED_FACTOR, OVERSPEED_MORE_RPM = 1.3, 10.0
+"""A loop overshoots by 30 % at most; 10 rpm more, as slow turns are told coarsely by counts."""
 
 
 def take_runs(taken: SpindleRuns, line: AbstractContextManager[Ask], say: Say) -> None:
@@ -169,20 +175,21 @@ def running_test(rig: RigFile, rpm: float, revolutions: int, operator: str) -> T
     """Return the test of one speed: no cycles kept, no prediction, guards kept close."""
     from rigapp.simulation.constants import packaged_parameters
 
-    acceleration = max(60.0, rpm / 2.0)
+    slowest_ramp = rpm / 120.0 * rpm / GENTLEST_RPM_PER_S
     return TestFile(
         schema=1,
         title=f"Running check at {rpm:g} rpm, without the follower",
         run=RunSection(
-            revolutions=revolutions + RUN_RAMP + math.ceil(rpm / 120.0 * rpm / 60.0),
+            revolutions=revolutions + RUN_RAMP + math.ceil(slowest_ramp),
             speed_rpm=rpm,
-            acceleration_rpm_per_s=acceleration,
+            acceleration_rpm_per_s=max(GENTLEST_RPM_PER_S, rpm / RAMP_S),
         ),
         model=packaged_parameters(),
         metadata=MetadataSection(operator=operator, notes="running check of the load cell"),
         cycles=CyclesSection(schedule="none", before_alarm=0, after_alarm=0),
         limits=LimitsSection(
-            overload_N=0.5 * rig.load_cell.full_scale_N, overspeed_rpm=1.3 * rpm + 10.0
+            overload_N=OVERLOAD_SHARE * rig.load_cell.full_scale_N,
+            overspeed_rpm=OVERSPEED_FACTOR * rpm + OVERSPEED_MORE_RPM,
         ),
         prediction=PredictionSection(enabled=False),
     )

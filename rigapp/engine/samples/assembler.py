@@ -27,7 +27,7 @@ from rigapp.engine.samples.counterstate import (
     new_state,
 )
 from rigapp.engine.samples.sampleclock import TICKS_PER_S
-from rigapp.engine.samples.unwrap import scan
+from rigapp.engine.samples.unwrap import INDEX_NEAR, scan
 from rigapp.schema.messages import Flag
 
 Values = NDArray[np.float32] | NDArray[np.int32]
@@ -190,7 +190,7 @@ class Assembler:
         parameters[ParameterAt.TOLERANCE] = math.ceil(
             max(1.0, min(MAXIMUM_ACCELERATION_REV_PER_S2 * turn / sample_rate_Hz**2, turn / 16))
         )
-        parameters[ParameterAt.MISSED_AFTER] = max(4, turn // 8)
+        parameters[ParameterAt.MISSED_AFTER] = max(4, turn // INDEX_NEAR)
         parameters[ParameterAt.IDLE_AFTER] = max(16, round(STANDSTILL_S * sample_rate_Hz))
         parameters[ParameterAt.CAPACITY] = capacity
         self._parameters = parameters

@@ -43,7 +43,37 @@ _PAUSED = int(Flag.PAUSED)
 _SENSOR_FAULT = int(Flag.SENSOR_FAULT)
 
 LARGEST_GAP_REVOLUTIONS = 25
-"""Beyond so many revolutions the number of those lost in a gap is not certain."""
+"""Beyond so many revolutions the number of those lost in a gap is not certain.
+
+A speed that is wrong by 2 % misses half a revolution in 25.
+"""
+DITHER = 2
+"""Counts: an edge that falls just before or after a sample, at each end of a step."""
+NUDGE = 4
+"""Counts to and fro that a standing crank may shake by: twice the dither. More is turning back."""
+ACCELERATES = 8
+"""By one part in so many a step may differ from the last, beside the encoder's tolerance.
+
+An eighth within one sample is more than any drive does.
+"""
+INDEX_STEADY = 50
+"""The count at the index may be off by one part in so many of a step: a drive's ripple of 2 %."""
+INDEX_NEAR = 8
+"""The index is looked for within one part in so many of a turn of where the count expects it.
+
+Half a turn off it could be either index; within an eighth it is plain which one it is.
+"""
+STEP_MOST = 4
+"""A step is below one part in so many of a turn: a longer one could as well be one backwards."""
+STEPS_OF_MEAN = 64
+"""Steps over which the speed before a gap is averaged: it is then known to 1/64 of the dither."""
+WHOLE_WITHIN = 100
+"""An end of a revolution that is missed by more than one part in so many makes it partial.
+
+1 % of a turn is 3.6 degrees, within which forces of the mechanism change by some per cent.
+"""
+PLAIN_STEP = 2 * NUDGE
+"""Counts by which a step may always differ from the last: with the least tolerance, of 1 count."""
 
 
 @njit("int64(int64, int64)", cache=True, nogil=True)
@@ -121,13 +151,13 @@ def _pass_index(
     boundary = base + turn * int(np.floor((target - phase - base) / turn + 0.5))
     deviation = target - boundary - phase
     state[StateAt.JUMPED] = 0
-    if abs(deviation) <= turn // 8:
+    if abs(deviation) <= turn // INDEX_NEAR:
         state[StateAt.POSITION] = boundary + phase
         state[StateAt.SEEN] = 1
         if odd:
             state[StateAt.OTHER] = target
             state[StateAt.OTHER_VALID] = 1
-        if abs(deviation) > 2 + tolerance + abs(expected) // 50:
+        if abs(deviation) > DITHER + tolerance + abs(expected) // INDEX_STEADY:
             _doubt(state)
     elif wrapped and not odd:
         # A whole turn of counts since the last index: the counter is right again.
@@ -151,7 +181,7 @@ def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Co
     Returns the counts that the crank is taken to have moved.
     """
     turn, expected = parameters[ParameterAt.COUNTS], state[StateAt.STEP]
-    near = 2 + parameters[ParameterAt.TOLERANCE] + abs(expected) // 8
+    near = DITHER + parameters[ParameterAt.TOLERANCE] + abs(expected) // ACCELERATES
     target = state[StateAt.BEFORE] + expected
     if parameters[ParameterAt.RESTARTS] != 0:
         aligned = target + wrap(count - target, turn)
@@ -224,12 +254,12 @@ def _follow(
         state[StateAt.OTHER_VALID] = 0
         move = _over_gap(count, step, lost, state, mean_step, parameters)
     else:
-        slack = min(4 + 4 * tolerance + abs(expected) // 8, turn // 4)
+        slack = min(NUDGE * (1 + tolerance) + abs(expected) // ACCELERATES, turn // STEP_MOST)
         odd = abs(step - expected) > slack
         state[StateAt.ODD] = 1 if odd else 0
         wrapped = restarts and delta != step
         phase = wrap(count, turn) if restarts else 0
-        reach = 2 + tolerance
+        reach = DITHER + tolerance
         at_zero = restarts and min(expected, 0) - reach <= phase <= max(expected, 0) + reach
         if wrapped or (odd and at_zero):
             state[StateAt.INDEX_EVENTS] += 1
@@ -248,7 +278,7 @@ def _follow(
         else:
             state[StateAt.OTHER_VALID] = 0
             _step_on(count, step, state, parameters)
-        mean_step[0] += (state[StateAt.STEP] - mean_step[0]) / 64.0
+        mean_step[0] += (state[StateAt.STEP] - mean_step[0]) / STEPS_OF_MEAN
     if state[StateAt.LOCKED] == 0:
         state[StateAt.UNLOCKED_TURN] += step
     if state[StateAt.POSITION] != before or count != state[StateAt.PREVIOUS]:
@@ -331,9 +361,9 @@ def _cut(
     if state[StateAt.GAP]:
         carried = _GAP_BEFORE | _LOST_SAMPLES
         state[StateAt.LOST] -= max(lost, 0)  # they count for the revolution that begins
-        if abs(base - state[StateAt.BEFORE]) > turn // 100 or abs(crossed) > 1:
+        if abs(base - state[StateAt.BEFORE]) > turn // WHOLE_WITHIN or abs(crossed) > 1:
             state[StateAt.FLAGS] |= _PARTIAL
-        if abs(state[StateAt.POSITION] - base) > turn // 100:
+        if abs(state[StateAt.POSITION] - base) > turn // WHOLE_WITHIN:
             carried |= _PARTIAL
     kept, sample, end = (
         state[StateAt.PENDING_KEPT],
@@ -389,7 +419,7 @@ def _place(
         return _cut(crossed, lost, events, found, state, parameters)
     if now > state[StateAt.HIGH]:
         state[StateAt.HIGH] = now
-    elif now < state[StateAt.HIGH] - 4 and not state[StateAt.ODD] and not state[StateAt.GAP]:
+    elif now < state[StateAt.HIGH] - NUDGE and not state[StateAt.ODD] and not state[StateAt.GAP]:
         state[StateAt.FLAGS] |= _REVERSED
     return found
 
@@ -424,7 +454,7 @@ def _plain_run(
         return start
     previous, now, step = state[StateAt.PREVIOUS], state[StateAt.POSITION], state[StateAt.STEP]
     base, high, mean = state[StateAt.BASE], state[StateAt.HIGH], mean_step[0]
-    half, smooth = turn // 2, min(8, turn // 4)
+    half, smooth = turn // 2, min(PLAIN_STEP, turn // STEP_MOST)
     room = parameters[ParameterAt.CAPACITY] - state[StateAt.KEPT] + state[StateAt.START_KEPT]
     end = min(counts.shape[0], start + room)
     i = start
@@ -437,12 +467,12 @@ def _plain_run(
             or delta >= half
             or abs(delta - step) > smooth
             or abs(following - base) >= turn
-            or following < high - 4
+            or following < high - NUDGE
         ):
             break
         previous, now, step = count, following, delta
         high = max(high, now)
-        mean += (delta - mean) / 64.0
+        mean += (delta - mean) / STEPS_OF_MEAN
         position[i] = now
         keep[i] = 1
         if i == 0:
