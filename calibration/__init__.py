@@ -2,6 +2,6 @@
 
 Arrays and plain values in, frozen results out, SI; no files, no devices, nothing of the
 application. ``taking`` is what all calibrations share (readings, steps, steadiness); ``load_cell``,
-``probes`` and ``turning`` (what is taken while the spindle turns) are the subjects. A subject
-imports ``taking``, ``problems`` and no other subject; ``records`` seals what comes out.
+``probes``, ``channel`` and ``turning`` (what is taken while the spindle turns) are the subjects. A
+subject imports ``taking``, ``problems`` and no other subject; ``records`` seals what comes out.
 """

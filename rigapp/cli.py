@@ -425,6 +425,19 @@ def calibrate_probes(
     )
 
 
+@calibrate_app.command("channel")
+def calibrate_channel(
+    settings: SettingsOption,
+    to: RecordOption,
+    readings: Annotated[Path, _option("--readings", "CSV of voltages beside a reference.")],
+    json: JsonOption = False,
+) -> int:
+    """Calibrate a free channel, as a line or a table, from a CSV; a bad fit is refused."""
+    from rigapp.commands.calibrate import calibrate_table
+
+    return calibrate_table("channel", readings, settings, to, as_json=json)
+
+
 @calibrate_app.command("run-out")
 def calibrate_run_out(
     to: RecordOption,

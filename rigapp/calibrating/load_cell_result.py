@@ -14,8 +14,7 @@ from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.problems import Problem
 from calibration.taking.uncertainty import Budget
-from rigapp.calibrating.budget_lines import budget_lines, finite
-from rigapp.calibrating.records import problems_of
+from rigapp.calibrating.records import budget_lines, finite, problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
 
 

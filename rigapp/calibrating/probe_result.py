@@ -9,8 +9,7 @@ import numpy as np
 
 from calibration.probes.alignment import Alignment, PairCalibration
 from calibration.probes.calibrate import ProbeCalibration
-from rigapp.calibrating.budget_lines import budget_lines, finite
-from rigapp.calibrating.records import problems_of
+from rigapp.calibrating.records import budget_lines, finite, problems_of
 from rigapp.calibrating.session import Outcome
 
 UM = 1e6

@@ -1,14 +1,18 @@
-"""Keep the record of a calibration: whole or not at all, read-only, never overwritten."""
+"""Keep the record of a calibration: whole or not at all, read-only, never overwritten.
+
+Problems and budgets are kept as plain values.
+"""
 
 from __future__ import annotations
 
 import calendar
+import math
 import os
 import time
 from collections.abc import Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
@@ -18,10 +22,35 @@ from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.writing import whole_file
 
+if TYPE_CHECKING:
+    from calibration.taking.uncertainty import Contribution
+
 
 def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
     """Return problems as plain values."""
     return [{"code": one.code, "sentence": one.sentence, "blocks": one.blocks} for one in problems]
+
+
+def budget_lines(
+    lines: Sequence[Contribution], unit: str, scale: float = 1.0
+) -> list[dict[str, Any]]:
+    """Return the lines of a budget, the unit in the key; ``scale``: units per SI unit."""
+    return [
+        {
+            "name": one.name,
+            f"standard_uncertainty_{unit}": scale * one.uncertainty,
+            "type": one.evaluation,
+            "distribution": one.distribution,
+            "degrees_of_freedom": finite(one.degrees),
+            "averages_out": one.averages,
+        }
+        for one in lines
+    ]
+
+
+def finite(degrees: float) -> float | None:
+    """Return degrees of freedom, None where they are without end."""
+    return degrees if math.isfinite(degrees) else None
 
 
 def refuse_existing(to: Path, what: str = "records") -> None:

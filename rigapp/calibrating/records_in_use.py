@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +17,7 @@ from calibration.records import Record, RecordError, in_future, moment, unseal
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document
 from rigapp.config.reading import read_bytes
-from rigapp.config.rig import LoadCellSection, ProbesSection, RigFile
+from rigapp.config.rig import ChannelSection, LoadCellSection, ProbesSection, RigFile
 
 if TYPE_CHECKING:
     from rigapp.calibrating.verification import Verification
@@ -42,8 +43,9 @@ class RigRecords:
 class RecordPlace:
     """Where a rig file names records, and what they replace in it.
 
-    kinds: of records that may stand there; a list of names allows the first only. use (rig,
-    section, records): the section with the records' numbers, and a label of each record.
+    section: its name, or that of a table and one of its entries (``channels.NAME``). kinds: of
+    records that may stand there; a list of names allows the first only. use (rig, section,
+    records): the section with the records' numbers, and a label of each record.
     """
 
     section: str
@@ -51,13 +53,24 @@ class RecordPlace:
     kinds: tuple[str, ...]
     use: Callable[[Rig, Any, Sequence[Record]], tuple[Any, Sequence[str]]]
 
+    def of(self, rig: RigFile) -> Any:
+        """Return the section of a rig file."""
+        table, _, name = self.section.partition(".")
+        return getattr(rig, table)[name] if name else getattr(rig, table)
+
+    def put(self, rig: RigFile, section: Any) -> RigFile:
+        """Return a rig file with another section in this place."""
+        table, _, name = self.section.partition(".")
+        new = {**getattr(rig, table), name: section} if name else section
+        return msgspec.structs.replace(rig, **{table: new})
+
     def alone(self, kind: str) -> bool:
         """Tell whether one record of a kind says all, and not one of a list."""
         return len(self.kinds) == 1 or kind != self.kinds[0]
 
 
 def with_records(rig: Rig, now: float | None = None) -> RigRecords:
-    """Read the records that a rig file names (``PLACES``).
+    """Read the records that a rig file names (``places_of``).
 
     Paths are relative to the rig file. Each record is fitted again from its readings and compared.
     Raises UnusableInput for a record that is missing, changed after it was made, or of something
@@ -68,8 +81,8 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
     remarks: dict[str, str] = {}
     now = time.time() if now is None else now
     used = rig.record
-    for place in PLACES:
-        section = getattr(used, place.section)
+    for place in places_of(used):
+        section = place.of(used)
         names = getattr(section, place.key)
         if not names:
             continue
@@ -80,7 +93,7 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
         from rigapp.calibrating.verification import verified  # GTC and SciPy: only where needed
 
         with_numbers, labels = place.use(rig, section, [record for _, record in found])
-        used = msgspec.structs.replace(used, **{place.section: with_numbers})
+        used = place.put(used, with_numbers)
         override = getattr(section, f"{place.key}_override")
         for label, (text, record) in zip(labels, found * len(labels), strict=False):
             texts[label] = text
@@ -255,6 +268,26 @@ def _run_out(
     return used, ("run_out",)
 
 
+def _channel(
+    name: str, rig: Rig, section: ChannelSection, records: Sequence[Record]
+) -> tuple[ChannelSection, Sequence[str]]:
+    (record,) = records
+    result = record.content["result"]
+    if result["unit"] != section.unit:
+        raise UnusableInput(
+            f"{rig.path}: channels.{name}.unit = {section.unit!r}, and the record {record.number}"
+            f" is in {result['unit']}; write its unit, or name another record."
+        )
+    used = msgspec.structs.replace(
+        section,
+        scale=1.0 if result["scale_per_V"] is None else result["scale_per_V"],
+        offset_V=result["offset_V"] or 0.0,
+        table=_pairs(result["table"] or ()),
+        uncertainty=result["expanded_uncertainty_value"],
+    )
+    return used, (f"channel_{name}",)
+
+
 def _pairs(rows: Sequence[Sequence[float]]) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(row) for row in rows)
 
@@ -270,4 +303,11 @@ LOAD_CELL = RecordPlace("load_cell", "calibration", ("load cell",), _load_cell)
 PROBES = RecordPlace("probes", "calibration", ("probe", "probe pair"), _probes)
 RUN_OUT = RecordPlace("probes", "run_out", ("run-out map",), _run_out)
 PLACES = (LOAD_CELL, PROBES, RUN_OUT)
-"""Where a rig file names records, in the order in which they are put to use."""
+"""Where every rig file names records, in the order in which they are put to use."""
+
+
+def places_of(rig: RigFile) -> Iterator[RecordPlace]:
+    """Yield where a rig file can name records: ``PLACES``, then each of its free channels."""
+    yield from PLACES
+    for name in rig.channels:
+        yield RecordPlace(f"channels.{name}", "calibration", ("channel",), partial(_channel, name))

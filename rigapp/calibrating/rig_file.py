@@ -8,7 +8,7 @@ from pathlib import Path
 
 import msgspec
 
-from rigapp.calibrating.records_in_use import LOAD_CELL, PLACES, RecordPlace, with_records
+from rigapp.calibrating.records_in_use import LOAD_CELL, RecordPlace, places_of, with_records
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import Document, parse_rig, read_rig
 from rigapp.config.rig import RigFile
@@ -19,10 +19,9 @@ def only_records_differ(one: RigFile, other: RigFile) -> bool:
     """Tell whether two rig files say the same but for the records that they name."""
 
     def bare(rig: RigFile) -> RigFile:
-        for place in PLACES:
+        for place in places_of(rig):
             names = {place.key: "", f"{place.key}_override": ""}
-            section = msgspec.structs.replace(getattr(rig, place.section), **names)
-            rig = msgspec.structs.replace(rig, **{place.section: section})
+            rig = place.put(rig, msgspec.structs.replace(place.of(rig), **names))
         return rig
 
     return bare(one) == bare(other)

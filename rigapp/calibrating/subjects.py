@@ -12,14 +12,18 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from calibration.channel import CHANNEL_COLUMNS
 from calibration.load_cell.calibrate import calibrate_load_cell
 from calibration.load_cell.readings import LOAD_CELL_COLUMNS, parse_load_cell
 from calibration.probes.readings import PROBE_COLUMNS, parse_probe
+from rigapp.calibrating.certificates.channel import channel_parts
 from rigapp.calibrating.certificates.load_cell import load_cell_parts
 from rigapp.calibrating.certificates.parts import Parts
 from rigapp.calibrating.certificates.probes import probe_parts
 from rigapp.calibrating.certificates.run_out import run_out_parts
 from rigapp.calibrating.certificates.running_check import running_parts
+from rigapp.calibrating.channel import KIND as CHANNEL
+from rigapp.calibrating.channel import fit_channel
 from rigapp.calibrating.load_cell_result import load_cell_outcome
 from rigapp.calibrating.load_cell_session import LoadCellSession
 from rigapp.calibrating.probe_result import probe_outcome
@@ -31,6 +35,7 @@ from rigapp.calibrating.running_check import RUNNING_COLUMNS
 from rigapp.calibrating.session import LiveSession, Outcome
 from rigapp.config.calibration_settings import (
     CalibrationFile,
+    ChannelFile,
     LoadCellFile,
     ProbeFile,
     RunOutFile,
@@ -48,7 +53,8 @@ class Subject:
     its file. fit (readings as CSV, settings, where they are from, which of several): raises
     ReadingsError or UnusableInput; None where the readings are test files. session: with live
     readings step by step, None for others. certificate: of a record's content. place: where a rig
-    file names its records, None for a check that changes nothing there.
+    file names its records, None for a check that changes nothing there, and for free channels, of
+    which each rig has its own.
     """
 
     name: str
@@ -104,6 +110,14 @@ SUBJECTS: Mapping[str, Subject] = {
             settings=RunOutFile,
             certificate=run_out_parts,
             place=RUN_OUT,
+        ),
+        Subject(
+            name="channel",
+            kinds=(CHANNEL,),
+            columns=CHANNEL_COLUMNS,
+            settings=ChannelFile,
+            certificate=channel_parts,
+            fit=fit_channel,
         ),
         Subject(
             name="running check",

@@ -21,6 +21,7 @@ from calibration.probes.calibrate import calibrate_probe
 from calibration.probes.readings import parse_probe
 from calibration.records import EVALUATION, Record, unseal
 from calibration.taking.readings import ReadingsError
+from rigapp.calibrating.channel import channel_again
 from rigapp.calibrating.load_cell_result import load_cell_result
 from rigapp.calibrating.probe_result import pair_result, probe_result
 from rigapp.calibrating.run_out import map_again
@@ -95,6 +96,7 @@ KINDS: Mapping[str, _Kind] = {
     "probe": _Kind(_probe, ("sensitivity_um_per_V", "offset_V")),
     "probe pair": _Kind(_pair, ("sensitivity_um_per_V", "offset_V", "matrix")),
     "run-out map": _Kind(map_again, ("cos_um", "sin_um"), ("rest_um",)),
+    "channel": _Kind(channel_again, ("scale_per_V", "offset_V", "table")),
     "running check": _Kind(check_again, ("measured_mass_times_radius_kg_m",)),
 }
 

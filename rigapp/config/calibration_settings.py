@@ -192,6 +192,26 @@ class ProbeFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_onl
     place: SurroundingsSection = SurroundingsSection()
 
 
+class ScalarSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[channel]: a free channel, compared with a reference in the channel's unit.
+
+    method: a straight line, or a table of means where the characteristic is bent.
+    """
+
+    name: str
+    unit: str
+    reference_standard_uncertainty: Annotated[float, within(0.0, 1e9)]
+    method: Literal["line", "table"] = "line"
+    resolution_V: Annotated[float, within(0.0, 100.0)] = 0.0
+
+
+class ChannelFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """A settings file for ``rigapp calibrate channel``."""
+
+    channel: ScalarSection
+    place: SurroundingsSection = SurroundingsSection()
+
+
 class RunOutPinSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[pin]: whose run-out is mapped."""
 

@@ -20,7 +20,18 @@ RESERVED = frozenset(
 )
 """Names beside the columns that files and screens use for themselves."""
 
-_OF_INPUT = ("device", "input", "scale", "offset_V", "table", "range_V", "latency_ms")
+_OF_INPUT = (
+    "device",
+    "input",
+    "scale",
+    "offset_V",
+    "table",
+    "range_V",
+    "latency_ms",
+    "uncertainty",
+    "calibration",
+    "calibration_override",
+)
 """Keys that mean nothing for a channel with a ``source``."""
 
 

@@ -154,6 +154,8 @@ class ChannelSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     An input is sampled with the encoder: value = scale (voltage - offset_V), scale in unit per V,
     or by ``table`` of (voltage in V, value), linear between its points and beyond its ends.
     source: "DEVICE.QUANTITY" of a device that tells it now and then, one value a revolution.
+    uncertainty: expanded, of a value, in the unit. calibration: a record that takes the place of
+    scale, offset or table and uncertainty; calibration_override: why it is used though expired.
     """
 
     device: str = ""
@@ -165,6 +167,9 @@ class ChannelSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     range_V: Annotated[float, within(0.001, 1000.0)] = 10.0
     latency_ms: Annotated[float, LATENCY_MS] = 0.0
     source: str = ""
+    uncertainty: Annotated[float | None, within(0.0, 1e9)] = None
+    calibration: str = ""
+    calibration_override: str = ""
 
     @property
     def slow_source(self) -> tuple[str, str]:

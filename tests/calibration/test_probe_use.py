@@ -28,7 +28,7 @@ from rigapp.engine.samples.assembler import Assembler, EncoderSetup, Revolution
 from rigapp.engine.values.calibrate import Calibration, Measured, calibrate
 from rigapp.engine.values.probes import probe_correction
 from rigapp.engine.values.reduce import Reducer
-from rigapp.report.testreport.uncertainty import position_uncertainty
+from rigapp.report.testreport.uncertainty import stated_uncertainties
 from rigapp.schema.channels import BASE
 from rigapp.simulation import layout
 from rigapp.simulation.constants import packaged_parameters, plant_constants
@@ -284,10 +284,6 @@ def test_pair_calibrated_on_the_plants_bench_tells_the_true_position_in_use() ->
 
 def test_report_takes_u_of_positions_from_the_file() -> None:
     kept = calibration_record(calibration())
-    found = position_uncertainty(kept)
-    assert found is not None
-    assert found.of("probe_2") == pytest.approx(1.5)
-    assert found.of("force_1") is None
-    assert "± 1.30 µm (probe 1)" in found.words
-    for unknown in ({}, {"probes": {}}, {"probes": {"uncertainty_um": [1.0, math.nan]}}):
-        assert position_uncertainty(unknown) is None
+    assert stated_uncertainties(kept) == pytest.approx({"probe_1": 1.3, "probe_2": 1.5})
+    for unknown in ({}, {"probes": {}}, {"probes": {"uncertainty_um": [math.nan, math.nan]}}):
+        assert stated_uncertainties(unknown) == {}

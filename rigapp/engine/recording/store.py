@@ -294,9 +294,11 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
         line = calibration.scalars.get(wire.channel.name)
         if line is not None:
             found[f"channel_{wire.channel.name}"] = {
+                "record": line.record,
                 "unit": wire.channel.unit,
                 "latency_ms": 1e3 * wire.channel.latency_s,
                 **_line_record(line),
+                **({} if line.uncertainty is None else {"uncertainty": line.uncertainty}),
             }
     return found
 

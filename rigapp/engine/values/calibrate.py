@@ -327,9 +327,10 @@ def _probes(rig: RigFile, turn: int, index_angle_rad: float) -> ProbePair:
 
 def _scalar(rig: RigFile, name: str) -> InputLine:
     section = rig.channels[name]
-    if not section.table:
-        return InputLine(section.scale, section.offset_V)
-    return InputLine(table=np.ascontiguousarray(np.array(section.table, np.float64).T))
+    line = InputLine(section.scale, section.offset_V)
+    if section.table:
+        line = InputLine(table=np.ascontiguousarray(np.array(section.table, np.float64).T))
+    return replace(line, uncertainty=section.uncertainty, record=section.calibration)
 
 
 def _pulse_rate(rig: RigFile, setup: StreamSetup) -> PulseRate | None:

@@ -77,12 +77,15 @@ class InputLine:
     """What one input means: value = slope (signal - zero), or a table's value at the signal.
 
     table: (2, points), rising signals (V) and their values, linear between them and beyond both
-    ends; empty without one.
+    ends; empty without one. uncertainty: expanded, of a value, None where it is not stated. record:
+    name of the calibration record, empty without.
     """
 
     slope: float = 1.0
     zero: float = 0.0
     table: Array = field(default_factory=lambda: np.empty((2, 0)))
+    uncertainty: float | None = None
+    record: str = ""
 
     def linear(self, wire: Wire) -> tuple[float, float]:
         """Return gain and bias of what the table is applied to, = gain raw + bias."""

@@ -21,7 +21,7 @@ from rigapp.report.testreport.facts import Rows, rows_of
 from rigapp.report.testreport.identified import identified
 from rigapp.report.testreport.identifiedsections import known_section
 from rigapp.report.testreport.model_facts import agreement_of, bursts_of, cycles_of
-from rigapp.report.testreport.uncertainty import position_uncertainty
+from rigapp.report.testreport.uncertainty import stated_uncertainties
 from rigapp.report.testreport.wording import (
     REASONS,
     STATUSES,
@@ -85,7 +85,7 @@ def _document(reader: TestReader, path: Path, vector: bool) -> Manuscript:
         _summary(summary, about, rows, identity, uncertainty),
         *logsections.sections(reader, events, rows, summary["reason"]),
         *datasections.extremes(
-            rows, agreement, vector, uncertainty, position_uncertainty(reader.calibration())
+            rows, agreement, vector, uncertainty, stated_uncertainties(reader.calibration())
         ),
         *datasections.agreement(agreement, rows, vector, events),
         datasections.cycles(

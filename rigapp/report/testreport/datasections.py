@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from types import MappingProxyType
 from typing import Any
 
 from calibration.load_cell.force_uncertainty import ForceUncertainty
@@ -11,7 +12,7 @@ from rigapp.report.page.manuscript import Block, Section, Table, Text
 from rigapp.report.testreport import plots
 from rigapp.report.testreport.facts import ENDS, ChannelFacts, Gap, Peak, Rows
 from rigapp.report.testreport.model_facts import Agreement, Burst, CyclePicture, LastDepth
-from rigapp.report.testreport.uncertainty import PositionUncertainty
+from rigapp.report.testreport.uncertainty import Stated
 from rigapp.report.testreport.wording import (
     FLAGS,
     UNKNOWN,
@@ -54,7 +55,7 @@ def extremes(
     agreement: Agreement | None,
     vector: bool,
     uncertainty: ForceUncertainty | None = None,
-    positions: PositionUncertainty | None = None,
+    stated: Stated = MappingProxyType({}),
 ) -> list[Section]:
     """Return the table of extremes and the trends of every channel."""
     if rows is None:
@@ -79,8 +80,13 @@ def extremes(
             "a quality flag."
         )
     )
-    if positions is not None:
-        blocks.append(Text(f"Expanded uncertainty of a position: {positions.words}."))
+    doubts = [
+        f"± {stated[one.name]:.3g} {symbol(one.unit)} ({one.name.replace('_', ' ')})"
+        for one in sampled
+        if one.name in stated
+    ]
+    if doubts:
+        blocks.append(Text(f"Expanded uncertainty of a value: {', '.join(doubts)}."))
     forces = [one for one in sampled if one.channel.instrument == LOAD_CELL]
     if forces:
         name = "Forces against revolution"
@@ -89,10 +95,10 @@ def extremes(
     others = [*(one for one in sampled if one not in (*forces, *free)), *speed]
     if others:
         name = "Displacement and speed against revolution"
-        blocks.append(plots.trends(others, None, rows.gaps, name, vector, positions=positions))
+        blocks.append(plots.trends(others, None, rows.gaps, name, vector, stated=stated))
     for some in batched(free):
         name = f"{', '.join(one.name for one in some)} against revolution"
-        blocks.append(plots.trends(some, None, rows.gaps, name, vector))
+        blocks.append(plots.trends(some, None, rows.gaps, name, vector, stated=stated))
     return [Section("Extremes and RMS of every channel", tuple(blocks))]
 
 

@@ -6,6 +6,7 @@ import io
 import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from rigapp.report.page.manuscript import Figure
 from rigapp.report.testreport.envelope import envelope
 from rigapp.report.testreport.facts import ChannelFacts, Gap
 from rigapp.report.testreport.model_facts import Agreement, CyclePicture
-from rigapp.report.testreport.uncertainty import PositionUncertainty
+from rigapp.report.testreport.uncertainty import Stated
 from rigapp.report.testreport.wording import THIN, number, quantity, symbol, title_of
 from rigapp.schema.channels import Channel
 
@@ -40,7 +41,7 @@ GAP = "#E69F00"
 MODEL_LINE: Mapping[str, Any] = {"color": MODEL, "ls": (0, (4, 2)), "lw": 1.1}
 GAPS_SHOWN = 40  # more would hide the curves
 BAND_WORDS = "Shaded: the expanded uncertainty of a force by the calibration."
-POSITION_WORDS = "Shaded: the expanded uncertainty of a position by the calibration."
+STATED_WORDS = "Shaded: the expanded uncertainty of a value by the calibration."
 SHORT = {
     "force": "|F|",
     "force_1": "force_1",
@@ -142,11 +143,11 @@ def trends(
     title: str,
     vector: bool,
     uncertainty: ForceUncertainty | None = None,
-    positions: PositionUncertainty | None = None,
+    stated: Stated = MappingProxyType({}),
 ) -> Figure:
     """Draw maximum, RMS and minimum of channels against revolution, one panel a channel.
 
-    uncertainty, positions: of forces and of positions; drawn as a band about the largest and the
+    uncertainty, stated: of forces and of other channels; drawn as a band about the largest and the
     smallest value.
     """
     predicted = agreement.lines if agreement is not None else {}
@@ -162,13 +163,10 @@ def trends(
                     # An error of the angle turns the whole force into a component.
                     force = values if whole is None else np.interp(x, whole[0], whole[1])
                     _band(axes, x, values, uncertainty.at(force), COLOURS[one])
-            doubt = positions.of(channel.name) if positions is not None else None
+            doubt = stated.get(channel.name)
             if doubt is not None:
                 for one in ("max", "min"):
-                    x, values = channel.lines[one]
-                    axes.fill_between(
-                        x, values - doubt, values + doubt, color=COLOURS[one], alpha=0.2, lw=0
-                    )
+                    _band(axes, *channel.lines[one], doubt, COLOURS[one])
             with_model = False
             negative = channel.smallest.value < 0.0 and channel.overall > max(
                 0.0, channel.largest.value
@@ -200,8 +198,8 @@ def trends(
         caption += " and by the model (dashed)." if model else "."
         if uncertainty is not None:
             caption += f" {BAND_WORDS}"
-        if positions is not None:
-            caption += f" {POSITION_WORDS}"
+        if any(one.name in stated for one in channels):
+            caption += f" {STATED_WORDS}"
         if zoomed:
             caption += " Revolutions in which the speed changed may lie outside the scale."
         return saved(canvas, title, words, caption, vector)

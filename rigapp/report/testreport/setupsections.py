@@ -7,7 +7,7 @@ from typing import Any
 
 from calibration.records import Record, RecordError, unseal
 from rigapp.report.page.manuscript import Block, Listing, Section, Table, Text
-from rigapp.report.testreport.wording import UNKNOWN, settings
+from rigapp.report.testreport.wording import UNKNOWN, settings, symbol
 from rigapp.storage import TestReader
 
 TITLES = {
@@ -62,7 +62,9 @@ def _record(name: str, values: Mapping[str, Any]) -> Table:
 def _record_rows(record: Record) -> list[tuple[str, str]]:
     content = record.content
     given, result = _mapping(content.get("settings")), _mapping(content.get("result"))
-    item = _mapping(given.get("cell") or given.get("probe") or given.get("pin"))
+    item = _mapping(
+        given.get("cell") or given.get("probe") or given.get("pin") or given.get("channel")
+    )
     paper = _mapping(given.get("paperwork"))
     rows = [
         ("number", f"{record.number}, the digest of the record holds"),
@@ -74,9 +76,14 @@ def _record_rows(record: Record) -> list[tuple[str, str]]:
     ]
     factor = result.get("coverage_factor")
     known = f"k = {factor:.2f}" if isinstance(factor, float) else "k unknown"
-    for key, unit in (("expanded_uncertainty_N", "N"), ("expanded_uncertainty_um", "µm")):
+    own = symbol(str(result.get("unit", "")))
+    for key, unit, form in (
+        ("expanded_uncertainty_N", "N", ".2f"),
+        ("expanded_uncertainty_um", "µm", ".2f"),
+        ("expanded_uncertainty_value", own, ".3g"),
+    ):
         if isinstance(result.get(key), float):
-            rows.append(("expanded uncertainty", f"{result[key]:.2f} {unit} ({known})"))
+            rows.append(("expanded uncertainty", f"{result[key]:{form}} {unit} ({known})"))
     for key, unit in (("residual_std_N", "N"), ("residual_std_um", "µm")):
         if isinstance(result.get(key), float):
             rows.append(("residual standard deviation", f"{result[key]:.3f} {unit}"))

@@ -1,0 +1,73 @@
+"""What the calibration of a free channel prints and its record keeps, and the same in words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import msgspec
+
+from calibration.channel import (
+    ChannelCalibration,
+    ChannelSettings,
+    calibrate_channel,
+    parse_channel,
+    rule_of,
+)
+from rigapp.calibrating.records import budget_lines, finite, problems_of
+from rigapp.calibrating.session import Outcome
+from rigapp.config.calibration_settings import ChannelFile
+
+Content = Mapping[str, Any]
+KIND = "channel"
+
+
+def fit_channel(text: str, given: ChannelFile, where: str, which: str) -> Outcome:
+    """Fit a table of readings; raise ReadingsError."""
+    result = _result(calibrate_channel(parse_channel(text), _meaning(given)), given)
+    return Outcome(KIND, result, tuple(_lines(result)))
+
+
+def channel_again(content: Content) -> dict[str, Any]:
+    """Return the result of a record's readings, fitted again."""
+    given = msgspec.convert(content["settings"], ChannelFile)
+    return _result(
+        calibrate_channel(parse_channel(content["readings_csv"]), _meaning(given)), given
+    )
+
+
+def _meaning(given: ChannelFile) -> ChannelSettings:
+    channel = given.channel
+    return ChannelSettings(
+        channel.method, channel.reference_standard_uncertainty, channel.resolution_V
+    )
+
+
+def _result(found: ChannelCalibration, given: ChannelFile) -> dict[str, Any]:
+    """Return what ``--json`` prints and the record keeps; ``value`` in a key: in ``unit``."""
+    budget, table = found.budget, None
+    if found.points is not None and found.scale is None:
+        table = found.points.T.tolist()
+    return {
+        "accepted": found.accepted,
+        "problems": problems_of(found.problems),
+        "unit": given.channel.unit,
+        "scale_per_V": found.scale,
+        "offset_V": found.offset,
+        "table": table,
+        "expanded_uncertainty_value": None if budget is None else budget.expanded,
+        "coverage_factor": None if budget is None else budget.coverage_factor,
+        "effective_degrees_of_freedom": None if budget is None else finite(budget.degrees),
+        "budget": [] if budget is None else budget_lines(budget.contributions, "value"),
+        "residual_value": None if found.residual is None else found.residual.tolist(),
+    }
+
+
+def _lines(result: Content) -> list[str]:
+    if result["expanded_uncertainty_value"] is None:
+        return []
+    return [
+        f"{rule_of(result)}.",
+        f"Expanded uncertainty of a value {result['expanded_uncertainty_value']:.3g}"
+        f" {result['unit']} (k = {result['coverage_factor']:.2f}).",
+    ]
