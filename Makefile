@@ -4,6 +4,7 @@
 # make search random search for what breaks a property; it prints its seed, SEED=N repeats it
 # make bench  performance as ratios, measured side by side in one run
 # make pictures   the pictures of README and guides, anew; needs Xvfb, openbox, xdotool, ImageMagick
+# make translations   texts of the window into its catalogues (rigapp/gui/language/*.ts), compiled
 # make soak   the long tests: hours
 PYTHON ?= $(shell for p in python3.11 python3.12 python3.13 python3; do \
 	$$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))' 2>/dev/null && { command -v $$p; break; }; done)
@@ -17,7 +18,7 @@ SEED := $(or $(SEED),$(shell od -An -N4 -tu4 /dev/urandom | tr -d ' '))
 export QT_API = pyside6
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: run test kernels lint hooks search bench soak docs lock pictures clean
+.PHONY: run test kernels lint hooks search bench soak docs lock pictures translations clean
 
 run: kernels
 	@$(BIN)/python -m rigapp.start
@@ -79,6 +80,9 @@ $(DOCS_READY): constraints-docs.txt $(RUN_READY)
 
 pictures: $(RUN_READY)
 	$(BIN)/python docs/make_pictures.py
+
+translations: $(RUN_READY)
+	$(BIN)/python -m rigapp.gui.language.collect
 
 # New versions of what pyproject.toml names; needs uv.
 lock:

@@ -106,11 +106,14 @@ def gui(
     rig: Annotated[Path | None, _option("--rig", "Rig file.")] = None,
     test: Annotated[Path | None, _option("--test", "Test file to offer first.")] = None,
     start: Annotated[bool, _option("--start", "Start that test at once.")] = False,
+    language: Annotated[
+        str, _option("--language", "en or de; kept for the next time. Else as the system.")
+    ] = "",
 ) -> int:
     """Open the operator's window (without a rig file: on the simulated rig)."""
     from rigapp.commands.window import open_window
 
-    return open_window(rig, test, start=start)
+    return open_window(rig, test, start=start, language=language)
 
 
 @app.command()

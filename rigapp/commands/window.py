@@ -23,8 +23,11 @@ def examples_folder() -> Path:
     return beside
 
 
-def open_window(rig: Path | None, test: Path | None, *, start: bool) -> int:
-    """Show the operator's window until it is closed; return the exit status."""
+def open_window(rig: Path | None, test: Path | None, *, start: bool, language: str = "") -> int:
+    """Show the operator's window until it is closed; return the exit status.
+
+    language: the code of the one to speak from now on; empty: as chosen before, or the system's.
+    """
     rig_path = (rig or examples_folder() / "simulated.toml").resolve()
     from rigapp.engine.devices import plan_devices
 
@@ -50,6 +53,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool) -> int:
             tests=tests,
             results_folder=results,
             start_test=tests[0] if start and tests else None,
+            language=language,
         )
 
 

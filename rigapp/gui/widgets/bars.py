@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, MARGIN
 from rigapp.gui.widgets.build import named, prose, row
 
@@ -18,7 +19,7 @@ class Bar(QFrame):
     escape: what the key Esc does while the bar is shown, nothing unless it is set.
     """
 
-    def __init__(self, name: str, spoken: str, text_spoken: str = "") -> None:
+    def __init__(self, name: str, spoken: Text, text_spoken: Text = "") -> None:
         super().__init__()
         named(self, f"{name}_bar", spoken)
         self.text = prose(f"{name}_text", text_spoken or spoken)
@@ -31,8 +32,9 @@ class Bar(QFrame):
         parts: list[QWidget | tuple[QWidget, int]] = [(self.text, 1), *buttons]
         row(*parts, on=self).setContentsMargins(MARGIN, 0, GAP, 0)
 
-    def say(self, text: str) -> None:
+    def say(self, text: Text) -> None:
         """Show a sentence; nothing is laid out again when it is the one shown."""
+        text = tr(text)
         if text != self.text.text():
             self.text.setText(text)
 

@@ -22,31 +22,32 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP
 from rigapp.gui.widgets.guarded import GuardedButton
 
 Made = TypeVar("Made", bound=QWidget)
 Layout = TypeVar("Layout", bound=QBoxLayout)
-Item = QWidget | QLayout | str | None
+Item = QWidget | QLayout | Text | None
 Called = Callable[..., Any]
 
 
-def named(widget: Made, name: str, spoken: str, tip: str = "") -> Made:
+def named(widget: Made, name: str, spoken: Text, tip: Text = "") -> Made:
     """Give a widget its names, and a tool tip where there is one."""
     widget.setObjectName(name)
-    widget.setAccessibleName(spoken)
+    widget.setAccessibleName(tr(spoken))
     if tip:
-        widget.setToolTip(tip)
+        widget.setToolTip(tr(tip))
     return widget
 
 
 def button(
     name: str,
-    text: str,
+    text: Text,
     call: Called | None = None,
-    spoken: str = "",
+    spoken: Text = "",
     *,
-    tip: str = "",
+    tip: Text = "",
     guarded: bool = False,
     checkable: bool = False,
     rank: str = "",
@@ -58,6 +59,7 @@ def button(
     spoken: its text without access key and dots unless told. A checkable button calls with its
     new state, any other without arguments.
     """
+    text = tr(text)
     plain = text.replace("&", "").rstrip("…").strip()
     kind = GuardedButton if guarded else QPushButton
     made = named(kind(text), name, spoken or plain, tip)
@@ -74,11 +76,11 @@ def button(
 
 
 def edit(
-    name: str, spoken: str, changed: Called | None = None, *, hint: str = "", most: int = 0
+    name: str, spoken: Text, changed: Called | None = None, *, hint: Text = "", most: int = 0
 ) -> QLineEdit:
     """Return a line to type in; most: characters it takes, 0 for any number."""
     made = named(QLineEdit(), name, spoken)
-    made.setPlaceholderText(hint)
+    made.setPlaceholderText(tr(hint))
     if most:
         made.setMaxLength(most)
     if changed is not None:
@@ -87,19 +89,19 @@ def edit(
 
 
 def choice(
-    name: str, spoken: str, items: Iterable[tuple[str, Any]], chosen: Called | None = None
+    name: str, spoken: Text, items: Iterable[tuple[Text, Any]], chosen: Called | None = None
 ) -> QComboBox:
     """Return a box to choose from; items: text and the value that it stands for."""
     made = named(QComboBox(), name, spoken)
     made.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     for text, value in items:
-        made.addItem(text, value)
+        made.addItem(tr(text), value)
     if chosen is not None:
         made.currentIndexChanged.connect(chosen)
     return made
 
 
-def whole_number(name: str, spoken: str, low: int, high: int) -> QSpinBox:
+def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:
     """Return a field for a whole number, read when it is complete."""
     made = named(QSpinBox(), name, spoken)
     made.setRange(low, high)
@@ -108,9 +110,9 @@ def whole_number(name: str, spoken: str, low: int, high: int) -> QSpinBox:
     return made
 
 
-def prose(name: str, spoken: str, text: str = "") -> QLabel:
+def prose(name: str, spoken: Text, text: Text = "") -> QLabel:
     """Return a label for whole sentences."""
-    made = named(QLabel(text), name, spoken)
+    made = named(QLabel(tr(text)), name, spoken)
     made.setTextFormat(Qt.TextFormat.PlainText)
     made.setWordWrap(True)
     made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
@@ -141,7 +143,7 @@ def filled(layout: Layout, items: Sequence[Item | tuple[Item, int]]) -> Layout:
         if item is None:
             layout.addStretch(1)
         elif isinstance(item, str):
-            caption = QLabel(item)
+            caption = QLabel(tr(item))
             layout.addWidget(caption, stretch)
         elif isinstance(item, QLayout):
             layout.addLayout(item, stretch)
@@ -165,7 +167,7 @@ def split(
     orientation: Qt.Orientation,
     sizes: Sequence[int],
     *parts: QWidget,
-    spoken: str = "Divided panels",
+    spoken: Text = "Divided panels",
 ) -> QSplitter:
     """Return parts with movable borders between them."""
     made = named(QSplitter(orientation), name, spoken)

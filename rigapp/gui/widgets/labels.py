@@ -6,6 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
+from rigapp.gui.language.words import Text, tr
+
 SMALLEST = 0.5
 """Of its font's size, the smallest to which a value shrinks before it is cut."""
 
@@ -13,16 +15,17 @@ SMALLEST = 0.5
 class ElidedLabel(QLabel):
     """Show one line, cut with an ellipsis where it does not fit; the tool tip has it whole."""
 
-    def __init__(self, name: str, spoken: str) -> None:
+    def __init__(self, name: str, spoken: Text) -> None:
         super().__init__()
         self._whole = ""
         self.setObjectName(name)
-        self.setAccessibleName(spoken)
+        self.setAccessibleName(tr(spoken))
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
-    def show_text(self, text: str) -> None:
+    def show_text(self, text: Text) -> None:
         """Show a text; nothing is repainted when it is the one shown."""
+        text = tr(text)
         if text != self._whole:
             self._whole = text
             self.setToolTip(text)
@@ -47,7 +50,7 @@ class ElidedLabel(QLabel):
 class FittedLabel(ElidedLabel):
     """Show one line, smaller where it does not fit; cut only when half its size is too large."""
 
-    def __init__(self, name: str, spoken: str, font: QFont) -> None:
+    def __init__(self, name: str, spoken: Text, font: QFont) -> None:
         super().__init__(name, spoken)
         self._largest = font
         self.setFont(font)

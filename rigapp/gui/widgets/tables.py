@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QTableWidgetItem,
 )
 
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.widgets.build import named
 
 Index = QModelIndex | QPersistentModelIndex
@@ -46,8 +47,8 @@ class PlainTable(QTableWidget):
     def __init__(
         self,
         name: str,
-        spoken: str,
-        headings: Sequence[str],
+        spoken: Text,
+        headings: Sequence[Text],
         *,
         marked: int = 1,
         stretch: Sequence[int] = (),
@@ -56,7 +57,7 @@ class PlainTable(QTableWidget):
         named(self, name, spoken)
         self._marked = marked
         self._wraps = bool(stretch)
-        self.setHorizontalHeaderLabels(list(headings))
+        self.setHorizontalHeaderLabels([tr(one) for one in headings])
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

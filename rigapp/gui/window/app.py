@@ -8,12 +8,14 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, QTimer
 from PySide6.QtWidgets import QApplication
 
+from rigapp.config.errors import UnusableInput
 from rigapp.gui.data.connection import ClientFactory, EngineConnection
 from rigapp.gui.data.showntest import ShownTest
+from rigapp.gui.language.catalogue import LANGUAGES, chosen_language, speak_language
 from rigapp.gui.look.dress import apply_theme
 from rigapp.gui.look.tokens import THEMES
 from rigapp.gui.window.selftest import run_self_test
-from rigapp.gui.window.window import MainWindow
+from rigapp.gui.window.window import PROGRAM, MainWindow
 from rigapp.process.ending import asked_to_end, end_at_once
 
 LOOK_MS = 200  # Ctrl-C is obeyed at once, to a person
@@ -26,13 +28,16 @@ def main(
     tests: list[Path],
     results_folder: Path,
     start_test: Path | None = None,
+    language: str = "",
 ) -> int:
     """Show the window until it is closed; return the exit status.
 
     client_factory: makes a client of the engine, on a worker thread, at the start and again
     whenever the engine is lost; it may take its time and may raise.
-    start_test: a test to start as soon as the engine can be asked.
-    Returns 1 without a window when the self test of the GUI library fails.
+    start_test: a test to start as soon as the engine can be asked. language: its code; it is kept
+    for the next time; empty: the one that was kept, or the system's.
+    Returns 1 without a window when the self test of the GUI library fails. Raises UnusableInput
+    for a language that the window does not speak.
     """
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
@@ -43,6 +48,14 @@ def main(
         sys.stderr.write("\n".join(problems) + "\n")
         return 1
     settings = QSettings()
+    if language:
+        if language not in LANGUAGES:
+            raise UnusableInput(
+                f"--language {language}: the window speaks {' and '.join(LANGUAGES)}; name one."
+            )
+        settings.setValue("language", language)
+    kept = settings.value("language", "")
+    speak_language(application, chosen_language(str(kept)))
     theme = THEMES.get(str(settings.value("theme", "light")), THEMES["light"])
     apply_theme(application, theme)
     window = MainWindow(
@@ -54,7 +67,7 @@ def main(
         results_folder=results_folder,
         settings=settings,
     )
-    window.setWindowTitle(f"rigapp – {rig_path.stem}")
+    window.setWindowTitle(f"{PROGRAM} – {rig_path.stem}")
     window.show()
     QTimer.singleShot(0, window.start)
     if start_test is not None:

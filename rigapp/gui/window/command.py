@@ -6,11 +6,32 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.commanding import CommandHolder
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button, column, named
 
 KEY = "F2"
+
+_COMMANDING: dict[CommandHolder, tuple[Text, Text, Text]] = {
+    CommandHolder.NOBODY: (
+        "Nobody is in command",
+        "Take command",
+        "Every window may operate the rig. In command, only this one does, apart from stopping"
+        " and acknowledging",
+    ),
+    CommandHolder.THIS: (
+        "You are in command",
+        "Release command",
+        "Let every window operate the rig again",
+    ),
+    CommandHolder.OTHER: (
+        "{name} is in command",
+        "Take over…",
+        "{name} loses command; it is recorded in the log",
+    ),
+}
+"""What is told, what the button says and what it does, by who is in command."""
 
 
 class CommandLine(QWidget):
@@ -36,28 +57,11 @@ class CommandLine(QWidget):
         if (holder, name) == (self._holder, self._name):
             return
         self._holder, self._name = holder, name
-        text, label, tip = {
-            CommandHolder.NOBODY: (
-                "Nobody is in command",
-                "Take command",
-                "Every window may operate the rig. In command, only this one does, apart from"
-                " stopping and acknowledging",
-            ),
-            CommandHolder.THIS: (
-                "You are in command",
-                "Release command",
-                "Let every window operate the rig again",
-            ),
-            CommandHolder.OTHER: (
-                f"{name} is in command",
-                "Take over…",
-                f"{name} loses command; it is recorded in the log",
-            ),
-        }[holder]
-        self.text.setText(text)
-        self.button.setText(f"{label}  {KEY}")
-        self.button.setAccessibleName(label.rstrip("…"))
-        self.button.setToolTip(f"{tip} ({KEY})")
+        text, label, tip = _COMMANDING[holder]
+        self.text.setText(tr(text, name=name))
+        self.button.setText(f"{tr(label)}  {KEY}")
+        self.button.setAccessibleName(tr(label).rstrip("…"))
+        self.button.setToolTip(f"{tr(tip, name=name)} ({KEY})")
 
     def act(self) -> None:
         """Take command, release it, or ask whether it is to be taken over."""
@@ -102,15 +106,19 @@ class ViewerBar(Bar):
 
     def _show(self) -> None:
         name = self._name
-        text = (
-            f"VIEWING ONLY: {name} is in command of this rig. Stopping a test and acknowledging"
-            " alarms are possible all the same."
+        text = tr(
+            "VIEWING ONLY: {name} is in command of this rig. Stopping a test and acknowledging"
+            " alarms are possible all the same.",
+            name=name,
         )
         if self._asking:
-            text = f"Take command from {name}? {name} can then only look; the log records it."
+            text = tr(
+                "Take command from {name}? {name} can then only look; the log records it.",
+                name=name,
+            )
         self.escape = self._cancel if self._asking else None
         self.say(text)
-        self.confirm.setText(f"Take command from {name}")
+        self.confirm.setText(tr("Take command from {name}", name=name))
         self.confirm.setVisible(self._asking)
         self.cancel.setVisible(self._asking)
 
@@ -127,4 +135,5 @@ def why_forbidden(holder: CommandHolder, name: str) -> str:
     """Return why this window may not change anything, empty when it may."""
     if holder is not CommandHolder.OTHER:
         return ""
-    return f"{name} is in command of this rig; take command over first ({KEY})"
+    why = tr("{name} is in command of this rig; take command over first", name=name)
+    return f"{why} ({KEY})"

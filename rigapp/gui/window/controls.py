@@ -13,6 +13,8 @@ from PySide6.QtGui import QFont, QKeySequence, QShortcut
 from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QStackedWidget
 
 from rigapp.gui.data.connection import ConnectionState
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import MARGIN, STEP, VALUE_PT, Theme
@@ -31,16 +33,16 @@ class ButtonSpec:
     """One button: its verb, text with access key, key, and the states in which it applies."""
 
     verb: str
-    text: str
+    text: Text
     key: str
     states: frozenset[RunState]
-    tip: str
+    tip: Text
     icon: Icon
 
     @property
     def spoken(self) -> str:
         """Return the text as it is read aloud."""
-        return self.text.replace("&", "")
+        return tr(self.text).replace("&", "")
 
 
 STARTABLE = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
@@ -220,7 +222,7 @@ class ControlRow(QFrame):
         if verb == "resume_file" and self.text.text().strip():
             arguments = {**arguments, "reason": self.text.text().strip()}
             self.text.clear()
-        label = verb.replace("_", " ")
+        label = tr(verb.replace("_", " "))
         self.show_answer(f"{label} …", good=True)
         self._send(verb, arguments, partial(self._answered, label))
 
@@ -256,8 +258,9 @@ class ControlRow(QFrame):
         self.text.clear()
         self._ask_nothing()
 
-    def show_answer(self, sentence: str, *, good: bool) -> None:
+    def show_answer(self, sentence: Text, *, good: bool) -> None:
         """Show one sentence; a refusal is marked."""
+        sentence = tr(sentence)
         self.answer.show_text(sentence if good else f"▲ {sentence}")
         self.answer.setVisible(bool(sentence))
         self._good = good
@@ -272,26 +275,28 @@ class ControlRow(QFrame):
         self.answered.emit()
         stamp = time.strftime("%H:%M:%S")
         if reply.ok:
-            self.show_answer(f"{stamp}  {label}: done. {reply.sentence}", good=True)
+            told = tr("{}: done. {}", label, retold(reply.sentence))
         else:
-            self.show_answer(f"{stamp}  {label} refused: {reply.sentence}", good=False)
+            told = tr("{} refused: {}", label, retold(reply.sentence))
+        self.show_answer(f"{stamp}  {told}", good=reply.ok)
 
     def _tip(self, command: ButtonSpec, applies: bool, status: Status | None) -> str:
+        tip = tr(command.tip)
         if applies:
-            return f"{command.tip} ({command.key})"
+            return f"{tip} ({command.key})"
         if status is not None and status.state in command.states:
-            return f"{command.tip}. Not now. {status.recovery.sentence}"
-        now = self._state.value if self._state is not None else "not known"
-        states = sorted(state.value for state in command.states)
-        return f"{command.tip}. Not now: the state is {now}; it must be {' or '.join(states)}"
+            return tr("{}. Not now. {}", tip, retold(status.recovery.sentence))
+        now = tr(self._state.value if self._state is not None else "not known")
+        states = tr(" or ").join(sorted(tr(state.value) for state in command.states))
+        return tr("{}. Not now: the state is {}; it must be {}", tip, now, states)
 
     def _button(self, spec: ButtonSpec) -> QPushButton:
         made = button(
             spec.verb,
-            f"{spec.text}  {spec.key}",
+            f"{tr(spec.text)}  {spec.key}",
             partial(self.act, spec.verb),
             spec.spoken,
-            tip=f"{spec.tip} ({spec.key})",
+            tip=f"{tr(spec.tip)} ({spec.key})",
             # Stopping is for everybody, whoever is in command.
             guarded=spec.verb != "stop",
             rank={"stop": "dangerous", "start": "primary", "resume": "primary"}.get(spec.verb, ""),
@@ -306,9 +311,10 @@ class ControlRow(QFrame):
 
     def _ask_why(self, what: str) -> None:
         self._asked_why = what
-        self.text.setPlaceholderText(f"Why was the test {what}? Enter adds it to the log")
+        asked = tr("Why was the test {}? Enter adds it to the log", tr(what))
+        self.text.setPlaceholderText(asked)
         self._to_text()
 
     def _ask_nothing(self) -> None:
         self._asked_why = ""
-        self.text.setPlaceholderText("Note or reason (F8)")
+        self.text.setPlaceholderText(tr("Note or reason (F8)"))

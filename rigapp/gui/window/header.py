@@ -14,6 +14,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QProgressBar, QWidget
 
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, LARGE_PT, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import column, named, row
@@ -40,7 +41,7 @@ class ShapeMark(QWidget):
         """Show a shape in a colour."""
         if shape is not self._shape or QColor(colour) != self._colour:
             self._shape, self._colour = shape, QColor(colour)
-            self.setAccessibleDescription(shape.value)
+            self.setAccessibleDescription(tr(shape.value))
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -95,17 +96,17 @@ def paint_shape(painter: QPainter, shape: StateShape) -> None:
 class Tile(QFrame):
     """Show a caption, a value, a bar where there is one, and one line below it."""
 
-    def __init__(self, name: str, caption: str, theme: Theme, points: float) -> None:
+    def __init__(self, name: str, caption: Text, theme: Theme, points: float) -> None:
         super().__init__()
         self._theme = theme
         self._level: Level | None = None
-        self._caption_text = caption
+        self._caption_text = caption = tr(caption)
         named(self, f"tile_{name}", caption)
         self.caption = ElidedLabel(f"{name}_caption", caption)
         self.value = FittedLabel(
             f"{name}_value", caption, sized(self.font(), points, QFont.Weight.DemiBold)
         )
-        self.detail = ElidedLabel(f"{name}_detail", f"{caption}, detail")
+        self.detail = ElidedLabel(f"{name}_detail", tr("{}, detail", caption))
         small = sized(self.font(), CAPTION_PT)
         for label in (self.caption, self.detail):
             label.setFont(small)
@@ -125,7 +126,8 @@ class Tile(QFrame):
         self._set_level(field.level)
         self.value.show_text(field.value)
         self.detail.show_text(field.detail)
-        self.setAccessibleDescription(f"{MARKS[field.level]}{field.value} {field.detail}".strip())
+        said = f"{MARKS[field.level]}{self.value.whole} {self.detail.whole}"
+        self.setAccessibleDescription(said.strip())
 
     def _set_level(self, level: Level) -> None:
         if level is self._level:
@@ -159,7 +161,7 @@ class TileSpec:
     """One tile of the strip: its name in the headline, caption, size of the value, share."""
 
     name: str
-    caption: str
+    caption: Text
     points: float
     share: int
 
@@ -214,7 +216,7 @@ class Header(QFrame):
         for bar, share in ((self.progress, shown.progress), (self.margin, shown.used)):
             bar.setValue(min(bar.maximum(), int(bar.maximum() * share)))
 
-    def _bar(self, tile: str, name: str, spoken: str) -> QProgressBar:
+    def _bar(self, tile: str, name: str, spoken: Text) -> QProgressBar:
         made = named(QProgressBar(), name, spoken)
         made.setTextVisible(False)
         made.setMaximum(1000)

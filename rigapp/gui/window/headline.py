@@ -14,6 +14,8 @@ from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.data.margins import overload_limit
 from rigapp.gui.data.news import News, is_stale
 from rigapp.gui.data.texts import duration, grouped
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.schema.messages import RunState, Severity, Status
 from rigapp.schema.states import ACTIVE
 
@@ -34,21 +36,21 @@ class Level(enum.IntEnum):
 class StateShape(enum.StrEnum):
     """Name the shape drawn beside the state word, so that it never rests on colour."""
 
-    CIRCLE = "circle"
-    TRIANGLE = "triangle"
-    BARS = "bars"
-    SQUARE = "square"
-    ARROWS = "arrows"
-    DIAMOND = "diamond"
-    BROKEN = "broken"
+    CIRCLE = marked("circle")
+    TRIANGLE = marked("triangle")
+    BARS = marked("bars")
+    SQUARE = marked("square")
+    ARROWS = marked("arrows")
+    DIAMOND = marked("diamond")
+    BROKEN = marked("broken")
 
 
 @dataclass(frozen=True, slots=True)
 class TileText:
     """One tile: a large value, one line below, how normal it is."""
 
-    value: str
-    detail: str = ""
+    value: Text
+    detail: Text = ""
     level: Level = Level.NORMAL
 
 
@@ -82,7 +84,7 @@ class NewestMeasured:
     wear_uncertainty_um: float = math.nan
 
 
-_STATES: dict[RunState, tuple[str, StateShape, Level]] = {
+_STATES: dict[RunState, tuple[Text, StateShape, Level]] = {
     RunState.IDLE: ("Idle", StateShape.CIRCLE, Level.NORMAL),
     RunState.CONNECTING: ("Connecting", StateShape.ARROWS, Level.NORMAL),
     RunState.READY: ("Ready", StateShape.CIRCLE, Level.NORMAL),
@@ -129,22 +131,22 @@ def _state(
 ) -> tuple[StateShape, TileText]:
     if connection is ConnectionState.LOST:
         return StateShape.BROKEN, TileText(
-            "No engine", f"{connection_reason}; trying again", Level.CRITICAL
+            "No engine", tr("{}; trying again", connection_reason), Level.CRITICAL
         )
     if connection is ConnectionState.SILENT:
-        word = _STATES[status.state][0]
+        word = tr(status.state.value)
         return StateShape.BROKEN, TileText(
-            "Silent", f"was {word.lower()}; {connection_reason}", Level.WARNING
+            "Silent", tr("was {}; {}", word, connection_reason), Level.WARNING
         )
     word, shape, level = _STATES[status.state]
-    return shape, TileText(word, status.reason, level)
+    return shape, TileText(word, retold(status.reason), level)
 
 
 def _cycle(status: Status, now: float) -> TileText:
     if status.planned <= 0:
         return TileText("–", "no test")
-    count = f"{grouped(status.revolution)} of {grouped(status.planned)}"
-    saved = f"{grouped(status.committed)} saved"
+    count = tr("{} of {}", grouped(status.revolution), grouped(status.planned))
+    saved = tr("{} saved", grouped(status.committed))
     end = _end(status, now)
     return TileText(count, f"{saved}, {end}" if end else saved)
 
@@ -152,14 +154,16 @@ def _cycle(status: Status, now: float) -> TileText:
 def _end(status: Status, now: float) -> str:
     """Return when the test ends; while it is paused, nobody knows."""
     if status.state in (RunState.PAUSED, RunState.PAUSING):
-        return "the end waits"
+        return tr("the end waits")
     if status.state not in ACTIVE or status.expected_end_at <= 0.0:
         return ""
     left = max(0.0, status.expected_end_at - now)
     moment = time.localtime(status.expected_end_at)
     today = time.localtime(now)
     days = (moment.tm_year, moment.tm_yday) != (today.tm_year, today.tm_yday)
-    return f"ends {time.strftime('%a %H:%M' if days else '%H:%M', moment)}, in {duration(left)}"
+    clock = time.strftime("%H:%M", moment)
+    when = f"{tr(time.strftime('%a', moment))} {clock}" if days else clock
+    return tr("ends {}, in {}", when, duration(left))
 
 
 def data_age(status: Status | None, data_age_s: float | None) -> TileText:
@@ -178,7 +182,7 @@ def _force(status: Status, measured: NewestMeasured) -> TileText:
     known = math.isfinite(measured.force_max_N)
     value = f"{measured.force_max_N:.1f} N" if known else "–"
     if known and math.isfinite(measured.overload_N):
-        value += f" of {measured.overload_N:.0f} N"
+        value = tr("{} of {}", value, f"{measured.overload_N:.0f} N")
     if not status.worst_margin or not math.isfinite(status.worst_margin_percent):
         running = status.state in ACTIVE
         return TileText(value, "nothing judged yet" if running else "no test running")
@@ -189,7 +193,9 @@ def _force(status: Status, measured: NewestMeasured) -> TileText:
     elif percent < LOW_MARGIN_PERCENT:
         level = Level.WARNING
     return TileText(
-        value, f"least margin {percent:.0f} %, {status.worst_margin.replace('_', ' ')}", level
+        value,
+        tr("least margin {:.0f} %, {}", percent, tr(status.worst_margin.replace("_", " "))),
+        level,
     )
 
 
@@ -214,10 +220,9 @@ def _agreement(status: Status) -> TileText:
     behind = status.revolution - status.twin_revolution
     value = f"±{status.residual_rms_N:.1f} N"
     if is_stale(status):
-        return TileText(value, f"stale for {duration(status.twin_age_s)}", Level.WARNING)
-    return TileText(
-        value, "RMS, this cycle" if behind <= 1 else f"RMS, {grouped(behind)} cycles ago"
-    )
+        return TileText(value, tr("stale for {}", duration(status.twin_age_s)), Level.WARNING)
+    late = tr("RMS, {} cycles ago", grouped(behind))
+    return TileText(value, "RMS, this cycle" if behind <= 1 else late)
 
 
 def _alarms(status: Status) -> TileText:
@@ -227,8 +232,8 @@ def _alarms(status: Status) -> TileText:
     new = sum(1 for alarm in shown if not alarm.acknowledged)
     critical = any(alarm.severity is Severity.CRITICAL for alarm in shown)
     first = next((alarm for alarm in shown if alarm.first_out), shown[0])
-    count = f"{len(shown)}" if not new else f"{len(shown)}, {new} new"
-    return TileText(count, first.title, Level.CRITICAL if critical else Level.WARNING)
+    count = f"{len(shown)}" if not new else tr("{}, {} new", len(shown), new)
+    return TileText(count, retold(first.title), Level.CRITICAL if critical else Level.WARNING)
 
 
 def measured(news: News) -> NewestMeasured:
@@ -246,8 +251,8 @@ def rig_words(news: News) -> tuple[str, str]:
     """Return the rig's name, and what it is where it is no real one."""
     if news.status is None:
         return "", ""
-    kind = "REPLAY" if news.is_replay else "SIMULATED" if news.status.simulated else ""
-    return news.status.rig, kind
+    kind: Text = "REPLAY" if news.is_replay else "SIMULATED" if news.status.simulated else ""
+    return news.status.rig, tr(kind)
 
 
 def identity(status: Status) -> tuple[str, str]:
@@ -256,11 +261,11 @@ def identity(status: Status) -> tuple[str, str]:
     if status.simulated:
         speed = status.simulated_speed
         known = math.isfinite(speed) and speed > 0
-        parts.append(f"simulated × {speed:.3g}" if known else "simulated")
+        parts.append(tr("simulated") + (f" × {speed:.3g}" if known else ""))
     if status.state in ACTIVE:
-        parts.append(f"{status.speed_rpm:.1f} of {status.target_rpm:.1f} rpm")
+        parts.append(tr("{:.1f} of {:.1f} rpm", status.speed_rpm, status.target_rpm))
     if status.operator:
         parts.append(status.operator)
     if status.file:
         parts.append(PurePath(status.file).name)
-    return status.test or "No test yet", ", ".join(parts)
+    return status.test or tr("No test yet"), ", ".join(parts)

@@ -8,10 +8,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QTextBrowser, QVBoxLayout, QWidget
 
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.widgets.build import named
 from rigapp.gui.window.controls import BUTTONS
 from rigapp.gui.window.recover import KEY as RECOVER_KEY
 
-KEYS = """
+KEYS: Text = """
 | Key | Does |
 | --- | --- |
 {commands}
@@ -34,10 +36,10 @@ replaces it. "Stop test" ends a test in order: the spindle runs down, the file i
 def manual() -> str:
     """Return the operator's manual as Markdown; only the keys where no manual is installed."""
     commands = "\n".join(
-        f"| {command.key} | {command.text.replace('&', '').rstrip('…')}: {command.tip} |"
+        f"| {command.key} | {command.spoken.rstrip('…')}: {tr(command.tip)} |"
         for command in BUTTONS
     )
-    keys = "# Keys\n" + KEYS.format(commands=commands, recover=RECOVER_KEY)
+    keys = f"# {tr('Keys')}\n{tr(KEYS, commands=commands, recover=RECOVER_KEY)}"
     path = Path(__file__).parents[3] / "docs" / "operator.md"
     try:
         return path.read_text(encoding="utf-8") + "\n\n" + keys
@@ -50,12 +52,8 @@ class HelpWindow(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent, Qt.WindowType.Window)
-        self.setObjectName("help")
-        self.setWindowTitle("Help")
-        self.setAccessibleName("Help")
-        self.browser = QTextBrowser()
-        self.browser.setObjectName("help_text")
-        self.browser.setAccessibleName("Manual")
+        named(self, "help", "Help").setWindowTitle(tr("Help"))
+        self.browser = named(QTextBrowser(), "help_text", "Manual")
         self.browser.setOpenExternalLinks(False)
         self.browser.setMarkdown(manual())
         column = QVBoxLayout(self)

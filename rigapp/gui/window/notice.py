@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
@@ -10,7 +12,7 @@ from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.schema.messages import RunState, Status
 from rigapp.schema.states import ACTIVE
 
-USUAL = {
+USUAL: dict[RunState, Text] = {
     RunState.RUNNING: "Running as planned.",
     RunState.READY: "Ready: the devices are connected. Start a test with F5.",
     RunState.CONNECTING: "Connecting: finding the devices of the rig.",
@@ -69,19 +71,26 @@ class NoticeBar(Bar):
 
 def sentence(status: Status) -> str:
     """Return what is, and what is next."""
-    word = status.state.value.capitalize()
+    word = tr(status.state.value).capitalize()
     step = status.recovery
     key = f" ({RECOVER_KEY})" if step.verb and step.left else ""
-    told = [f"{word}: {status.reason}" if status.reason else "", step.sentence + key]
-    return "  ".join(one for one in told if one) or USUAL.get(status.state, f"{word}.")
+    told = [
+        f"{word}: {retold(status.reason)}" if status.reason else "",
+        retold(step.sentence) + key,
+    ]
+    return "  ".join(one for one in told if one) or tr(USUAL.get(status.state, f"{word}."))
 
 
 def restart_sentence(last: Status) -> str:
     """Return what to say when another engine process answers than the one before."""
     if last.state not in ACTIVE:
         return ""
-    return (
-        f"The engine ended while {last.test or 'a test'} was {last.state.value}, and a new one was"
-        f" started. The drive's own watchdog stops the spindle. {grouped(last.committed)}"
-        f" revolutions are safe in {last.file}. To go on with it: Results (Ctrl+8), Go on with it."
+    return tr(
+        "The engine ended while {test} was {state}, and a new one was started. The drive's own"
+        " watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it:"
+        " Results (Ctrl+8), Go on with it.",
+        test=last.test or tr("a test"),
+        state=tr(last.state.value),
+        saved=grouped(last.committed),
+        file=last.file,
     )

@@ -11,6 +11,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QPushButton, QToolButton, QWidget
 
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, Theme
 from rigapp.gui.widgets.build import button, column, named, row
@@ -24,10 +25,10 @@ PAGE_BAR_HEIGHT = 6 * STEP
 class RailPlace(enum.StrEnum):
     """Name a place as the rail writes it."""
 
-    WATCH = "Watch"
-    PREPARE = "Prepare"
-    RIG = "Rig"
-    RESULTS = "Results"
+    WATCH = marked("Watch")
+    PREPARE = marked("Prepare")
+    RIG = marked("Rig")
+    RESULTS = marked("Results")
 
 
 ICONS = {
@@ -61,7 +62,7 @@ class Rail(QFrame):
         for one in self.buttons.values():
             group.addButton(one)
         self.theme_button = button(
-            "theme_button", "Theme F9", switch_theme, "Light or dark", rank="quiet"
+            "theme_button", "Dark F9", switch_theme, "Light or dark", rank="quiet"
         )
         self.help_button = button("help_button", "Help F1", help_, "Help", rank="quiet")
         places = [self.buttons[place] for place in RailPlace]
@@ -94,7 +95,7 @@ class Rail(QFrame):
             one.setIcon(icon(ICONS[place], chosen))
         dark = theme.name == "dark"
         self.theme_button.setIcon(icon(Icon.LIGHT if dark else Icon.DARK, theme.secondary))
-        self.theme_button.setText("Light F9" if dark else "Dark F9")
+        self.theme_button.setText(tr("Light F9") if dark else tr("Dark F9"))
         self.help_button.setIcon(icon(Icon.HELP, theme.secondary))
         self._theme = theme
 
@@ -115,13 +116,13 @@ class Rail(QFrame):
 
     def _item(self, place: RailPlace) -> QToolButton:
         made = named(QToolButton(), f"place_{place.name.lower()}", place.value)
-        made.setText(place.value)
+        made.setText(tr(place.value))
         made.setCheckable(True)
         made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         made.setIconSize(ICON)
         made.setFixedSize(RAIL_WIDTH - 2 * STEP, ITEM_HEIGHT)
         key = f"Alt+{list(RailPlace).index(place) + 1}"
-        made.setToolTip(f"{place.value} ({key})")
+        made.setToolTip(f"{tr(place.value)} ({key})")
         made.clicked.connect(partial(self.chosen.emit, place))
         QShortcut(QKeySequence(key), self).activated.connect(partial(self.chosen.emit, place))
         return made
@@ -132,7 +133,7 @@ class PageName:
     """A page as its button names it: where it stands among all, title and key."""
 
     number: int
-    title: str
+    title: Text
     key: str
 
 
@@ -173,7 +174,7 @@ class PageBar(QWidget):
 
     def _button(self, page: PageName) -> QPushButton:
         made = button(f"page_button_{page.number}", page.title, spoken=page.title, checkable=True)
-        made.setToolTip(f"{page.title} ({page.key})")
+        made.setToolTip(f"{tr(page.title)} ({page.key})")
         made.clicked.connect(partial(self._choose, page.number))
         return made
 

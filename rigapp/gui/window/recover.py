@@ -10,6 +10,8 @@ from typing import Final
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QLabel
 
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import CARD_RADIUS, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.build import button, column, named, prose
 from rigapp.schema.messages import Alarm, Remedy, RunState, Severity, Status
@@ -17,7 +19,7 @@ from rigapp.schema.states import ACTIVE
 
 KEY: Final = "F10"
 
-STEPS: Final = {
+STEPS: Final[dict[Remedy, Text]] = {
     Remedy.CAUSE: "Remove the cause",
     Remedy.CONNECT: "Connect",
     Remedy.ACKNOWLEDGE: "Acknowledge",
@@ -26,7 +28,7 @@ STEPS: Final = {
 }
 """The steps in their order, as the panel names them."""
 
-BUTTONS: Final = {
+BUTTONS: Final[dict[str, Text]] = {
     "connect": "Connect the devices",
     "acknowledge": "Acknowledge all",
     "reset": "Reset",
@@ -71,11 +73,11 @@ class RecoverPanel(QFrame):
         self._asked = False
         self._why = ""
         named(self, "recover_panel", "Recover")
-        self.title = named(QLabel("Recover"), "recover_title", "Recover")
+        self.title = named(QLabel(tr("Recover")), "recover_title", "Recover")
         self.cause = prose("recover_cause", "What happened")
         self.next = prose("recover_next", "Next step")
         self.steps = {
-            step: named(QLabel(), f"recover_step_{step.name.lower()}", f"Step: {text}")
+            step: named(QLabel(), f"recover_step_{step.name.lower()}", tr("Step: {}", tr(text)))
             for step, text in STEPS.items()
         }
         self.button = button(
@@ -142,20 +144,21 @@ class RecoverPanel(QFrame):
         if worst is not None:
             self._why = worst.cause
         self._frame(recovered=told.step is Remedy.GO_ON)
-        self.cause.setText(self._why or status.reason)
-        self.next.setText(told.sentence)
+        self.cause.setText(retold(self._why or status.reason))
+        self.next.setText(retold(told.sentence))
         for number, (step, label) in enumerate(self.steps.items(), 1):
             now = step is told.step
             mark = "▶" if now else "○" if step in told.left or not told.left else "✔"
-            label.setText(f"{mark} {number} {STEPS[step]}")
+            label.setText(f"{mark} {number} {tr(STEPS[step])}")
             label.setStyleSheet(self._step_style(now=now, left=mark == "○"))
-            label.setAccessibleDescription("next" if now else "to do" if mark == "○" else "done")
-        text = BUTTONS.get(told.verb, "Waiting for the cause to go")
+            place: Text = "next" if now else "to do" if mark == "○" else "done"
+            label.setAccessibleDescription(tr(place))
+        text: Text = BUTTONS.get(told.verb, "Waiting for the cause to go")
         if told.step is Remedy.NONE:
-            text = "Wait"
-        self.button.setText(f"{text}  {KEY}")
+            text = tr("Wait")
+        self.button.setText(f"{tr(text)}  {KEY}")
         self.button.setEnabled(bool(told.verb) and not self._asked)
-        self.button.setToolTip(told.sentence)
+        self.button.setToolTip(retold(told.sentence))
         self.other.setVisible(told.verb == "resume_file")
         self.away.setVisible(told.step is Remedy.GO_ON)
 

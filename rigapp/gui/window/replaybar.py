@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QSlider, QSpinBox
 
+from rigapp.gui.language.words import tr
 from rigapp.gui.widgets.build import button, choice, named, row, whole_number
 from rigapp.schema.messages import Status
 
@@ -32,7 +33,7 @@ class ReplayBar(QFrame):
         self.place.valueChanged.connect(self._moved)
         self.revolution = whole_number("replay_revolution", "Go to a revolution", 0, 1)
         self.revolution.valueChanged.connect(self._typed)
-        speeds = [(f"{speed:g} times", speed) for speed in SPEEDS]
+        speeds = [(tr("{:g} times", speed), speed) for speed in SPEEDS]
         self.speed = choice("replay_speed", "Speed of the replay", speeds)
         self.speed.setCurrentIndex(self.speed.findData(10.0))
         self.speed.currentIndexChanged.connect(self._changed)
@@ -42,8 +43,10 @@ class ReplayBar(QFrame):
             lambda: self.wanted.emit("rewind", {}),
             "Replay from the start",
         )
-        note = QLabel("Replay of a recorded test: no rig is moved.")
-        note.setToolTip("F6 pauses the replay, F7 goes on")
+        note = named(
+            QLabel(tr("Replay of a recorded test: no rig is moved.")), "replay_note", "Replay"
+        )
+        note.setToolTip(tr("F6 pauses the replay, F7 goes on"))
         row(
             note,
             "Pl&ace", (self.place, 1),

@@ -13,6 +13,7 @@ from rigapp.gui.data.channels import SIZE, FreeValue, free_values
 from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, wear_of
 from rigapp.gui.data.margins import Margin, margins
 from rigapp.gui.data.news import News, Takes
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import column, named
@@ -33,10 +34,19 @@ WIDE = dict.fromkeys((COEFFICIENT, REMAINING)).keys()
 """Values whose words need the whole width, in their order."""
 
 
+LIVE: tuple[tuple[str, Text], ...] = (
+    ("force", "|F| now"),
+    ("rms", "|F| RMS"),
+    ("speed", "Speed"),
+    ("age", "Data age"),
+)
+"""Values that every rig has, with their captions."""
+
+
 class Value(QWidget):
     """A caption and a value."""
 
-    def __init__(self, name: str, caption: str, theme: Theme) -> None:
+    def __init__(self, name: str, caption: Text, theme: Theme) -> None:
         super().__init__()
         named(self, f"live_{name}", caption)
         self.caption = ElidedLabel(f"live_{name}_caption", caption)
@@ -44,7 +54,7 @@ class Value(QWidget):
         bold = sized(self.font(), VALUE_PT, QFont.Weight.DemiBold)
         self.value = FittedLabel(f"live_{name}_value", caption, bold)
         column(self.caption, self.value, on=self).setSpacing(0)
-        self._name, self._level, self._theme = caption, Level.NORMAL, theme
+        self._name, self._level, self._theme = tr(caption), Level.NORMAL, theme
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -56,7 +66,8 @@ class Value(QWidget):
 
     def show_field(self, field: TileText) -> None:
         """Show a value; its line, where there is one, stands beside the caption."""
-        self.caption.show_text(f"{self._name}, {field.detail}" if field.detail else self._name)
+        detail = tr(field.detail)
+        self.caption.show_text(f"{self._name}, {detail}" if detail else self._name)
         self.value.show_text(field.value)
         if field.level is not self._level:
             self._level = field.level
@@ -70,15 +81,7 @@ class LiveCard(QFrame):
         super().__init__()
         self._theme = theme
         named(self, "live", "Newest values").setProperty("role", "card")
-        self.values = {
-            name: Value(name, caption, theme)
-            for name, caption in (
-                ("force", "|F| now"),
-                ("rms", "|F| RMS"),
-                ("speed", "Speed"),
-                ("age", "Data age"),
-            )
-        }
+        self.values = {name: Value(name, caption, theme) for name, caption in LIVE}
         self.free: dict[str, Value] = {}
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(MARGIN, GAP, MARGIN, GAP)

@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFileDialog, QFrame
 
 from rigapp.config.ranges import RANGES
+from rigapp.gui.language.words import tr
 from rigapp.gui.widgets.build import button, choice, edit, named, row, whole_number
 
 MOST_REVOLUTIONS = int(RANGES["run.revolutions"].high)
@@ -32,7 +33,7 @@ class StartBar(QFrame):
         self.revolutions = whole_number(
             "start_revolutions", "Revolutions, 0: as in the test", 0, MOST_REVOLUTIONS
         )
-        self.revolutions.setSpecialValueText("as in the test")
+        self.revolutions.setSpecialValueText(tr("as in the test"))
         browse = button("start_browse", "&Browse…", self._browse, "Choose another test file")
         self.go = button("start_now", "Start no&w", self._go, guarded=True, rank="primary")
         cancel = button("start_cancel", "Cancel", self.hide, "Do not start")
@@ -90,7 +91,7 @@ class StartBar(QFrame):
             self.out.setText(str(self._results / f"{Path(path).stem}-{stamp}.h5"))
 
     def _browse(self) -> None:
-        dialog = QFileDialog(self, "Choose a test", filter="Tests (*.toml)")
+        dialog = QFileDialog(self, tr("Choose a test"), filter=tr("Tests (*.toml)"))
         dialog.setObjectName("choose_test")
         dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
         dialog.setModal(False)

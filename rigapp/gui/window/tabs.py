@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Dressed, Host, Panel, StallCounter
 from rigapp.gui.panels.alarms import alarm_page
@@ -50,7 +51,7 @@ class Tab:
     """
 
     name: str
-    title: str
+    title: Text
     key: str
     place: RailPlace
     make: Callable[[Host], QWidget]
@@ -111,8 +112,8 @@ class Tabs(QTabWidget):
         for place, tab in enumerate(TABS):
             page = tab.make(host)
             page.setAutoFillBackground(True)
-            self.addTab(_scrolling(page, tab), f"{tab.key[-1]} {tab.title}")
-            self.setTabToolTip(place, f"{tab.title} ({tab.key})")
+            self.addTab(_scrolling(page, tab), f"{tab.key[-1]} {tr(tab.title)}")
+            self.setTabToolTip(place, f"{tr(tab.title)} ({tab.key})")
             shortcut = QShortcut(QKeySequence(tab.key), self)
             shortcut.activated.connect(partial(self._go_to, place))
         self._offer_tabs()

@@ -22,9 +22,10 @@ from rigapp.gui.data.connection import ConnectionState, EngineConnection
 from rigapp.gui.data.news import News
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import apply_theme, dress_window
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, Theme
-from rigapp.gui.widgets.build import button, column, row
+from rigapp.gui.widgets.build import button, column, named, row
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.closebar import CloseBar
 from rigapp.gui.window.command import KEY as COMMAND_KEY
@@ -56,6 +57,8 @@ TICK_MS = 25
 
 STATE_EVERY = 4
 """Ticks between two looks at the state bar when there are no news: its ages grow all the same."""
+
+PROGRAM = "rigapp"
 
 WINDOW = (1440, 900)
 """Of the window where the screen has the room."""
@@ -100,9 +103,7 @@ class MainWindow(QMainWindow):
         self._chooser: CalibrationChooser | None = None
         self.theme = theme
         self.watchdog = Watchdog(self)
-        self.setObjectName("main_window")
-        self.setWindowTitle("rigapp")
-        self.setAccessibleName("Rig control")
+        named(self, "main_window", "Rig control").setWindowTitle(PROGRAM)
         self.header = Header(theme)
         self.controls = ControlRow(connection.request, theme)
         self.start_bar = StartBar(tests, results_folder)
@@ -261,7 +262,7 @@ class MainWindow(QMainWindow):
     def _may_calibrate(self) -> Status | None:
         status = self._connection.status
         if self._connection.is_replay or status is None or status.state in ACTIVE:
-            why = "Calibrating needs a running engine and no test under way."
+            why: Text = "Calibrating needs a running engine and no test under way."
             self.controls.show_answer(why, good=False)
             return None
         return status
@@ -326,9 +327,9 @@ class MainWindow(QMainWindow):
             test, self._start_wanted = self._start_wanted, None
             self.controls.show_status(status, self._connection.state)
             self.start_bar.start(test)
-        title = f"{status.test or status.rig} – rigapp"
+        title = f"{status.test or status.rig} – {PROGRAM}"
         if self._forbidden:
-            title = f"Viewing only: {title}"
+            title = tr("Viewing only: {}", title)
         if self.windowTitle() != title:
             self.setWindowTitle(title)
 

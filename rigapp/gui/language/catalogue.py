@@ -1,0 +1,55 @@
+"""Choose the language of the window and load its catalogue, with that of Qt's own dialogs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+
+from rigapp.gui.language.words import speak
+
+CONTEXT: Final = "rigapp"
+"""Under which all texts stand in a catalogue."""
+
+ENGLISH: Final = "en"
+LANGUAGES: Final = {ENGLISH: "English", "de": "Deutsch"}
+"""What the window speaks, by the code of ISO 639; all but English has a catalogue beside this."""
+
+
+def chosen_language(wanted: str, system: Sequence[str] | None = None) -> str:
+    """Return the code of the language to speak.
+
+    wanted: as chosen by the user, empty: as the system. system: its languages, the best first
+    (``de-DE``), asked for unless given. English where none of them is spoken.
+    """
+    asked = [wanted] if wanted else system if system is not None else QLocale.system().uiLanguages()
+    codes = (one.replace("_", "-").partition("-")[0] for one in asked)
+    return next((code for code in codes if code in LANGUAGES), ENGLISH)
+
+
+def catalogue_file(language: str) -> Path:
+    """Return the file of a catalogue."""
+    return Path(__file__).with_name(f"{language}.qm")
+
+
+def speak_language(application: QCoreApplication, language: str) -> None:
+    """Let the window, and Qt's own dialogs, speak a language from the next widget on.
+
+    Raises FileNotFoundError when its catalogue cannot be read.
+    """
+    for old in application.findChildren(QTranslator):
+        application.removeTranslator(old)
+        old.deleteLater()
+    if language == ENGLISH:
+        speak(None)
+        return
+    qt, own = QTranslator(application), QTranslator(application)
+    folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
+    if qt.load(f"qtbase_{language}", folder):
+        application.installTranslator(qt)
+    path = catalogue_file(language)
+    if not own.load(str(path)):
+        raise FileNotFoundError(f"{path} is no catalogue of texts; make translations makes it.")
+    speak(lambda text: own.translate(CONTEXT, text) or "")

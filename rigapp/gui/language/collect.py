@@ -1,0 +1,292 @@
+"""Gather the texts of the window out of its source into the catalogues: ``make translations``.
+
+Where a signature, a field or a table says ``Text``, the literals that stand there are texts. What
+is said by the engine and only shown here (alarms, states) comes from its tables.
+"""
+
+from __future__ import annotations
+
+import ast
+import calendar
+import json
+import re
+import subprocess
+import tempfile
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Final
+
+import PySide6
+
+from rigapp.gui.language.catalogue import CONTEXT, ENGLISH, LANGUAGES, catalogue_file
+from rigapp.gui.language.told import templates
+from rigapp.gui.language.words import Text
+from rigapp.schema.messages import RunState
+from rigapp.schema.verbs import VERBS
+
+SOURCE: Final = Path(__file__).parents[1]
+MARK: Final = "Text"
+WORD: Final = re.compile(r"[^\W\d_]{2,}")
+NAMES: Final = {"rigapp", "rpm", "mm", "µm", "Hz", "kHz", "ms", "min", "px"}
+"""The program and units of measurement: the same in every language."""
+
+
+def has_words(text: str) -> bool:
+    """Tell whether a text says something; symbols, numbers, units and single letters do not."""
+    return any(word not in NAMES for word in WORD.findall(text))
+
+
+SHOWN_AS_IT_IS: Final = frozenset(
+    {
+        "QAction", "QCheckBox", "QGroupBox", "QLabel", "QPushButton", "QRadioButton",
+        "QToolButton", "TextItem", "addItem", "addTab", "setAccessibleDescription",
+        "setAccessibleName", "setLabel", "setPlaceholderText", "setSpecialValueText",
+        "setTabToolTip", "setText", "setTitle", "setToolTip", "setWindowTitle",
+    }
+)  # fmt: skip
+"""What Qt and the plots show without asking ``tr``: a literal given to them is never translated."""
+
+Place = tuple[str, int]
+"""Module and line."""
+
+
+@dataclass(slots=True)
+class Texts:
+    """What was found: texts with where they stand, and what no catalogue can know of.
+
+    loose: literals that are shown as they are, sentences put together without braces.
+    """
+
+    found: dict[str, Place] = field(default_factory=dict)
+    loose: list[Place] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """A parameter or field: its name and how it is annotated. rest: it takes all others, too."""
+
+    name: str
+    annotation: ast.expr | None
+    rest: bool = False
+
+
+class _Marks:
+    """Which parameters of which functions and classes are texts, by their names."""
+
+    def __init__(self, modules: dict[str, ast.Module]) -> None:
+        self.aliases: dict[str, ast.expr] = {MARK: ast.Name(MARK)}
+        self.parameters: dict[str, list[list[Taken]]] = defaultdict(list)
+        for tree in modules.values():
+            for node in tree.body:
+                match node:
+                    case ast.Assign(targets=[ast.Name(id=name)], value=value) if _names(
+                        value, MARK
+                    ):
+                        self.aliases[name] = value
+        for tree in modules.values():
+            for made in ast.walk(tree):
+                if isinstance(made, ast.FunctionDef):
+                    self._note(made.name, _parameters(made))
+                elif isinstance(made, ast.ClassDef):
+                    self._note(made.name, _made_with(made))
+
+    def _note(self, name: str, taken: list[Taken]) -> None:
+        if any(self.is_text(one.annotation) for one in taken):
+            self.parameters[name].append(taken)
+
+    def is_text(self, annotation: ast.expr | None) -> bool:
+        """Tell whether texts stand in what is annotated so."""
+        return annotation is not None and _names(annotation, *self.aliases)
+
+
+def _names(tree: ast.expr, *wanted: str) -> bool:
+    return any(isinstance(one, ast.Name) and one.id in wanted for one in ast.walk(tree))
+
+
+def _parameters(function: ast.FunctionDef) -> list[Taken]:
+    given = function.args
+    taken = [Taken(one.arg, one.annotation) for one in (*given.posonlyargs, *given.args)]
+    if taken and taken[0].name in ("self", "cls"):
+        taken = taken[1:]
+    if given.vararg is not None:
+        taken.append(Taken(given.vararg.arg, given.vararg.annotation, rest=True))
+    return [*taken, *(Taken(one.arg, one.annotation) for one in given.kwonlyargs)]
+
+
+def _made_with(made: ast.ClassDef) -> list[Taken]:
+    for node in made.body:
+        if isinstance(node, ast.FunctionDef) and node.name == "__init__":
+            return _parameters(node)
+    fields = [node for node in made.body if isinstance(node, ast.AnnAssign)]
+    return [
+        Taken(one.target.id, one.annotation) for one in fields if isinstance(one.target, ast.Name)
+    ]
+
+
+class _Reader(ast.NodeVisitor):
+    """Read one module."""
+
+    def __init__(self, name: str, marks: _Marks, texts: Texts) -> None:
+        self._name, self._marks, self._texts = name, marks, texts
+        self._bases: list[str] = []
+
+    def visit_ClassDef(self, node: ast.ClassDef) -> None:
+        self._bases.append(next((one.id for one in node.bases if isinstance(one, ast.Name)), ""))
+        self.generic_visit(node)
+        self._bases.pop()
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> None:
+        if node.value is not None:
+            self._take(node.annotation, node.value)
+        self.generic_visit(node)
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
+        given = node.args
+        last = given.args[len(given.args) - len(given.defaults) :]
+        defaults = zip(
+            (*last, *given.kwonlyargs), (*given.defaults, *given.kw_defaults), strict=True
+        )
+        for parameter, value in defaults:
+            if value is not None:
+                self._take(parameter.annotation, value)
+        for one in ast.walk(node):
+            if isinstance(one, ast.Return) and one.value is not None and node.returns is not None:
+                self._take(node.returns, one.value)
+        self.generic_visit(node)
+
+    def visit_Call(self, node: ast.Call) -> None:
+        if self._called(node.func) in SHOWN_AS_IT_IS:
+            for value in (*node.args, *(one.value for one in node.keywords)):
+                self._note_loose(value)
+        for taken in self._marks.parameters.get(self._called(node.func), ()):
+            rest = next((one for one in taken if one.rest), None)
+            for at, value in enumerate(node.args):
+                before = rest is None or at < taken.index(rest)
+                one = taken[at] if before and at < len(taken) else rest
+                if one is not None:
+                    self._take(one.annotation, value)
+            by_name = {one.name: one.annotation for one in taken}
+            for keyword in node.keywords:
+                self._take(by_name.get(keyword.arg or ""), keyword.value)
+        self.generic_visit(node)
+
+    def _note_loose(self, value: ast.expr) -> None:
+        match value:
+            case ast.IfExp(body=first, orelse=second) | ast.BinOp(left=first, right=second):
+                self._note_loose(first)
+                self._note_loose(second)
+            case ast.Constant(value=str(text)) if has_words(text):
+                self._texts.loose.append((self._name, value.lineno))
+            case ast.JoinedStr(values=parts):
+                for one in parts:
+                    self._note_loose(one)
+
+    def _called(self, function: ast.expr) -> str:
+        if isinstance(function, ast.Attribute):
+            made = function.attr == "__init__" and self._bases
+            return self._bases[-1] if made else function.attr
+        return function.id if isinstance(function, ast.Name) else ""
+
+    def _take(self, annotation: ast.expr | None, value: ast.expr) -> None:
+        """Take the texts of a value by its annotation; both are followed into their parts."""
+        if annotation is None or not self._marks.is_text(annotation):
+            return
+        match annotation, value:
+            case _, ast.IfExp(body=first, orelse=second):
+                self._take(annotation, first)
+                self._take(annotation, second)
+            case _, ast.BoolOp(values=values):
+                for one in values:
+                    self._take(annotation, one)
+            case ast.Name(id=alias), _ if alias != MARK:
+                self._take(self._marks.aliases[alias], value)
+            case ast.Name(), ast.Constant(value=str(text)):
+                if has_words(text):
+                    self._texts.found.setdefault(text, (self._name, value.lineno))
+            case ast.Name(), ast.JoinedStr():
+                self._note_loose(value)
+            case ast.BinOp(op=ast.BitOr(), left=left, right=right), _:
+                self._take(left, value)
+                self._take(right, value)
+            case ast.Subscript(slice=ast.Tuple(elts=[of, ast.Constant()])), _:  # tuple[Text, ...]
+                self._take_each(of, value)
+            case ast.Subscript(slice=ast.Tuple(elts=[key, of])), ast.Dict(keys=keys, values=values):
+                for name, one in zip(keys, values, strict=True):
+                    if name is not None:
+                        self._take(key, name)
+                    self._take(of, one)
+            case ast.Subscript(slice=ast.Tuple(elts=kinds)), ast.Tuple(elts=values):
+                for kind, one in zip(kinds, values, strict=False):
+                    self._take(kind, one)
+            case ast.Subscript(slice=of), ast.Dict():
+                self._take(of, value)
+            case ast.Subscript(value=ast.Name(id="Final"), slice=of), _:
+                self._take(of, value)
+            case ast.Subscript(slice=of), _:
+                self._take_each(of, value)
+
+    def _take_each(self, of: ast.expr, value: ast.expr) -> None:
+        match value:
+            case ast.Tuple(elts=values) | ast.List(elts=values) | ast.Set(elts=values):
+                for one in values:
+                    self._take(of, one)
+            case ast.GeneratorExp(elt=one) | ast.ListComp(elt=one) | ast.Starred(value=one):
+                self._take(of, one)
+
+
+def texts_of(source: Path = SOURCE) -> Texts:
+    """Return the texts in the modules below a folder."""
+    paths = sorted(source.rglob("*.py"))
+    modules = {
+        path.relative_to(source).as_posix(): ast.parse(path.read_text("utf-8")) for path in paths
+    }
+    marks, texts = _Marks(modules), Texts()
+    for name, tree in modules.items():
+        _Reader(name, marks, texts).visit(tree)
+    return texts
+
+
+def texts_of_tables() -> list[Text]:
+    """Return what the engine says and the window shows, days and months."""
+    words = [state.value for state in RunState] + [verb.replace("_", " ") for verb in VERBS]
+    return [*words, *templates(), *calendar.day_abbr, *calendar.month_abbr]
+
+
+def all_texts() -> list[Text]:
+    """Return every text that a catalogue must have, each once, in a fixed order."""
+    return sorted({*texts_of().found, *(one for one in texts_of_tables() if has_words(one))})
+
+
+def update(languages: Sequence[str] = tuple(LANGUAGES)) -> None:
+    """Bring every catalogue up to date with the source, and compile it.
+
+    Raises CalledProcessError when one of Qt's tools fails.
+    """
+    lines = (f"QT_TRANSLATE_NOOP({_quoted(CONTEXT)}, {_quoted(one)})\n" for one in all_texts())
+    with tempfile.TemporaryDirectory(prefix="rigapp-texts-") as folder:
+        listed = Path(folder) / "texts.py"
+        listed.write_text("".join(lines), "utf-8")
+        for language in languages:
+            if language != ENGLISH:
+                compiled = catalogue_file(language)
+                written = compiled.with_suffix(".ts")
+                _run("lupdate", "-silent", "-no-obsolete", "-locations", "none",
+                     "-source-language", ENGLISH, "-target-language", language,
+                     listed, "-ts", written)  # fmt: skip
+                _run("lrelease", "-silent", written, "-qm", compiled)
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _run(tool: str, *arguments: object) -> None:
+    """Run a tool of Qt that stands beside the library."""
+    program = Path(PySide6.__file__).with_name(tool)
+    subprocess.run([program, *map(str, arguments)], check=True)
+
+
+if __name__ == "__main__":
+    update()

@@ -1,0 +1,2281 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>rigapp</name>
+    <message>
+        <source>
+| Key | Does |
+| --- | --- |
+{commands}
+| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| {recover} | Do the next step of the *Recover* panel |
+| F1 | This help |
+| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
+| F9 | Light or dark |
+| Ctrl+1 … Ctrl+9, Ctrl+W | Go to a tab |
+| Alt + underlined letter | Press a button, go to a field |
+| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
+| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
+| Esc | Close the start bar or this window |
+
+The emergency stop is the red button on the rig. It works without this program, and no program
+replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
+</source>
+        <translation>
+| Taste | Wirkung |
+| --- | --- |
+{commands}
+| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
+| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
+| F1 | Diese Hilfe |
+| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
+| F9 | Hell oder dunkel |
+| Strg+1 … Strg+9, Strg+W | Zu einer Seite |
+| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
+| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
+| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
+| Esc | Die Startkarte oder dieses Fenster schließen |
+
+Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
+ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
+</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;End fault</source>
+        <translation>Fehler &amp;beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation>Fest&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Mistake</source>
+        <translation>&amp;Fehler</translation>
+    </message>
+    <message>
+        <source>&amp;Note</source>
+        <translation>&amp;Notiz</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Start…</source>
+        <translation>&amp;Start…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop the spindle</source>
+        <translation>Spindel &amp;stoppen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn the spindle</source>
+        <translation>Spindel &amp;drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Zero load cell</source>
+        <translation>Kraftsensor &amp;nullen</translation>
+    </message>
+    <message>
+        <source>A test is under way. It goes on without this window.</source>
+        <translation>Ein Versuch läuft. Er geht ohne dieses Fenster weiter.</translation>
+    </message>
+    <message>
+        <source>Ac&amp;knowledge</source>
+        <translation>&amp;Quittieren</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>Acknowledge &quot;{}&quot; and {} more: say that you have seen it.</source>
+        <translation>„{}“ und {} weitere quittieren: bestätigen, dass es gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Acknowledge &quot;{}&quot;: say that you have seen it.</source>
+        <translation>„{}“ quittieren: bestätigen, dass es gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Alle quittieren</translation>
+    </message>
+    <message>
+        <source>Acknowledge the chosen alarm</source>
+        <translation>Den gewählten Alarm quittieren</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Maßnahme</translation>
+    </message>
+    <message>
+        <source>Add a limit</source>
+        <translation>Grenze hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Notiz schreiben</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>Gegen</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Alarms and limits</source>
+        <translation>Alarme und Grenzen</translation>
+    </message>
+    <message>
+        <source>All revolutions are done.</source>
+        <translation>Alle Umdrehungen sind gefahren.</translation>
+    </message>
+    <message>
+        <source>An overload would be seen too late, so the drive was switched off.</source>
+        <translation>Eine Überlast würde zu spät bemerkt; der Antrieb wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Angles of that revolution are uncertain; its row is flagged.</source>
+        <translation>Die Winkel dieser Umdrehung sind unsicher; ihre Zeile ist gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>Answer to the last command</source>
+        <translation>Antwort auf den letzten Befehl</translation>
+    </message>
+    <message>
+        <source>Apr</source>
+        <translation>Apr</translation>
+    </message>
+    <message>
+        <source>Attaching</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>Aug</source>
+        <translation>Aug</translation>
+    </message>
+    <message>
+        <source>Axis to compare on</source>
+        <translation>Achse des Vergleichs</translation>
+    </message>
+    <message>
+        <source>Begin or take up</source>
+        <translation>Beginnen oder fortsetzen</translation>
+    </message>
+    <message>
+        <source>Bro&amp;wse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate…  F3</source>
+        <translation>Kalibrieren…  F3</translation>
+    </message>
+    <message>
+        <source>Calibrating needs a running engine and no test under way.</source>
+        <translation>Zum Kalibrieren muss die Steuerung laufen und kein Versuch im Gang sein.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cause fa&amp;ult</source>
+        <translation>Fehler &amp;auslösen</translation>
+    </message>
+    <message>
+        <source>Cause the fault</source>
+        <translation>Den Fehler auslösen</translation>
+    </message>
+    <message>
+        <source>Chan&amp;ge limit</source>
+        <translation>Grenze ä&amp;ndern</translation>
+    </message>
+    <message>
+        <source>Change the chosen limit</source>
+        <translation>Die gewählte Grenze ändern</translation>
+    </message>
+    <message>
+        <source>Changes that are not saved</source>
+        <translation>Änderungen, die nicht gespeichert sind</translation>
+    </message>
+    <message>
+        <source>Changes that would be lost</source>
+        <translation>Änderungen, die verloren gingen</translation>
+    </message>
+    <message>
+        <source>Channel against crank angle</source>
+        <translation>Kanal über dem Kurbelwinkel</translation>
+    </message>
+    <message>
+        <source>Channel of a signal fault</source>
+        <translation>Kanal eines Signalfehlers</translation>
+    </message>
+    <message>
+        <source>Channels, live</source>
+        <translation>Kanäle, laufend</translation>
+    </message>
+    <message>
+        <source>Check cable and power of the drive, then reconnect.</source>
+        <translation>Kabel und Versorgung des Antriebs prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Check cable and power, then reconnect.</source>
+        <translation>Kabel und Versorgung prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Check for suspend mode and load of this computer.</source>
+        <translation>Ruhezustand und Last dieses Rechners prüfen.</translation>
+    </message>
+    <message>
+        <source>Check its cable, its power and its port in the rig file.</source>
+        <translation>Kabel, Versorgung und Anschluss in der Prüfstandsdatei prüfen.</translation>
+    </message>
+    <message>
+        <source>Check plug, cable and bridge of this input, and its range in the rig file; then reset.</source>
+        <translation>Stecker, Kabel und Brücke dieses Eingangs und seinen Bereich in der Prüfstandsdatei prüfen; dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Check plug, cable and sensor of this input, and its range in the rig file.</source>
+        <translation>Stecker, Kabel und Sensor dieses Eingangs und seinen Bereich in der Prüfstandsdatei prüfen.</translation>
+    </message>
+    <message>
+        <source>Check that it is repaired, then reconnect.</source>
+        <translation>Prüfen, ob es repariert ist, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Check the bridge&apos;s wires, plug and cell; then reconnect and reset.</source>
+        <translation>Adern der Brücke, Stecker und Sensor prüfen; dann neu verbinden und zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Check the cable and the power of the device; then reconnect.</source>
+        <translation>Kabel und Versorgung des Geräts prüfen; dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Check the disk; start again with another file.</source>
+        <translation>Die Festplatte prüfen; mit einer anderen Datei neu starten.</translation>
+    </message>
+    <message>
+        <source>Check the drive&apos;s tuning and its encoder; then reset and start again.</source>
+        <translation>Einstellung und Drehgeber des Antriebs prüfen; dann zurücksetzen und neu starten.</translation>
+    </message>
+    <message>
+        <source>Check the drive&apos;s tuning at low speed.</source>
+        <translation>Die Einstellung des Antriebs bei kleiner Drehzahl prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the encoder&apos;s cable, its supply and its coupling; then reset.</source>
+        <translation>Kabel, Versorgung und Kupplung des Drehgebers prüfen; dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Check the index line of the encoder and restarts_at_index in the rig file.</source>
+        <translation>Die Indexleitung des Drehgebers und restarts_at_index in der Prüfstandsdatei prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the load cell&apos;s cable and the amplifier&apos;s input; then reset.</source>
+        <translation>Kabel des Kraftsensors und Eingang des Verstärkers prüfen; dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Check the mechanism for stiffness, the coupling, and whether the drive has switched off.</source>
+        <translation>Prüfen: Schwergängigkeit der Mechanik, Kupplung, und ob der Antrieb abgeschaltet hat.</translation>
+    </message>
+    <message>
+        <source>Check the mechanism for stiffness, the drive&apos;s current limit and its tuning.</source>
+        <translation>Schwergängigkeit der Mechanik, Stromgrenze und Einstellung des Antriebs prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the probes, or the prediction&apos;s process, or stop the test.</source>
+        <translation>Die Wegsensoren oder den Prozess der Vorhersage prüfen, oder den Versuch stoppen.</translation>
+    </message>
+    <message>
+        <source>Check the sensor&apos;s wires and plug, then reconnect.</source>
+        <translation>Adern und Stecker des Sensors prüfen, dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Checks and limits</source>
+        <translation>Prüfungen und Grenzen</translation>
+    </message>
+    <message>
+        <source>Checks before the start</source>
+        <translation>Prüfungen vor dem Start</translation>
+    </message>
+    <message>
+        <source>Choose a test</source>
+        <translation>Versuchsdatei wählen</translation>
+    </message>
+    <message>
+        <source>Choose another test file</source>
+        <translation>Andere Versuchsdatei wählen</translation>
+    </message>
+    <message>
+        <source>Choose test and file, then start</source>
+        <translation>Versuch und Datei wählen, dann starten</translation>
+    </message>
+    <message>
+        <source>Clocks parted</source>
+        <translation>Uhren laufen auseinander</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close other programs or lower the sample rate.</source>
+        <translation>Andere Programme schließen oder die Abtastrate senken.</translation>
+    </message>
+    <message>
+        <source>Close other programs, check the USB cable, or lower the sample rate.</source>
+        <translation>Andere Programme schließen, das USB-Kabel prüfen oder die Abtastrate senken.</translation>
+    </message>
+    <message>
+        <source>Close other programs, lower the sample rate, or take a faster computer; then reset.</source>
+        <translation>Andere Programme schließen, die Abtastrate senken oder einen schnelleren Rechner nehmen; dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Close the panel</source>
+        <translation>Die Karte schließen</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Close the window, the test goes on</source>
+        <translation>Fenster schließen, der Versuch geht weiter</translation>
+    </message>
+    <message>
+        <source>Close, the test goes on</source>
+        <translation>Schließen, Versuch geht weiter</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare with the stored revolution</source>
+        <translation>Mit der gespeicherten Umdrehung vergleichen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Connect the devices</source>
+        <translation>Geräte verbinden</translation>
+    </message>
+    <message>
+        <source>Connect the devices of the rig</source>
+        <translation>Die Geräte des Prüfstands verbinden</translation>
+    </message>
+    <message>
+        <source>Connect.</source>
+        <translation>Verbinden.</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Connecting: finding the devices of the rig.</source>
+        <translation>Verbinden: Die Geräte des Prüfstands werden gesucht.</translation>
+    </message>
+    <message>
+        <source>Control of the test</source>
+        <translation>Bedienung des Versuchs</translation>
+    </message>
+    <message>
+        <source>Crank moves in the pause</source>
+        <translation>Kurbel bewegt sich in der Pause</translation>
+    </message>
+    <message>
+        <source>Cycle</source>
+        <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>Dark F9</source>
+        <translation>Dunkel F9</translation>
+    </message>
+    <message>
+        <source>Data age</source>
+        <translation>Alter der Daten</translation>
+    </message>
+    <message>
+        <source>Dec</source>
+        <translation>Dez</translation>
+    </message>
+    <message>
+        <source>Device dropped data</source>
+        <translation>Gerät hat Daten verworfen</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Devices and channels</source>
+        <translation>Geräte und Kanäle</translation>
+    </message>
+    <message>
+        <source>Direction wrong</source>
+        <translation>Drehrichtung falsch</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Disk slow</source>
+        <translation>Festplatte langsam</translation>
+    </message>
+    <message>
+        <source>Divided panels</source>
+        <translation>Geteilte Felder</translation>
+    </message>
+    <message>
+        <source>Do not start</source>
+        <translation>Nicht starten</translation>
+    </message>
+    <message>
+        <source>Do the next step</source>
+        <translation>Den nächsten Schritt tun</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>Drive does not answer</source>
+        <translation>Antrieb antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Drive fault</source>
+        <translation>Störung des Antriebs</translation>
+    </message>
+    <message>
+        <source>Drive warning</source>
+        <translation>Warnung des Antriebs</translation>
+    </message>
+    <message>
+        <source>Duration in seconds, empty: until ended</source>
+        <translation>Dauer in Sekunden, leer: bis er beendet wird</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>Encoder counts lost</source>
+        <translation>Schritte des Drehgebers verloren</translation>
+    </message>
+    <message>
+        <source>Encoder index missing</source>
+        <translation>Index des Drehgebers fehlt</translation>
+    </message>
+    <message>
+        <source>Encoder lost</source>
+        <translation>Drehgeber ausgefallen</translation>
+    </message>
+    <message>
+        <source>End the fault</source>
+        <translation>Den Fehler beenden</translation>
+    </message>
+    <message>
+        <source>End the test: controlled stop of the spindle, file closed. This is not the emergency stop</source>
+        <translation>Den Versuch beenden: Die Spindel wird geführt angehalten, die Datei geschlossen. Dies ist nicht der Not-Halt</translation>
+    </message>
+    <message>
+        <source>Engine and window</source>
+        <translation>Steuerung und Fenster</translation>
+    </message>
+    <message>
+        <source>Engine lags behind</source>
+        <translation>Steuerung kommt nicht nach</translation>
+    </message>
+    <message>
+        <source>Engine too slow</source>
+        <translation>Steuerung zu langsam</translation>
+    </message>
+    <message>
+        <source>Every angle would be mirrored, or the motor run away, so the test was stopped.</source>
+        <translation>Jeder Winkel wäre gespiegelt, oder der Motor ginge durch; der Versuch wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Every sample is flagged until the devices are connected again.</source>
+        <translation>Jeder Messwert ist gekennzeichnet, bis die Geräte neu verbunden sind.</translation>
+    </message>
+    <message>
+        <source>Every window may operate the rig. In command, only this one does, apart from stopping and acknowledging</source>
+        <translation>Jedes Fenster darf den Prüfstand bedienen. Mit dem Kommando darf es nur dieses, außer stoppen und quittieren</translation>
+    </message>
+    <message>
+        <source>F&amp;ind</source>
+        <translation>&amp;Finden</translation>
+    </message>
+    <message>
+        <source>F6 pauses the replay, F7 goes on</source>
+        <translation>F6 hält die Wiedergabe an, F7 setzt sie fort</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Faults of the simulated rig</source>
+        <translation>Fehler des simulierten Prüfstands</translation>
+    </message>
+    <message>
+        <source>Feb</source>
+        <translation>Feb</translation>
+    </message>
+    <message>
+        <source>File cannot be written</source>
+        <translation>Datei kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>File deleted, moved or replaced</source>
+        <translation>Datei gelöscht, verschoben oder ersetzt</translation>
+    </message>
+    <message>
+        <source>File has no name any more</source>
+        <translation>Datei hat keinen Namen mehr</translation>
+    </message>
+    <message>
+        <source>File that the test is written to</source>
+        <translation>Datei, in die der Versuch geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Folder of the recorded tests</source>
+        <translation>Ordner der aufgezeichneten Versuche</translation>
+    </message>
+    <message>
+        <source>Force against its limit</source>
+        <translation>Kraft im Vergleich zu ihrer Grenze</translation>
+    </message>
+    <message>
+        <source>Force and angle are unknown, so the drive was switched off.</source>
+        <translation>Kraft und Winkel sind unbekannt; der Antrieb wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Fourier orders of the map</source>
+        <translation>Fourier-Ordnungen der Karte</translation>
+    </message>
+    <message>
+        <source>Fra&amp;me</source>
+        <translation>&amp;Bezugssystem</translation>
+    </message>
+    <message>
+        <source>Frame of the force components</source>
+        <translation>Bezugssystem der Kraftkomponenten</translation>
+    </message>
+    <message>
+        <source>Fri</source>
+        <translation>Fr</translation>
+    </message>
+    <message>
+        <source>From the start</source>
+        <translation>Von Anfang an</translation>
+    </message>
+    <message>
+        <source>Go a&amp;head</source>
+        <translation>Fort&amp;fahren</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Go on editing</source>
+        <translation>Weiter bearbeiten</translation>
+    </message>
+    <message>
+        <source>Go on viewing</source>
+        <translation>Weiter zusehen</translation>
+    </message>
+    <message>
+        <source>Go on with the paused test</source>
+        <translation>Den angehaltenen Versuch fortsetzen</translation>
+    </message>
+    <message>
+        <source>Go on with the test</source>
+        <translation>Versuch fortsetzen</translation>
+    </message>
+    <message>
+        <source>Go on with the test in {}, or start another one.</source>
+        <translation>Den Versuch in {} fortsetzen oder einen anderen starten.</translation>
+    </message>
+    <message>
+        <source>Go to a revolution</source>
+        <translation>Zu einer Umdrehung gehen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Help F1</source>
+        <translation>Hilfe F1</translation>
+    </message>
+    <message>
+        <source>Hold the picture</source>
+        <translation>Das Bild festhalten</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>If it comes again, check the encoder&apos;s cable, shield and supply.</source>
+        <translation>Kommt es wieder: Kabel, Schirm und Versorgung des Drehgebers prüfen.</translation>
+    </message>
+    <message>
+        <source>In revolution {revolution} the count at the index differs from a whole turn.</source>
+        <translation>In Umdrehung {revolution} weicht die Zählung am Index von einer ganzen Umdrehung ab.</translation>
+    </message>
+    <message>
+        <source>Input saturated</source>
+        <translation>Eingang übersteuert</translation>
+    </message>
+    <message>
+        <source>Input saturated: {}</source>
+        <translation>Eingang übersteuert: {}</translation>
+    </message>
+    <message>
+        <source>Input {kind}</source>
+        <translation>Eingang: {kind}</translation>
+    </message>
+    <message>
+        <source>Internal failure</source>
+        <translation>Interner Fehler</translation>
+    </message>
+    <message>
+        <source>Is the test usable?</source>
+        <translation>Ist der Versuch brauchbar?</translation>
+    </message>
+    <message>
+        <source>Its own watchdog stops the motor.</source>
+        <translation>Sein eigener Wächter hält den Motor an.</translation>
+    </message>
+    <message>
+        <source>Jan</source>
+        <translation>Jan</translation>
+    </message>
+    <message>
+        <source>Jul</source>
+        <translation>Jul</translation>
+    </message>
+    <message>
+        <source>Jun</source>
+        <translation>Jun</translation>
+    </message>
+    <message>
+        <source>Keep clear of the crank; check the drive&apos;s holding torque and the spring.</source>
+        <translation>Abstand zur Kurbel halten; Haltemoment des Antriebs und Feder prüfen.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Leave the file of a running test alone. Look where it is now before you copy it.</source>
+        <translation>Die Datei eines laufenden Versuchs in Ruhe lassen. Vor dem Kopieren nachsehen, wo sie jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Let every window operate the rig again</source>
+        <translation>Wieder jedes Fenster den Prüfstand bedienen lassen</translation>
+    </message>
+    <message>
+        <source>Light F9</source>
+        <translation>Hell F9</translation>
+    </message>
+    <message>
+        <source>Light or dark</source>
+        <translation>Hell oder dunkel</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Limit rules</source>
+        <translation>Grenzregeln</translation>
+    </message>
+    <message>
+        <source>Limited quantity</source>
+        <translation>Begrenzte Größe</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Limits of the running test</source>
+        <translation>Grenzen des laufenden Versuchs</translation>
+    </message>
+    <message>
+        <source>Limits of this test</source>
+        <translation>Grenzen dieses Versuchs</translation>
+    </message>
+    <message>
+        <source>Limits watched</source>
+        <translation>Überwachte Grenzen</translation>
+    </message>
+    <message>
+        <source>Lines of the log</source>
+        <translation>Zeilen des Protokolls</translation>
+    </message>
+    <message>
+        <source>List of alarms</source>
+        <translation>Liste der Alarme</translation>
+    </message>
+    <message>
+        <source>List of checks</source>
+        <translation>Liste der Prüfungen</translation>
+    </message>
+    <message>
+        <source>Load cell broken</source>
+        <translation>Kraftsensor defekt</translation>
+    </message>
+    <message>
+        <source>Load cell input saturated: {}</source>
+        <translation>Eingang des Kraftsensors übersteuert: {}</translation>
+    </message>
+    <message>
+        <source>Load cell signal invalid</source>
+        <translation>Signal des Kraftsensors ungültig</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Log of the test</source>
+        <translation>Protokoll des Versuchs</translation>
+    </message>
+    <message>
+        <source>Log of the test, newest first</source>
+        <translation>Protokoll des Versuchs, Neuestes zuerst</translation>
+    </message>
+    <message>
+        <source>Look at force, temperature and speed about that revolution, at lubrication and debris; note what was done.</source>
+        <translation>Kraft, Temperatur und Drehzahl um diese Umdrehung ansehen, dazu Schmierung und Abrieb; notieren, was getan wurde.</translation>
+    </message>
+    <message>
+        <source>Look at joint, spring and guide; check the zero; then reset and start again.</source>
+        <translation>Gelenk, Feder und Führung ansehen; den Nullpunkt prüfen; dann zurücksetzen und neu starten.</translation>
+    </message>
+    <message>
+        <source>Look at supply, temperature and load of the drive.</source>
+        <translation>Versorgung, Temperatur und Last des Antriebs ansehen.</translation>
+    </message>
+    <message>
+        <source>Look at the signal, its sensor, its range and its cable.</source>
+        <translation>Das Signal, seinen Sensor, Bereich und Kabel ansehen.</translation>
+    </message>
+    <message>
+        <source>Look at the trend and the joint; go on with the test in its file, or end it here.</source>
+        <translation>Verlauf und Gelenk ansehen; den Versuch in seiner Datei fortsetzen oder hier beenden.</translation>
+    </message>
+    <message>
+        <source>Look at the trend of this quantity; acknowledge, or change the limit with reason.</source>
+        <translation>Den Verlauf dieser Größe ansehen; quittieren oder die Grenze mit Begründung ändern.</translation>
+    </message>
+    <message>
+        <source>Lower speed or load, or note that this test ran beyond the range of its materials.</source>
+        <translation>Drehzahl oder Last senken, oder notieren, dass dieser Versuch außerhalb des Bereichs seiner Werkstoffe lief.</translation>
+    </message>
+    <message>
+        <source>Lower strip: measured − model, grey every sample.  Click a plot, or Tab to it and use ← →, to read values.</source>
+        <translation>Unterer Streifen: Messung − Modell, grau jeder Messwert.  Ein Klick ins Bild, oder Tab und ← →, liest Werte.</translation>
+    </message>
+    <message>
+        <source>Make room, or bring the folder back. Do not end the program before.</source>
+        <translation>Platz schaffen oder den Ordner zurückbringen. Das Programm vorher nicht beenden.</translation>
+    </message>
+    <message>
+        <source>Make the rig safe, release the button, then reset. Nothing restarts by itself.</source>
+        <translation>Den Prüfstand sichern, den Taster lösen, dann zurücksetzen. Nichts läuft von selbst wieder an.</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Mar</source>
+        <translation>Mär</translation>
+    </message>
+    <message>
+        <source>Matrix and zero</source>
+        <translation>Matrix und Nullpunkt</translation>
+    </message>
+    <message>
+        <source>May</source>
+        <translation>Mai</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Measured − model</source>
+        <translation>Messung − Modell</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Minutes of shelving</source>
+        <translation>Minuten des Zurückstellens</translation>
+    </message>
+    <message>
+        <source>Mistake to practise</source>
+        <translation>Fehler zum Üben</translation>
+    </message>
+    <message>
+        <source>Mon</source>
+        <translation>Mo</translation>
+    </message>
+    <message>
+        <source>N&amp;o, leave it</source>
+        <translation>Nei&amp;n, so lassen</translation>
+    </message>
+    <message>
+        <source>New value</source>
+        <translation>Neuer Wert</translation>
+    </message>
+    <message>
+        <source>New value of the chosen limit</source>
+        <translation>Neuer Wert der gewählten Grenze</translation>
+    </message>
+    <message>
+        <source>Newest values</source>
+        <translation>Neueste Werte</translation>
+    </message>
+    <message>
+        <source>Newest values and limits</source>
+        <translation>Neueste Werte und Grenzen</translation>
+    </message>
+    <message>
+        <source>Newest values of the trend</source>
+        <translation>Neueste Werte des Verlaufs</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>No alarms</source>
+        <translation>Keine Alarme</translation>
+    </message>
+    <message>
+        <source>No answer from {}</source>
+        <translation>Keine Antwort von {}</translation>
+    </message>
+    <message>
+        <source>No data</source>
+        <translation>Keine Daten</translation>
+    </message>
+    <message>
+        <source>No engine</source>
+        <translation>Getrennt</translation>
+    </message>
+    <message>
+        <source>No file opened yet</source>
+        <translation>Noch keine Datei geöffnet</translation>
+    </message>
+    <message>
+        <source>No limit is watched now</source>
+        <translation>Jetzt wird keine Grenze überwacht</translation>
+    </message>
+    <message>
+        <source>No test yet</source>
+        <translation>Noch kein Versuch</translation>
+    </message>
+    <message>
+        <source>Nobody is in command</source>
+        <translation>Niemand hat das Kommando</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Note or reason (F8)</source>
+        <translation>Notiz oder Grund (F8)</translation>
+    </message>
+    <message>
+        <source>Nothing has been measured or predicted for stop.{} in many revolutions.</source>
+        <translation>Für stop.{} wurde seit vielen Umdrehungen nichts gemessen oder vorhergesagt.</translation>
+    </message>
+    <message>
+        <source>Nothing is lost; the test goes on and is recorded.</source>
+        <translation>Nichts ist verloren; der Versuch geht weiter und wird aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Nothing was done.</source>
+        <translation>Es wurde nichts getan.</translation>
+    </message>
+    <message>
+        <source>Nov</source>
+        <translation>Nov</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Oct</source>
+        <translation>Okt</translation>
+    </message>
+    <message>
+        <source>One revolution</source>
+        <translation>Eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Overload</source>
+        <translation>Überlast</translation>
+    </message>
+    <message>
+        <source>Overspeed</source>
+        <translation>Überdrehzahl</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Überblick</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Pairing beyond its range</source>
+        <translation>Paarung außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Pause not reached</source>
+        <translation>Pause nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pausing</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Pl&amp;ace</source>
+        <translation>St&amp;elle</translation>
+    </message>
+    <message>
+        <source>Place in the recorded test</source>
+        <translation>Stelle im aufgezeichneten Versuch</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Plan fewer whole cycles, or a new test.</source>
+        <translation>Weniger ganze Zyklen oder einen neuen Versuch planen.</translation>
+    </message>
+    <message>
+        <source>Positions of a run</source>
+        <translation>Positionen eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
+    </message>
+    <message>
+        <source>Prepare a test</source>
+        <translation>Einen Versuch vorbereiten</translation>
+    </message>
+    <message>
+        <source>Press the emergency stop. Do not touch the rig before the crank stands.</source>
+        <translation>Not-Halt drücken. Den Prüfstand nicht berühren, bevor die Kurbel steht.</translation>
+    </message>
+    <message>
+        <source>Progress of the calibration</source>
+        <translation>Fortschritt der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Progress of the rolls</source>
+        <translation>Fortschritt der Umläufe</translation>
+    </message>
+    <message>
+        <source>Progress of the test</source>
+        <translation>Fortschritt des Versuchs</translation>
+    </message>
+    <message>
+        <source>Put the notice away</source>
+        <translation>Die Meldung wegräumen</translation>
+    </message>
+    <message>
+        <source>Quantity of the trend</source>
+        <translation>Größe des Verlaufs</translation>
+    </message>
+    <message>
+        <source>Quantity to compare</source>
+        <translation>Größe des Vergleichs</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>RMS, this cycle</source>
+        <translation>RMS, dieser Zyklus</translation>
+    </message>
+    <message>
+        <source>RMS, {} cycles ago</source>
+        <translation>RMS, vor {} Zyklen</translation>
+    </message>
+    <message>
+        <source>Re&amp;volution</source>
+        <translation>&amp;Umdrehung</translation>
+    </message>
+    <message>
+        <source>Re&amp;volutions</source>
+        <translation>&amp;Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Ready: the devices are connected. Start a test with F5.</source>
+        <translation>Bereit: Die Geräte sind verbunden. F5 startet einen Versuch.</translation>
+    </message>
+    <message>
+        <source>Reason for shelving</source>
+        <translation>Grund des Zurückstellens</translation>
+    </message>
+    <message>
+        <source>Reason for the new limit</source>
+        <translation>Grund der neuen Grenze</translation>
+    </message>
+    <message>
+        <source>Reason for zeroing</source>
+        <translation>Grund des Nullens</translation>
+    </message>
+    <message>
+        <source>Reason or note</source>
+        <translation>Grund oder Notiz</translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation>Neu verbinden</translation>
+    </message>
+    <message>
+        <source>Reconnect the devices</source>
+        <translation>Die Geräte neu verbinden</translation>
+    </message>
+    <message>
+        <source>Record to make</source>
+        <translation>Anzulegender Kalibrierdatensatz</translation>
+    </message>
+    <message>
+        <source>Recorded tests</source>
+        <translation>Aufgezeichnete Versuche</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Zurück zum Versuch</translation>
+    </message>
+    <message>
+        <source>Release command</source>
+        <translation>Kommando abgeben</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the cause</source>
+        <translation>Ursache beheben</translation>
+    </message>
+    <message>
+        <source>Remove the cause as the drive&apos;s manual says, then reset.</source>
+        <translation>Die Ursache nach dem Handbuch des Antriebs beheben, dann zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>Remove the cause, then connect the devices.</source>
+        <translation>Die Ursache beheben, dann die Geräte verbinden.</translation>
+    </message>
+    <message>
+        <source>Remove the chosen limit</source>
+        <translation>Die gewählte Grenze entfernen</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Replay from the start</source>
+        <translation>Wiedergabe von Anfang an</translation>
+    </message>
+    <message>
+        <source>Replay of a recorded test: no rig is moved.</source>
+        <translation>Wiedergabe eines aufgezeichneten Versuchs: Kein Prüfstand wird bewegt.</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset after a trip</source>
+        <translation>Zurücksetzen nach einer Abschaltung</translation>
+    </message>
+    <message>
+        <source>Reset after trip</source>
+        <translation>Zurücksetzen nach Abschaltung</translation>
+    </message>
+    <message>
+        <source>Reset: the deliberate step before another start. Nothing moves.</source>
+        <translation>Zurücksetzen: der bewusste Schritt vor einem neuen Start. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Resume the paused test.</source>
+        <translation>Den angehaltenen Versuch fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Resume the test</source>
+        <translation>Versuch fortsetzen</translation>
+    </message>
+    <message>
+        <source>Revolutions cannot be cut at the index, so the test was stopped.</source>
+        <translation>Umdrehungen können nicht am Index getrennt werden; der Versuch wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Revolutions shown</source>
+        <translation>Gezeigte Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Revolutions, 0: as in the test</source>
+        <translation>Umdrehungen, 0: wie im Versuch</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Prüfstand</translation>
+    </message>
+    <message>
+        <source>Rig control</source>
+        <translation>Bedienung des Prüfstands</translation>
+    </message>
+    <message>
+        <source>Rig, speed and file of the test</source>
+        <translation>Prüfstand, Drehzahl und Datei des Versuchs</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Running as planned.</source>
+        <translation>Läuft wie geplant.</translation>
+    </message>
+    <message>
+        <source>S&amp;helve</source>
+        <translation>&amp;Zurückstellen</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>Samples lost</source>
+        <translation>Messwerte verloren</translation>
+    </message>
+    <message>
+        <source>Samples may have been lost unseen; the revolution is flagged.</source>
+        <translation>Messwerte können unbemerkt verloren sein; die Umdrehung ist gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>Samples of {device} have waited {age_s:.1f} s to be looked at; the limit is {limit_s:g} s.</source>
+        <translation>Messwerte von {device} warteten {age_s:.1f} s auf ihre Prüfung; die Grenze ist {limit_s:g} s.</translation>
+    </message>
+    <message>
+        <source>Sat</source>
+        <translation>Sa</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the log and report it; reconnect before the next test.</source>
+        <translation>Das Protokoll sichern und melden; vor dem nächsten Versuch neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Sensor broken</source>
+        <translation>Sensor defekt</translation>
+    </message>
+    <message>
+        <source>Sensor broken before</source>
+        <translation>Sensor vorher defekt</translation>
+    </message>
+    <message>
+        <source>Sep</source>
+        <translation>Sep</translation>
+    </message>
+    <message>
+        <source>Set it right in the rig file, connect again, and compare both speeds on the Devices tab.</source>
+        <translation>In der Prüfstandsdatei berichtigen, neu verbinden und beide Drehzahlen auf der Seite Geräte vergleichen.</translation>
+    </message>
+    <message>
+        <source>Set it right, connect again, and watch the first turn.</source>
+        <translation>Berichtigen, neu verbinden und die erste Umdrehung beobachten.</translation>
+    </message>
+    <message>
+        <source>Set speed lost</source>
+        <translation>Solldrehzahl verloren</translation>
+    </message>
+    <message>
+        <source>Set speed not reached</source>
+        <translation>Solldrehzahl nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Settings of the test</source>
+        <translation>Einstellungen des Versuchs</translation>
+    </message>
+    <message>
+        <source>Shape of the state</source>
+        <translation>Form des Zustands</translation>
+    </message>
+    <message>
+        <source>Shelve the chosen alarm</source>
+        <translation>Den gewählten Alarm zurückstellen</translation>
+    </message>
+    <message>
+        <source>Show only lines with this text</source>
+        <translation>Nur Zeilen mit diesem Text zeigen</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>Simulated faults</source>
+        <translation>Simulierte Fehler</translation>
+    </message>
+    <message>
+        <source>Simulated hands</source>
+        <translation>Simulierte Hände</translation>
+    </message>
+    <message>
+        <source>Simulated or replayed</source>
+        <translation>Simuliert oder wiedergegeben</translation>
+    </message>
+    <message>
+        <source>Since about revolution {since:.0f} the joint wears {how} than the revolutions before let expect. Of 100 tests of 21,377 revolutions without a change fewer than 1 is told this.</source>
+        <translation>Etwa seit Umdrehung {since:.0f} verschleißt das Gelenk {how}, als die Umdrehungen davor erwarten lassen. Von 100 Versuchen mit 21 377 Umdrehungen ohne Änderung meldet dies weniger als einer.</translation>
+    </message>
+    <message>
+        <source>Spee&amp;d</source>
+        <translation>&amp;Tempo</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Tempo der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Speed, revolutions or every angle would be wrong by their ratio, so the test was stopped.</source>
+        <translation>Drehzahl, Umdrehungen oder jeder Winkel wären um ihr Verhältnis falsch; der Versuch wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Speeds differ</source>
+        <translation>Drehzahlen verschieden</translation>
+    </message>
+    <message>
+        <source>Speeds of the rolls, revolutions per minute</source>
+        <translation>Drehzahlen der Umläufe in Umdrehungen pro Minute</translation>
+    </message>
+    <message>
+        <source>Spindle not shown to stand</source>
+        <translation>Stillstand der Spindel nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Stability of the signal</source>
+        <translation>Ruhe des Signals</translation>
+    </message>
+    <message>
+        <source>Start a test</source>
+        <translation>Einen Versuch starten</translation>
+    </message>
+    <message>
+        <source>Start a test.</source>
+        <translation>Einen Versuch starten.</translation>
+    </message>
+    <message>
+        <source>Start a test…</source>
+        <translation>Versuch starten…</translation>
+    </message>
+    <message>
+        <source>Start another test…</source>
+        <translation>Anderen Versuch starten…</translation>
+    </message>
+    <message>
+        <source>Start no&amp;w</source>
+        <translation>&amp;Jetzt starten</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>Starting: the zeros are taken, then the spindle is brought to speed.</source>
+        <translation>Anlauf: Die Nullpunkte werden genommen, dann wird die Spindel auf Drehzahl gebracht.</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>State of the comparison</source>
+        <translation>Stand des Vergleichs</translation>
+    </message>
+    <message>
+        <source>State of the test</source>
+        <translation>Zustand des Versuchs</translation>
+    </message>
+    <message>
+        <source>Statistics of the revolution shown, in N</source>
+        <translation>Kennwerte der gezeigten Umdrehung in N</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Bleiben</translation>
+    </message>
+    <message>
+        <source>Stay in the window</source>
+        <translation>Im Fenster bleiben</translation>
+    </message>
+    <message>
+        <source>Step: {}</source>
+        <translation>Schritt: {}</translation>
+    </message>
+    <message>
+        <source>Stop at the safe angle; the test can be resumed</source>
+        <translation>Am sicheren Winkel anhalten; der Versuch kann fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>Stop criterion not judged: {name}</source>
+        <translation>Abbruchkriterium nicht beurteilt: {name}</translation>
+    </message>
+    <message>
+        <source>Stop criterion: {name}</source>
+        <translation>Abbruchkriterium: {name}</translation>
+    </message>
+    <message>
+        <source>Stop other programs that write to this disk; look at its health and its network.</source>
+        <translation>Andere Programme beenden, die auf diese Festplatte schreiben; ihren Zustand und ihr Netz ansehen.</translation>
+    </message>
+    <message>
+        <source>Stop test, then close</source>
+        <translation>Stoppen, dann schließen</translation>
+    </message>
+    <message>
+        <source>Stop the test where it was started (Ctrl-C), or by the emergency stop.</source>
+        <translation>Den Versuch dort stoppen, wo er gestartet wurde (Strg-C), oder mit dem Not-Halt.</translation>
+    </message>
+    <message>
+        <source>Stop the test, then close the window</source>
+        <translation>Den Versuch stoppen, dann das Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Auslauf</translation>
+    </message>
+    <message>
+        <source>Stopping the test; the window closes when the spindle stands.</source>
+        <translation>Der Versuch wird gestoppt; das Fenster schließt, wenn die Spindel steht.</translation>
+    </message>
+    <message>
+        <source>Stored revol&amp;ution</source>
+        <translation>Gespeicherte &amp;Umdrehung</translation>
+    </message>
+    <message>
+        <source>Stored revolution to compare with</source>
+        <translation>Gespeicherte Umdrehung zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>So</translation>
+    </message>
+    <message>
+        <source>THE SPINDLE MAY STILL TURN.</source>
+        <translation>DIE SPINDEL DREHT SICH VIELLEICHT NOCH.</translation>
+    </message>
+    <message>
+        <source>Take command</source>
+        <translation>Kommando nehmen</translation>
+    </message>
+    <message>
+        <source>Take command from {name}</source>
+        <translation>{name} das Kommando nehmen</translation>
+    </message>
+    <message>
+        <source>Take command from {name}? {name} can then only look; the log records it.</source>
+        <translation>{name} das Kommando nehmen? {name} kann dann nur noch zusehen; das Protokoll hält es fest.</translation>
+    </message>
+    <message>
+        <source>Take over command</source>
+        <translation>Das Kommando übernehmen</translation>
+    </message>
+    <message>
+        <source>Take over…</source>
+        <translation>Übernehmen…</translation>
+    </message>
+    <message>
+        <source>Take the present signals as zero force: the crank stands, the pin carries nothing. Old and new zero are logged; the calibration is not touched.</source>
+        <translation>Die jetzigen Signale als Kraft null nehmen: Die Kurbel steht, der Bolzen trägt nichts. Alter und neuer Nullpunkt kommen ins Protokoll; die Kalibrierung bleibt unberührt.</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Test &amp;file</source>
+        <translation>Versuchs&amp;datei</translation>
+    </message>
+    <message>
+        <source>Test file of this mechanism</source>
+        <translation>Versuchsdatei dieses Getriebes</translation>
+    </message>
+    <message>
+        <source>Test file that is edited</source>
+        <translation>Versuchsdatei, die bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Test to start</source>
+        <translation>Versuch, der gestartet wird</translation>
+    </message>
+    <message>
+        <source>Tests (*.toml)</source>
+        <translation>Versuche (*.toml)</translation>
+    </message>
+    <message>
+        <source>The crank angle is unknown, so the drive was switched off.</source>
+        <translation>Der Kurbelwinkel ist unbekannt; der Antrieb wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The crank encoder shows {encoder_rpm:.1f} rpm, the drive {drive_rpm:.1f} rpm: spindle.gear_ratio, the drive&apos;s counts per revolution or encoder.counts_per_revolution is not what the rig has, or a belt or coupling slips.</source>
+        <translation>Der Drehgeber der Kurbel zeigt {encoder_rpm:.1f} rpm, der Antrieb {drive_rpm:.1f} rpm: spindle.gear_ratio, die Schritte des Antriebs je Umdrehung oder encoder.counts_per_revolution stimmen nicht mit dem Prüfstand überein, oder ein Riemen oder eine Kupplung rutscht.</translation>
+    </message>
+    <message>
+        <source>The crank turns at {speed_rpm:.1f} rpm instead of {target_rpm:g} rpm after the time granted for the start.</source>
+        <translation>Die Kurbel dreht nach der Zeit für den Anlauf mit {speed_rpm:.1f} rpm statt {target_rpm:g} rpm.</translation>
+    </message>
+    <message>
+        <source>The crank turns at {speed_rpm:.1f} rpm while the test is paused.</source>
+        <translation>Die Kurbel dreht mit {speed_rpm:.1f} rpm, obwohl der Versuch in Pause ist.</translation>
+    </message>
+    <message>
+        <source>The crank turns at {speed_rpm:.1f} rpm; {target_rpm:g} rpm are set.</source>
+        <translation>Die Kurbel dreht mit {speed_rpm:.1f} rpm; eingestellt sind {target_rpm:g} rpm.</translation>
+    </message>
+    <message>
+        <source>The deliberate action before another start: every critical alarm must be acknowledged and its cause gone. Nothing moves.</source>
+        <translation>Der bewusste Schritt vor einem neuen Start: Jeder kritische Alarm muss quittiert und seine Ursache weg sein. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s samples lag {seconds:.2f} s more behind this computer&apos;s clock than before.</source>
+        <translation>Die Messwerte des Geräts hängen {seconds:.2f} s mehr hinter der Uhr dieses Rechners als zuvor.</translation>
+    </message>
+    <message>
+        <source>The disk takes {seconds:.1f} s or longer to make the data safe.</source>
+        <translation>Die Festplatte braucht {seconds:.1f} s oder länger, um die Daten zu sichern.</translation>
+    </message>
+    <message>
+        <source>The drive may switch off by itself soon.</source>
+        <translation>Der Antrieb könnte bald selbst abschalten.</translation>
+    </message>
+    <message>
+        <source>The drive reports {speed_rpm:.1f} rpm, but the crank encoder does not move.</source>
+        <translation>Der Antrieb meldet {speed_rpm:.1f} rpm, aber der Drehgeber der Kurbel bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>The drive was switched off and the test ended.</source>
+        <translation>Der Antrieb wurde abgeschaltet und der Versuch beendet.</translation>
+    </message>
+    <message>
+        <source>The drive was switched off to protect the load cell.</source>
+        <translation>Der Antrieb wurde abgeschaltet, um den Kraftsensor zu schützen.</translation>
+    </message>
+    <message>
+        <source>The drive was switched off.</source>
+        <translation>Der Antrieb wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The encoder counted {revolutions:.1f} revolutions without its index pulse.</source>
+        <translation>Der Drehgeber zählte {revolutions:.1f} Umdrehungen ohne Indexpuls.</translation>
+    </message>
+    <message>
+        <source>The engine ended while {test} was {state}, and a new one was started. The drive&apos;s own watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it: Results (Ctrl+8), Go on with it.</source>
+        <translation>Die Steuerung ging zu Ende, während {test} im Zustand „{state}“ war; eine neue wurde gestartet. Der Wächter des Antriebs hält die Spindel selbst an. {saved} Umdrehungen sind sicher in {file}. Zum Fortsetzen: Ergebnisse (Strg+8), „Fortsetzen“.</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s thread {} failed: {sentence}.</source>
+        <translation>Der Teil {} der Steuerung ist ausgefallen: {sentence}.</translation>
+    </message>
+    <message>
+        <source>The force is not known, an overload would not be seen: the test was ended and the spindle stopped. The samples since then are flagged.</source>
+        <translation>Die Kraft ist nicht bekannt, eine Überlast würde nicht bemerkt: Der Versuch wurde beendet und die Spindel angehalten. Die Messwerte seither sind gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>The force is not known, so the drive was switched off.</source>
+        <translation>Die Kraft ist nicht bekannt; der Antrieb wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The joint force reached {force_N:.1f} N; the limit is {limit_N:g} N.</source>
+        <translation>Die Gelenkkraft erreichte {force_N:.1f} N; die Grenze ist {limit_N:g} N.</translation>
+    </message>
+    <message>
+        <source>The joint wears otherwise than before</source>
+        <translation>Das Gelenk verschleißt anders als zuvor</translation>
+    </message>
+    <message>
+        <source>The load cell sent a value that is not a number.</source>
+        <translation>Der Kraftsensor sandte einen Wert, der keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>The motor has no power; the test was ended.</source>
+        <translation>Der Motor ist stromlos; der Versuch wurde beendet.</translation>
+    </message>
+    <message>
+        <source>The queue behind {device} was full; {blocks} blocks were dropped.</source>
+        <translation>Die Warteschlange hinter {device} war voll; {blocks} Blöcke wurden verworfen.</translation>
+    </message>
+    <message>
+        <source>The revolutions concerned are flagged as gaps.</source>
+        <translation>Die betroffenen Umdrehungen sind als Lücken gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>The revolutions concerned are flagged.</source>
+        <translation>Die betroffenen Umdrehungen sind gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>The revolutions concerned are flagged; nothing is interpolated.</source>
+        <translation>Die betroffenen Umdrehungen sind gekennzeichnet; nichts wird interpoliert.</translation>
+    </message>
+    <message>
+        <source>The spindle did not come to rest for the pause.</source>
+        <translation>Die Spindel kam für die Pause nicht zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>The test goes on and is recorded; windows may show nothing and cannot command it.</source>
+        <translation>Der Versuch geht weiter und wird aufgezeichnet; Fenster zeigen vielleicht nichts und können ihn nicht bedienen.</translation>
+    </message>
+    <message>
+        <source>The test goes on without this criterion.</source>
+        <translation>Der Versuch geht ohne dieses Kriterium weiter.</translation>
+    </message>
+    <message>
+        <source>The test goes on, its data wait in memory; after 20 s it would be stopped.</source>
+        <translation>Der Versuch geht weiter, seine Daten warten im Speicher; nach 20 s würde er gestoppt.</translation>
+    </message>
+    <message>
+        <source>The test goes on.</source>
+        <translation>Der Versuch geht weiter.</translation>
+    </message>
+    <message>
+        <source>The test goes on. Its data are kept only as long as this program runs; saving them is tried again every few seconds.</source>
+        <translation>Der Versuch geht weiter. Seine Daten bleiben nur, solange dieses Programm läuft; alle paar Sekunden wird neu versucht, sie zu sichern.</translation>
+    </message>
+    <message>
+        <source>The test goes on; remaining life and wear coefficient follow what is new slowly.</source>
+        <translation>Der Versuch geht weiter; Restlebensdauer und Verschleißkoeffizient folgen dem Neuen langsam.</translation>
+    </message>
+    <message>
+        <source>The test goes on; wear and friction may be of another kind than in the range.</source>
+        <translation>Der Versuch geht weiter; Verschleiß und Reibung können anderer Art sein als im Bereich.</translation>
+    </message>
+    <message>
+        <source>The test pauses at the safe angle.</source>
+        <translation>Der Versuch hält am sicheren Winkel an.</translation>
+    </message>
+    <message>
+        <source>The test was ended and the spindle stopped.</source>
+        <translation>Der Versuch wurde beendet und die Spindel angehalten.</translation>
+    </message>
+    <message>
+        <source>The test was ended and the spindle stopped; the data so far are safe.</source>
+        <translation>Der Versuch wurde beendet und die Spindel angehalten; die Daten bis hier sind sicher.</translation>
+    </message>
+    <message>
+        <source>The test was ended; the committed revolutions are safe.</source>
+        <translation>Der Versuch wurde beendet; die gesicherten Umdrehungen sind sicher.</translation>
+    </message>
+    <message>
+        <source>The test was ended; the drive has taken or lost its power.</source>
+        <translation>Der Versuch wurde beendet; der Antrieb hat sich stromlos geschaltet oder die Versorgung verloren.</translation>
+    </message>
+    <message>
+        <source>The test was not started: the devices are not ready.</source>
+        <translation>Der Versuch wurde nicht gestartet: Die Geräte sind nicht bereit.</translation>
+    </message>
+    <message>
+        <source>The test was stopped, as its test file says.</source>
+        <translation>Der Versuch wurde gestoppt, wie seine Versuchsdatei es verlangt.</translation>
+    </message>
+    <message>
+        <source>The test was stopped.</source>
+        <translation>Der Versuch wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>The {by} shows {speed_rpm:.1f} rpm; the limit is {limit_rpm:g} rpm.</source>
+        <translation>{by} zeigt {speed_rpm:.1f} rpm; die Grenze ist {limit_rpm:g} rpm.</translation>
+    </message>
+    <message>
+        <source>Their statistics are kept, their samples are not.</source>
+        <translation>Ihre Kennwerte bleiben, ihre Messwerte nicht.</translation>
+    </message>
+    <message>
+        <source>These faults happen in the simulated devices, on the wire or on the signals, not in the program: what you see is what a real fault would show.</source>
+        <translation>Diese Fehler geschehen in den simulierten Geräten, auf der Leitung oder in den Signalen, nicht im Programm: Zu sehen ist, was ein wirklicher Fehler zeigen würde.</translation>
+    </message>
+    <message>
+        <source>Thu</source>
+        <translation>Do</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>Tue</source>
+        <translation>Di</translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation>Verstanden</translation>
+    </message>
+    <message>
+        <source>VIEWING ONLY: {name} is in command of this rig. Stopping a test and acknowledging alarms are possible all the same.</source>
+        <translation>NUR ZUSEHEN: {name} hat das Kommando über diesen Prüfstand. Stoppen und Alarme quittieren geht trotzdem.</translation>
+    </message>
+    <message>
+        <source>Value and limit</source>
+        <translation>Wert und Grenze</translation>
+    </message>
+    <message>
+        <source>Value of the fault, empty: its default</source>
+        <translation>Wert des Fehlers, leer: der übliche</translation>
+    </message>
+    <message>
+        <source>Values at the cursor</source>
+        <translation>Werte am Cursor</translation>
+    </message>
+    <message>
+        <source>Vector and other channels</source>
+        <translation>Vektor und andere Kanäle</translation>
+    </message>
+    <message>
+        <source>Viewing only</source>
+        <translation>Nur zusehen</translation>
+    </message>
+    <message>
+        <source>Viewing only: {}</source>
+        <translation>Nur zusehen: {}</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Wait: the crank comes to rest at the pause angle.</source>
+        <translation>Warten: Die Kurbel kommt am Pausenwinkel zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>Wait: the devices are being connected.</source>
+        <translation>Warten: Die Geräte werden verbunden.</translation>
+    </message>
+    <message>
+        <source>Wait: the spindle is brought to a stand and the file is finished.</source>
+        <translation>Warten: Die Spindel wird angehalten und die Datei abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Beobachten</translation>
+    </message>
+    <message>
+        <source>Way to the limit</source>
+        <translation>Weg zur Grenze</translation>
+    </message>
+    <message>
+        <source>Wear</source>
+        <translation>Verschleiß</translation>
+    </message>
+    <message>
+        <source>Wear depth</source>
+        <translation>Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>Wed</source>
+        <translation>Mi</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschehen ist</translation>
+    </message>
+    <message>
+        <source>What is known of the wear</source>
+        <translation>Was vom Verschleiß bekannt ist</translation>
+    </message>
+    <message>
+        <source>What it tells is not recorded until it answers; the test goes on.</source>
+        <translation>Was es meldet, wird erst aufgezeichnet, wenn es antwortet; der Versuch geht weiter.</translation>
+    </message>
+    <message>
+        <source>What these faults are</source>
+        <translation>Was diese Fehler sind</translation>
+    </message>
+    <message>
+        <source>What this input shows is cut off at the end of its range; its samples are flagged.</source>
+        <translation>Was dieser Eingang zeigt, ist am Ende seines Bereichs abgeschnitten; seine Messwerte sind gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>What this input shows is wrong as long as it is; the samples are flagged.</source>
+        <translation>Was dieser Eingang zeigt, ist so lange falsch; die Messwerte sind gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>What this input shows may be wrong.</source>
+        <translation>Was dieser Eingang zeigt, kann falsch sein.</translation>
+    </message>
+    <message>
+        <source>Which probe</source>
+        <translation>Welcher Wegsensor</translation>
+    </message>
+    <message>
+        <source>Who is in command</source>
+        <translation>Wer das Kommando hat</translation>
+    </message>
+    <message>
+        <source>Whole cycles not kept</source>
+        <translation>Ganze Zyklen nicht aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Why the fault cannot be caused</source>
+        <translation>Warum der Fehler nicht ausgelöst werden kann</translation>
+    </message>
+    <message>
+        <source>Why the limit cannot be changed</source>
+        <translation>Warum die Grenze nicht geändert werden kann</translation>
+    </message>
+    <message>
+        <source>Why this window only looks</source>
+        <translation>Warum dieses Fenster nur zusieht</translation>
+    </message>
+    <message>
+        <source>Why was the test {}? Enter adds it to the log</source>
+        <translation>Warum ist der Versuch im Zustand „{}“? Enter schreibt es ins Protokoll</translation>
+    </message>
+    <message>
+        <source>Windows cannot be served</source>
+        <translation>Fenster können nicht bedient werden</translation>
+    </message>
+    <message>
+        <source>Write t&amp;o</source>
+        <translation>&amp;Schreiben in</translation>
+    </message>
+    <message>
+        <source>Write the text into the log of the test (Enter)</source>
+        <translation>Den Text ins Protokoll des Versuchs schreiben (Enter)</translation>
+    </message>
+    <message>
+        <source>You are in command</source>
+        <translation>Sie haben das Kommando</translation>
+    </message>
+    <message>
+        <source>Zero the load cell</source>
+        <translation>Den Kraftsensor nullen</translation>
+    </message>
+    <message>
+        <source>Zero, with its reason</source>
+        <translation>Nullpunkt, mit Grund</translation>
+    </message>
+    <message>
+        <source>a test</source>
+        <translation>ein Versuch</translation>
+    </message>
+    <message>
+        <source>acknowledge</source>
+        <translation>quittieren</translation>
+    </message>
+    <message>
+        <source>arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>as asked</source>
+        <translation>wie verlangt</translation>
+    </message>
+    <message>
+        <source>as in the test</source>
+        <translation>wie im Versuch</translation>
+    </message>
+    <message>
+        <source>asked by the operator</source>
+        <translation>vom Bediener verlangt</translation>
+    </message>
+    <message>
+        <source>bars</source>
+        <translation>Balken</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>gebrochen</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>clear fault</source>
+        <translation>Fehler beenden</translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation>verbinden</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>diamond</source>
+        <translation>Raute</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>getan</translation>
+    </message>
+    <message>
+        <source>drive off</source>
+        <translation>Antrieb aus</translation>
+    </message>
+    <message>
+        <source>ends {}, in {}</source>
+        <translation>Ende {}, in {}</translation>
+    </message>
+    <message>
+        <source>examine file</source>
+        <translation>Datei prüfen</translation>
+    </message>
+    <message>
+        <source>extend</source>
+        <translation>verlängern</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>hello</source>
+        <translation>Anmeldung</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>inject fault</source>
+        <translation>Fehler auslösen</translation>
+    </message>
+    <message>
+        <source>least margin {:.0f} %, {}</source>
+        <translation>kleinster Abstand {:.0f} %, {}</translation>
+    </message>
+    <message>
+        <source>measured by the probes, k = 2</source>
+        <translation>von den Wegsensoren, k = 2</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>als Nächstes</translation>
+    </message>
+    <message>
+        <source>no data yet</source>
+        <translation>noch keine Daten</translation>
+    </message>
+    <message>
+        <source>no prediction</source>
+        <translation>keine Vorhersage</translation>
+    </message>
+    <message>
+        <source>no test</source>
+        <translation>kein Versuch</translation>
+    </message>
+    <message>
+        <source>no test running</source>
+        <translation>kein Versuch läuft</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not measured yet</source>
+        <translation>noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>nothing judged yet</source>
+        <translation>noch nichts beurteilt</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>pausing</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>present</source>
+        <translation>vorhanden</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>reason for shelving</source>
+        <translation>Grund des Zurückstellens</translation>
+    </message>
+    <message>
+        <source>reason, e.g. pin unloaded, new specimen</source>
+        <translation>Grund, z. B. Bolzen entlastet, neue Probe</translation>
+    </message>
+    <message>
+        <source>reason, goes into the log</source>
+        <translation>Grund, kommt ins Protokoll</translation>
+    </message>
+    <message>
+        <source>reconnect</source>
+        <translation>neu verbinden</translation>
+    </message>
+    <message>
+        <source>release command</source>
+        <translation>Kommando abgeben</translation>
+    </message>
+    <message>
+        <source>reset</source>
+        <translation>zurücksetzen</translation>
+    </message>
+    <message>
+        <source>resume</source>
+        <translation>fortsetzen</translation>
+    </message>
+    <message>
+        <source>resume file</source>
+        <translation>Versuch fortsetzen</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>set limit</source>
+        <translation>Grenze setzen</translation>
+    </message>
+    <message>
+        <source>shelve</source>
+        <translation>zurückstellen</translation>
+    </message>
+    <message>
+        <source>shutdown</source>
+        <translation>beenden</translation>
+    </message>
+    <message>
+        <source>signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>simulation state</source>
+        <translation>Stand der Simulation</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>stale for {}</source>
+        <translation>veraltet seit {}</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>starten</translation>
+    </message>
+    <message>
+        <source>start: waiting for the devices …</source>
+        <translation>Start: warte auf die Geräte …</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>stoppen</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>stopping</source>
+        <translation>Auslauf</translation>
+    </message>
+    <message>
+        <source>take command</source>
+        <translation>Kommando nehmen</translation>
+    </message>
+    <message>
+        <source>the end waits</source>
+        <translation>das Ende wartet</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>zu tun</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>use records</source>
+        <translation>Kalibrierung verwenden</translation>
+    </message>
+    <message>
+        <source>was {}; {}</source>
+        <translation>war: {}; {}</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>nullen</translation>
+    </message>
+    <message>
+        <source>{:.1f} of {:.1f} rpm</source>
+        <translation>{:.1f} von {:.1f} rpm</translation>
+    </message>
+    <message>
+        <source>{:g} times</source>
+        <translation>{:g}-fach</translation>
+    </message>
+    <message>
+        <source>{device} on {port} has sent no samples for {age_s:.1f} s.</source>
+        <translation>{device} an {port} hat seit {age_s:.1f} s keine Messwerte gesandt.</translation>
+    </message>
+    <message>
+        <source>{device} on {port}: {words}.</source>
+        <translation>{device} an {port}: {words}.</translation>
+    </message>
+    <message>
+        <source>{device}: {sentence}</source>
+        <translation>{device}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{drive} on {port}: {sentence}</source>
+        <translation>{drive} an {port}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{drive} reports that the emergency stop is pressed.</source>
+        <translation>{drive} meldet, dass der Not-Halt gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>{drive} reports: {faults}.</source>
+        <translation>{drive} meldet: {faults}.</translation>
+    </message>
+    <message>
+        <source>{drive} warns: {warnings}.</source>
+        <translation>{drive} warnt: {warnings}.</translation>
+    </message>
+    <message>
+        <source>{name} is in command</source>
+        <translation>{name} hat das Kommando</translation>
+    </message>
+    <message>
+        <source>{name} is in command of this rig; take command over first</source>
+        <translation>{name} hat das Kommando über diesen Prüfstand; zuerst das Kommando übernehmen</translation>
+    </message>
+    <message>
+        <source>{name} loses command; it is recorded in the log</source>
+        <translation>{name} verliert das Kommando; das Protokoll hält es fest</translation>
+    </message>
+    <message>
+        <source>{number} whole cycles had no reserved room in the file.</source>
+        <translation>{number} ganze Zyklen hatten keinen reservierten Platz in der Datei.</translation>
+    </message>
+    <message>
+        <source>{sentence}</source>
+        <translation>{sentence}</translation>
+    </message>
+    <message>
+        <source>{} ({wired} of {device}) is at the end of its range, {span}: its cable or plug, its range, or a signal beyond it.</source>
+        <translation>{} ({wired} von {device}) ist am Ende seines Bereichs, {span}: Kabel oder Stecker, der Bereich, oder ein Signal darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>{} above limit</source>
+        <translation>{} über der Grenze</translation>
+    </message>
+    <message>
+        <source>{} below limit</source>
+        <translation>{} unter der Grenze</translation>
+    </message>
+    <message>
+        <source>{} is {}, above the {} limit {}.</source>
+        <translation>{} ist {}, über der Grenze ({}) von {}.</translation>
+    </message>
+    <message>
+        <source>{} is {}, below the {} limit {}.</source>
+        <translation>{} ist {}, unter der Grenze ({}) von {}.</translation>
+    </message>
+    <message>
+        <source>{} lost</source>
+        <translation>{} ausgefallen</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
+    </message>
+    <message>
+        <source>{} on {port} has told nothing for {age_s:.0f} s{why}.</source>
+        <translation>{} an {port} hat seit {age_s:.0f} s nichts gemeldet{why}.</translation>
+    </message>
+    <message>
+        <source>{} on {port}: {sentence}</source>
+        <translation>{} an {port}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{} refused: {}</source>
+        <translation>{} abgelehnt: {}</translation>
+    </message>
+    <message>
+        <source>{} saved</source>
+        <translation>{} sicher</translation>
+    </message>
+    <message>
+        <source>{}, detail</source>
+        <translation>{}, Einzelheit</translation>
+    </message>
+    <message>
+        <source>{}, {} new</source>
+        <translation>{}, {} neu</translation>
+    </message>
+    <message>
+        <source>{}. Not now. {}</source>
+        <translation>{}. Nicht jetzt. {}</translation>
+    </message>
+    <message>
+        <source>{}. Not now: the state is {}; it must be {}</source>
+        <translation>{}. Nicht jetzt: Der Zustand ist „{}“; er muss „{}“ sein</translation>
+    </message>
+    <message>
+        <source>{}: done. {}</source>
+        <translation>{}: getan. {}</translation>
+    </message>
+    <message>
+        <source>{}; trying again</source>
+        <translation>{}; neuer Versuch läuft</translation>
+    </message>
+    <message>
+        <source>|F| RMS</source>
+        <translation>|F| RMS</translation>
+    </message>
+    <message>
+        <source>|F| maximum</source>
+        <translation>|F| Maximum</translation>
+    </message>
+    <message>
+        <source>|F| now</source>
+        <translation>|F| jetzt</translation>
+    </message>
+</context>
+</TS>
