@@ -20,7 +20,7 @@ DEPENDENT = 1e-14
 """Part of a column that must be left after the others, or it is taken as dependent on them."""
 
 
-@njit(types.Tuple((MATRIX, ROW))(MATRIX, ROW), cache=True)
+@njit(types.Tuple((MATRIX, ROW))(MATRIX, ROW), cache=True, fastmath={"reassoc"})
 def normal_equations(design, values):  # type: ignore[no-untyped-def]
     """Return the Gram matrix of a design's rows (m, n) and their products with values (n,)."""
     count, size = design.shape

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.ndimage import median_filter
+from scipy.ndimage import maximum_filter1d, median_filter
 
 from model.history import AngleHistory, quantum_of
 
@@ -156,8 +156,7 @@ def _derived(spectrum: Array, rate: float, size: int, times: int) -> Array:
 def _envelope(values: Array, top: int) -> Array:
     """Return the largest size within half a period of the highest order on either side."""
     reach = max(1, len(values) // (2 * top))
-    wide = np.concatenate([np.abs(values[-reach:]), np.abs(values), np.abs(values[:reach])])
-    return np.asarray(np.lib.stride_tricks.sliding_window_view(wide, 2 * reach + 1).max(axis=1))
+    return np.asarray(maximum_filter1d(np.abs(values), 2 * reach + 1, mode="wrap"))
 
 
 def _faster(seen: Array, top: int, rate: float) -> float:

@@ -9,7 +9,7 @@ same, whatever came before.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import astuple, dataclass, field, fields
 from typing import Any
 
 import numpy as np
@@ -75,6 +75,11 @@ class Gathering:
             self.sums[at] += n * value
         self.groups += 1
         self.waiting = []
+
+    def numbers(self) -> dict[str, Any]:
+        """Return all that is kept as plain numbers, for a checkpoint."""
+        kept = {one.name: getattr(self, one.name) for one in fields(self)}
+        return {**kept, "sums": list(self.sums), "waiting": list(self.waiting)}
 
     def closed(self) -> Bin | None:
         """Return the bin, None when there is no reading in it."""
@@ -149,8 +154,8 @@ class Bins:
         """Return all that is kept as plain numbers, for a checkpoint."""
         return {
             "per_decade": self.per_decade,
-            "closed": [list(asdict(one).values()) for one in self.closed],
-            "open": asdict(self._open),
+            "closed": [list(astuple(one)) for one in self.closed],
+            "open": self._open.numbers(),
             "ends": self._ends,
         }
 

@@ -28,23 +28,14 @@ class Approach:
 
     def at(self, depth: float, force: Array) -> Array:
         """Return the approach at a depth (m) and some forces (n,), N: (n,), m."""
-        row = np.array([np.interp(depth, self.depths, column) for column in self.table.T])
-        return np.asarray(self._shares(force) @ row)
+        place = float(np.interp(depth, self.depths, np.arange(self.depths.size)))
+        low, up = self.table[int(place)], self.table[min(int(place) + 1, self.depths.size - 1)]
+        return np.asarray(self._shares(force) @ (low + place % 1.0 * (up - low)))
 
-    def mean(self, depth: float, force: Array) -> float:
-        """Return the mean of ``at`` over the forces, each weighted by itself, m."""
-        return float(np.interp(depth, self.depths, self._means(force)))
-
-    def depth_of(self, beyond: float, force: Array) -> float:
-        """Return the depth (m) at which depth and mean approach together are ``beyond`` (m)."""
-        seen = self.depths + self._means(force)
-        depth = float(np.interp(beyond, seen, self.depths))
-        outside = min(beyond - float(seen[0]), 0.0) + max(beyond - float(seen[-1]), 0.0)
-        return depth + outside
-
-    def _means(self, force: Array) -> Array:
-        """Return the mean approach at each depth of the table, (D,), m."""
-        return np.asarray(self.table @ (force @ self._shares(force) / force.sum()))
+    def mean(self, force: Array) -> MeanApproach:
+        """Return the mean of ``at`` over forces (n,), N, each weighted by itself."""
+        means = self.table @ (force @ self._shares(force) / force.sum())
+        return MeanApproach(self.depths, np.asarray(means))
 
     def _shares(self, force: Array) -> Array:
         """Return how much of each force of the table is in each of some forces, (n, M)."""
@@ -58,10 +49,29 @@ class Approach:
         shares[each, above] = np.where(beyond, force / self.forces[-1], part)
         return shares
 
-    def gain(self, depth: float, force: Array) -> float:
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeanApproach:
+    """Hold the mean elastic approach under some forces, means (D,), m, at depths (D,), m."""
+
+    depths: Array
+    means: Array
+
+    def at(self, depth: float) -> float:
+        """Return it at a depth (m), m."""
+        return float(np.interp(depth, self.depths, self.means))
+
+    def depth_of(self, beyond: float) -> float:
+        """Return the depth (m) at which depth and approach together are ``beyond`` (m)."""
+        seen = self.depths + self.means
+        depth = float(np.interp(beyond, seen, self.depths))
+        outside = min(beyond - float(seen[0]), 0.0) + max(beyond - float(seen[-1]), 0.0)
+        return depth + outside
+
+    def gain(self, depth: float) -> float:
         """Return how many metres of depth a metre of what the probes see is, at a depth (m)."""
         step = 1e-7
-        seen = self.mean(depth + step, force) - self.mean(depth - step, force)
+        seen = self.at(depth + step) - self.at(depth - step)
         return 1.0 / max(1.0 + seen / (2.0 * step), 0.2)
 
 

@@ -57,9 +57,10 @@ def measured_depth(
     beyond = float(np.average(far, weights=load)) - clearance
     if approach is None:
         return MeasuredDepth(depth=beyond)
-    new = approach.mean(0.0, load)
-    depth = approach.depth_of(beyond + (0.0 if reference.elastic else new), load)
+    mean_approach = approach.mean(load)
+    new = mean_approach.at(0.0)
+    depth = mean_approach.depth_of(beyond + (0.0 if reference.elastic else new))
     noise = path.standard_error / float(np.sqrt(load.size))
-    change = ELASTIC_DOUBT * (new - approach.mean(depth, load))
-    doubt = float(np.hypot(np.hypot(reference.radial, noise) * approach.gain(depth, load), change))
+    change = ELASTIC_DOUBT * (new - mean_approach.at(depth))
+    doubt = float(np.hypot(np.hypot(reference.radial, noise) * mean_approach.gain(depth), change))
     return MeasuredDepth(depth, 2.0 * doubt)

@@ -203,7 +203,8 @@ def early_wear(
     away = number - number.mean()
     moved = float(away @ place / (away @ away)) * float(number.mean())
     usual = np.concatenate([np.hypot(*path.mean_force) for path in paths])
-    return max(approach.depth_of(moved + approach.mean(0.0, usual), usual), 0.0)
+    mean = approach.mean(usual)
+    return max(mean.depth_of(moved + mean.at(0.0)), 0.0)
 
 
 def reference_from_mean(position: Array, clearance: float, path: PathSum) -> Reference:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +48,30 @@ class MeasuredRevolution:
     force_2: Array
     probe_1: Array
     probe_2: Array
+    on_grid: Callable[[Array], Array] = field(init=False, repr=False)
+    """Takes values (n,) at its angles to ``GRID``, by straight lines."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "on_grid", _onto_grid(self.angle))
+
+
+def _onto_grid(angle: Array) -> Callable[[Array], Array]:
+    """Return what takes values (n,) at some angles, rad, to ``GRID``; they go on turn by turn."""
+    turn = 2.0 * np.pi
+    inside = np.mod(angle, turn)
+    order = np.argsort(inside)
+    inside = inside[order]
+    around = np.concatenate([inside[-1:] - turn, inside, inside[:1] + turn])
+    order = np.concatenate([order[-1:], order, order[:1]])
+    after = np.searchsorted(around, GRID, side="right")
+    share = (GRID - around[after - 1]) / (around[after] - around[after - 1])
+    low, up = order[after - 1], order[after]
+
+    def on_grid(values: Array) -> Array:
+        begin = values[low]
+        return np.asarray(begin + share * (values[up] - begin), dtype=np.float64)
+
+    return on_grid
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,12 +121,12 @@ def predict_force(
     how uncertain the angle leaves the force.
     """
     history = smooth_history(measured.time, measured.angle)
-    speed, acceleration = (
-        _on_grid(measured.angle, rate) for rate in (history.speed, history.acceleration)
-    )
+    on_grid = measured.on_grid
     compute = functools.partial(_motion, parameters, joint, depth)
-    doubt = prediction_uncertainty(measured.time, measured.angle, history, GRID, compute)
-    return compute(speed, acceleration), doubt
+    motion = compute(on_grid(history.speed), on_grid(history.acceleration))
+    return motion, prediction_uncertainty(
+        measured.time, measured.angle, history, on_grid, motion, compute
+    )
 
 
 def _motion(
@@ -113,9 +137,7 @@ def _motion(
 
 def measured_force(measured: MeasuredRevolution) -> Array:
     """Return the measured joint force (2, points) at ``GRID``, crank frame, N."""
-    return np.stack(
-        (_on_grid(measured.angle, measured.force_1), _on_grid(measured.angle, measured.force_2))
-    )
+    return np.stack([measured.on_grid(measured.force_1), measured.on_grid(measured.force_2)])
 
 
 def compare(
@@ -139,7 +161,7 @@ def compare(
         "residual_rms": _rms(size - _at(measured.angle, force)),
         "residual_1_rms": _rms(measured.force_1 - _at(measured.angle, force_1)),
         "residual_2_rms": _rms(measured.force_2 - _at(measured.angle, force_2)),
-        "phase_shift": np.degrees(phase_shift(_on_grid(measured.angle, size), force)),
+        "phase_shift": np.degrees(phase_shift(measured.on_grid(size), force)),
         "wear_depth": 1e3 * wear.predicted_depth,
         "measured_wear_depth": 1e3 * wear.measured_depth,
         "measured_wear_depth_uncertainty": 1e3 * wear.measured_uncertainty,
@@ -175,10 +197,6 @@ def phase_shift(measured: Array, predicted: Array) -> float:
     if lag > size / 2:
         lag -= size
     return float(2.0 * np.pi * lag / size)
-
-
-def _on_grid(angle: Array, values: Array) -> Array:
-    return np.asarray(np.interp(GRID, angle, values, period=2.0 * np.pi), dtype=np.float64)
 
 
 def _at(angle: Array, curve: Array) -> Array:

@@ -75,20 +75,22 @@ class TrackedBushing:
     state: WearState | None = None
     failed: str = ""
 
+    def due(self, cycles: float) -> bool:
+        """Tell whether enough cycles have come together to wear on."""
+        done = self.state.cycles if self.state is not None else 0.0
+        return not self.failed and cycles - done >= max(1.0, STEP_SHARE * done)
+
     def wear_to(self, cycles: float, loads: CycleLoads, parameters: Parameters) -> bool:
         """Wear on to a number of cycles when enough have come together.
 
         True when the bushing changed.
         """
-        if self.failed:
+        if not self.due(cycles):
             return False
         try:
             if self.state is None:
                 largest = float(loads.magnitude.max())
                 self.state = unworn_state(parameters, max(largest, 1e-3))
-            pending = cycles - self.state.cycles
-            if pending < max(1.0, STEP_SHARE * self.state.cycles):
-                return False
             # Begun from the surface alone, as after a checkpoint: both give the same numbers.
             bare = replace(self.state, front=Front(self.state.front.surface))
             self.state = _advanced(bare, loads, cycles)
@@ -162,10 +164,11 @@ class Twin:
         in_crank = measured_force(measured)
         force = _in_follower(in_crank, motion)
         sliding = motion.slip_rate(self.parameters.joint.pin_radius)
-        changed = False
-        for bushing, by in ((self.predicted, motion.force_follower), (self.driven, force)):
-            loads = worn_by(self.parameters, by, slip, sliding)
-            changed |= bushing.wear_to(cycles, loads, self.parameters)
+        loads = worn_by(self.parameters, force, slip, sliding)
+        changed = self.driven.wear_to(cycles, loads, self.parameters)
+        if self.predicted.due(cycles):
+            by_model = worn_by(self.parameters, motion.force_follower, slip, sliding)
+            changed |= self.predicted.wear_to(cycles, by_model, self.parameters)
         path = _path(measured, motion)
         if self.ahead is None and (self.reference or measured.revolution >= FIRST_STEADY):
             self.ahead = bushing_ahead(self.parameters, force, slip)

@@ -39,24 +39,21 @@ def prediction_uncertainty(
     time: Array,
     angle: Array,
     history: AngleHistory,
-    grid: Array,
+    on_grid: Callable[[Array], Array],
+    motion: MechanismMotion,
     compute: Compute,
 ) -> PredictionUncertainty:
-    """Return the uncertainty of the force that ``compute`` gives of speed and acceleration.
+    """Return the uncertainty of the force of a motion that ``compute`` gave.
 
-    time (s), angle (rad): as measured; history: what was fitted to them; grid: the crank angles
-    (rad, one revolution evenly) at which ``compute`` takes speed and acceleration.
+    time (s), angle (rad): as measured; history: what was fitted to them; on_grid: from there to
+    the angles of the motion (one revolution evenly), at which ``compute`` takes speed and
+    acceleration.
     """
     doubt = motion_uncertainty(time, angle, history)
-
-    def at_grid(values: Array) -> Array:
-        return np.asarray(np.interp(grid, angle, values, period=2.0 * np.pi), dtype=np.float64)
-
-    speed, acceleration = at_grid(history.speed), at_grid(history.acceleration)
-    force = compute(speed, acceleration).force_crank
-    faster = compute(speed + at_grid(doubt.speed), acceleration).force_crank - force
-    pushed = compute(speed, acceleration + at_grid(doubt.acceleration)).force_crank - force
-    step = grid[1] - grid[0]
+    speed, acceleration, force = motion.speed, motion.acceleration, motion.force_crank
+    faster = compute(speed + on_grid(doubt.speed), acceleration).force_crank - force
+    pushed = compute(speed, acceleration + on_grid(doubt.acceleration)).force_crank - force
+    step = motion.angle[1] - motion.angle[0]
     turned = doubt.angle * (np.roll(force, -1, axis=-1) - np.roll(force, 1, axis=-1)) / (2.0 * step)
     parts = np.concatenate([np.asarray(part) for part in (faster, pushed, turned)])
     return PredictionUncertainty(

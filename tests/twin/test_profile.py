@@ -175,12 +175,12 @@ def test_the_fall_of_the_elastic_approach_is_not_taken_for_less_wear(depth: floa
     found = depth_of(worn, new, FALLING)
     assert found.depth == pytest.approx(depth, abs=2e-8)
     assert depth_of(worn, new).depth == pytest.approx(
-        depth + FALLING.mean(depth, worn.mean_force[0])
+        depth + FALLING.mean(worn.mean_force[0]).at(depth)
     )
     positions = centres(worn, new, depth, FALLING)
     np.testing.assert_allclose(np.hypot(*positions), CLEARANCE + depth, atol=2e-8)
     # The change of the approach is part of the uncertainty.
-    change = FALLING.mean(0.0, worn.mean_force[0]) - FALLING.mean(depth, worn.mean_force[0])
+    change = FALLING.mean(worn.mean_force[0]).at(0.0) - FALLING.mean(worn.mean_force[0]).at(depth)
     assert found.uncertainty >= 0.399 * change
     # A reference from before that knew no approach holds that of the new bushing.
     old = reference_of(elastic(0.0), CLEARANCE)
@@ -194,8 +194,8 @@ def test_the_approach_of_any_force() -> None:
     np.testing.assert_allclose(FALLING.at(0.0, force), 1e-6 * np.array([0, 4, 10, 16, 32]))
     np.testing.assert_allclose(FALLING.at(5e-6, force[2:3]), [1e-6 * 7.75])
     for depth in (-2e-6, 0.0, 4e-6, 1e-4, 5e-4):
-        seen = depth + FALLING.mean(depth, force[:4])
-        assert FALLING.depth_of(seen, force[:4]) == pytest.approx(depth, abs=1e-12)
+        seen = depth + FALLING.mean(force[:4]).at(depth)
+        assert FALLING.mean(force[:4]).depth_of(seen) == pytest.approx(depth, abs=1e-12)
 
 
 def test_an_approach_that_nobody_knows_leaves_no_uncertainty() -> None:
