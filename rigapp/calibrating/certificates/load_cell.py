@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import msgspec
 import numpy as np
@@ -14,17 +14,65 @@ from calibration.load_cell.readings import parse_load_cell
 from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import pin_force
 from rigapp.calibrating.certificates.parts import (
+    SURROUNDINGS,
     UNSTATED,
     Content,
     Parts,
     budget_table,
-    scatter,
-    surroundings,
+    elements,
+    plot,
+    rows_of,
+    say,
+    table,
 )
 from rigapp.config.calibration_settings import WeightsSection
 from rigapp.report.page.manuscript import Figure, Row, Table
 
 MARKED = "extrapolated"
+RESULTS = {
+    "applied N": "{applied:.2f}",
+    "readings": "{readings}",
+    "indicated N": "{indicated:z.2f}",
+    "error N": "{error:+z.2f}",
+    "across N": "{across:+z.2f}",
+    "largest error N": "{largest:.2f}",
+    "U N": "{expanded:.2f}",
+    "": "{mark}",
+}
+BY_LOAD = {
+    "load N": "{load_N:g}",
+    "component, one reading": "{component_one_reading_N:.2f}",
+    "component, mean of many": "{component_mean_of_many_N:.2f}",
+    "|F|, one reading": "{magnitude_one_reading_N:.2f}",
+    "|F|, mean of many": "{magnitude_mean_of_many_N:.2f}",
+    "k": "{coverage_factor:.2f}",
+    "": "{mark}",
+}
+TRAITS = {
+    "b, reproducibility": "{reproducibility_b:.3f}",
+    "b', repeatability": "{repeatability_b_prime:.3f}",
+    "fc, interpolation": "{interpolation_fc:.3f}",
+    "f0, zero return": "{zero_return_f0:.3f}",
+    "v, reversibility": "{reversibility_v:.3f}",
+    "c, creep": "{creep_c:.3f}",
+}
+STATED_GRAVITY = "{place[gravity_m_s2]:.6g} m/s2 (stated)"
+FROM_LATITUDE = "from latitude {place[latitude_deg]:g} deg, height {place[height_m]:g} m"
+CONDITIONS = {
+    "Air density": "{place[air_density_kg_per_m3]:g} kg/m3",
+    "Weights": "{weights[mass_kind]} mass, density {weights[density_kg_per_m3]:g} kg/m3,"
+    " relative u = {used:.2g}",
+    "Hanger": "{weights[hanger_mass_kg]:g} kg",
+    "Angle reference": "{offset}, u = {angle[standard_uncertainty_deg]:.3g} deg{level}",
+}
+IN_USE = {
+    "Changes in use, contained in U": "up to {temperature_difference_K:g} K from the calibration,"
+    " gain {gain_percent_per_K:g} %/K, zero {zero_percent_of_full_scale_per_K:g} % of full"
+    " scale/K; creep {creep_percent:g} %; gain {gain_change_percent_per_year:g} % a year"
+}
+"""What U contains of a time after the calibration, each at most so much."""
+HOLDS_IN_USE = "It holds in use, too, within the changes that the conditions name."
+HOLDS_THEN = "It holds for the conditions and the time of the calibration."
 
 
 def load_cell_parts(content: Content) -> Parts:
@@ -32,20 +80,20 @@ def load_cell_parts(content: Content) -> Parts:
     result, loads = content["result"], loads_of(content)
     full = result["full_scale_N"]
     extrapolated = " EXTRAPOLATED beyond the calibrated range" * (full > loads[-1].applied)
-    budgets = [
+    budgets = (
         budget_table(f"Budget of one reading of {what} at {full:g} N{extrapolated}", one, "N", "N")
         for what, one in (
             ("a component in its worst direction", result),
             ("|F|", result.get("magnitude", {})),
         )
-    ]
+    )
     return Parts(
         _statements(content, loads, extrapolated),
         [_results(loads, result), *_cell_tables(content)],
         _cell_figures(content),
         calibrated=_range(loads),
-        conditions=_conditions(content),
-        uncertainty=[*_by_load(result, loads), *filter(None, budgets)],
+        conditions=_conditions(content["settings"]),
+        uncertainty=[*_by_load(result, loads), *(one for budget in budgets for one in budget)],
         readings=[_readings_table(content)],
     )
 
@@ -105,42 +153,17 @@ def _range(loads: Sequence[Load]) -> str:
 
 def _results(loads: Sequence[Load], result: Content) -> Table:
     full = result["full_scale_N"]
-    rows: list[Row] = [
-        (
-            f"{one.applied:.2f}",
-            f"{one.readings}",
-            f"{_plain(one.indicated):.2f}",
-            f"{_plain(one.error):+.2f}",
-            f"{_plain(one.across):+.2f}",
-            f"{one.largest:.2f}",
-            f"{_uncertainty(result, one.applied):.2f}",
-            "",
-        )
-        for one in loads
+    items = [
+        {**asdict(one), "expanded": _uncertainty(result, one.applied), "mark": ""} for one in loads
     ]
     if full > loads[-1].applied:
-        blank = ("–",) * 5
-        rows.append((f"{full:.2f}", *blank, f"{result['expanded_uncertainty_N']:.2f}", MARKED))
-    header = (
-        "applied N",
-        "readings",
-        "indicated N",
-        "error N",
-        "across N",
-        "largest error N",
-        "U N",
-        "",
-    )
+        expanded = result["expanded_uncertainty_N"]
+        items.append({"applied": full, "expanded": expanded, "mark": MARKED})
     title = (
         "Results by load: means over the pin angles. Error: indicated less applied; across: what is"
         " indicated square to the load; largest error: of a single reading; U: of a single reading"
     )
-    return Table(title, tuple(rows), header)
-
-
-def _plain(force: float) -> float:
-    """Return a force (N) as two decimals tell it, without the sign of a zero."""
-    return round(force, 2) + 0.0
+    return table(title, RESULTS, items, "–")
 
 
 def _uncertainty(result: Content, load: float) -> float:
@@ -155,101 +178,52 @@ def _uncertainty(result: Content, load: float) -> float:
 
 def _by_load(result: Content, loads: Sequence[Load]) -> list[Table]:
     """Return U of a component, of |F| and of means at each load that the record states."""
-    stated = result.get("uncertainty_by_load")
-    if not stated:
-        return []
-    keys = [
-        f"{what}_{count}_N"
-        for what in ("component", "magnitude")
-        for count in ("one_reading", "mean_of_many")
+    items = [
+        {**one, "mark": MARKED if one["load_N"] > loads[-1].applied else ""}
+        for one in result.get("uncertainty_by_load", ())
     ]
-    rows = tuple(
-        (
-            f"{one['load_N']:g}",
-            *(f"{one[key]:.2f}" for key in keys),
-            f"{one['coverage_factor']:.2f}",
-            MARKED if one["load_N"] > loads[-1].applied else "",
-        )
-        for one in stated
-    )
-    header = (
-        "load N", "component, one reading", "component, mean of many", "|F|, one reading",
-        "|F|, mean of many", "k", "",
-    )  # fmt: skip
-    return [Table("Expanded uncertainty by load, N, about 95 %", rows, header)]
+    title = "Expanded uncertainty by load, N, about 95 %"
+    return [table(title, BY_LOAD, items)] if items else []
 
 
-def _level(shown: Sequence[float]) -> str:
-    if len(shown) != 2:
-        return ""
-    one, two = (math.remainder(angle, 360.0) for angle in shown)
-    return f"; level turned end for end at {one:.3f} and {two:.3f} deg"
-
-
-def _conditions(content: Content) -> list[Row]:
-    settings = content["settings"]
-    place = settings["place"]
-    weights, angle = settings["weights"], settings["angle"]
-    used = msgspec.convert(weights, WeightsSection).relative_uncertainty
-    stated = place.get("gravity_m_s2")
-    if stated is not None:
-        gravity = f"{stated:.6g} m/s2 (stated)"
-    else:
-        gravity = f"from latitude {place['latitude_deg']:g} deg, height {place['height_m']:g} m"
+def _conditions(settings: Content) -> list[Row]:
+    angle = settings["angle"]
+    offset, level = angle["offset_deg"], angle.get("level_readings_deg", ())
+    told = {
+        **settings,
+        "used": msgspec.convert(settings["weights"], WeightsSection).relative_uncertainty,
+        "offset": "none was stated; offset taken as 0 deg",
+        "level": "",
+    }
+    if offset is not None:
+        told["offset"] = f"offset {round(offset, 6) + 0.0:g} deg"
+    if len(level) == 2:
+        one, two = (math.remainder(shown, 360.0) for shown in level)
+        told["level"] = f"; level turned end for end at {one:.3f} and {two:.3f} deg"
+    gravity = say(STATED_GRAVITY, settings, say(FROM_LATITUDE, settings))
+    use = settings.get("use")
     return [
-        *surroundings(settings),
+        *rows_of(SURROUNDINGS, settings),
         ("Local gravity", gravity),
-        ("Air density", f"{place['air_density_kg_per_m3']:g} kg/m3"),
-        ("Weights", f"{weights['mass_kind']} mass, density {weights['density_kg_per_m3']:g} kg/m3,"
-                    f" relative u = {used:.2g}"),
-        ("Hanger", f"{weights['hanger_mass_kg']:g} kg"),
-        ("Angle reference", _offset(angle["offset_deg"]) +
-                            f" u = {angle['standard_uncertainty_deg']:.3g} deg"
-                            + _level(angle.get("level_readings_deg", ()))),
-        *_in_use(settings.get("use")),
-    ]  # fmt: skip
-
-
-def _offset(offset: float | None) -> str:
-    if offset is None:
-        return "none was stated; offset taken as 0 deg,"
-    return f"offset {round(offset, 6) + 0.0:g} deg,"
-
-
-def _in_use(use: Content | None) -> list[Row]:
-    """Return the changes from the calibration to a test that U contains, each at most so much."""
-    if use is None:
-        return []
-    kelvin = use["temperature_difference_K"]
-    words = (
-        f"up to {kelvin:g} K from the calibration, gain {use['gain_percent_per_K']:g} %/K, zero"
-        f" {use['zero_percent_of_full_scale_per_K']:g} % of full scale/K; creep"
-        f" {use['creep_percent']:g} %; gain {use['gain_change_percent_per_year']:g} % a year"
-    )
-    return [("Changes in use, contained in U", words)]
+        *rows_of(CONDITIONS, told),
+        *([] if use is None else rows_of(IN_USE, use)),
+    ]
 
 
 def _statements(content: Content, loads: Sequence[Load], extrapolated: str) -> list[str]:
     result, in_use = content["result"], "use" in content["settings"]
-    factor = f"{result['coverage_factor']:.2f}"
-    line = result["uncertainty_line_N"]
-    beyond = (
-        f" Above {loads[-1].applied:.0f} N it is extrapolated: no load was there."
-        if extrapolated
-        else ""
-    )
-    holds = (
-        "It holds in use, too, within the changes that the conditions name."
-        if in_use
-        else "It holds for the conditions and the time of the calibration."
-    )
+    line, beyond, holds = result["uncertainty_line_N"], "", HOLDS_THEN
+    if extrapolated:
+        beyond = f" Above {loads[-1].applied:.0f} N it is extrapolated: no load was there."
+    if in_use:
+        holds = HOLDS_IN_USE
     return [
         "Method: dead weights at several angles of the pin. The procedure follows the ideas of ASTM"
         " E74 and ISO 376, which are for one axis and static forces; it does not comply with them.",
         result["classification"],
         f"The expanded uncertainty of one reading is U(F) = {line['constant_N']:.2f} N +"
-        f" {line['per_N']:.5f} F with a coverage factor k = {factor} at full scale (about 95 %)."
-        f" {holds}{beyond}",
+        f" {line['per_N']:.5f} F with a coverage factor k = {result['coverage_factor']:.2f} at full"
+        f" scale (about 95 %). {holds}{beyond}",
         "A common error of the pin angle leaves no residual; it is covered by the uncertainty of"
         " the angle reference only.",
     ]
@@ -257,62 +231,44 @@ def _statements(content: Content, loads: Sequence[Load], extrapolated: str) -> l
 
 def _cell_tables(content: Content) -> list[Table]:
     result, unit = content["result"], content["settings"]["cell"]["signal_unit"]
-    matrix = result["matrix_N_per_unit"]
-    spread = result["matrix_standard_uncertainty_N_per_unit"]
-    expanded = result.get("matrix_expanded_uncertainty_N_per_unit")
-    rows: list[Row] = [
-        (
-            f"K{i + 1}{j + 1}",
-            f"{matrix[i][j]:.5f}",
-            f"{spread[i][j]:.5f}",
-            UNSTATED if expanded is None else f"{expanded[i][j]:.5f}",
-        )
-        for i in range(2)
-        for j in range(2)
-    ]
-    fit = Table(
-        f"Force on the pin = K (signal - zero); N per {unit}", tuple(rows), ("", "value", "u", "U")
-    )
-    of_zero = result.get("zero_expanded_uncertainty")
-    each = [f"U {UNSTATED}"] * 2 if of_zero is None else [f"U = {one:.6f}" for one in of_zero]
-    in_newton = result.get("zero_expanded_uncertainty_N")
-    zero = Table(
-        "Zero and residuals",
-        (
-            *(
-                (f"Zero of signal {axis}", f"{value:.6f} {unit}, {spread}")
-                for axis, value, spread in zip((1, 2), result["zero"], each, strict=True)
-            ),
-            (
-                "Uncertainty of the zero",
-                UNSTATED if in_newton is None else f"U = {in_newton:.3f} N",
-            ),
-            ("Model", result["terms"]),
-            ("Residual standard deviation", f"{result['residual_std_N']:.3f} N"),
-        ),
-    )
-    covariance = Table(
-        "Covariance of K11, K12, K21, K22",
-        tuple(tuple(f"{value:.4e}" for value in row) for row in result["matrix_covariance"]),
-        ("K11", "K12", "K21", "K22"),
-    )
-    names = {
-        "reproducibility_b": "b, reproducibility",
-        "repeatability_b_prime": "b', repeatability",
-        "interpolation_fc": "fc, interpolation",
-        "zero_return_f0": "f0, zero return",
-        "reversibility_v": "v, reversibility",
-        "creep_c": "c, creep",
+    columns = {
+        "matrix_N_per_unit": ".5f",
+        "matrix_standard_uncertainty_N_per_unit": ".5f",
+        "matrix_expanded_uncertainty_N_per_unit": ".5f",
     }
-    traits = Table(
-        "Characteristics, per cent",
-        tuple(
-            (words, "not measured" if value is None else f"{value:.3f}")
-            for key, words in names.items()
-            for value in (result["characteristics_percent"][key],)
-        ),
+    title, header = f"Force on the pin = K (signal - zero); N per {unit}", ("", "value", "u", "U")
+    fit = Table(title, tuple(elements("K", result, columns)), header)
+    names = tuple(name for name, *_ in fit.rows)
+    covariance = tuple(
+        tuple(f"{value:.4e}" for value in row) for row in result["matrix_covariance"]
     )
-    return [fit, *_quadratic(result, unit), zero, covariance, traits]
+    return [
+        fit,
+        *_quadratic(result, unit),
+        _zero(result, unit),
+        Table(f"Covariance of {', '.join(names)}", covariance, names),
+        Table(
+            "Characteristics, per cent",
+            tuple(rows_of(TRAITS, result["characteristics_percent"], "not measured")),
+        ),
+    ]
+
+
+def _zero(result: Content, unit: str) -> Table:
+    spreads = [
+        say(f"U = {{zero_expanded_uncertainty[{axis}]:.6f}}", result, f"U {UNSTATED}")
+        for axis in range(2)
+    ]
+    rows = (
+        *(
+            (f"Zero of signal {axis}", f"{value:.6f} {unit}, {spread}")
+            for axis, value, spread in zip((1, 2), result["zero"], spreads, strict=True)
+        ),
+        ("Uncertainty of the zero", say("U = {zero_expanded_uncertainty_N:.3f} N", result)),
+        ("Model", result["terms"]),
+        ("Residual standard deviation", f"{result['residual_std_N']:.3f} N"),
+    )
+    return Table("Zero and residuals", rows)
 
 
 def _quadratic(result: Content, unit: str) -> list[Table]:
@@ -349,6 +305,6 @@ def _cell_figures(content: Content) -> list[Figure]:
     angle = np.mod(np.degrees(taken.angle), 360.0)
     labels = ("residual (N)", ("signal 1", "signal 2"))
     return [
-        scatter("Residual against force", "applied force (N)", load, residual, *labels),
-        scatter("Residual against pin angle", "pin angle (deg)", angle, residual, *labels),
+        plot("Residual against force", "applied force (N)", load, residual, *labels),
+        plot("Residual against pin angle", "pin angle (deg)", angle, residual, *labels),
     ]

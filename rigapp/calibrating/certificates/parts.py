@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -41,55 +41,87 @@ class Parts:
     readings: Sequence[Table] = ()
 
 
-def budget_table(title: str, result: Content, unit: str, shown: str) -> Table | None:
+def say(template: str, one: Content, otherwise: str = UNSTATED) -> str:
+    """Return a template (``str.format``) filled from a record; otherwise: where that lacks it."""
+    try:
+        return template.format_map(one)
+    except (KeyError, IndexError, TypeError):
+        return otherwise
+
+
+def rows_of(lines: Mapping[str, str], one: Content, otherwise: str = UNSTATED) -> list[Row]:
+    """Return rows of a name and what a record says of it; lines: name -> template."""
+    return [(name, say(line, one, otherwise)) for name, line in lines.items()]
+
+
+def table(
+    title: str, columns: Mapping[str, str], items: Iterable[Content], otherwise: str = UNSTATED
+) -> Table:
+    """Return a table with a row of each item; columns: header -> template."""
+    cells = columns.values()
+    rows = tuple(tuple(say(cell, one, otherwise) for cell in cells) for one in items)
+    return Table(title, rows, tuple(columns))
+
+
+def elements(letter: str, one: Content, columns: Mapping[str, str]) -> list[Row]:
+    """Return a row of each element of 2 x 2 matrices; columns: key of the matrix -> format."""
+    return [
+        (
+            f"{letter}{i + 1}{j + 1}",
+            *(say(f"{{{key}[{i}][{j}]:{form}}}", one) for key, form in columns.items()),
+        )
+        for i in range(2)
+        for j in range(2)
+    ]
+
+
+def budget_table(title: str, result: Content, unit: str, shown: str) -> list[Table]:
     """Return the budget of a result: its parts with type, distribution, degrees of freedom.
 
     unit: in the keys of the result; shown: on the page. Records of before state names and sizes
-    only.
+    only; none where there is no budget.
     """
     lines = result.get("budget")
     if not lines:
-        return None
-    rows: list[Row] = [
-        (
-            one["name"],
-            one.get("type", UNSTATED),
-            one.get("distribution", UNSTATED),
-            _degrees(one, "degrees_of_freedom"),
-            f"{one[f'standard_uncertainty_{unit}']:.4g}",
-        )
-        for one in lines
-    ]
-    combined = math.hypot(*(one[f"standard_uncertainty_{unit}"] for one in lines))
-    effective = _degrees(result, "effective_degrees_of_freedom")
-    expanded = f"{result[f'expanded_uncertainty_{unit}']:.4g}"
-    factor = f"expanded, k = {result['coverage_factor']:.2f}, about 95 %"
-    rows += [("combined", "", "", effective, f"{combined:.4g}"), (factor, "", "", "", expanded)]
-    return Table(
-        title,
-        tuple(rows),
-        ("contribution", "type", "distribution", "degrees of freedom", f"u, {shown}"),
-    )
+        return []
+    key = f"standard_uncertainty_{unit}"
+    of_all = {
+        "name": "combined",
+        "type": "",
+        "distribution": "",
+        "degrees_of_freedom": result.get("effective_degrees_of_freedom", UNSTATED),
+        key: math.hypot(*(one[key] for one in lines)),
+    }
+    expanded = {
+        **of_all,
+        "name": say("expanded, k = {coverage_factor:.2f}, about 95 %", result),
+        "degrees_of_freedom": "",
+        key: result[f"expanded_uncertainty_{unit}"],
+    }
+    columns = {
+        "contribution": "{name}",
+        "type": "{type}",
+        "distribution": "{distribution}",
+        "degrees of freedom": "{degrees}",
+        f"u, {shown}": f"{{{key}:.4g}}",
+    }
+    items = ({**one, "degrees": _degrees(one)} for one in (*lines, of_all, expanded))
+    return [table(title, columns, items)]
 
 
-def _degrees(stated: Content, key: str) -> str:
-    if key not in stated:
-        return UNSTATED
-    degrees = stated[key]
-    return "∞" if degrees is None else f"{degrees:.3g}" if degrees < 1000 else f"{degrees:.0f}"
+def _degrees(line: Content) -> str:
+    degrees = line.get("degrees_of_freedom", UNSTATED)
+    if degrees is None or isinstance(degrees, str):
+        return "∞" if degrees is None else degrees
+    return f"{degrees:.3g}" if degrees < 1000 else f"{degrees:.0f}"
 
 
-def surroundings(settings: Content) -> list[Row]:
-    """Return temperature, humidity and pressure at the calibration, as far as they are stated."""
-    place = settings.get("place") or {}
-    return [
-        (name, UNSTATED if place.get(key) is None else f"{place[key]:g} {unit}")
-        for name, key, unit in (
-            ("Temperature", "temperature_degC", "°C"),
-            ("Humidity", "humidity_percent", "%"),
-            ("Pressure", "pressure_hPa", "hPa"),
-        )
-    ]
+SURROUNDINGS = {
+    "Temperature": "{place[temperature_degC]:g} °C",
+    "Humidity": "{place[humidity_percent]:g} %",
+    "Pressure": "{place[pressure_hPa]:g} hPa",
+}
+"""Of the settings: what was around at the calibration."""
 
 
 def taken_words(content: Content) -> str:
@@ -128,38 +160,14 @@ def write_page(
         part.write_bytes(writer())
 
 
-def scatter(
-    title: str, x_label: str, x: Any, residual: Any, y_label: str, names: Sequence[str] = ()
-) -> Figure:
-    """Return points of (n, columns) residuals over x; names: of the columns, none for one."""
-    canvas, axes = _canvas(title, x_label, y_label)
-    for axis in range(residual.shape[1]):
-        colour, marker, _ = STYLES[axis % 2]
-        label = names[axis] if names else None
-        axes.plot(x, residual[:, axis], marker, color=colour, ms=3.5, mfc="none", label=label)
-    axes.axhline(0.0, color="#000000", lw=0.6)
-    if names:
-        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    return _figure(canvas, title, f"{title}: largest {np.abs(residual).max():.3g}.")
-
-
-def bands(
-    title: str, x_label: str, x: Any, curves: Any, half_widths: Any, y_label: str,
-    names: Sequence[str],
+def plot(
+    title: str, x_label: str, x: Any, y: Any, y_label: str, names: Sequence[str] = (),
+    half_widths: Any = None,
 ) -> Figure:  # fmt: skip
-    """Return curves (n, columns) over x with a band about each."""
-    canvas, axes = _canvas(title, x_label, y_label)
-    for axis in range(curves.shape[1]):
-        colour, _, style = STYLES[axis % 2]
-        middle, half = curves[:, axis], half_widths[:, axis]
-        axes.fill_between(x, middle - half, middle + half, color=colour, alpha=0.25, lw=0.0)
-        axes.plot(x, middle, style, color=colour, lw=1.2, label=names[axis])
-    axes.axhline(0.0, color="#000000", lw=0.6)
-    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
-    return _figure(canvas, title, f"{title}: largest {np.abs(curves).max():.3g}.")
+    """Return points of (n, columns) over x, or curves with a band of half widths about each.
 
-
-def _canvas(title: str, x_label: str, y_label: str) -> tuple[Any, Any]:
+    names: of the columns, none for one.
+    """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure as Canvas
 
@@ -169,10 +177,18 @@ def _canvas(title: str, x_label: str, y_label: str) -> tuple[Any, Any]:
     axes.set_ylabel(y_label)
     axes.set_title(title, fontsize=9)
     FigureCanvasAgg(canvas)
-    return canvas, axes
-
-
-def _figure(canvas: Any, title: str, words: str) -> Figure:
+    for axis, middle in enumerate(y.T):
+        colour, marker, style = STYLES[axis % 2]
+        label = names[axis] if names else None
+        if half_widths is None:
+            axes.plot(x, middle, marker, color=colour, ms=3.5, mfc="none", label=label)
+            continue
+        half = half_widths[:, axis]
+        axes.fill_between(x, middle - half, middle + half, color=colour, alpha=0.25, lw=0.0)
+        axes.plot(x, middle, style, color=colour, lw=1.2, label=label)
+    axes.axhline(0.0, color="#000000", lw=0.6)
+    if names:
+        axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     stream = io.BytesIO()
     canvas.savefig(stream, format="png", metadata={"Software": None})
-    return Figure(title, stream.getvalue(), words)
+    return Figure(title, stream.getvalue(), f"{title}: largest {np.abs(y).max():.3g}.")

@@ -4,70 +4,57 @@ from __future__ import annotations
 
 import numpy as np
 
-from rigapp.calibrating.certificates.parts import Content, Parts, scatter, surroundings
-from rigapp.report.page.manuscript import Figure, Row, Table
+from rigapp.calibrating.certificates.parts import (
+    SURROUNDINGS,
+    Content,
+    Parts,
+    plot,
+    rows_of,
+    table,
+)
+from rigapp.report.page.manuscript import Table
+
+METHOD = (
+    "Method: the pin turned without the follower at several speeds; the change of the mean"
+    " force in the crank's frame against the known inertia of the pin outboard of the gauges,"
+    " force_1 = - m r w^2, force_2 = 0. The slowest speed is the zero."
+)
+FACTOR = "The expanded uncertainties have the coverage factor k = 2 (about 95 %)."
+SPEEDS = {
+    "rpm": "{speed_rpm:.1f}",
+    "known N": "{known_N[0]:+.3f}",
+    "force_1 N": "{measured_N[0]:+.3f}",
+    "force_2 N": "{measured_N[1]:+.3f}",
+    "U N": "{expanded_uncertainty_N:.3f}",
+    "verdict": "{verdict}",
+}
 
 
 def running_parts(content: Content) -> Parts:
-    """Return statements, tables and figures of a record."""
-    speeds = content["result"]["speeds"]
+    """Return statements, tables and figures of a record; every revolution's force over speed."""
+    result, speeds = content["result"], content["result"]["speeds"]
+    judged = ({**one, "verdict": "agrees" if one["agrees"] else "differs"} for one in speeds)
+    known, moment, expanded = (
+        1e3 * result[f"{what}_kg_m"]
+        for what in (
+            "known_mass_times_radius",
+            "measured_mass_times_radius",
+            "measured_expanded_uncertainty",
+        )
+    )
+    told = f"{moment:.4f} kg mm, U = {expanded:.4f} kg mm"
+    rows = (("known", f"{known:.4f} kg mm"), ("as the cell tells it", told))
+    text = content["readings_csv"].partition("\n")[2]
+    taken = np.array([line.split(",")[1:] for line in text.splitlines()], np.float64)
+    title, names = "Mean force of every revolution against speed", ("force_1", "force_2")
     return Parts(
-        _statements(content),
-        _tables(content),
-        _figures(content),
+        (METHOD, str(result["sentence"]), FACTOR),
+        [
+            table("Change of the mean force against the slowest speed", SPEEDS, judged),
+            Table("Mass times radius outboard of the gauges", rows),
+        ],
+        [plot(title, "speed (rpm)", taken[:, 0], taken[:, 1:], "mean force (N)", names)],
         "Forces",
         calibrated=f"{speeds[0]['speed_rpm']:.1f} rpm to {speeds[-1]['speed_rpm']:.1f} rpm.",
-        conditions=surroundings(content["settings"]),
+        conditions=rows_of(SURROUNDINGS, content["settings"]),
     )
-
-
-def _statements(content: Content) -> list[str]:
-    """Say what was done and what came out."""
-    return [
-        "Method: the pin turned without the follower at several speeds; the change of the mean"
-        " force in the crank's frame against the known inertia of the pin outboard of the gauges,"
-        " force_1 = - m r w^2, force_2 = 0. The slowest speed is the zero.",
-        str(content["result"]["sentence"]),
-        "The expanded uncertainties have the coverage factor k = 2 (about 95 %).",
-    ]
-
-
-def _tables(content: Content) -> list[Table]:
-    """Return the speeds, and the mass times radius."""
-    result = content["result"]
-    rows: tuple[Row, ...] = tuple(
-        (
-            f"{one['speed_rpm']:.1f}",
-            f"{one['known_N'][0]:+.3f}",
-            f"{one['measured_N'][0]:+.3f}",
-            f"{one['measured_N'][1]:+.3f}",
-            f"{one['expanded_uncertainty_N']:.3f}",
-            "agrees" if one["agrees"] else "differs",
-        )
-        for one in result["speeds"]
-    )
-    head = ("rpm", "known N", "force_1 N", "force_2 N", "U N", "verdict")
-    moment = 1e3 * result["measured_mass_times_radius_kg_m"]
-    expanded = 1e3 * result["measured_expanded_uncertainty_kg_m"]
-    return [
-        Table("Change of the mean force against the slowest speed", rows, head),
-        Table(
-            "Mass times radius outboard of the gauges",
-            (
-                ("known", f"{1e3 * result['known_mass_times_radius_kg_m']:.4f} kg mm"),
-                ("as the cell tells it", f"{moment:.4f} kg mm, U = {expanded:.4f} kg mm"),
-            ),
-        ),
-    ]
-
-
-def _figures(content: Content) -> list[Figure]:
-    """Show every revolution's force against the speed."""
-    lines = content["readings_csv"].splitlines()[1:]
-    table = np.array([[float(word) for word in line.split(",")[1:]] for line in lines])
-    return [
-        scatter(
-            "Mean force of every revolution against speed", "speed (rpm)", table[:, 0],
-            table[:, 1:], "mean force (N)", ("force_1", "force_2"),
-        )
-    ]  # fmt: skip
