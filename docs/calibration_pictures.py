@@ -107,7 +107,7 @@ def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any)
     def pump(until: Callable[[], bool], what: str) -> None:
         _pump(wizard, line, application, until, what)
 
-    pump(lambda: wizard.plan.reach.value() > LEAST_REACH_UM, "the probes' range")
+    pump(lambda: wizard.plan.fields["reach"].value() > LEAST_REACH_UM, "the probes' range")
     wizard.next()
     live.goes_ahead = True
     pump(lambda: len(live.session.procedure.taken) > PROBE_READINGS, "some of the steps")

@@ -26,7 +26,7 @@ from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import Terms, fit
 from calibration.load_cell.weights import pin_force, weight_force
 from calibration.taking.level import LevelError, LevelReading, reversed_level, single
-from calibration.taking.procedure import Event, ProcedureError, Step, TakenReading
+from calibration.taking.procedure import Event, ProcedureError, Step, StepKind, TakenReading
 from calibration.taking.signals import Readiness
 from rigapp.calibrating.daily_history import DailyHistory, append_check, entry_of, read_history
 from rigapp.calibrating.load_cell_result import load_cell_outcome
@@ -142,6 +142,19 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     def describe(self, reading: TakenReading) -> str:
         """Return mass and angle of a reading in words."""
         return f"{reading.value:g} kg at {math.degrees(reading.place):.1f} degrees"
+
+    def cells(self, reading: TakenReading) -> tuple[str, ...]:
+        """Return mass and angle of a reading."""
+        return f"{reading.value:g}", f"{math.degrees(reading.place):.1f}"
+
+    def told_live(self, found: Readiness) -> str:
+        """Return signals, the force that is felt and the one that should hang."""
+        one, two = found.steadiness.mean
+        unit, procedure = self.given.cell.signal_unit, self.procedure
+        text = f"Signals {one:+.5f}, {two:+.5f} {unit}: the cell feels {found.felt:.1f} N"
+        if not procedure.done and procedure.step.kind is not StepKind.SET_UP:
+            text += f"; what should hang weighs {self.expected_force():.1f} N"
+        return f"{text}."
 
     def recorded(self, found: Readiness) -> str:
         """Return the signals in words."""

@@ -118,6 +118,20 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         series = self.procedure.steps[reading.step].series
         return f"series {series}, {1e6 * reading.value:g} um"
 
+    def cells(self, reading: TakenReading) -> tuple[str, ...]:
+        """Return the position of a reading."""
+        return (f"{1e6 * reading.value:.1f}",)
+
+    def told_live(self, found: Readiness) -> str:
+        """Return the voltages and where the probe stands."""
+        if self.procedure.done:
+            return ""
+        one, two = found.steadiness.mean
+        return (
+            f"Probe 1 {one:+.4f} V, probe 2 {two:+.4f} V. By the calibration in use probe"
+            f" {self.procedure.step.set_up:g} stands at {1e6 * found.felt:+.1f} µm."
+        )
+
     def recorded(self, found: Readiness) -> str:
         """Return the voltage of the probe in words."""
         reading = self.procedure.taken[-1]

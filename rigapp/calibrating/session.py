@@ -211,6 +211,14 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         """Return what names a reading among the others, in words."""
 
     @abstractmethod
+    def cells(self, reading: TakenReading) -> tuple[str, ...]:
+        """Return what a reading was taken at, for a table."""
+
+    @abstractmethod
+    def told_live(self, found: Readiness) -> str:
+        """Return what the signals say now, in words."""
+
+    @abstractmethod
     def recorded(self, found: Readiness) -> str:
         """Return what was recorded, in words; found before it was taken."""
 

@@ -125,9 +125,9 @@ def test_whole_wizard_finds_both_probes_and_how_they_stand(
     wizard: CalibrationWizard, qtbot: Any, probes: ScriptedProbes
 ) -> None:
     # 80 % of the range with the sensitivity in use: steps of 160 um.
-    assert wizard.plan.reach.value() == pytest.approx(800.0)
+    assert wizard.plan.fields["reach"].value() == pytest.approx(800.0)
     assert "Steps of 160 µm; 126 readings" in wizard.plan.summary.text()
-    wizard.plan.plan.setCurrentIndex(0)
+    wizard.plan.fields["plan"].setCurrentIndex(0)
     assert "42 readings" in wizard.plan.summary.text()
     qtbot.keyClick(wizard.button(COMMIT), Qt.Key.Key_Space)
     assert wizard.currentPage() is wizard.readings
@@ -163,8 +163,8 @@ def test_whole_wizard_finds_both_probes_and_how_they_stand(
 
 
 def test_mistake_is_refused_rejected_and_put_right(wizard: CalibrationWizard, qtbot: Any) -> None:
-    wizard.plan.plan.setCurrentIndex(0)
-    wizard.plan.probe.setCurrentIndex(0)
+    wizard.plan.fields["plan"].setCurrentIndex(0)
+    wizard.plan.fields["which"].setCurrentIndex(0)
     wizard.next()
     combo = wizard.readings.hands.mistake
     combo.setCurrentIndex(list(MicrometerMistake).index(MicrometerMistake.BACKLASH))
@@ -194,7 +194,7 @@ def test_mistake_is_refused_rejected_and_put_right(wizard: CalibrationWizard, qt
 def test_typed_position_is_recorded_and_a_moving_one_is_not(
     wizard: CalibrationWizard, qtbot: Any, probes: ScriptedProbes
 ) -> None:
-    wizard.plan.probe.setCurrentIndex(0)
+    wizard.plan.fields["which"].setCurrentIndex(0)
     wizard.next()
     live, page = wizard.live, wizard.readings
     live.lend_a_hand()
@@ -223,7 +223,7 @@ def test_typed_position_is_recorded_and_a_moving_one_is_not(
 def test_closed_wizard_is_taken_up_again(
     wizard: CalibrationWizard, qtbot: Any, probes: ScriptedProbes, tmp_path: Path
 ) -> None:
-    wizard.plan.plan.setCurrentIndex(0)
+    wizard.plan.fields["plan"].setCurrentIndex(0)
     wizard.next()
     wizard.live.goes_ahead = True
     for _ in range(40):

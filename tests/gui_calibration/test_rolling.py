@@ -43,14 +43,14 @@ def opened(qtbot: Any, line: HostLine, folder: Path) -> CalibrationWizard:
 def test_rolls_are_taken_up_and_make_a_map_that_the_engine_uses(
     qtbot: Any, line: HostLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.gui.wizard.rolling_page.REVOLUTIONS", FEW)
+    monkeypatch.setattr("rigapp.gui.wizard.faces.REVOLUTIONS", FEW)
     text = (EXAMPLE.parent / "quick.toml").read_text("utf-8")
     # A loaded machine may hold the samples back for a while; that is not what is tested here.
     (tmp_path / "t.toml").write_text(text.replace("stale_data_s = 2.0", "stale_data_s = 60"))
     wizard = opened(qtbot, line, tmp_path)
-    wizard.plan.speeds.setText("3, 90")
+    wizard.plan.fields["speeds"].setText("3, 90")
     assert "--rpm 3, 90" in wizard.plan.summary.text()
-    wizard.plan.speeds.setText("10, 15")
+    wizard.plan.fields["speeds"].setText("10, 15")
     wizard.next()
     assert wizard.currentPage() is wizard.readings, wizard.plan.problem.text()
     assert not wizard.readings.isComplete()

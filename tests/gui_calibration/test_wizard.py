@@ -86,7 +86,7 @@ def test_level_is_turned_end_for_end(wizard: Any, scripted: Any) -> None:
 
 
 def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path: Path) -> None:
-    wizard.plan.plan.setCurrentIndex(0)
+    wizard.plan.fields["plan"].setCurrentIndex(0)
     to_readings(wizard)
     go_ahead(wizard, lambda: done(wizard))
     page = wizard.result_page
@@ -213,7 +213,7 @@ def test_escape_keeps_the_readings_and_they_are_taken_up(
 
 
 def test_typed_value_counts_without_leaving_the_field(wizard: Any, qtbot: Any) -> None:
-    box = wizard.plan.hanger
+    box = wizard.plan.fields["hanger"]
     box.lineEdit().selectAll()
     qtbot.keyClicks(box, "0.25")
     wizard.next()
@@ -221,7 +221,7 @@ def test_typed_value_counts_without_leaving_the_field(wizard: Any, qtbot: Any) -
 
 
 def test_wrong_weights_are_said_on_the_page(wizard: Any) -> None:
-    wizard.plan.weights.setText("five")
+    wizard.plan.fields["weights"].setText("five")
     wizard.next()
     assert wizard.currentPage() is wizard.plan
     assert "five" in wizard.plan.problem.text()

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QVBoxLayout, QWizardPage
 
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, filled, named, row
-from rigapp.gui.wizard.hands_panel import HandsPanel
+from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import Stability, field, number, sentence
 

@@ -32,6 +32,13 @@ def field(form: QFormLayout, text: str, widget: QWidget) -> None:
     form.addRow(label, widget)
 
 
+def labelled(text: str, widget: QWidget) -> QFormLayout:
+    """Return a form of one row with an access key."""
+    form = QFormLayout()
+    field(form, text, widget)
+    return form
+
+
 def number(
     name: str, spoken: str, low: float, high: float, decimals: int, step: float, unit: str
 ) -> QDoubleSpinBox:
@@ -166,23 +173,3 @@ class ResidualPlot(QWidget):
         self.plot.setXRange(*found.span, padding=0.0)
         self.plot.setYRange(-found.reach, found.reach, padding=0.0)
         self.words.setText(found.words)
-
-
-def load_cell_plot(theme: Theme) -> ResidualPlot:
-    """Return the plot of the cell's residuals, N, in the order taken."""
-    spoken = "Residuals of the readings so far, N"
-    names = PlotNames("residual", spoken, "N", "Reading")
-    return ResidualPlot(theme, names)
-
-
-def probe_plot(theme: Theme) -> ResidualPlot:
-    """Return the plot of the probes' residuals, µm, over the position."""
-    spoken, bottom = "Residuals so far, micrometres", "Position (µm)"
-    names = PlotNames("probe_residual", spoken, "µm", bottom)
-    return ResidualPlot(theme, names)
-
-
-def run_out_plot(theme: Theme) -> ResidualPlot:
-    """Return the plot of a run-out map, µm, over the crank angle."""
-    spoken, bottom = "Run-out map, micrometres", "Crank angle (degrees)"
-    return ResidualPlot(theme, PlotNames("run_out", spoken, "µm", bottom, "Run-out"))

@@ -1,22 +1,16 @@
-"""The run-out map: choose the rolls, let the engine turn the spindle, see how far it is."""
+"""The run-out map: let the engine turn the spindle, see how far it is."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
-import msgspec
-from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget, QWizardPage
+from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWizardPage
 
-from rigapp.calibrating.rolls import ORDERS, REVOLUTIONS, RollPlan, roll_plan
-from rigapp.config.calibration_settings import RunOutFile
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.widgets.build import button, edit, filled, named, row, whole_number
+from rigapp.gui.widgets.build import button, filled, named, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import field, sentence
-from rigapp.gui.wizard.plan_page import PlanPage
+from rigapp.gui.wizard.parts import sentence
 from rigapp.schema.messages import Reply
 
 
@@ -75,82 +69,6 @@ class RollingCalibration(LiveCalibration):
         self.rolling = False
         self.said.emit(sentence)
         self.moved.emit()
-
-
-class RollPlanPage(PlanPage):
-    """Choose the speeds, how often, and the test file whose mechanism is in the rig."""
-
-    def __init__(self, live: LiveCalibration, folder: Path, settings: Path | None) -> None:
-        super().__init__(
-            live,
-            folder,
-            settings,
-            RunOutFile(schema=1),
-            stem="run_out",
-            journals="run-out",
-            plans={
-                "routine": "Routine: 12 revolutions at each speed",
-                "full": "Full: 30 revolutions at each speed",
-            },
-            item=("name", "Name of the pin"),
-        )
-        self.setTitle("Rolls")
-        self.setSubTitle(
-            "The spindle turns slowly with the follower on the pin and an unworn bushing, whose"
-            " probes then see the pin's own run-out. Two speeds tell inertia from run-out."
-        )
-        hint = "its mechanism tells the elastic motion, its limits stay"
-        self.test = edit("run_out_test", "Test file of this mechanism", hint=hint)
-        self.test.setText("" if live.rig.test is None else str(live.rig.test))
-        self.speeds = edit("run_out_speeds", "Speeds of the rolls, revolutions per minute")
-        self.speeds.setText("3, 6")
-        self.orders = whole_number("run_out_orders", "Fourier orders of the map", 1, 32)
-        self.orders.setValue(ORDERS)
-        for text, widget in (
-            ("Name of the &pin", self.item),
-            ("P&lan", self.plan),
-            ("Sp&eeds (rpm)", self.speeds),
-            ("Or&ders of the map", self.orders),
-            ("&Test file", self.test),
-        ):
-            field(self.form, text, widget)
-        self.plan.setCurrentIndex(0)
-        self.finish()
-        self.speeds.textChanged.connect(self.summarise)
-
-    @property
-    def of_the_plan(self) -> tuple[QWidget, ...]:
-        """Return speeds and orders."""
-        return (self.speeds, self.orders)
-
-    def show_settings(self) -> None:
-        """Take the pin's name from the settings."""
-        self.item.setText(self._given.pin.name)
-
-    def stated(self) -> RunOutFile:
-        """Return the settings with the pin's name."""
-        pin = msgspec.structs.replace(self._given.pin, name=self.item.text().strip() or "pin")
-        stated: RunOutFile = msgspec.structs.replace(self._given, pin=pin)
-        return stated
-
-    def wanted(self) -> RollPlan:
-        """Return the plan that the fields say."""
-        revolutions = REVOLUTIONS[self.plan.currentData()]
-        return roll_plan(self.speeds.text(), revolutions, self.orders.value())
-
-    def describe(self, plan: RollPlan) -> str:
-        """Return what a plan means, in words."""
-        text = f"The spindle turns for about {plan.seconds / 60.0:.0f} min."
-        if len(plan.speeds) == 1:
-            text += " With one speed only, what inertia adds to the run-out is not known."
-        return text
-
-    def validatePage(self) -> bool:
-        """Take the test file, then begin or take up."""
-        name = self.test.text().strip()
-        live = self._live
-        live.rig = replace(live.rig, test=Path(name) if name else None)
-        return super().validatePage()
 
 
 class RollingPage(QWizardPage):

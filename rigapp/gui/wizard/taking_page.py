@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import math
-from abc import abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QFormLayout,
     QHeaderView,
     QProgressBar,
     QTableWidget,
@@ -20,12 +17,19 @@ from PySide6.QtWidgets import (
     QWizardPage,
 )
 
-from calibration.taking.signals import Readiness
+from calibration.taking.procedure import StepKind
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row
-from rigapp.gui.wizard.hands_panel import HandsPanel
+from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import ResidualPlot, Stability, sentence
+from rigapp.gui.wizard.parts import (
+    PlotNames,
+    ResidualPlot,
+    Stability,
+    labelled,
+    number,
+    sentence,
+)
 
 RECORD = "&Record"
 
@@ -35,7 +39,8 @@ class TakingWords:
     """Names and words of the page.
 
     prefix: of the widgets' names; columns: of the table; buttons: kind of a step -> what the button
-    says, in place of ``RECORD``.
+    says, in place of ``RECORD``. do: what the simulated hands do. read_off: a position that the
+    operator reads off is entered.
     """
 
     prefix: str
@@ -44,18 +49,20 @@ class TakingWords:
     reject: str
     reason: str
     columns: tuple[str, ...]
-    buttons: Mapping[Any, str]
+    buttons: Mapping[StepKind, str] = field(default_factory=dict)
+    do: str = "&Do this step"
+    read_off: bool = False
 
 
 class TakingPage(QWizardPage):
-    """Take all readings of the plan; a subject says what the widgets show."""
+    """Take all readings of the plan; the session says what the widgets show."""
 
     def __init__(
-        self, live: LiveCalibration, theme: Theme, words: TakingWords, plot: ResidualPlot
+        self, live: LiveCalibration, theme: Theme, words: TakingWords, plot: PlotNames
     ) -> None:
         """Make the widgets; plot: of the residuals so far."""
         super().__init__()
-        self.live_calibration, self._words, self.plot = live, words, plot
+        self.live_calibration, self._words, self.plot = live, words, ResidualPlot(theme, plot)
         prefix = words.prefix
         self.setTitle("Readings")
         spoken = "What to do now"
@@ -75,36 +82,20 @@ class TakingPage(QWizardPage):
         self.reason = edit(f"{prefix}reject_reason", spoken, self._enable, hint=hint)
         text = "Re&ject and repeat its series"
         self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
-
-    def lay_out(self, hands: HandsPanel, form: QFormLayout | None = None) -> None:
-        """Put all in its place; ``form``: what is entered before a reading is recorded."""
-        self.hands = hands
-        upper = [self.instruction, self.stability, self.live, form, self.record, self.problem]
+        spoken = "Position that the micrometer shows"
+        self.shown = number(f"{prefix}shown", spoken, -20000.0, 20000.0, 1, 1.0, "µm")
+        entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
+        self.hands = HandsPanel(live, f"{prefix}hands", words.do)
+        upper = (self.instruction, self.stability, self.live, entered, self.record, self.problem)
         shown = [one for one in upper if one is not None]
         left = filled(QVBoxLayout(), (*shown, None, self.left, self.progress))
-        why = row(self._words.reason, (self.reason, 1), self.reject_button)
-        whole = ((row((left, 1), (self.plot, 1)), 1), (self.table, 1), why, hands)
+        why = row(words.reason, (self.reason, 1), self.reject_button)
+        whole = ((row((left, 1), (self.plot, 1)), 1), (self.table, 1), why, self.hands)
         filled(QVBoxLayout(self), whole)
         self.table.itemSelectionChanged.connect(self._enable)
-        self.live_calibration.looked.connect(self._look)
-        self.live_calibration.moved.connect(self._move)
-        self.live_calibration.said.connect(self.problem.setText)
-
-    # --- what a subject says ---------------------------------------------------------------------
-
-    @abstractmethod
-    def live_words(self, readiness: Readiness) -> str:
-        """Return what the signals say now."""
-
-    @abstractmethod
-    def cells(self, reading: Any) -> tuple[str, ...]:
-        """Return what a reading was taken at, in words."""
-
-    def read_off(self) -> float | None:
-        """Return what the operator read off, SI; None where nothing is."""
-        return None
-
-    # --- the page --------------------------------------------------------------------------------
+        live.looked.connect(self._look)
+        live.moved.connect(self._move)
+        live.said.connect(self.problem.setText)
 
     def initializePage(self) -> None:
         """Show the step under way, with the focus where it records."""
@@ -118,8 +109,8 @@ class TakingPage(QWizardPage):
         session = self.live_calibration.session
         return session is not None and bool(session.procedure.done)
 
-    def show_step(self) -> None:
-        """Show what to do and how far it is."""
+    def _show_step(self) -> None:
+        """Show what to do and how far it is, offer the position to which it leads."""
         procedure = self.live_calibration.session.procedure
         self.instruction.setText(procedure.instruction.replace(" um", " µm"))
         self.progress.setRange(0, len(procedure.steps))
@@ -128,7 +119,11 @@ class TakingPage(QWizardPage):
             widget.setVisible(not procedure.done)
         if procedure.done:
             self.left.setText("All steps are done.")
+            self.shown.setEnabled(False)
             return
+        if self._words.read_off:
+            self.shown.setValue(1e6 * procedure.step.value)
+            self.shown.setEnabled(procedure.step.kind is StepKind.READING)
         self.left.setText(procedure.progress[:1].upper() + procedure.progress[1:])
         button = self._words.buttons.get(procedure.step.kind, RECORD)
         self.record.setText(button)
@@ -137,7 +132,7 @@ class TakingPage(QWizardPage):
     def _move(self) -> None:
         if self.live_calibration.session is None:
             return
-        self.show_step()
+        self._show_step()
         self._fill()
         self.plot.show_residuals(self.live_calibration.session.residuals())
         self.completeChanged.emit()
@@ -157,32 +152,34 @@ class TakingPage(QWizardPage):
         elif self.record.isEnabled() and self.focusWidget() in (None, self, self.record):
             self.record.setFocus()
         known = readiness is not None and not math.isnan(readiness.felt)
-        self.live.setText(self.live_words(readiness) if readiness is not None and known else "")
+        self.live.setText(live.session.told_live(readiness) if known else "")
 
     def _fill(self) -> None:
         """Show all readings."""
-        procedure = self.live_calibration.session.procedure
+        session = self.live_calibration.session
+        procedure = session.procedure
         taken, last = procedure.taken, len(self._words.columns) - 1
         self.table.setRowCount(len(taken))
-        for number, one in enumerate(taken):
+        for line, one in enumerate(taken):
             state = f"rejected: {one.rejected}" if one.rejected else "stands"
-            known = self.table.item(number, last)
-            if known is not None and known.text() == state and number != len(taken) - 1:
+            known = self.table.item(line, last)
+            if known is not None and known.text() == state and line != len(taken) - 1:
                 continue
             step = procedure.steps[one.step]
             signals = (f"{signal:+.5f}" for signal in one.signal)
-            texts = (step.series, str(step.number), *self.cells(one), *signals, state)
+            texts = (step.series, str(step.number), *session.cells(one), *signals, state)
             for place, text in enumerate(texts):
                 item = QTableWidgetItem(text)
                 font = item.font()
                 font.setStrikeOut(bool(one.rejected) and place < last)
                 item.setFont(font)
-                self.table.setItem(number, place, item)
+                self.table.setItem(line, place, item)
         self.table.scrollToBottom()
         self._enable()
 
     def _record(self) -> None:
-        self.live_calibration.take(self.read_off())
+        self.shown.interpretText()
+        self.live_calibration.take(1e-6 * self.shown.value() if self._words.read_off else None)
         if self.record.isEnabled():
             self.record.setFocus()
 

@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QWidget, QWizard, QWizardPage
 
-from rigapp.calibrating.rolls import RollSession
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
-from rigapp.gui.wizard.hands_queue import AskLater
-from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import ResidualPlot, probe_plot, run_out_plot
-from rigapp.gui.wizard.plan_page import LoadCellPlanPage, PlanPage, ProbePlanPage
-from rigapp.gui.wizard.readings_page import LoadCellReadingsPage, ProbeReadingsPage
+from rigapp.gui.wizard.faces import FACES
+from rigapp.gui.wizard.live_calibration import AskLater
+from rigapp.gui.wizard.parts import ResidualPlot
+from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import ResultPage
-from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage, RollPlanPage
-from rigapp.gui.wizard.taking_page import TakingPage
 
 BUTTONS = {
     QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
@@ -31,60 +25,6 @@ BUTTONS = {
     QWizard.WizardButton.BackButton: ("&Back", "Back"),
     QWizard.WizardButton.FinishButton: ("&Finish", "Finish"),
     QWizard.WizardButton.CancelButton: ("Close", "Close; all readings are kept"),
-}
-
-
-PlanMaker = Callable[[LiveCalibration, Path, Path | None, str], PlanPage]
-
-
-@dataclass(frozen=True, slots=True)
-class SubjectPages:
-    """The pages of a subject of ``SUBJECTS``.
-
-    name: of the wizard; what: in its title; prefix: of the widgets' names. plan (calibration,
-    folder, settings file, which of several), readings, and angle if there is an angle reference;
-    plot: of the residuals beside the result, if there is one. session: where it has no steps.
-    live: what listens to the engine for the pages.
-    """
-
-    name: str
-    what: str
-    prefix: str
-    plan: PlanMaker
-    readings: Callable[[Any, Theme], TakingPage | RollingPage]
-    angle: Callable[[LiveCalibration, Theme], AnglePage] | None = None
-    plot: Callable[[Theme], ResidualPlot] | None = None
-    session: type[RollSession] | None = None
-    live: type[LiveCalibration] = LiveCalibration
-
-
-PAGES = {
-    "load cell": SubjectPages(
-        name="calibration_wizard",
-        what="the load cell",
-        prefix="",
-        plan=lambda live, folder, settings, _: LoadCellPlanPage(live, folder, settings),
-        readings=LoadCellReadingsPage,
-        angle=AnglePage,
-    ),
-    "probes": SubjectPages(
-        name="probe_wizard",
-        what="the probes",
-        prefix="probe_",
-        plan=ProbePlanPage,
-        readings=ProbeReadingsPage,
-        plot=probe_plot,
-    ),
-    "run-out": SubjectPages(
-        name="run_out_wizard",
-        what="the pin's run-out",
-        prefix="run_out_",
-        plan=lambda live, folder, settings, _: RollPlanPage(live, folder, settings),
-        readings=RollingPage,
-        plot=run_out_plot,
-        session=RollSession,
-        live=RollingCalibration,
-    ),
 }
 
 
@@ -105,22 +45,22 @@ class CalibrationWizard(QWizard):
     ) -> None:
         """Make the pages of a subject; which: of several things of it."""
         super().__init__(parent)
-        of, pages = SUBJECTS[subject], PAGES[subject]
-        session: Any = pages.session or of.session
+        of, face = SUBJECTS[subject], FACES[subject]
+        session: Any = face.session or of.session
         assert of.place is not None
-        self.setObjectName(pages.name)
-        self.setWindowTitle(f"Calibrate {pages.what} – rigapp")
-        self.setAccessibleName(f"Calibration of {pages.what}")
+        self.setObjectName(face.name)
+        self.setWindowTitle(f"Calibrate {face.what} – rigapp")
+        self.setAccessibleName(f"Calibration of {face.what}")
         self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
         self.setModal(False)
-        self.live = pages.live(line, rig, session)
-        self.plan = pages.plan(self.live, folder, settings, which)
-        self.angle = None if pages.angle is None else pages.angle(self.live, theme)
-        self.readings: Any = pages.readings(self.live, theme)
-        plot = None if pages.plot is None else pages.plot(theme)
-        self.result_page = ResultPage(self.live, theme, folder, pages.prefix, plot)
-        self.certificate = CertificatePage(self.live, pages.prefix, of.place)
+        self.live = face.live(line, rig, session)
+        self.plan = PlanPage(self.live, folder, settings, face.asks, which)
+        self.angle = AnglePage(self.live, theme) if face.angle else None
+        self.readings: Any = face.readings(self.live, theme)
+        plot = ResidualPlot(theme, face.plot) if face.fitted else None
+        self.result_page = ResultPage(self.live, theme, folder, face.prefix, plot)
+        self.certificate = CertificatePage(self.live, face.prefix, of.place)
         before: list[QWizardPage] = [self.plan] if self.angle is None else [self.plan, self.angle]
         before[-1].setCommitPage(True)
         for page in (*before, self.readings, self.result_page, self.certificate):

@@ -1,0 +1,277 @@
+"""What the wizard asks, says and shows of each subject: one table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from calibration.load_cell.plans import LoadCellPlan
+from calibration.load_cell.plausible import GRAVITY
+from calibration.probes.plans import ProbePlan
+from calibration.probes.readings import FEWEST_POSITIONS
+from calibration.taking.procedure import Step, StepKind, duration_words
+from rigapp.calibrating.load_cell_session import load_cell_plan
+from rigapp.calibrating.probe_session import probe_plan, usual_reach_um
+from rigapp.calibrating.rolls import ORDERS, REVOLUTIONS, RollPlan, RollSession, roll_plan
+from rigapp.config.calibration_settings import (
+    CellSection,
+    LoadCellFile,
+    ProbeFile,
+    ProbeSection,
+    RunOutFile,
+    load_cell_meaning,
+)
+from rigapp.gui.look.tokens import Theme
+from rigapp.gui.widgets.build import choice, edit, whole_number
+from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.gui.wizard.parts import PlotNames, number
+from rigapp.gui.wizard.plan_page import RIG, Field, Questions, Values
+from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage
+from rigapp.gui.wizard.taking_page import TakingPage, TakingWords
+
+MOST_POSITIONS = 41
+"""More than an operator takes at a window; the command line takes more."""
+ROUNDED_GRAVITY = 9.81
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """How the window shows a subject of ``SUBJECTS``.
+
+    name: of the wizard; what: in its title; prefix: of the widgets' names. readings: the page on
+    which they are taken. angle: there is an angle reference. plot: of the residuals; fitted: it
+    stands beside the result, too. session: of a subject without steps. live: what listens to the
+    engine.
+    """
+
+    name: str
+    what: str
+    prefix: str
+    asks: Questions
+    readings: Callable[[Any, Theme], TakingPage | RollingPage]
+    plot: PlotNames
+    angle: bool = False
+    fitted: bool = True
+    session: type[RollSession] | None = None
+    live: type[LiveCalibration] = LiveCalibration
+
+
+def _taken(steps: tuple[Step, ...]) -> str:
+    readings = sum(1 for step in steps if step.series)
+    return f"{readings} readings, about {duration_words(steps)}."
+
+
+# --- the load cell --------------------------------------------------------------------------------
+
+
+def _load_cell_plan(values: Values, settings: LoadCellFile) -> LoadCellPlan:
+    meaning = load_cell_meaning(settings, "settings")
+    return load_cell_plan(values["plan"], values["weights"], meaning)
+
+
+def _describe_load_cell(plan: LoadCellPlan, values: Values, settings: LoadCellFile) -> str:
+    steps = plan.steps()
+    most = max(step.value for step in steps)
+    text = (
+        f"{len(plan.pieces)} pieces, {sum(plan.pieces):g} kg in all. The heaviest load is"
+        f" {most:g} kg; {_taken(steps)}"
+    )
+    stated = settings.place.gravity_m_s2 is not None
+    if stated and abs(values["gravity"] - ROUNDED_GRAVITY) < 1e-6:
+        text += (
+            "\n9.81 m/s² is a rounded value, up to 0.3 % off: write the gravity of this place,"
+            " or name a settings file with latitude and height."
+        )
+    return text
+
+
+def _gravity(settings: LoadCellFile) -> Values:
+    """Return the gravity that follows from latitude and height."""
+    if settings.place.gravity_m_s2 is not None or settings.place.latitude_deg is None:
+        return {}
+    return {"gravity": load_cell_meaning(settings, "settings").place.gravity}
+
+
+_WEIGHING_PLANS = (
+    ("Daily check: one weight at 4 pin angles", "daily"),
+    ("Routine: 4 pin angles, 5 loads up and down", "routine"),
+    ("Full: 12 pin angles, 10 loads up and down", "full"),
+)
+_WEIGHTS = "Weights, kilograms; 5x8 are eight of 5 kg"
+_MASS = partial(number, low=0.0, high=20.0, decimals=4, step=0.1, unit="kg")
+_GRAVITY = partial(number, low=GRAVITY.low, high=GRAVITY.high, decimals=5, step=0.0001, unit="m/s²")
+WEIGHING = Questions(
+    stem="calibration",
+    journals="calibration",
+    title="Plan and weights",
+    subtitle="Every reading is saved at once. You can close the wizard at any time and take the"
+    " calibration up again.",
+    given=LoadCellFile(schema=1, cell=CellSection(name="Load cell")),
+    fields=(
+        Field("cell", "&Load cell", edit, "Load cell", "cell.name", "Name of the load cell"),
+        Field("plan", "&Plan", partial(choice, items=_WEIGHING_PLANS), "routine"),
+        Field("weights", "W&eights (kg)", edit, "5x8, 2, 2, 1, 0.5", spoken=_WEIGHTS),
+        Field("hanger", "&Hanger", _MASS, 0.0, "weights.hanger_mass_kg", "Mass of the hanger"),
+        Field("gravity", "Local &gravity", _GRAVITY, ROUNDED_GRAVITY, "place.gravity_m_s2"),
+    ),
+    culprit="weights",
+    wanted=_load_cell_plan,
+    describe=_describe_load_cell,
+    derived=_gravity,
+)
+
+# --- the probes -----------------------------------------------------------------------------------
+
+
+def _probe_plan(values: Values, settings: ProbeFile) -> ProbePlan:
+    return probe_plan(values["which"], values["plan"], values["reach"], values["positions"])
+
+
+def _describe_probes(plan: ProbePlan, values: Values, settings: ProbeFile) -> str:
+    text = f"Steps of {1e6 * plan.step_size:g} µm; {_taken(plan.steps())}"
+    if len(plan.probes) > 1:
+        text += " With both probes the stage moves along the follower first, then across it."
+    return text
+
+
+def _propose_reach(view: Any, values: Values, settings: ProbeFile) -> Values:
+    """Propose 80 % of the range, once the engine has told the sensitivity in use."""
+    known, range_V = view["sensitivity_um_per_V"], settings.probe.range_V
+    return {"reach": usual_reach_um(known, range_V, values["positions"])}
+
+
+_PROBES = (
+    ("Probe 1, along the follower", "1"),
+    ("Probe 2, across the follower", "2"),
+    ("Both probes, and how they stand to each other", "both"),
+)
+_MEASURING_PLANS = (
+    ("Routine: once up and down", "routine"),
+    ("Full: three times up and down", "full"),
+)
+_POSITIONS = partial(whole_number, low=FEWEST_POSITIONS, high=MOST_POSITIONS)
+_REACH = partial(number, low=1.0, high=10000.0, decimals=1, step=10.0, unit="µm")
+_SCALE = partial(number, low=0.01, high=100.0, decimals=2, step=0.1, unit="µm")
+_SCALE_KEY = "probe.micrometer_standard_uncertainty_um"
+_SCALE_SPOKEN = "Standard uncertainty of the micrometer"
+MEASURING = Questions(
+    stem="probe",
+    journals="probes",
+    title="Probe and plan",
+    subtitle="A micrometer moves the target in equal steps, up and down; the voltage is read at"
+    " each step. Every reading is saved at once: close at any time and take it up again.",
+    given=ProbeFile(schema=1, probe=ProbeSection(name="Probe")),
+    fields=(
+        Field("which", "&Calibrate", partial(choice, items=_PROBES), "1", spoken="Which probe"),
+        Field("name", "N&ame", edit, "Probe", "probe.name", "Name of the probe"),
+        Field("plan", "&Plan", partial(choice, items=_MEASURING_PLANS), "full"),
+        Field("positions", "Posi&tions of a run", _POSITIONS, 11),
+        Field("reach", "From − to + th&is position", _REACH, 1.0, spoken="Largest position"),
+        Field("micrometer", "u of the &micrometer", _SCALE, 0.5, _SCALE_KEY, _SCALE_SPOKEN),
+    ),
+    culprit="reach",
+    wanted=_probe_plan,
+    describe=_describe_probes,
+    propose=_propose_reach,
+)
+
+# --- the run-out ----------------------------------------------------------------------------------
+
+
+def _roll_plan(values: Values, settings: RunOutFile) -> RollPlan:
+    return roll_plan(values["speeds"], REVOLUTIONS[values["plan"]], values["orders"])
+
+
+def _describe_rolls(plan: RollPlan, values: Values, settings: RunOutFile) -> str:
+    text = f"The spindle turns for about {plan.seconds / 60.0:.0f} min."
+    if len(plan.speeds) == 1:
+        text += " With one speed only, what inertia adds to the run-out is not known."
+    return text
+
+
+_ROLLING_PLANS = (
+    ("Routine: 12 revolutions at each speed", "routine"),
+    ("Full: 30 revolutions at each speed", "full"),
+)
+_SPEEDS = "Speeds of the rolls, revolutions per minute"
+_ORDERS = partial(whole_number, low=1, high=32)
+_ORDERS_SPOKEN = "Fourier orders of the map"
+_TEST = partial(edit, hint="its mechanism tells the elastic motion, its limits stay")
+ROLLING = Questions(
+    stem="run_out",
+    journals="run-out",
+    title="Rolls",
+    subtitle="The spindle turns slowly with the follower on the pin and an unworn bushing, whose"
+    " probes then see the pin's own run-out. Two speeds tell inertia from run-out.",
+    given=RunOutFile(schema=1),
+    fields=(
+        Field("name", "Name of the &pin", edit, "pin", "pin.name"),
+        Field("plan", "P&lan", partial(choice, items=_ROLLING_PLANS), "routine"),
+        Field("speeds", "Sp&eeds (rpm)", edit, "3, 6", spoken=_SPEEDS),
+        Field("orders", "Or&ders of the map", _ORDERS, ORDERS, spoken=_ORDERS_SPOKEN),
+        Field("test", "&Test file", _TEST, "", RIG, "Test file of this mechanism"),
+    ),
+    culprit="speeds",
+    wanted=_roll_plan,
+    describe=_describe_rolls,
+)
+
+# --- all of them ----------------------------------------------------------------------------------
+
+CELL_PLOT = PlotNames("residual", "Residuals of the readings so far, N", "N", "Reading")
+PROBE_PLOT = PlotNames("probe_residual", "Residuals so far, micrometres", "µm", "Position (µm)")
+RUN_OUT_PLOT = PlotNames(
+    "run_out", "Run-out map, micrometres", "µm", "Crank angle (degrees)", "Run-out"
+)
+WITH_WEIGHTS = TakingWords(
+    prefix="",
+    progress="calibration_progress",
+    live="Signals now",
+    reject="Reject the selected reading and repeat its series",
+    reason="Rea&son",
+    columns=("Series", "Step", "Mass (kg)", "Angle (deg)", "Signal 1", "Signal 2", "State"),
+    buttons={StepKind.SET_UP: "The pin is &turned", StepKind.PRELOAD: "The preload is d&one"},
+)
+WITH_MICROMETER = TakingWords(
+    prefix="probe_",
+    progress="probe_progress",
+    live="Voltages now",
+    reject="Reject the selected reading, repeat its series",
+    reason="Re&ason",
+    columns=("Series", "Step", "Position (µm)", "Probe 1 (V)", "Probe 2 (V)", "State"),
+    buttons={StepKind.SET_UP: "The &target stands before the probe"},
+    do="T&urn the micrometer",
+    read_off=True,
+)
+FACES = {
+    "load cell": Face(
+        name="calibration_wizard",
+        what="the load cell",
+        prefix="",
+        asks=WEIGHING,
+        readings=partial(TakingPage, words=WITH_WEIGHTS, plot=CELL_PLOT),
+        plot=CELL_PLOT,
+        angle=True,
+        fitted=False,
+    ),
+    "probes": Face(
+        name="probe_wizard",
+        what="the probes",
+        prefix="probe_",
+        asks=MEASURING,
+        readings=partial(TakingPage, words=WITH_MICROMETER, plot=PROBE_PLOT),
+        plot=PROBE_PLOT,
+    ),
+    "run-out": Face(
+        name="run_out_wizard",
+        what="the pin's run-out",
+        prefix="run_out_",
+        asks=ROLLING,
+        readings=RollingPage,
+        plot=RUN_OUT_PLOT,
+        session=RollSession,
+        live=RollingCalibration,
+    ),
+}
