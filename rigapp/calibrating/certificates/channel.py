@@ -6,11 +6,12 @@ import numpy as np
 
 from calibration.channel import parse_channel, rule_of
 from rigapp.calibrating.certificates.parts import (
+    SURROUNDINGS,
     Content,
     Parts,
     budget_table,
-    scatter,
-    surroundings,
+    plot,
+    rows_of,
 )
 from rigapp.report.page.manuscript import Table
 
@@ -33,7 +34,6 @@ def channel_parts(content: Content) -> Parts:
             strict=True,
         )
     ]
-    budget = budget_table("Budget of one value", result, "value", unit)
     least, most = readings.reference.min(), readings.reference.max()
     way = "straight line" if result["table"] is None else "table of means, linear between them,"
     return Parts(
@@ -44,7 +44,7 @@ def channel_parts(content: Content) -> Parts:
         ],
         [Table("Value of a voltage", tuple(rows))],
         [
-            scatter(
+            plot(
                 "Residual against reference",
                 f"reference ({unit})",
                 readings.reference,
@@ -55,10 +55,10 @@ def channel_parts(content: Content) -> Parts:
         calibrated=f"{least:g} {unit} to {most:g} {unit} ({readings.signal.min():.3f} V to"
         f" {readings.signal.max():.3f} V). Beyond it value and uncertainty are extrapolated.",
         conditions=[
-            *surroundings(settings),
+            *rows_of(SURROUNDINGS, settings),
             ("Reference", f"u = {settings['channel']['reference_standard_uncertainty']:g} {unit}"),
         ],
-        uncertainty=[] if budget is None else [budget],
+        uncertainty=budget_table("Budget of one value", result, "value", unit),
         readings=[
             Table(
                 "Readings",
