@@ -68,9 +68,14 @@ def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:
     return _record(Path(name), toml_tree(text, name), TestFile, recorded=recorded)
 
 
-def as_test(tree: Mapping[str, Any], name: str) -> TestFile:
-    """Return the test that nested tables mean; raise UnusableInput."""
-    return _record(Path(name), tree, TestFile)
+def judged_test(tree: Mapping[str, Any]) -> tuple[TestFile | None, list[str]]:
+    """Return the test that nested tables mean, None where it is unusable, and all its mistakes."""
+    try:
+        record = _decode(Path("test"), tree, TestFile)
+    except UnusableInput as error:
+        return None, [str(error).removeprefix("test: ")]
+    wrong = [*refusals(record), *faults(record)]
+    return None if wrong else record, wrong
 
 
 def parse_rig(text: str, name: str, *, recorded: bool = False) -> RigFile:

@@ -41,7 +41,7 @@ def check_rules(
     begins the sentence.
     """
     for number, rule in enumerate(rules, start=1):
-        for fault in _faults(rule, table):
+        for fault in rule_faults(rule, table):
             raise UnusableInput(f"{where}limits.rule {number} ({rule.quantity}): {fault}")
 
 
@@ -67,7 +67,8 @@ def limit_refusal(name: str, value: object, table: ChannelTable | None = None) -
     return f"{quantity}.{wrong}" if wrong else ""
 
 
-def _faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
+def rule_faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
+    """Yield what is wrong with a rule; table as in ``check_rules``."""
     known = quantities(table or BASE)
     if rule.quantity not in known and (
         table is not None or rule.quantity in BASE.names or not NAME.fullmatch(rule.quantity)

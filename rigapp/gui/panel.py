@@ -56,8 +56,7 @@ class Host:
     """The window, as the makers of pages see it.
 
     ask: a request to the engine, whose answer the window shows. say: a sentence where answers
-    stand, and whether it is a good one. offer_start: a test file that may be started.
-    read_revolution: the saved cycle nearest to a revolution.
+    stand, and whether it is a good one. read_revolution: the saved cycle nearest to a revolution.
     """
 
     theme: Theme
@@ -66,7 +65,6 @@ class Host:
     stalls: StallCounter
     ask: Callable[[str, dict[str, Any]], None]
     say: Callable[[str, bool], None]
-    offer_start: Callable[[Path], None]
     read_revolution: Read
     panels: dict[str, Panel] = field(default_factory=dict)
 

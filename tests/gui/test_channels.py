@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox
 
 from rigapp.config.loading import parse_test
 from rigapp.gui.data.channels import free_values, table_of
@@ -27,7 +26,7 @@ from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.wearprofile import WearProfilePanel
-from rigapp.gui.testfile.rules import RuleTable
+from rigapp.gui.testfile.rules import LimitSentences
 from rigapp.gui.window.window import MainWindow
 from rigapp.replay.client import ReplayClient
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
@@ -166,14 +165,17 @@ def test_a_free_channel_is_drawn_in_the_trend_and_against_the_angle(
 def test_a_limit_on_a_free_channel_is_offered_and_changed(
     qtbot: Any, qapp: Any, make_status: Any
 ) -> None:
-    rules = RuleTable()
+    rules = LimitSentences()
     qtbot.addWidget(rules)
     rules.fill([{"quantity": "force_max", "warning_above": 150.0}])
     rules.know(TABLE)
-    box = rules.table.cellWidget(0, 0)
-    assert isinstance(box, QComboBox)
-    box.setCurrentText("bushing_temperature_max")
-    assert rules.rules() == [{"quantity": "bushing_temperature_max", "warning_above": 150.0}]
+    box = rules.rows[0].quantity
+    box.setCurrentIndex(box.findData("bushing_temperature_max"))
+    assert box.currentText() == "maximum bushing temperature"
+    assert rules.judge(None) == (
+        [{"quantity": "bushing_temperature_max", "warning_above": 150.0}],
+        0,
+    )
     panel = LimitPanel()
     qtbot.addWidget(panel)
     name = "bushing_temperature_max.warning_above"

@@ -10,13 +10,12 @@ import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtWidgets import QComboBox, QLineEdit
+from PySide6.QtWidgets import QLabel, QLineEdit
 
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.loading import parse_test, read_rig, read_test
 from rigapp.gui.data.news import News
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.testfile.fields import (
     changes,
     form_fields,
@@ -25,8 +24,13 @@ from rigapp.gui.testfile.fields import (
     set_path,
     show_value,
 )
+from rigapp.gui.testfile.levels import LimitLevel, levels_of, rules_of
+from rigapp.gui.testfile.preflight import MARKS
 from rigapp.gui.testfile.prepare import PreparePanel
 from rigapp.gui.testfile.recipe import RecipePanel
+from rigapp.gui.testfile.rules import LevelRow
+from rigapp.gui.widgets.numbers import number
+from rigapp.schema.channels import BASE
 from rigapp.schema.messages import DriveView, RunState
 from rigapp.service.preflight import Checked, DiskFacts, disk_facts, preflight
 
@@ -37,15 +41,14 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 def panel(qtbot: Any, qapp: Any, tmp_path: Path) -> RecipePanel:
     path = tmp_path / "quick.toml"
     path.write_text((EXAMPLES / "quick.toml").read_text(encoding="utf-8"), encoding="utf-8")
-    panel = RecipePanel(LIGHT)
+    panel = RecipePanel()
     qtbot.addWidget(panel)
-    qtbot.addWidget(panel.rules)
     panel.open_file(path)
     return panel
 
 
 def field_editor(panel: RecipePanel, path: str) -> QLineEdit:
-    editor = panel.editors[path]
+    editor = panel.form.editors[path]
     assert isinstance(editor, QLineEdit)
     return editor
 
@@ -95,56 +98,147 @@ def test_a_change_is_named_before_it_is_saved(panel: RecipePanel) -> None:
     [
         ("run.revolutions", "many", "Revolutions must be a whole number"),
         ("run.revolutions", "0", "outside 1 to"),
-        ("run.speed_rpm", "", "Run: Speed is missing"),
-        ("run.speed_rpm", "100", "overspeed_rpm = 90 is not above"),
+        ("run.speed_rpm", "", "Speed is missing; type 0.1 to 3000 rpm"),
+        ("limits.overspeed_rpm", "50", "“Overspeed” = 50 is not above “Speed” = 60"),
         ("model.bushing.poissons_ratio", "0.7", "outside 0 to 0.499"),
         ("model.mechanism.gravity_m_s2", "1 2 3", "two numbers"),
     ],
 )
-def test_a_mistake_is_one_sentence_and_cannot_be_saved(
+def test_a_mistake_stands_at_its_field_and_cannot_be_saved(
     panel: RecipePanel, path: str, text: str, sentence: str
 ) -> None:
     type_into(panel, path, text)
     assert sentence in panel.verdict.text()
+    assert sentence in note_of(panel, path)
+    assert field_editor(panel, path).property("wrong")
     assert panel.test is None
     assert not panel.buttons["save"].isEnabled()
-    assert not panel.buttons["start"].isEnabled()
+
+
+def note_of(panel: RecipePanel, path: str) -> str:
+    note = panel.findChild(QLabel, f"note_{path}")
+    assert note is not None
+    return note.text()
+
+
+def test_all_mistakes_are_shown_at_once_and_counted_at_their_steps(panel: RecipePanel) -> None:
+    type_into(panel, "run.revolutions", "many")
+    type_into(panel, "run.speed_rpm", "fast")
+    type_into(panel, "stop.force_N", "-1")
+    panel.rules.begin()
+    assert "many" in note_of(panel, "run.revolutions")
+    assert "fast" in note_of(panel, "run.speed_rpm")
+    assert "outside 1 to" in note_of(panel, "stop.force_N")
+    assert "3 mistakes" in panel.verdict.text()
+    shown = [one.words.whole for one in panel.steps.buttons[:6]]
+    assert shown[1] == "2 mistakes"
+    assert shown[2] == "1 mistake"
+    type_into(panel, "run.revolutions", "500")
+    assert note_of(panel, "run.revolutions").startswith("1 to")
+    type_into(panel, "model.pin.poissons_ratio", "2")
+    assert panel.unfold.isChecked()  # what is wrong is not folded away
+
+
+@pytest.mark.parametrize(
+    ("text", "means"),
+    [("37,5", 37.5), ("37.5", 37.5), ("1\u2009037,5", 1037.5), ("\u22121", -1.0)],
+)
+def test_comma_and_point_are_both_read(text: str, means: float) -> None:
+    assert number(text) == means
+
+
+@pytest.mark.parametrize("text", ["1,037.5", "1,0,0", "", "x"])
+def test_what_may_mean_two_numbers_means_none(text: str) -> None:
+    with pytest.raises(ValueError, match="could not convert"):
+        number(text)
+
+
+@pytest.mark.parametrize("text", ["0, 9.81", "0 9,81", "0; 9,81", "0,9.81"])
+def test_a_pair_is_read_with_comma_and_point(text: str) -> None:
+    field = next(one for one in form_fields() if one.path.endswith("gravity_m_s2"))
+    assert parse_value(field, text) == [0.0, 9.81]
 
 
 def test_a_test_without_a_spring_has_no_spring(panel: RecipePanel, tmp_path: Path) -> None:
-    panel.sections["model.spring"].setChecked(False)
+    panel.form.sections["model.spring"].setChecked(False)
     assert panel.test is not None
     assert panel.test.model.spring is None
     assert panel.save(tmp_path / "free.toml")
     panel.open_file(EXAMPLES / "quick.toml")
-    assert panel.sections["model.spring"].isChecked()
+    assert panel.form.sections["model.spring"].isChecked()
     panel.open_file(tmp_path / "free.toml")
-    assert not panel.sections["model.spring"].isChecked()
+    assert not panel.form.sections["model.spring"].isChecked()
 
 
-def test_limits_are_edited_as_rows(panel: RecipePanel, tmp_path: Path) -> None:
+def fill_in(line: LevelRow, value: str, *, action: str = "warn", revolutions: str = "1") -> None:
+    """Fill a sentence in as a person does."""
+    data = [line.action.itemData(at)[1] for at in range(line.action.count())]
+    line.action.setCurrentIndex(data.index(action))
+    for editor, text in ((line.value, value), (line.revolutions, revolutions)):
+        editor.setText(text)
+        editor.textEdited.emit(text)
+
+
+def test_a_limit_is_a_draft_until_it_is_added_and_a_sentence_then(
+    panel: RecipePanel, tmp_path: Path
+) -> None:
     rules = panel.rules
+    panel.show()
     rules.add.click()
-    assert "no level is given" in panel.verdict.text()
-    rules.table.item(0, 2).setText("150")  # type: ignore[union-attr]
-    rules.table.item(0, 4).setText("200")  # type: ignore[union-attr]
-    action = rules.table.cellWidget(0, 7)
-    assert isinstance(action, QComboBox)
-    action.setCurrentText("drive_off")
+    draft = rules.draft
+    assert draft is not None
+    assert "Type the value" in draft.note.text()
+    fill_in(draft, "3800")
+    assert "can never come: the drive goes off at 380 N" in draft.note.text()
+    assert not rules.keep.isEnabled()
+    fill_in(draft, "95,5", revolutions="3")
+    assert panel.test is not None
+    assert panel.test.limits.rule == ()
+    assert "One draft limit is not part of it" in panel.verdict.text()
+    rules.keep.click()
+    sentence = "new limit: Warn when maximum |F| is above 95.5 N in 3 revolutions"
+    assert sentence in panel.verdict.text()
+    rules.begin()
+    assert rules.draft is not None
+    fill_in(rules.draft, "200", action="drive_off", revolutions="3")
+    rules.keep.click()
     assert panel.test is not None
     rule = panel.test.limits.rule[0]
-    assert (rule.quantity, rule.warning_above, rule.critical_above) == ("force_max", 150.0, 200.0)
-    assert rule.action_critical == "drive_off"
+    assert (rule.quantity, rule.warning_above, rule.critical_above) == ("force_max", 95.5, 200.0)
+    assert (rule.action_critical, rule.delay_revolutions) == ("drive_off", 3)
     assert panel.save(tmp_path / "limits.toml")
     panel.open_file(tmp_path / "limits.toml")
     assert panel.test is not None
     assert panel.test.limits.rule == (rule,)
-    rules.table.item(0, 4).setText("100")  # type: ignore[union-attr]
-    assert "must lie beyond" in panel.verdict.text()
-    rules.table.setCurrentCell(0, 2)
-    rules.remove.click()
+    fill_in(rules.rows[1], "90", action="drive_off", revolutions="3")
+    assert "90 must lie beyond 95.5" in rules.rows[1].note.text()
+    assert panel.test is None
+    for line in list(rules.rows):
+        line.remove.click()
     assert panel.test is not None
     assert panel.test.limits.rule == ()
+
+
+LEVELS = st.builds(
+    LimitLevel,
+    origin=st.integers(0, 3),
+    quantity=st.sampled_from(["force_max", "speed"]),
+    severity=st.sampled_from(["warning", "critical"]),
+    side=st.sampled_from(["above", "below"]),
+    value=st.integers(1, 9),
+    action=st.sampled_from(["warn", "pause"]),
+    revolutions=st.integers(1, 2),
+)
+
+
+@given(st.lists(LEVELS, max_size=6))
+def test_the_rules_of_sentences_say_the_same_sentences(levels: list[LimitLevel]) -> None:
+    rules, places = rules_of(levels, [])
+    assert sorted(at for mine in places for at in mine) == list(range(len(levels)))
+    again = levels_of(rules)
+    said = sorted(one.sentence(BASE) for one in levels)
+    assert sorted(one.sentence(BASE) for one in again) == said
+    assert rules_of(again, rules)[0] == rules
 
 
 def test_a_rule_keeps_what_the_table_does_not_show(panel: RecipePanel, tmp_path: Path) -> None:
@@ -238,28 +332,26 @@ def test_too_little_room_and_a_missing_folder_block(tmp_path: Path) -> None:
     assert any(check.what == "Engine" and check.verdict is Checked.BLOCKS for check in full)
 
 
-def test_the_list_follows_form_and_engine(
+def test_the_list_follows_armed_test_and_engine(
     qtbot: Any, qapp: Any, tmp_path: Path, make_status: Any
 ) -> None:
     worker = TaskWorker("test-files")
-    panel = PreparePanel(DARK, tmp_path, worker)
+    panel = PreparePanel(tmp_path, worker)
     qtbot.addWidget(panel)
     panel.recipe.open_file(EXAMPLES / "quick.toml")
-    table = panel.checks.table
 
     def shown() -> dict[str, str]:
         worker.deliver()
         panel.show_news(News(ready(make_status)))
-        return {
-            table.item(row, 1).text(): table.item(row, 0).text()  # type: ignore[union-attr]
-            for row in range(table.rowCount())
-        }
+        return {check.what: check.verdict.value for check in panel.checks.shown}
 
     qtbot.waitUntil(lambda: "Disk" in shown(), timeout=90_000)
     assert "good" in shown()["Disk"]
     type_into(panel.recipe, "run.revolutions", "x")
-    assert "blocks" in shown()["Test"]
-    panel.dress(LIGHT)
+    assert shown()["Form"] == "attention"  # what is typed is not part of the armed test
+    assert shown()["Test"] == "good"
+    panel.recipe.begin({"schema": 1})
+    assert shown()["Armed test"] == "blocks"
     worker.close()
 
 
@@ -279,7 +371,7 @@ def test_window_and_command_line_show_one_list(
     assert check.check_rig(EXAMPLES / "simulated.toml", EXAMPLES / "quick.toml") == 0
     lines = capsys.readouterr().out.splitlines()
     worker = TaskWorker("test-files")
-    panel = PreparePanel(LIGHT, tmp_path, worker)
+    panel = PreparePanel(tmp_path, worker)
     qtbot.addWidget(panel)
     panel.set_rig(EXAMPLES / "simulated.toml")
     panel.recipe.open_file(EXAMPLES / "quick.toml")
@@ -287,22 +379,19 @@ def test_window_and_command_line_show_one_list(
     def rows() -> list[list[str]]:
         worker.deliver()
         panel.show_news(News(status))
-        table = panel.checks.table
-        return [
-            [table.item(row, column).text() for column in range(4)]  # type: ignore[union-attr]
-            for row in range(table.rowCount())
-        ]
+        return [[one.verdict, one.what, one.finding, one.action] for one in panel.checks.shown]
 
     qtbot.waitUntil(lambda: {"Disk", "Speed"} <= {row[1] for row in rows()}, timeout=90_000)
     marks = {"good": "ok", "attention": "note", "blocks": "BLOCKS"}
     shown = rows()
     assert len(shown) == len(lines)
-    for (mark, what, finding, action), line in zip(shown, lines, strict=True):
-        assert line.startswith(marks[mark.split()[1]])
-        assert what in line
+    told = [(line.mark.text(), line.what.text()) for line in panel.checks.rows[: len(shown)]]
+    for (verdict, what, finding, action), (mark, title) in zip(shown, told, strict=True):
         free = finding.split(",")[0] if what == "Disk" else finding
-        assert free in line
-        assert action in line
+        found = [line for line in lines if line.startswith(marks[verdict]) and what in line]
+        assert any(free in line and action in line for line in found)
+        assert mark == MARKS[Checked(verdict)]
+        assert title.startswith(what)
     worker.close()
 
 
@@ -313,7 +402,7 @@ def test_a_rig_file_that_became_unusable_blocks(
     text = (EXAMPLES / "simulated.toml").read_text(encoding="utf-8")
     rig.write_text(text, encoding="utf-8")
     worker, now = TaskWorker("test-files"), [0.0]
-    panel = PreparePanel(LIGHT, tmp_path, worker, clock=lambda: now[0])
+    panel = PreparePanel(tmp_path, worker, clock=lambda: now[0])
     qtbot.addWidget(panel)
     panel.set_rig(rig)
     panel.recipe.open_file(EXAMPLES / "quick.toml")

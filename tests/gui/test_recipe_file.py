@@ -14,7 +14,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 
 from rigapp.config.loading import read_test
-from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.testfile.fields import form_fields
 from rigapp.gui.testfile.recipe import RecipePanel
 from rigapp.gui.testfile.tomltext import edited
@@ -28,15 +27,14 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 def panel(qtbot: Any, qapp: Any, tmp_path: Path) -> RecipePanel:
     path = tmp_path / "quick.toml"
     path.write_text((EXAMPLES / "quick.toml").read_text(encoding="utf-8"), encoding="utf-8")
-    panel = RecipePanel(LIGHT)
+    panel = RecipePanel()
     qtbot.addWidget(panel)
-    qtbot.addWidget(panel.rules)
     panel.open_file(path)
     return panel
 
 
 def type_into(panel: RecipePanel, path: str, text: str) -> None:
-    editor = panel.editors[path]
+    editor = panel.form.editors[path]
     assert isinstance(editor, QLineEdit)
     editor.setText(text)
     editor.textEdited.emit(text)
@@ -94,7 +92,7 @@ def test_fields_of_stop_criteria_have_units_ranges_and_say_when_they_are_off(
     for field in fields.values():
         assert field.unit, field.path
         assert "None" not in field.hint
-    editor = panel.editors["stop.elapsed_time_h"]
+    editor = panel.form.editors["stop.elapsed_time_h"]
     assert isinstance(editor, QLineEdit)
     assert editor.placeholderText() == "off"
     type_into(panel, "stop.wear_depth_um", "-3")
@@ -107,7 +105,7 @@ def test_opening_another_file_asks_by_the_names_of_what_is_lost(
     panel.show()
     type_into(panel, "run.speed_rpm", "45")
     bar = panel.unsaved_bar
-    panel._open_wanted(str(EXAMPLES / "paper.toml"))
+    panel.open_wanted(EXAMPLES / "paper.toml")
     assert bar.isVisible()
     assert "run.speed_rpm: 60 → 45" in bar.text.text()
     assert "opening paper.toml" in bar.text.text()
@@ -117,12 +115,12 @@ def test_opening_another_file_asks_by_the_names_of_what_is_lost(
     assert panel.path is not None
     assert panel.path.name == "quick.toml"
     first = panel.path
-    panel._open_wanted(str(EXAMPLES / "paper.toml"))
+    panel.open_wanted(EXAMPLES / "paper.toml")
     bar.save.click()
     assert read_test(first).record.run.speed_rpm == 45.0
     assert panel.path.name == "paper.toml"
     type_into(panel, "title", "other")
-    panel._open_wanted(str(first))
+    panel.open_wanted(first)
     bar.discard.click()
     assert panel.path == first
     assert panel.unsaved() == []
@@ -131,7 +129,7 @@ def test_opening_another_file_asks_by_the_names_of_what_is_lost(
 def test_what_cannot_be_read_is_not_lost_in_silence(panel: RecipePanel) -> None:
     panel.show()
     type_into(panel, "run.revolutions", "many")
-    panel._open_wanted(str(EXAMPLES / "paper.toml"))
+    panel.open_wanted(EXAMPLES / "paper.toml")
     assert panel.unsaved_bar.isVisible()
     panel.unsaved_bar.save.click()
     assert panel.unsaved_bar.isVisible()
@@ -149,10 +147,54 @@ def test_a_file_that_another_program_changed_is_not_overwritten(panel: RecipePan
     assert panel.path.read_text(encoding="utf-8") == theirs
 
 
-def test_starting_says_that_it_saves(panel: RecipePanel) -> None:
-    assert not panel.buttons["start"].text().startswith("Save")
-    type_into(panel, "run.speed_rpm", "45")
-    assert panel.buttons["start"].text().startswith("Save and start")
+def test_new_and_duplicate_have_no_file_until_they_are_saved(
+    panel: RecipePanel, tmp_path: Path
+) -> None:
+    panel.buttons["new"].click()
+    assert (panel.path, panel.armed) == (None, None)
+    assert "Revolutions is missing" in panel.verdict.text()
+    assert panel.unsaved() == []  # nothing typed, nothing lost
+    type_into(panel, "run.revolutions", "20")
+    type_into(panel, "run.speed_rpm", "37,5")
+    type_into(panel, "limits.overspeed_rpm", "90")
+    assert panel.test is not None
+    assert panel.save(tmp_path / "mine.toml")
+    assert read_test(tmp_path / "mine.toml").record.run.speed_rpm == 37.5
+    panel.buttons["duplicate"].click()
+    assert panel.armed is None
+    assert panel.unsaved() == ["title:  → (copy)"]
+    assert panel.save(tmp_path / "other.toml")
+    other = read_test(tmp_path / "other.toml").record
+    assert (other.title, other.run.revolutions) == ("(copy)", 20)
+    assert read_test(tmp_path / "mine.toml").record.title == ""
+
+
+def test_a_start_means_the_file_and_shows_what_differs(
+    window: Any, engine: Any, attach: Callable[[], None], qtbot: Any, tmp_path: Path
+) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text((EXAMPLES / "quick.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    engine.say(count=0, curves=False, state=RunState.READY, file="")
+    attach()
+    recipe, card = window.tabs.prepare.recipe, window.start_bar
+    recipe.open_file(path)
+    type_into(recipe, "run.speed_rpm", "45")
+    window.controls.buttons["start"].click()
+    assert "mine.toml is armed as it is saved" in card.told.text()
+    assert "run.speed_rpm: 60 → 45" in card.told.text()
+    path.write_text(path.read_text("utf-8").replace("= 500", "= 700", 1), "utf-8")
+    card.go.click()
+    assert card.isVisible()
+    assert engine.verbs == []
+    assert "run.revolutions: 500 → 700" in card.told.text()
+    card.read.click()
+    assert recipe.unsaved_bar.isVisibleTo(recipe)  # the typed speed would be lost
+    recipe.unsaved_bar.discard.click()
+    assert recipe.test.run.revolutions == 700
+    assert card.go.isEnabled()
+    card.go.click()
+    qtbot.waitUntil(lambda: "start" in engine.verbs, timeout=90_000)
+    assert engine.requests[-1][1]["test"] == str(path)
 
 
 def test_closing_the_window_asks_for_unsaved_changes(

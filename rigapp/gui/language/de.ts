@@ -134,6 +134,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Grenze hinzufügen</translation>
     </message>
     <message>
+        <source>Add limit</source>
+        <translation>Grenze hinzufügen</translation>
+    </message>
+    <message>
         <source>Add note</source>
         <translation>Notiz schreiben</translation>
     </message>
@@ -170,6 +174,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Apr</translation>
     </message>
     <message>
+        <source>Armed test</source>
+        <translation>Scharfer Versuch</translation>
+    </message>
+    <message>
         <source>Attaching</source>
         <translation>Suche</translation>
     </message>
@@ -180,6 +188,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Axis to compare on</source>
         <translation>Achse des Vergleichs</translation>
+    </message>
+    <message>
+        <source>Before the start</source>
+        <translation>Vor dem Start</translation>
     </message>
     <message>
         <source>Begin or take up</source>
@@ -222,6 +234,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die gewählte Grenze ändern</translation>
     </message>
     <message>
+        <source>Changes in Prepare are not saved: save or discard them first.</source>
+        <translation>Änderungen unter Vorbereiten sind nicht gespeichert: erst speichern oder verwerfen.</translation>
+    </message>
+    <message>
         <source>Changes that are not saved</source>
         <translation>Änderungen, die nicht gespeichert sind</translation>
     </message>
@@ -240,6 +256,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Channels, live</source>
         <translation>Kanäle, laufend</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>Check cable and power of the drive, then reconnect.</source>
@@ -316,10 +336,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Check the sensor&apos;s wires and plug, then reconnect.</source>
         <translation>Adern und Stecker des Sensors prüfen, dann neu verbinden.</translation>
-    </message>
-    <message>
-        <source>Checks and limits</source>
-        <translation>Prüfungen und Grenzen</translation>
     </message>
     <message>
         <source>Checks before the start</source>
@@ -448,6 +464,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard the draft</source>
+        <translation>Den Entwurf verwerfen</translation>
     </message>
     <message>
         <source>Disk slow</source>
@@ -646,6 +666,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Das Bild festhalten</translation>
     </message>
     <message>
+        <source>How many checks are good</source>
+        <translation>Wie viele Prüfungen gut sind</translation>
+    </message>
+    <message>
         <source>Idle</source>
         <translation>Ruhe</translation>
     </message>
@@ -720,10 +744,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Limit</source>
         <translation>Grenze</translation>
-    </message>
-    <message>
-        <source>Limit rules</source>
-        <translation>Grenzregeln</translation>
     </message>
     <message>
         <source>Limited quantity</source>
@@ -906,12 +926,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Getrennt</translation>
     </message>
     <message>
-        <source>No file opened yet</source>
-        <translation>Noch keine Datei geöffnet</translation>
-    </message>
-    <message>
         <source>No limit is watched now</source>
         <translation>Jetzt wird keine Grenze überwacht</translation>
+    </message>
+    <message>
+        <source>No limits</source>
+        <translation>Keine Grenzen</translation>
+    </message>
+    <message>
+        <source>No test is armed. Choose a test file, or save the new one in Prepare.</source>
+        <translation>Kein Versuch ist scharf. Eine Versuchsdatei wählen oder den neuen unter Vorbereiten speichern.</translation>
     </message>
     <message>
         <source>No test yet</source>
@@ -924,6 +948,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>None</source>
         <translation>Keine</translation>
+    </message>
+    <message>
+        <source>None yet: a limit tells when the joint changes.</source>
+        <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
     </message>
     <message>
         <source>Note or reason (F8)</source>
@@ -1078,6 +1106,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Umdrehungen</translation>
     </message>
     <message>
+        <source>Read it again</source>
+        <translation>Neu lesen</translation>
+    </message>
+    <message>
         <source>Readings</source>
         <translation>Messungen</translation>
     </message>
@@ -1144,10 +1176,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Remove the cause, then connect the devices.</source>
         <translation>Die Ursache beheben, dann die Geräte verbinden.</translation>
-    </message>
-    <message>
-        <source>Remove the chosen limit</source>
-        <translation>Die gewählte Grenze entfernen</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -1254,6 +1282,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Speichern</translation>
     </message>
     <message>
+        <source>Save the changes</source>
+        <translation>Änderungen speichern</translation>
+    </message>
+    <message>
         <source>Save the log and report it; reconnect before the next test.</source>
         <translation>Das Protokoll sichern und melden; vor dem nächsten Versuch neu verbinden.</translation>
     </message>
@@ -1286,16 +1318,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Solldrehzahl nicht erreicht</translation>
     </message>
     <message>
-        <source>Settings of the test</source>
-        <translation>Einstellungen des Versuchs</translation>
-    </message>
-    <message>
         <source>Shape of the state</source>
         <translation>Form des Zustands</translation>
     </message>
     <message>
         <source>Shelve the chosen alarm</source>
         <translation>Den gewählten Alarm zurückstellen</translation>
+    </message>
+    <message>
+        <source>Show mechanism and materials</source>
+        <translation>Mechanismus und Werkstoffe zeigen</translation>
     </message>
     <message>
         <source>Show only lines with this text</source>
@@ -1410,6 +1442,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schritt: {}</translation>
     </message>
     <message>
+        <source>Steps of preparing a test</source>
+        <translation>Schritte zur Vorbereitung eines Versuchs</translation>
+    </message>
+    <message>
         <source>Stop at the safe angle; the test can be resumed</source>
         <translation>Am sicheren Winkel anhalten; der Versuch kann fortgesetzt werden</translation>
     </message>
@@ -1498,16 +1534,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuchs&amp;datei</translation>
     </message>
     <message>
+        <source>Test file</source>
+        <translation>Versuchsdatei</translation>
+    </message>
+    <message>
         <source>Test file of this mechanism</source>
         <translation>Versuchsdatei dieses Getriebes</translation>
     </message>
     <message>
         <source>Test file that is edited</source>
         <translation>Versuchsdatei, die bearbeitet wird</translation>
-    </message>
-    <message>
-        <source>Test to start</source>
-        <translation>Versuch, der gestartet wird</translation>
     </message>
     <message>
         <source>Tests (*.toml)</source>
@@ -1600,6 +1636,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The motor has no power; the test was ended.</source>
         <translation>Der Motor ist stromlos; der Versuch wurde beendet.</translation>
+    </message>
+    <message>
+        <source>The open step</source>
+        <translation>Der offene Schritt</translation>
     </message>
     <message>
         <source>The queue behind {device} was full; {blocks} blocks were dropped.</source>
@@ -1784,6 +1824,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What is known of the wear</source>
         <translation>Was vom Verschleiß bekannt ist</translation>
+    </message>
+    <message>
+        <source>What is started</source>
+        <translation>Was gestartet wird</translation>
     </message>
     <message>
         <source>What it tells is not recorded until it answers; the test goes on.</source>
@@ -2208,6 +2252,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} below limit</source>
         <translation>{} unter der Grenze</translation>
+    </message>
+    <message>
+        <source>{} cannot be started: {}.</source>
+        <translation>{} lässt sich nicht starten: {}.</translation>
+    </message>
+    <message>
+        <source>{} is another one on the disk now: {}</source>
+        <translation>{} ist auf der Platte jetzt eine andere: {}</translation>
+    </message>
+    <message>
+        <source>{} is armed as it is saved.</source>
+        <translation>{} ist scharf, wie gespeichert.</translation>
+    </message>
+    <message>
+        <source>{} is armed as it is saved. Not part of it: {}</source>
+        <translation>{} ist scharf, wie gespeichert. Nicht dabei: {}</translation>
+    </message>
+    <message>
+        <source>{} is armed as it is saved. One draft limit is not part of it.</source>
+        <translation>{} ist scharf, wie gespeichert. Ein Grenzentwurf gehört nicht dazu.</translation>
     </message>
     <message>
         <source>{} is {}, above the {} limit {}.</source>

@@ -48,6 +48,9 @@ QLineEdit, QPlainTextEdit, QTextEdit {
 }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border: 2px solid $highlight; }
 QLineEdit:disabled { background: $alternate; color: $muted; border-color: $hairline; }
+QLineEdit[wrong="true"] { border: 2px solid $critical; padding: 0 7px; }
+
+QComboBox, QAbstractSpinBox { min-height: 28px; }
 
 QTableView {
     background: $base; alternate-background-color: $alternate; border: 1px solid $hairline;
@@ -82,6 +85,32 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QWidget[role="card"] {
     background: $base; border: 1px solid $hairline; border-radius: ${card}px;
 }
+QWidget[role="draft"] {
+    background: $alternate; border: 1px dashed $border; border-radius: ${card}px;
+}
+QWidget[role="attention"] {
+    background: $warning_tint; border: 1px solid $warning; border-radius: ${card}px;
+}
+QWidget[role="critical"] {
+    background: $critical_tint; border: 2px solid $critical; border-radius: ${card}px;
+}
+QPushButton[rank="step"] {
+    border: 0; border-radius: 0; background: transparent; padding: 0; min-height: 54px;
+}
+QPushButton[rank="step"]:hover { background: $alternate; }
+QPushButton[rank="step"]:checked { background: $tint; border-bottom: 2px solid $highlight; }
+QPushButton[rank="step"]:focus { border: 2px solid $highlight; }
+QLabel[mark] {
+    border-radius: 12px; font-weight: 600; min-width: 22px; max-width: 22px; min-height: 22px;
+    max-height: 22px; border: 1px solid $border; color: $muted;
+}
+QLabel[mark="done"] { background: $secondary; border-color: $secondary; color: $base; }
+QLabel[mark="now"] {
+    background: $highlight; border-color: $highlight; color: $highlighted_text;
+}
+QLabel[mark="wrong"] { background: $critical; border-color: $critical; color: $on_critical; }
+QLabel[role="error"] { color: $critical; font-size: ${caption}pt; font-weight: 600; }
+QLabel[role="caution"] { color: $warning_text; font-size: ${caption}pt; }
 QLabel[role="title"] { font-weight: 600; }
 QLabel[role="caption"] { color: $muted; font-size: ${caption}pt; }
 QLabel[role="secondary"] { color: $secondary; }

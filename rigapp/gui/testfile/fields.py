@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import typing
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ import msgspec
 from rigapp.config.ranges import Key, keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.texts import unit_text
+from rigapp.gui.widgets.numbers import number, whole
 from rigapp.schema.units import stem_of
 
 HIDDEN = ("schema", "model.schema", "limits.rule")
@@ -56,14 +58,24 @@ class FieldSpec(Key):
         return words[:1].upper() + words[1:]
 
     @property
-    def hint(self) -> str:
-        """Return key, range, default and what its values mean."""
-        parts = [self.path]
+    def needed(self) -> bool:
+        """Tell whether the file must say it."""
+        return self.default is msgspec.NODEFAULT
+
+    @property
+    def allowed(self) -> str:
+        """Return range, default and what its values mean."""
+        parts = []
         if math.isfinite(self.range.low):
             parts.append(f"{self.range.low:g} to {self.range.high:g} {self.unit}".rstrip())
-        if self.default is not msgspec.NODEFAULT:
+        if not self.needed and self.kind != "str":
             parts.append(f"default {show_value(self.default) or 'off'}")
         return "; ".join(filter(None, (*parts, self.words)))
+
+    @property
+    def hint(self) -> str:
+        """Return key, range, default and what its values mean."""
+        return "; ".join(filter(None, (self.path, self.allowed)))
 
 
 @cache
@@ -79,13 +91,11 @@ def parse_value(field: FieldSpec, text: str) -> Any:
     where = f"{field.label}"
     try:
         if field.kind == "int":
-            value: Any = int(text.replace(" ", "").replace("\u2009", ""))
+            value: Any = whole(text)
         elif field.kind == "float":
-            value = float(text)
+            value = number(text)
         elif field.kind == "pair":
-            value = [float(part) for part in text.replace(",", " ").split()]
-            if len(value) != 2:
-                raise ValueError
+            value = _two_numbers(text)
         else:
             return text
     except ValueError:
@@ -96,6 +106,15 @@ def parse_value(field: FieldSpec, text: str) -> Any:
         if wrong:
             raise ValueError(f"{where}: {wrong}")
     return value
+
+
+def _two_numbers(text: str) -> list[float]:
+    """Return the numbers of "0, 9.81", "0,5; 9,81" or "0 9,81"; raise ValueError."""
+    parts = re.split(r"\s*;\s*|\s*,\s+|\s+", text)
+    if len(parts) == 1:
+        parts = text.split(",")
+    first, second = map(number, parts)
+    return [first, second]
 
 
 def show_value(value: Any) -> str:
@@ -138,6 +157,18 @@ def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
         if old != new:
             lines.append(f"{path}: {_word(old)} → {_word(new)}")
     return lines
+
+
+def in_form_words(sentence: str) -> str:
+    """Return a sentence about keys of a test file with the labels of the form in their place."""
+    labels = {field.path: f"\u201c{field.label}\u201d" for field in form_fields()}
+    return re.sub(r"\b[a-z_]+(\.\w+)+", lambda key: labels.get(key[0], key[0]), sentence)
+
+
+def fields_named(sentence: str) -> list[str]:
+    """Return the paths of the fields that a sentence names, in its order."""
+    known = {field.path for field in form_fields()}
+    return [key[0] for key in re.finditer(r"\b[a-z_]+(\.\w+)+", sentence) if key[0] in known]
 
 
 def _word(value: Any) -> str:

@@ -1,47 +1,104 @@
-"""Show what must be right before a test starts: one line each, with what to do."""
+"""Show what must be right before a test starts: one card each, what blocks first."""
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QGroupBox, QVBoxLayout
+from collections import Counter
 
-from rigapp.gui.look.tokens import Theme
-from rigapp.gui.widgets.build import named
-from rigapp.gui.widgets.tables import Mark, PlainTable
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QSizePolicy, QWidget
+
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP
+from rigapp.gui.widgets.build import column, named, prose, row, tell
 from rigapp.service.preflight import Check, Checked
 
 MARKS = {Checked.GOOD: "✓", Checked.ATTENTION: "▲", Checked.BLOCKS: "◆"}
-HEADINGS = ("", "Check", "Finding", "What to do")
+ROLES = {Checked.GOOD: "", Checked.ATTENTION: "attention", Checked.BLOCKS: "critical"}
+ORDER = (Checked.BLOCKS, Checked.ATTENTION, Checked.GOOD)
 
 
-class PreflightPanel(QGroupBox):
+class CheckRow(QFrame):
+    """One check: its mark, what it is about, what was found and what to do."""
+
+    def __init__(self, place: int) -> None:
+        super().__init__()
+        named(self, f"check_{place}", "Check")
+        self.mark = QLabel()
+        self.mark.setFixedWidth(2 * STEP)
+        self.what, self.finding, self.action = (
+            prose(f"check_{place}_{name}", spoken)
+            for name, spoken in (
+                ("what", "Check"),
+                ("finding", "What was found"),
+                ("action", "What to do"),
+            )
+        )
+        self.what.setProperty("role", "title")
+        self.finding.setProperty("role", "caption")
+        texts = column(self.what, self.finding, self.action)
+        texts.setSpacing(0)
+        made = row(self.mark, (texts, 1), on=self)
+        made.setAlignment(self.mark, Qt.AlignmentFlag.AlignTop)
+        made.setContentsMargins(STEP, STEP // 2, STEP, STEP // 2)
+
+    def show_check(self, check: Check) -> None:
+        """Show a check."""
+        good = check.verdict is Checked.GOOD
+        tell(self, "role", ROLES[check.verdict])
+        self.mark.setText(MARKS[check.verdict])
+        self.what.setText(check.what if good else f"{check.what}: {check.verdict}")
+        self.finding.setText(check.finding)
+        self.action.setText(check.action)
+        self.action.setVisible(bool(check.action))
+        self.setAccessibleName(f"{check.what}: {check.verdict}, {check.finding} {check.action}")
+
+
+class PreflightPanel(QFrame):
     """Show the checks."""
 
-    def __init__(self, theme: Theme) -> None:
-        super().__init__("Before the start")
-        self._theme = theme
+    def __init__(self) -> None:
+        super().__init__()
         self.shown: list[Check] = []
-        named(self, "preflight_panel", "Checks before the start")
-        self.table = PlainTable(
-            "preflight_table", "List of checks", HEADINGS, marked=0, stretch=(2, 3)
-        )
-        self.table.setSelectionMode(PlainTable.SelectionMode.NoSelection)
-        QVBoxLayout(self).addWidget(self.table)
+        self.rows: list[CheckRow] = []
+        named(self, "preflight_panel", "Checks before the start").setProperty("role", "card")
+        self.title = named(QLabel("Before the start"), "preflight_title", "Before the start")
+        self.title.setProperty("role", "title")
+        self.count = prose("preflight_count", "How many checks are good")
+        self.count.setProperty("role", "caption")
+        inside = QWidget()
+        self._list = column(None, on=inside)
+        self._list.setSpacing(STEP // 2)
+        area = named(QScrollArea(), "preflight_area", "List of checks")
+        area.setWidgetResizable(True)
+        area.setFrameShape(QScrollArea.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setWidget(inside)
+        area.viewport().setAutoFillBackground(False)
+        inside.setAutoFillBackground(False)
+        area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        made = column(self.title, self.count, (area, 1), on=self)
+        made.setContentsMargins(GAP, MARGIN, STEP, GAP)
+        made.setSpacing(STEP // 2)
 
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self._theme = theme
-        self.show_checks(self.shown)
+    @property
+    def words(self) -> str:
+        """Return how many checks are of which sort."""
+        count = Counter(one.verdict for one in self.shown)
+        return (
+            f"{count[Checked.GOOD]} good, {count[Checked.ATTENTION]} for attention,"
+            f" {count[Checked.BLOCKS]} block"
+        )
 
     def show_checks(self, checks: list[Check]) -> None:
-        """Fill the table."""
-        self.shown = checks
-        rows = [
-            (f"{MARKS[one.verdict]} {one.verdict}", one.what, one.finding, one.action)
-            for one in checks
-        ]
-        self.table.show_rows(rows, [self._mark(one.verdict) for one in checks])
-
-    def _mark(self, verdict: Checked) -> Mark:
-        if verdict is Checked.GOOD:
-            return None
-        return self._theme.mark(critical=verdict is Checked.BLOCKS)
+        """Show the checks, what blocks first."""
+        ordered = sorted(checks, key=lambda one: ORDER.index(one.verdict))
+        if ordered == self.shown:
+            return
+        self.shown = ordered
+        self.count.setText(self.words)
+        while len(self.rows) < len(ordered):
+            self.rows.append(CheckRow(len(self.rows) + 1))
+            self._list.insertWidget(len(self.rows) - 1, self.rows[-1])
+        for line, check in zip(self.rows, ordered, strict=False):
+            line.show_check(check)
+        for place, line in enumerate(self.rows):
+            line.setVisible(place < len(ordered))

@@ -1,45 +1,51 @@
-"""The tab that prepares a test: form on the left, checks on the right."""
+"""The page that prepares a test: form on the left, checks of the armed test on the right."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QSplitter, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QWidget
 
 from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
+from rigapp.config.recipe import TestFile
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.panel import Host
 from rigapp.gui.testfile.preflight import PreflightPanel
 from rigapp.gui.testfile.recipe import RecipePanel
-from rigapp.gui.widgets.build import named, split
+from rigapp.gui.widgets.build import named, row
 from rigapp.service.preflight import Check, Checked, DiskFacts, disk_facts, preflight
 
 DEFAULT_RATE_HZ = 1000.0  # to judge the disk by, until a device tells its own
+NARROW = 136 * STEP
+"""A page less wide has no room for the checks: the sentence of a limit takes the rest."""
 LOOK_AGAIN_S = 20.0
 """The rig file, its calibration records and the disk are looked at so often."""
 
 
-class PreparePanel(QSplitter):
-    """Hold form and checks; disk and records are looked at on a worker, again and again."""
+class PreparePanel(QWidget):
+    """Hold form and checks; disk and records are looked at on a worker, again and again.
+
+    What is checked is the armed test, the file as it was read; the form says what is not part of
+    it. Where there is no room beside the form, the checks are its last step.
+    """
 
     takes = Takes.HISTORY
 
     def __init__(
         self,
-        theme: Theme,
         results_folder: Path,
         worker: TaskWorker,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        super().__init__(Qt.Orientation.Horizontal)
+        super().__init__()
         self._folder = results_folder
         self._worker = worker
         self._clock = clock
@@ -50,31 +56,32 @@ class PreparePanel(QSplitter):
         self._asked: object = None
         self._asked_at = 0.0
         self._looked_at: float | None = None
-        named(self, "prepare_split", "Prepare a test")
-        self.setChildrenCollapsible(False)
-        self.recipe = RecipePanel(theme)
-        self.checks = PreflightPanel(theme)
-        right = split(
-            "prepare_right",
-            Qt.Orientation.Vertical,
-            [420, 220],
-            self.checks,
-            self.recipe.rules,
-            spoken="Checks and limits",
-        )
-        self.addWidget(self.recipe)
-        self.addWidget(right)
-        self.setSizes([800, 600])
+        named(self, "prepare_page", "Prepare a test")
+        self.recipe = RecipePanel()
+        self.checks = PreflightPanel()
+        self._layout = row((self.recipe, 3), on=self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setSpacing(GAP)
+        self._place_checks(narrow=False)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Put the checks where there is room for them."""
+        super().resizeEvent(event)
+        self._place_checks(narrow=self.width() < NARROW)
+
+    def _place_checks(self, *, narrow: bool) -> None:
+        if narrow and self.recipe.pages.indexOf(self.checks) < 0:
+            self._layout.removeWidget(self.checks)
+            self.recipe.offer_checks(self.checks)
+        elif not narrow and self._layout.indexOf(self.checks) < 0:
+            self.recipe.offer_checks(None)
+            self._layout.addWidget(self.checks, 1)
+            self.checks.show()
 
     def set_rig(self, rig: Path) -> None:
         """Take the rig file, for its ranges and its calibration records."""
         self._rig = rig
         self._looked_at = None
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self.recipe.dress(theme)
-        self.checks.dress(theme)
 
     def show_news(self, news: News) -> None:
         """Check again."""
@@ -82,10 +89,33 @@ class PreparePanel(QSplitter):
         rate = max((d.sample_rate_Hz for d in status.devices), default=0.0) if status else 0.0
         self._ask_disk(rate or DEFAULT_RATE_HZ)
         self._ask_records()
-        found = preflight(self.recipe.test, self._records, self._disk, status)
+        found = preflight(self._test, self._records, self._disk, status)
         if self._problem:
             found.insert(1, Check("Rig file", Checked.BLOCKS, self._problem, "Correct it"))
-        self.checks.show_checks(found)
+        self.checks.show_checks([*self._of_form(), *found])
+        blocking = sum(1 for one in self.checks.shown if one.verdict is Checked.BLOCKS)
+        self.recipe.show_checks(self.checks.words, blocking)
+        self.recipe.rules.show_usual(news)
+
+    @property
+    def _test(self) -> TestFile | None:
+        armed = self.recipe.armed
+        return armed.test if armed is not None else None
+
+    def _of_form(self) -> Iterator[Check]:
+        """Say what of the form is not part of the armed test, and why none is armed."""
+        armed = self.recipe.armed
+        if armed is None:
+            yield Check("Armed test", Checked.BLOCKS, "none", "Open a test, or save the new one")
+            return
+        if armed.problem:
+            yield Check("File", Checked.BLOCKS, armed.problem, "Correct it in the form and save")
+        count = len(self.recipe.unsaved())
+        if count:
+            finding = f"{count} change{'s' if count > 1 else ''} not part of {armed.path.name}"
+            yield Check("Form", Checked.ATTENTION, finding, "Save, or start without")
+        if self.recipe.rules.draft is not None:
+            yield Check("Draft limit", Checked.ATTENTION, "not part of the test", "Add or discard")
 
     def _ask_records(self) -> None:
         rig, now = self._rig, self._clock()
@@ -105,7 +135,7 @@ class PreparePanel(QSplitter):
         self._problem = str(error) if isinstance(error, UnusableInput) else repr(error)
 
     def _ask_disk(self, rate: float) -> None:
-        test, now = self.recipe.test, self._clock()
+        test, now = self._test, self._clock()
         if test is None:
             return
         if (test, rate) == self._asked and now < self._asked_at + LOOK_AGAIN_S:
@@ -124,6 +154,4 @@ class PreparePanel(QSplitter):
 
 def prepare_page(host: Host) -> QWidget:
     """Make the page that prepares a test."""
-    panel = host.add("prepare", PreparePanel(host.theme, host.results_folder, host.worker))
-    panel.recipe.start_wanted.connect(host.offer_start)
-    return panel
+    return host.add("prepare", PreparePanel(host.results_folder, host.worker))

@@ -1,129 +1,92 @@
-"""Prepare a test: every key of the test file with unit, range and default; checked as one types."""
+"""Prepare a test in steps: every key of the test file with unit, range and default.
+
+It is checked as one types, and every mistake stands at its field. The file as it is on the disk is
+the armed test (see ``armed``); what is typed is part of it once it is saved.
+"""
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
-import msgspec
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
     QFileDialog,
-    QGridLayout,
-    QGroupBox,
-    QLabel,
-    QLineEdit,
+    QFrame,
     QScrollArea,
-    QVBoxLayout,
+    QSizePolicy,
+    QStackedWidget,
     QWidget,
 )
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import as_test
-from rigapp.config.reading import read_text
+from rigapp.config.loading import judged_test
 from rigapp.config.recipe import TestFile
-from rigapp.config.toml import toml_tree
 from rigapp.config.writing import whole_file
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP
+from rigapp.gui.testfile.armed import ArmedTest, read_armed
 from rigapp.gui.testfile.fields import (
-    FieldSpec,
-    changes,
+    fields_named,
     form_fields,
     get_path,
-    parse_value,
+    in_form_words,
     set_path,
-    show_value,
 )
-from rigapp.gui.testfile.rules import RuleTable
+from rigapp.gui.testfile.form import FieldForm, page_of
+from rigapp.gui.testfile.levels import differences, rules_in
+from rigapp.gui.testfile.rules import LimitSentences
+from rigapp.gui.testfile.steps import MODEL, STEPS, StepBar
 from rigapp.gui.testfile.tomltext import edited
 from rigapp.gui.testfile.unsaved import UnsavedBar
-from rigapp.gui.widgets.build import button, filled, named, prose, row
+from rigapp.gui.widgets.build import button, column, named, prose, row, tell
 from rigapp.gui.widgets.labels import ElidedLabel
-from rigapp.schema.criteria import CRITERIA
 
-COLUMNS = (
-    ("", "run", "metadata", "cycles", "prediction", "model.spring", "model.joint"),
-    (
-        "limits",
-        "stop",
-        "model.mechanism",
-        "model.bushing",
-        "model.pin",
-        "model.wear",
-        "model.pairing",
-    ),
-)
-TITLES = {
-    "": "Test",
-    "run": "Run",
-    "metadata": "Who and what",
-    "cycles": "Whole cycles to keep",
-    "limits": "Always watched (drive off)",
-    "stop": "Stop criteria: the first that is met ends the test (empty: off)",
-    "prediction": "Model beside the data",
-    "model.mechanism": "Mechanism",
-    "model.spring": "Spring",
-    "model.joint": "Joint",
-    "model.bushing": "Bushing",
-    "model.pin": "Pin",
-    "model.wear": "Wear law",
-    "model.pairing": "Where the pairing may run (beyond, a warning; empty: off)",
-}
-
-BESIDE = {
-    f"stop.{one.count or one.window}": (f"stop.{key}", "in a row" if one.count else "over")
-    for key, one in CRITERIA.items()
-    if one.count or one.window
-}
-"""Fields that stand in the row of the field they belong to, with the word before them."""
-
-Editor = QLineEdit | QComboBox | QCheckBox
+NO_FILE = "New test, not saved yet"
+LEAST_HEIGHT = 24 * STEP
+"""Of a step, which scrolls: three lines of it."""
+EMPTY: Final = {"schema": 1, "title": ""}
+CHECKS = "Checks"
+"""The step behind the last one, where the checks have no room beside the form."""
 
 
 class RecipePanel(QWidget):
-    """Edit a test file."""
+    """Edit a test file; ``armed_changed`` tells that another one is armed, or a newer state."""
 
-    start_wanted = Signal(Path)
+    armed_changed = Signal()
 
-    def __init__(self, theme: Theme) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self._theme = theme
-        self._tree: dict[str, Any] = {}
-        self._text = ""
-        self._good = True
-        self._path: Path | None = None
+        self.armed: ArmedTest | None = None
         self.test: TestFile | None = None
-        self.fields = form_fields()
-        self.editors: dict[str, Editor] = {}
-        self.sections: dict[str, QGroupBox] = {}
+        self._begun: dict[str, Any] = dict(EMPTY)
+        self._text = ""
+        self._now = 0
+        self._checked = ("", 0)
         named(self, "recipe_panel", "Prepare a test")
+        self.form = FieldForm(self._judge)
+        self.rules = LimitSentences()
+        self.rules.changed.connect(self._judge)
+        self.steps = StepBar([*(one.title for one in STEPS), CHECKS])
+        self.steps.chosen.connect(self.show_step)
+        self.pages = named(QStackedWidget(), "step_pages", "The open step")
+        self.pages.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        self.pages.setMinimumHeight(LEAST_HEIGHT)
         self._build()
         self._judge()
 
     @property
     def path(self) -> Path | None:
-        """Return the file that is edited."""
-        return self._path
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self._theme = theme
-        self._colour()
+        """Return the file that is edited; None for one that has no name yet."""
+        return self.armed.path if self.armed is not None else None
 
     def unsaved(self) -> list[str]:
         """Return the changes that are not saved, a line each; what cannot be read counts too."""
-        if self._path is None:
-            return []
-        try:
-            tree = self.tree()
-        except ValueError as error:
-            return [str(error)]
-        return changes(self._tree, _explicit(tree, self._tree))
+        tree, errors = self._read()
+        typed = {path: text for path, text in errors.items() if self.form.is_typed(path)}
+        lost = differences(self._tree, _explicit(tree, self._tree))
+        return [*typed.values(), *(one for one in lost if one.partition(":")[0] not in typed)]
 
     def ask_before(self, what: str, then: Callable[[], None]) -> bool:
         """Do something that loses unsaved changes, after a question when there are any.
@@ -137,40 +100,55 @@ class RecipePanel(QWidget):
         then()
         return True
 
-    def open_file(self, path: Path) -> None:
+    def open_file(self, path: Path) -> bool:
         """Load a test file into the form; the sentence below says when it cannot be used.
 
         Changes that are not saved are lost; ``ask_before`` asks first.
         """
         try:
-            text = read_text(path)
-            tree = toml_tree(text, path)
+            armed = read_armed(path)
         except UnusableInput as error:
             self._say(str(error), good=False)
-            return
-        self._path, self._tree, self._text = path, tree, text
-        for field in self.fields:
-            self._fill(field, get_path(tree, field.path))
-        for name, box in self.sections.items():
-            if box.isCheckable():
-                box.setChecked(get_path(tree, name) is not None)
-        self.rules.fill(_rules(get_path(tree, "limits.rule")))
-        self._judge()
+            return False
+        self._take(armed)
+        return True
 
-    def tree(self) -> dict[str, Any]:
-        """Return the test as nested tables; raise ValueError with one sentence."""
-        tree: dict[str, Any] = {"schema": self._tree.get("schema", 1)}
-        for field in self.fields:
-            if field.optional and not self._section_on(field.section):
-                continue
-            value = self._value(field)
-            if value is not None:
-                set_path(tree, field.path, value)
+    def begin(self, tree: dict[str, Any]) -> None:
+        """Begin a test that has no file yet; nothing is armed until it is saved."""
+        self._begun, self._text = tree, ""
+        self._fill(tree)
+        self._arm(None)
+
+    def _take(self, armed: ArmedTest) -> None:
+        self._text = armed.text
+        self._fill(armed.tree)
+        self._arm(armed)
+
+    def _arm(self, armed: ArmedTest | None) -> None:
+        self.armed = armed
+        self._judge()
+        self.armed_changed.emit()
+
+    def _fill(self, tree: Any) -> None:
+        self.form.fill(tree)
+        self.rules.fill(rules_in(get_path(tree, "limits.rule")))
+
+    @property
+    def _tree(self) -> dict[str, Any]:
+        """Return what the file says, or what a new test was begun from."""
+        return dict(self.armed.tree) if self.armed is not None else self._begun
+
+    def _read(self) -> tuple[dict[str, Any], dict[str, str]]:
+        """Return the test as nested tables, as far as it can be read, and the errors by field."""
+        tree, errors = self.form.read()
+        tree = {"schema": self._tree.get("schema", 1), **tree}
         set_path(tree, "model.schema", get_path(self._tree, "model.schema") or 1)
-        rules = self.rules.rules()
+        rules, wrong = self.rules.judge(None)
         if rules:
             set_path(tree, "limits.rule", rules)
-        return tree
+        if wrong:
+            errors["limits.rule"] = f"{wrong} of the limits cannot be used."
+        return tree, errors
 
     def save(self, path: Path) -> bool:
         """Write the test, comments kept; False and a sentence when that is not possible.
@@ -180,9 +158,11 @@ class RecipePanel(QWidget):
         self._judge()
         if self.test is None:
             return False
+        armed = self.armed
         try:
-            text = edited(self._text, _explicit(self.tree(), self._tree), self._optional)
-            if path == self._path and path.exists() and self._changed_elsewhere(path):
+            tree = _explicit(self._read()[0], self._tree)
+            text = edited(self._text, tree, self._optional)
+            if armed is not None and path == armed.path and path.exists() and armed.on_disk():
                 self._say(
                     f"{path} was changed by another program since it was opened. Save it as"
                     " another file, or open it again, which loses what was changed here.",
@@ -191,184 +171,190 @@ class RecipePanel(QWidget):
                 return False
             with whole_file(path) as part:
                 part.write_text(text, encoding="utf-8")
+            self._text = text
+            self._arm(read_armed(path, text))
         except UnusableInput as error:
             self._say(str(error), good=False)
             return False
-        self._path, self._tree, self._text = path, tomllib.loads(text), text
-        self._judge()
         return True
-
-    def _changed_elsewhere(self, path: Path) -> bool:
-        try:
-            return read_text(path) != self._text
-        except UnusableInput:
-            return True
 
     @property
     def _optional(self) -> frozenset[str]:
-        return frozenset(field.section for field in self.fields if field.optional)
+        return frozenset(field.section for field in form_fields() if field.optional)
+
+    def show_step(self, place: int) -> None:
+        """Open a step; one beyond the last is a page that somebody else put behind them."""
+        self._now = max(0, min(place, self.pages.count() - 1))
+        self.pages.setCurrentIndex(self._now)
+        self._judge()
 
     def _build(self) -> None:
-        self.unsaved_bar = UnsavedBar(self._save)
+        for step in STEPS[:MODEL]:
+            cards: list[QWidget] = [self.form.section(name) for name in step.sections]
+            if step.title == "Limits":
+                cards.append(self.rules)
+            self.pages.addWidget(_scrolling(page_of(cards), step.title))
+        self.pages.addWidget(_scrolling(page_of(self._model()), STEPS[MODEL].title))
         self.name = ElidedLabel("recipe_file", "Test file that is edited")
+        self.name.setProperty("role", "title")
         self.verdict = prose("recipe_verdict", "Is the test usable?")
-        self.rules = RuleTable()
-        self.rules.changed.connect(self._judge)
+        self.verdict.setFixedHeight(5 * STEP)
         self.buttons = {
             name: button(f"recipe_{name}", text, call, spoken)
             for name, text, spoken, call in (
+                ("new", "New", "New test", self._ask_new),
+                ("duplicate", "Duplicate", "Duplicate the test", self._duplicate),
                 ("open", "Op&en…", "Open a test file", self._ask_open),
                 ("save", "Save  Ctrl+S", "Save the test file", self._save),
                 ("save_as", "Save as…", "Save as another test file", self._ask_save),
-                ("start", "Start t&his test…", "Start this test", self._start),
+                ("back", "Back", "Step before", lambda: self.show_step(self._now - 1)),
+                ("next", "Next", "Step after", lambda: self.show_step(self._now + 1)),
             )
         }
-        top = row((self.name, 1), *self.buttons.values())
         shortcut = QShortcut(QKeySequence.StandardKey.Save, self)
         shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         shortcut.activated.connect(self.buttons["save"].click)
-        inside = QWidget()
-        columns = [
-            (filled(QVBoxLayout(), (*map(self._section, names), None)), 1)
-            for names in self._columns()
-        ]
-        row(*columns, on=inside)
-        area = named(QScrollArea(), "recipe_area", "Settings of the test")
-        area.setWidgetResizable(True)
-        area.setWidget(inside)
-        filled(QVBoxLayout(self), (top, self.unsaved_bar, self.verdict, (area, 1)))
+        tools = QWidget()
+        buttons = list(self.buttons.values())
+        line = row(*buttons[:3], None, *buttons[3:5], *buttons[5:], on=tools)
+        line.setContentsMargins(0, 0, 0, 0)
+        self.unsaved_bar = UnsavedBar(self._save, tools)
+        card = named(QFrame(), "recipe_tools", "Test file")
+        card.setProperty("role", "card")
+        told = row((self.name, 1), (self.verdict, 3))
+        told.setSpacing(GAP)
+        made = column(told, tools, self.unsaved_bar, on=card)
+        made.setContentsMargins(MARGIN, STEP // 2, MARGIN, STEP)
+        column(self.steps, (self.pages, 1), card, on=self).setSpacing(GAP)
 
-    def _columns(self) -> list[list[str]]:
-        """Return the sections of every column; those that nobody placed come last."""
-        columns = [list(names) for names in COLUMNS]
-        placed = {name for names in columns for name in names}
-        columns[-1] += dict.fromkeys(f.section for f in self.fields if f.section not in placed)
-        return columns
-
-    def _section(self, name: str) -> QGroupBox:
-        title = title_of(name)
-        box = named(QGroupBox(title), f"section_{name or 'test'}", title)
-        self.sections[name] = box
-        grid = QGridLayout(box)
-        rows: dict[str, int] = {}
-        for field in (f for f in self.fields if f.section == name):
-            if field.optional and not box.isCheckable():
-                box.setCheckable(True)
-                box.toggled.connect(self._judge)
-            owner, word = BESIDE.get(field.path, ("", field.label))
-            row = rows.get(owner, grid.rowCount())
-            rows[field.path] = row
-            self._place(field, word, grid, row, 3 if owner in rows else 0)
-        return box
-
-    def _place(self, field: FieldSpec, word: str, grid: QGridLayout, row: int, left: int) -> None:
-        editor = self._editor(field)
-        label = QLabel(word)
-        label.setBuddy(editor)
-        label.setToolTip(field.hint)
-        grid.addWidget(label, row, left)
-        grid.addWidget(editor, row, left + 1)
-        grid.addWidget(QLabel(field.unit), row, left + 2)
-
-    def _editor(self, field: FieldSpec) -> Editor:
-        editor: Editor
-        if field.kind == "choice":
-            editor = QComboBox()
-            editor.addItems(field.choices)
-            editor.currentIndexChanged.connect(self._judge)
-        elif field.kind == "bool":
-            editor = QCheckBox()
-            editor.toggled.connect(self._judge)
-        else:
-            editor = QLineEdit()
-            if field.default is not msgspec.NODEFAULT and field.kind != "str":
-                editor.setPlaceholderText(show_value(field.default) or "off")
-            editor.textEdited.connect(self._judge)
-        self.editors[field.path] = editor
-        spoken = f"{field.label} {field.unit}".strip()
-        return named(editor, f"field_{field.path}", spoken, field.hint)
-
-    def _fill(self, field: FieldSpec, value: Any) -> None:
-        editor = self.editors[field.path]
-        if value is None and field.default is not msgspec.NODEFAULT:
-            value = field.default
-        if isinstance(editor, QComboBox):
-            editor.setCurrentText(str(value))
-        elif isinstance(editor, QCheckBox):
-            editor.setChecked(bool(value))
-        else:
-            editor.setText("" if value is None else show_value(value))
-
-    def _value(self, field: FieldSpec) -> Any:
-        editor = self.editors[field.path]
-        if isinstance(editor, QComboBox):
-            return editor.currentText()
-        if isinstance(editor, QCheckBox):
-            return editor.isChecked()
-        text = editor.text().strip()
-        if not text and field.kind != "str":
-            if field.default is not msgspec.NODEFAULT:
-                return None
-            raise ValueError(f"{title_of(field.section)}: {field.label} is missing")
-        return parse_value(field, text)
-
-    def _section_on(self, name: str) -> bool:
-        box = self.sections[name]
-        return box.isChecked() if box.isCheckable() else True
+    def _model(self) -> list[QWidget]:
+        """Return the cards of the last step: the mechanism and all else are folded."""
+        placed = {name for step in STEPS for name in step.sections}
+        names = dict.fromkeys(f.section for f in self.form.fields if f.section not in placed)
+        shown = [self.form.section(name) for name in STEPS[MODEL].sections]
+        folded = [self.form.section(name) for name in names]
+        inside = page_of(folded)
+        self.unfold = button(
+            "model_unfold", "", inside.setVisible, "Show mechanism and materials", checkable=True
+        )
+        self.unfold.toggled.connect(
+            lambda on: self.unfold.setText(("▾" if on else "▸") + " Mechanism, joint and materials")
+        )
+        self.unfold.setChecked(True)
+        self.unfold.setChecked(False)
+        head = QWidget()
+        row(self.unfold, None, on=head).setContentsMargins(0, 0, 0, 0)
+        return [*shown, head, inside]
 
     def _judge(self) -> None:
-        """Check the whole form; the verdict is one sentence."""
-        self.test = None
-        differences: list[str] = []
-        self.name.show_text(str(self._path) if self._path else "No file opened yet")
-        try:
-            tree = self.tree()
-            name = self._path.name if self._path else "test"
-            test = as_test(tree, name)
-        except (ValueError, UnusableInput) as error:
-            self._say(f"Not usable yet. {error}", good=False)
+        """Check the whole form; every mistake stands at its field, the verdict counts them."""
+        tree, errors = self._read()
+        self.test, wrong = judged_test(tree)
+        others = self._place_faults(wrong, errors) if not errors else []
+        if self.test is not None and errors:
+            self.test = None
+        self.rules.judge(self.test.limits if self.test is not None else None)
+        self.form.show_errors(errors)
+        self._show_steps(errors)
+        self._show_verdict(errors, others, differences(self._tree, _explicit(tree, self._tree)))
+
+    def offer_checks(self, checks: QWidget | None) -> None:
+        """Put the checks behind the last step; None takes them away again."""
+        if checks is not None:
+            self.pages.addWidget(checks)
+        elif (last := self.pages.widget(len(STEPS))) is not None:
+            self.pages.removeWidget(last)
+        self.steps.buttons[-1].setVisible(checks is not None)
+        self.show_step(self._now)
+
+    def show_checks(self, words: str, blocking: int) -> None:
+        """Say in the bar of steps what the checks say, and how many of them block."""
+        if (words, blocking) != self._checked:
+            self._checked = (words, blocking)
+            self._judge()
+
+    def _place_faults(self, wrong: list[str], errors: dict[str, str]) -> list[str]:
+        """Put what does not fit together at the fields it names; return what names none."""
+        others = []
+        for fault in wrong:
+            named_fields = [path for path in fields_named(fault) if path in self.form.editors]
+            sentence = f"{in_form_words(fault).rstrip('.')}."
+            if named_fields:
+                errors.setdefault(named_fields[0], sentence)
+            else:
+                others.append(sentence)
+        return others
+
+    def _show_steps(self, errors: dict[str, str]) -> None:
+        counts = [0] * len(STEPS)
+        for path in errors:
+            section = "limits" if path == "limits.rule" else path.rpartition(".")[0]
+            place = next((n for n, one in enumerate(STEPS) if section in one.sections), MODEL)
+            counts[place] += 1
+            if place == MODEL and section not in STEPS[MODEL].sections:
+                self.unfold.setChecked(True)
+        texts = [one.words(self.test) if self.test is not None else "" for one in STEPS]
+        if self.rules.draft is not None:
+            texts[[one.title for one in STEPS].index("Limits")] += ", 1 draft"
+        told, blocking = self._checked
+        self.steps.show_steps(self._now, [*texts, told], [*counts, blocking])
+        self.buttons["back"].setEnabled(self._now > 0)
+        self.buttons["next"].setEnabled(self._now < self.pages.count() - 1)
+
+    def _show_verdict(
+        self, errors: dict[str, str], others: list[str], differences: list[str]
+    ) -> None:
+        self.name.show_text(self.path.name if self.path else NO_FILE)
+        self.name.setToolTip(str(self.path) if self.path else NO_FILE)
+        if errors or others:
+            count = len(errors) + len(others)
+            where = " ".join([*others, *list(errors.values())[: 1 if not others else 0]])
+            more = f" ({count} mistakes; each stands at its field)" if count > 1 else ""
+            self._say(f"Not usable yet. {where}{more}", good=False)
+        elif self.armed is None:
+            self._say("Usable. Save it to arm it for a start.", good=True)
         else:
-            self.test = test
-            differences = changes(self._tree, _explicit(tree, self._tree))
-            text = "Usable. " + (
-                "Not saved: " + "; ".join(differences) if differences else "As in the file."
-            )
-            self._say(text, good=True)
-        start = "Save and start t&his test…" if differences else "Start t&his test…"
-        self.buttons["start"].setText(start)
-        for name, one in self.buttons.items():
-            usable = self.test is not None and (name == "save_as" or self._path is not None)
-            one.setEnabled(name == "open" or usable)
+            draft = " One draft limit is not part of it." if self.rules.draft is not None else ""
+            told = f"Not saved: {'; '.join(differences)}." if differences else "As in the file."
+            self._say(f"Usable. {told}{draft}", good=True)
+        usable = self.test is not None
+        self.buttons["save"].setEnabled(usable and (self.armed is None or bool(differences)))
+        for name in ("save_as", "duplicate"):
+            self.buttons[name].setEnabled(usable)
 
     def _say(self, sentence: str, *, good: bool) -> None:
-        self._good = good
+        tell(self.verdict, "role", "secondary" if good else "error")
         self.verdict.setText(sentence if good else f"▲ {sentence}")
-        self._colour()
-
-    def _colour(self) -> None:
-        colour = self._theme.text if self._good else self._theme.critical
-        sheet = f"color: {colour};"
-        if sheet != self.verdict.styleSheet():
-            self.verdict.setStyleSheet(sheet)
+        self.verdict.setToolTip(sentence)
 
     def _save(self) -> bool:
-        return self._path is not None and self.save(self._path)
+        if self.path is None:
+            self._ask_save()
+            return False
+        return self.save(self.path)
 
-    def _start(self) -> None:
-        if self._path is None:
-            return
-        if self.unsaved() and not self.save(self._path):
-            return
-        self.start_wanted.emit(self._path)
+    def _ask_new(self) -> None:
+        """Begin an empty test with the model of the open one: the mechanism is the rig's."""
+        model = self._tree.get("model", {})
+        self.ask_before("a new test", lambda: self.begin({**EMPTY, "model": model}))
+
+    def _duplicate(self) -> None:
+        """Begin a test like the one in the form, what is not saved included."""
+        self._begun = self._tree
+        self.form.edit("title", f"{self.test.title if self.test is not None else ''} (copy)")
+        self._arm(None)
 
     def _ask_open(self) -> None:
         dialog = self._dialog("Open a test", QFileDialog.AcceptMode.AcceptOpen)
-        dialog.fileSelected.connect(self._open_wanted)
+        dialog.fileSelected.connect(lambda name: self.open_wanted(Path(name)))
         dialog.show()
 
-    def _open_wanted(self, name: str) -> None:
-        path = Path(name)
-        self.ask_before(f"opening {path.name}", lambda: self.open_file(path))
+    def open_wanted(self, path: Path) -> bool:
+        """Open a file, after a question where changes would be lost; return whether it is open."""
+        return self.ask_before(f"opening {path.name}", lambda: self._open(path))
+
+    def _open(self, path: Path) -> None:
+        self.open_file(path)
 
     def _ask_save(self) -> None:
         dialog = self._dialog("Save the test as", QFileDialog.AcceptMode.AcceptSave)
@@ -377,16 +363,20 @@ class RecipePanel(QWidget):
         dialog.show()
 
     def _dialog(self, title: str, mode: QFileDialog.AcceptMode) -> QFileDialog:
-        folder = str(self._path.parent) if self._path else ""
+        folder = str(self.path.parent) if self.path else ""
         dialog = QFileDialog(self, title, folder, "Tests (*.toml)")
         dialog.setAcceptMode(mode)
         dialog.setModal(False)
         return dialog
 
 
-def title_of(section: str) -> str:
-    """Return the title of a section of the form."""
-    return TITLES.get(section, section.replace("_", " ").replace(".", ", ").capitalize())
+def _scrolling(page: QWidget, title: str) -> QScrollArea:
+    area = named(QScrollArea(), f"step_area_{title.lower()}", f"Step {title}")
+    area.setWidgetResizable(True)
+    area.setFrameShape(QScrollArea.Shape.NoFrame)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(page)
+    return area
 
 
 def _explicit(tree: dict[str, Any], file: dict[str, Any]) -> dict[str, Any]:
@@ -402,11 +392,6 @@ def _explicit(tree: dict[str, Any], file: dict[str, Any]) -> dict[str, Any]:
             continue
         set_path(kept, path, given if given == value else value)
     return kept
-
-
-def _rules(value: Any) -> list[dict[str, Any]]:
-    """Return what a file has as rules; nothing where it has something else."""
-    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
 
 
 def _paths(tree: dict[str, Any], prefix: str) -> list[str]:

@@ -1,160 +1,344 @@
-"""The limit rules of a test as a table: quantity, four levels, hysteresis, delay, actions."""
+"""The limits of a test as sentences to fill in, each with its error and its usual range below."""
 
 from __future__ import annotations
 
-import typing
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QComboBox,
-    QGroupBox,
-    QHeaderView,
-    QTableWidget,
-    QTableWidgetItem,
-    QVBoxLayout,
-)
+from PySide6.QtWidgets import QComboBox, QFrame, QGroupBox, QLabel, QLineEdit, QVBoxLayout
 
-from rigapp.config.recipe import Action
-from rigapp.config.rules import BOUNDS, quantities
-from rigapp.gui.data.channels import SIZE
+from rigapp.config.recipe import LimitsSection
+from rigapp.gui.data.news import News
+from rigapp.gui.look.tokens import STEP
 from rigapp.gui.testfile.fields import show_value
-from rigapp.gui.widgets.build import button, choice, filled, named, row
+from rigapp.gui.testfile.levels import (
+    ACTIONS,
+    OTHER_ACTIONS,
+    LimitLevel,
+    faults_of,
+    levels_of,
+    never_comes,
+    quantity_choices,
+    rules_of,
+    unit_of_quantity,
+)
+from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, row, tell
+from rigapp.gui.widgets.numbers import number, whole
 from rigapp.schema.channels import BASE, ChannelTable
 
-LEVELS = tuple(reversed(BOUNDS))
-COLUMNS = ("quantity", *LEVELS, "hysteresis", "delay_revolutions", "action_critical")
-HEADINGS = (
-    "Quantity",
-    "Warn\nbelow",
-    "Warn\nabove",
-    "Critical\nbelow",
-    "Critical\nabove",
-    "Hyste-\nresis",
-    "Delay\n(rev)",
-    "Action at\ncritical",
-)
-FIRST = f"{SIZE}_max"
-"""What a new limit is about until somebody chooses."""
-
-NUMBERS = frozenset({*LEVELS, "hysteresis"})
+NUMBER_WIDTH = 9 * STEP
+COUNT_WIDTH = 7 * STEP
+QUANTITY_LETTERS = 10
+"""Room for a quantity that is always there; the list of them is as wide as it needs."""
+USUAL_ROWS = 1000
+USUAL_PERCENT = (5.0, 95.0)
+"""The usual range is that of nine in ten of so many newest revolutions: starts and trips are not
+usual."""
 
 
-class RuleTable(QGroupBox):
-    """Edit the rules; empty cells mean that there is no such level."""
+class LevelRow(QFrame):
+    """One limit: what happens when what is above how much for how long."""
+
+    changed = Signal()
+
+    def __init__(self, place: int, level: LimitLevel, table: ChannelTable) -> None:
+        super().__init__()
+        self.level = level
+        self._table = table
+        self._usual = ""
+        name = f"limit_{place}"
+        named(self, name, f"Limit {place}")
+        actions = [(text, pair) for pair, text in ACTIONS.items()]
+        pair = (level.severity, level.action)
+        if pair not in ACTIONS:
+            actions.append((OTHER_ACTIONS[pair], pair))
+        self.action = choice(f"{name}_action", f"What limit {place} does", actions)
+        self.quantity = choice(f"{name}_quantity", f"Quantity of limit {place}", ())
+        self.quantity.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.quantity.setMinimumContentsLength(QUANTITY_LETTERS)
+        sides = (("above", "above"), ("below", "below"))
+        self.side = choice(f"{name}_side", f"Side of limit {place}", sides)
+        self.value = edit(f"{name}_value", f"Value of limit {place}")
+        self.revolutions = edit(f"{name}_revolutions", f"Revolutions in a row of limit {place}")
+        self.back = edit(f"{name}_back", f"How far inside limit {place} its alarm ends")
+        self.units = [QLabel(), QLabel()]
+        self.note = prose(f"{name}_note", f"What is wrong with limit {place}, or its usual range")
+        self.note.setProperty("role", "caption")
+        self.remove = button(f"{name}_remove", "Remove", spoken=f"Remove limit {place}")
+        self.remove.setProperty("rank", "quiet")
+        for line, width in (
+            (self.value, NUMBER_WIDTH),
+            (self.revolutions, COUNT_WIDTH),
+            (self.back, COUNT_WIDTH),
+        ):
+            line.setFixedWidth(width)
+        self._lay_out()
+        self.know(table)
+        self._fill(pair)
+        for box in (self.action, self.quantity, self.side):
+            box.currentIndexChanged.connect(self.changed)
+        for line in (self.value, self.revolutions, self.back):
+            line.textEdited.connect(self.changed)
+        self.quantity.currentIndexChanged.connect(self._show_unit)
+
+    def _lay_out(self) -> None:
+        first = row(
+            self.action, QLabel("when"), (self.quantity, 1), QLabel("is"), self.side,
+            self.value, self.units[0], QLabel("in"), self.revolutions, QLabel("revolutions"),
+        )  # fmt: skip
+        ends = QLabel("ends")
+        ends.setBuddy(self.back)
+        second = row((self.note, 1), ends, self.back, self.units[1], QLabel("inside"), self.remove)
+        for line in (first, second):
+            line.setSpacing(STEP)
+        made = column(first, second, on=self)
+        made.setContentsMargins(0, STEP, 0, STEP)
+        made.setSpacing(STEP // 2)
+
+    def _fill(self, pair: tuple[str, str]) -> None:
+        level = self.level
+        self.action.setCurrentIndex(
+            next(at for at in range(self.action.count()) if tuple(self.action.itemData(at)) == pair)
+        )
+        if self.quantity.findData(level.quantity) < 0:
+            self.quantity.addItem(level.quantity, level.quantity)
+        self.quantity.setCurrentIndex(self.quantity.findData(level.quantity))
+        self.side.setCurrentIndex(self.side.findData(level.side))
+        for line, value in (
+            (self.value, level.value),
+            (self.revolutions, level.revolutions),
+            (self.back, level.hysteresis),
+        ):
+            line.setText(show_value(value))
+        self._show_unit()
+
+    def know(self, table: ChannelTable) -> None:
+        """Offer limits on the channels of a rig."""
+        self._table = table
+        known = {self.quantity.itemData(at) for at in range(self.quantity.count())}
+        for text, name in quantity_choices(table):
+            if name not in known:
+                self.quantity.addItem(text, name)
+        self.quantity.view().setMinimumWidth(self.quantity.view().sizeHintForColumn(0) + 4 * STEP)
+
+    def _show_unit(self) -> None:
+        for label in self.units:
+            label.setText(unit_of_quantity(self.quantity.currentData(), self._table))
+
+    def read(self) -> tuple[LimitLevel, list[str]]:
+        """Return the level that is filled in, and what cannot be read of it; marks the fields."""
+        severity, action = self.action.currentData()
+        wrong: list[str] = []
+        self.level = replace(
+            self.level,
+            quantity=self.quantity.currentData(),
+            severity=severity,
+            action=action,
+            side=self.side.currentData(),
+            value=self._number(self.value, number, "a number", wrong, None),
+            revolutions=self._number(self.revolutions, whole, "a whole number", wrong, 1),
+            hysteresis=self._number(self.back, number, "a number", wrong, 0.0),
+        )
+        return self.level, wrong
+
+    def _number(
+        self, line: QLineEdit, parse: Callable[[str], Any], what: str, wrong: list[str], empty: Any
+    ) -> Any:
+        text = line.text().strip()
+        tell(line, "wrong", False)
+        if not text:
+            return empty
+        try:
+            return parse(text)
+        except ValueError:
+            tell(line, "wrong", True)
+            wrong.append(f"Type {what} in place of {text!r}.")
+            return empty
+
+    def say(self, wrong: Sequence[str], caution: str = "") -> None:
+        """Show what is wrong below the sentence, else a caution, else the usual range."""
+        if wrong and not any(line.property("wrong") for line in (self.revolutions, self.back)):
+            tell(self.value, "wrong", True)
+        tell(self.note, "role", "error" if wrong else "caution" if caution else "caption")
+        text = f"\u2717 {' '.join(wrong)}" if wrong else f"\u25b2 {caution}" if caution else ""
+        self.note.setText(text or self._usual)
+
+    def show_usual(self, news: News) -> None:
+        """Show the usual range of the quantity, as the test that is shown had it."""
+        text = ""
+        for rows in (news.data.rows, news.data.predictions):
+            if self.level.quantity in rows.names:
+                values = rows.series(self.level.quantity).values[-USUAL_ROWS:]
+                known = values[np.isfinite(values)]
+                if len(known):
+                    low, high = np.percentile(known, USUAL_PERCENT)
+                    unit = unit_of_quantity(self.level.quantity, self._table)
+                    text = f"usual {low:.4g} to {high:.4g} {unit}".rstrip()
+                break
+        if text != self._usual:
+            if self.note.text() == self._usual:
+                self.note.setText(text)
+            self._usual = text
+
+
+class LimitSentences(QGroupBox):
+    """Edit the limits of a test; a new one is a draft until it is added."""
 
     changed = Signal()
 
     def __init__(self) -> None:
         super().__init__("Limits of this test")
         named(self, "section_rules", "Limits of this test")
-        self._others: list[dict[str, Any]] = []
+        self._given: list[dict[str, Any]] = []
         self._table = BASE
-        self._filling = False
-        self.table = named(QTableWidget(0, len(COLUMNS)), "rule_table", "Limit rules")
-        self.table.setHorizontalHeaderLabels(list(HEADINGS))
-        self.table.verticalHeader().hide()
-        self.table.setTabKeyNavigation(False)
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(len(COLUMNS) - 1, QHeaderView.ResizeMode.ResizeToContents)
-        self.table.setMinimumHeight(7 * self.fontMetrics().height())
-        self.table.itemChanged.connect(self._edited)
-        self.add = button("rule_add", "Add a limit", self._add)
-        self.remove = button("rule_remove", "Remove", self._remove, "Remove the chosen limit")
-        filled(QVBoxLayout(self), ((self.table, 1), row(self.add, self.remove, None)))
+        self._limits: LimitsSection | None = None
+        self._made = 0
+        self.rows: list[LevelRow] = []
+        self.draft: LevelRow | None = None
+        self._list = column()
+        self.add = button("rule_add", "Add a limit", self.begin)
+        self.keep = button("draft_add", "Add limit", self._keep, rank="primary")
+        self.discard = button("draft_discard", "Discard", self._discard, "Discard the draft")
+        self.chip = QLabel("Draft, not yet part of the test")
+        self.chip.setProperty("role", "caption")
+        self.none = prose(
+            "no_limits", "No limits", "None yet: a limit tells when the joint changes."
+        )
+        self.none.setProperty("role", "secondary")
+        tools = row(self.add, self.chip, None, self.discard, self.keep)
+        filled(QVBoxLayout(self), (self.none, self._list, tools))
+        self._show()
 
     def fill(self, rules: Sequence[dict[str, Any]]) -> None:
-        """Show rules as a test file holds them."""
-        self._filling = True
-        self.table.setRowCount(0)
-        self._others = []
-        for rule in rules:
-            self._append(dict(rule))
-        self._filling = False
+        """Show rules as a test file holds them; a draft goes."""
+        self._discard()
+        for line in self.rows:
+            self._drop(line)
+        self.rows = []
+        self._given = [dict(rule) for rule in rules]
+        for level in levels_of(self._given):
+            self._append(level)
+        self._show()
 
     def know(self, table: ChannelTable) -> None:
         """Offer limits on the channels of a rig."""
-        if table == self._table:
+        if table != self._table:
+            self._table = table
+            for line in self._all():
+                line.know(table)
+
+    def judge(self, limits: LimitsSection | None) -> tuple[list[dict[str, Any]], int]:
+        """Return the rules and how many limits are wrong, and say at each of them what is wrong.
+
+        limits: what is always watched; None while that is not known.
+        """
+        self._limits = limits
+        read = [line.read() for line in self.rows]
+        levels = [level for level, _ in read]
+        wrong = [list(texts) for _, texts in read]
+        rules, places = rules_of(levels, self._given)
+        for rule, mine in zip(rules, places, strict=True):
+            if not any(wrong[at] for at in mine):
+                wrong[mine[-1]] += faults_of(rule, None)
+        for line, level, texts in zip(self.rows, levels, wrong, strict=True):
+            line.say(texts, never_comes(level, limits))
+        self._judge_draft(levels)
+        return rules, sum(1 for texts in wrong if texts)
+
+    def _judge_draft(self, levels: Sequence[LimitLevel]) -> None:
+        if self.draft is None:
             return
-        self._table = table
-        for place in range(self.table.rowCount()):
-            box = self.table.cellWidget(place, 0)
-            if isinstance(box, QComboBox):
-                known = [box.itemText(at) for at in range(box.count())]
-                box.addItems([one for one in quantities(table) if one not in known])
+        level, wrong = self.draft.read()
+        if not wrong:
+            (rule,), _ = rules_of([level], ())
+            never = never_comes(level, self._limits)
+            wrong = [*faults_of(rule, self._table), *([never] if never else [])]
+        if any((one.quantity, one.bound) == (level.quantity, level.bound) for one in levels):
+            wrong.append("There is such a limit already; change that one.")
+        self.draft.say(wrong)
+        self.keep.setEnabled(not wrong)
+        self.keep.setToolTip(" ".join(wrong))
 
-    def rules(self) -> list[dict[str, Any]]:
-        """Return the rules; raise ValueError with one sentence."""
-        return [self._rule(row) for row in range(self.table.rowCount())]
+    def show_usual(self, news: News) -> None:
+        """Show at each limit what is usual."""
+        for line in self._all():
+            line.show_usual(news)
 
-    def _rule(self, row: int) -> dict[str, Any]:
-        rule = dict(self._others[row])
-        for column, key in enumerate(COLUMNS):
-            widget = self.table.cellWidget(row, column)
-            if isinstance(widget, QComboBox):
-                if key != "action_critical" or widget.currentText() != "stop":
-                    rule[key] = widget.currentText()
-                continue
-            item = self.table.item(row, column)
-            text = item.text().strip() if item is not None else ""
-            if text:
-                rule[key] = self._number(row, key, text)
-        return rule
+    def _all(self) -> list[LevelRow]:
+        return [*self.rows, *([self.draft] if self.draft is not None else [])]
 
-    def _number(self, row: int, key: str, text: str) -> float | int:
-        name = key.replace("_", " ")
-        try:
-            return float(text) if key in NUMBERS else int(text)
-        except ValueError:
-            raise ValueError(f"Limit {row + 1}: {name} must be a number, not {text!r}") from None
+    def begin(self) -> None:
+        """Begin a limit as a draft."""
+        if self.draft is None:
+            self.draft = self._row(LimitLevel(-1))
+            self.draft.setProperty("role", "draft")
+            self.draft.setContentsMargins(STEP, 0, STEP, 0)
+            self.draft.remove.hide()
+            self._list.addWidget(self.draft)
+            self._show()
+            self.draft.value.setFocus()
+            self.changed.emit()
 
-    def _append(self, rule: dict[str, Any]) -> None:
-        row = self.table.rowCount()
-        self.table.insertRow(row)
-        quantity = self._choice(
-            tuple(quantities(self._table)), rule.pop("quantity", FIRST), row, "Quantity"
-        )
-        actions = typing.get_args(Action)
-        action = self._choice(actions, rule.pop("action_critical", "stop"), row, "Action")
-        self.table.setCellWidget(row, 0, quantity)
-        self.table.setCellWidget(row, len(COLUMNS) - 1, action)
-        for column, key in enumerate(COLUMNS):
-            if self.table.cellWidget(row, column) is None:
-                value = rule.pop(key, None)
-                text = "" if value is None else show_value(value)
-                self.table.setItem(row, column, QTableWidgetItem(text))
-        self._others.append(rule)
+    def _row(self, level: LimitLevel) -> LevelRow:
+        self._made += 1
+        line = LevelRow(self._made, level, self._table)
+        line.changed.connect(self.changed)
+        return line
 
-    def _choice(self, texts: Sequence[str], chosen: str, row: int, spoken: str) -> QComboBox:
-        box = choice(
-            f"rule_{row}_{spoken.lower()}",
-            f"{spoken} of limit {row + 1}",
-            zip(texts, texts, strict=True),
-        )
-        if chosen not in texts:
-            box.addItem(chosen)
-        box.setCurrentText(chosen)
-        box.currentIndexChanged.connect(self._edited)
-        return box
+    def _append(self, level: LimitLevel) -> None:
+        line = self._row(level)
+        line.remove.clicked.connect(partial(self._remove, line))
+        self.rows.append(line)
+        self._list.addWidget(line)
 
-    def _add(self) -> None:
-        self._filling = True
-        self._append({})
-        self._filling = False
+    def _keep(self) -> None:
+        draft = self.draft
+        if draft is not None:
+            level = replace(draft.level, origin=self._origin_for(draft.level))
+            self._discard()
+            self._append(level)
+            self._show()
+            self.changed.emit()
+
+    def _origin_for(self, level: LimitLevel) -> int:
+        """Return the rule that a new level fits: one of its quantity, or one of its own."""
+        for line in self.rows:
+            one = line.level
+            if (one.quantity, one.revolutions, one.hysteresis) == (
+                level.quantity,
+                level.revolutions,
+                level.hysteresis,
+            ):
+                return one.origin
+        return 1 + max((line.level.origin for line in self.rows), default=len(self._given))
+
+    def _discard(self) -> None:
+        if self.draft is not None:
+            self._drop(self.draft)
+            self.draft = None
+            self._show()
+            self.changed.emit()
+
+    def _remove(self, line: LevelRow, checked: bool = False) -> None:
+        self.rows.remove(line)
+        self._drop(line)
+        self._show()
         self.changed.emit()
 
-    def _remove(self) -> None:
-        row = self.table.currentRow()
-        if row >= 0:
-            self.table.removeRow(row)
-            del self._others[row]
-            self.changed.emit()
+    def _drop(self, line: LevelRow) -> None:
+        self._list.removeWidget(line)
+        line.hide()
+        line.deleteLater()
 
-    def _edited(self) -> None:
-        if not self._filling:
-            self.changed.emit()
+    def _show(self) -> None:
+        drafting = self.draft is not None
+        for part in (self.chip, self.keep, self.discard):
+            part.setVisible(drafting)
+        self.add.setVisible(not drafting)
+        self.none.setVisible(not self._all())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
@@ -14,11 +15,15 @@ NAMED = 4
 
 
 class UnsavedBar(Bar):
-    """Name the changes; save them, discard them, or go on editing, which is the default."""
+    """Name the changes; save them, discard them, or go on editing, which is the default.
 
-    def __init__(self, save: Callable[[], bool]) -> None:
+    place: what it takes the place of while it asks.
+    """
+
+    def __init__(self, save: Callable[[], bool], place: QWidget) -> None:
         super().__init__("unsaved", "Changes that are not saved", "Changes that would be lost")
         self._save = save
+        self._place = place
         self._then: Callable[[], None] | None = None
         self.escape = self.put_away
         self.save = button("unsaved_save", "Save", self._save_first)
@@ -33,6 +38,7 @@ class UnsavedBar(Bar):
         count = f"{len(changes)} change" + ("s" if len(changes) > 1 else "")
         self.discard.setText(f"Discard {count}")
         self.discard.setAccessibleName(f"Discard {count}")
+        self._place.hide()
         self.show()
         self.stay.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -40,6 +46,7 @@ class UnsavedBar(Bar):
         """Go on editing."""
         self._then = None
         self.hide()
+        self._place.show()
 
     def _save_first(self) -> None:
         if self._save():

@@ -41,6 +41,15 @@ def named(widget: Made, name: str, spoken: Text, tip: Text = "") -> Made:
     return widget
 
 
+def tell(widget: QWidget, name: str, value: object) -> None:
+    """Tell a widget what it is now (see ``look.sheet``); it is styled anew where that changed."""
+    if widget.property(name) != value:
+        widget.setProperty(name, value)
+        style = widget.style()
+        style.unpolish(widget)
+        style.polish(widget)
+
+
 def button(
     name: str,
     text: Text,

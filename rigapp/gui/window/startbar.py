@@ -1,4 +1,4 @@
-"""Choose test, length and file of a start, on a card above the buttons that hides no state."""
+"""Start the armed test, on a card above the buttons that hides no state."""
 
 from __future__ import annotations
 
@@ -13,22 +13,41 @@ from PySide6.QtWidgets import QFileDialog, QFrame
 
 from rigapp.config.ranges import RANGES
 from rigapp.gui.language.words import tr
-from rigapp.gui.widgets.build import button, choice, edit, named, row, whole_number
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP
+from rigapp.gui.testfile.recipe import RecipePanel
+from rigapp.gui.testfile.unsaved import listed
+from rigapp.gui.widgets.build import (
+    button,
+    choice,
+    column,
+    edit,
+    named,
+    prose,
+    row,
+    tell,
+    whole_number,
+)
 
 MOST_REVOLUTIONS = int(RANGES["run.revolutions"].high)
 
 
 class StartBar(QFrame):
-    """Ask for test, length and file on a card that floats above the bar of buttons."""
+    """Ask for length and file of the armed test on a card that floats above the buttons.
+
+    The armed test is that of the form (``RecipePanel.armed``); another one that is chosen here is
+    opened there. Its file is read again before the start, and what differs is shown first.
+    """
 
     started = Signal(dict)
 
-    def __init__(self, tests: Sequence[Path], results_folder: Path) -> None:
+    def __init__(self, recipe: RecipePanel, tests: Sequence[Path], results_folder: Path) -> None:
         super().__init__()
+        self._recipe = recipe
         self._results = results_folder
         named(self, "start_bar", "Start a test")
         self.setProperty("role", "card")
-        self.test = choice("start_test", "Test to start", (), self._name_file)
+        self.test = choice("start_test", "Armed test", ())
+        self.test.activated.connect(self._chosen)
         self.out = edit("start_file", "File that the test is written to")
         self.revolutions = whole_number(
             "start_revolutions", "Revolutions, 0: as in the test", 0, MOST_REVOLUTIONS
@@ -37,43 +56,55 @@ class StartBar(QFrame):
         browse = button("start_browse", "&Browse…", self._browse, "Choose another test file")
         self.go = button("start_now", "Start no&w", self._go, guarded=True, rank="primary")
         cancel = button("start_cancel", "Cancel", self.hide, "Do not start")
-        row(
+        self.told = prose("start_told", "What is started")
+        self.told.setFixedHeight(5 * STEP)
+        self.read = button("start_read", "Read it again", self._read_again)
+        self.save = button("start_save", "Save the changes", self._save)
+        fields = row(
             "Test &file", (self.test, 2), browse,
             "Re&volutions", (self.revolutions, 1),
             "Write t&o", (self.out, 3),
-            self.go, cancel,
-            on=self,
         )  # fmt: skip
+        below = row((self.told, 1), self.read, self.save, self.go, cancel)
+        column(fields, below, on=self).setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         self.offer(tests)
+        recipe.armed_changed.connect(self._show_armed)
+        self._show_armed()
         self.hide()
 
     def offer(self, tests: Sequence[Path]) -> None:
-        """Offer test files, the first one chosen."""
-        self.test.clear()
+        """Offer test files."""
         for path in tests:
-            self.test.addItem(path.name, str(path))
+            self._add(path)
 
-    def choose(self, path: Path) -> None:
-        """Choose a test file, adding it when it is new."""
-        index = self.test.findData(str(path))
-        if index < 0:
+    def _add(self, path: Path) -> int:
+        at = self.test.findData(str(path))
+        if at < 0:
             self.test.addItem(path.name, str(path))
-            index = self.test.count() - 1
-        self.test.setCurrentIndex(index)
+            at = self.test.count() - 1
+        return at
+
+    def choose(self, path: Path) -> bool:
+        """Arm a test file; False where it cannot be read, or changes would be lost by it."""
+        if path == self._recipe.path or self._recipe.open_wanted(path):
+            self._show_armed()
+            return self._recipe.path == path
+        self._show_armed()
+        return False
 
     def open(self) -> None:
-        """Show the bar with a fresh file name and the focus on the test."""
-        self._name_file()
-        self.go.setEnabled(self.test.count() > 0)
+        """Show the card with a fresh file name and the focus on the test."""
+        self._show_armed()
         self.show()
         self.test.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def start(self, path: Path) -> None:
-        """Start a test file as it is, into a fresh file."""
-        self.choose(path)
-        self._name_file()
+        """Start a test file as it is, into a fresh file; show the card where that is impossible."""
         self.revolutions.setValue(0)
-        self._go()
+        if self.choose(path) and self.go.isEnabled():
+            self._go()
+        else:
+            self.open()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter starts, Esc closes the bar."""
@@ -84,11 +115,59 @@ class StartBar(QFrame):
         else:
             super().keyPressEvent(event)
 
-    def _name_file(self) -> None:
-        path = self.test.currentData()
-        if path:
+    def _show_armed(self) -> None:
+        """Show the armed test, and what of the form or of the disk is not part of it."""
+        armed = self._recipe.armed
+        self.test.setCurrentIndex(-1 if armed is None else self._add(armed.path))
+        changed = armed.on_disk() if armed is not None else []
+        lost = self._recipe.unsaved()
+        wrong = armed is None or bool(changed or armed.problem)
+        text = self._sentence(changed, lost)
+        if armed is not None and not wrong:
             stamp = time.strftime("%Y%m%d-%H%M%S")
-            self.out.setText(str(self._results / f"{Path(path).stem}-{stamp}.h5"))
+            self.out.setText(str(self._results / f"{armed.path.stem}-{stamp}.h5"))
+        self.told.setText(f"▲ {text}" if wrong else text)
+        tell(self.told, "role", "error" if wrong else "caution" if lost else "secondary")
+        self.read.setVisible(bool(changed))
+        self.save.setVisible(bool(lost) and not wrong)
+        self.go.setEnabled(not wrong)
+
+    def _sentence(self, changed: Sequence[str], lost: Sequence[str]) -> str:
+        """Say what is armed; changed: what differs on the disk, lost: what is not saved."""
+        armed = self._recipe.armed
+        if armed is None:
+            return tr("No test is armed. Choose a test file, or save the new one in Prepare.")
+        name = armed.path.name
+        if changed:
+            return tr("{} is another one on the disk now: {}", name, listed(changed))
+        if armed.problem:
+            return tr("{} cannot be started: {}.", name, armed.problem)
+        if lost:
+            return tr("{} is armed as it is saved. Not part of it: {}", name, listed(lost))
+        if self._recipe.rules.draft is not None:
+            return tr("{} is armed as it is saved. One draft limit is not part of it.", name)
+        return tr("{} is armed as it is saved.", name)
+
+    def _chosen(self) -> None:
+        if not self.choose(Path(self.test.currentData())):
+            text = tr("Changes in Prepare are not saved: save or discard them first.")
+            self.told.setText(f"▲ {text}")
+            tell(self.told, "role", "error")
+
+    def _read_again(self) -> None:
+        path = self._recipe.path
+        if path is not None:
+            self._recipe.ask_before(f"reading {path.name} again", self._take_disk)
+        self._show_armed()
+
+    def _take_disk(self) -> None:
+        if self._recipe.path is not None:
+            self._recipe.open_file(self._recipe.path)
+
+    def _save(self) -> None:
+        if self._recipe.path is not None:
+            self._recipe.save(self._recipe.path)
+        self._show_armed()
 
     def _browse(self) -> None:
         dialog = QFileDialog(self, tr("Choose a test"), filter=tr("Tests (*.toml)"))
@@ -100,13 +179,13 @@ class StartBar(QFrame):
         dialog.show()
 
     def _go(self) -> None:
+        """Start, unless the file has become another one since it was armed."""
         self.revolutions.interpretText()
-        if not self.test.currentData() or not self.out.text().strip():
+        out, armed = self.out.text().strip(), self._recipe.armed
+        if armed is None or not out or armed.on_disk():
+            self._show_armed()
             return
-        arguments: dict[str, Any] = {
-            "test": self.test.currentData(),
-            "out": self.out.text().strip(),
-        }
+        arguments: dict[str, Any] = {"test": str(armed.path), "out": out}
         if self.revolutions.value():
             arguments["revolutions"] = self.revolutions.value()
         self.hide()

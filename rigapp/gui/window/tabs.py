@@ -76,12 +76,11 @@ NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
 class Tabs(QTabWidget):
     """Own every page; ``panels`` are all panels on them, by name.
 
-    ``wanted`` carries requests to the engine, ``said`` sentences, ``start_wanted`` a test file.
+    ``wanted`` carries requests to the engine, ``said`` sentences.
     """
 
     wanted = Signal(str, dict)
     said = Signal(str, bool)
-    start_wanted = Signal(Path)
 
     def __init__(
         self,
@@ -101,7 +100,6 @@ class Tabs(QTabWidget):
             stalls,
             self.wanted.emit,
             self.said.emit,
-            self.start_wanted.emit,
             test.ask_revolution,
         )
         self.panels = host.panels

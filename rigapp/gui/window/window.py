@@ -106,7 +106,6 @@ class MainWindow(QMainWindow):
         named(self, "main_window", "Rig control").setWindowTitle(PROGRAM)
         self.header = Header(theme)
         self.controls = ControlRow(connection.request, theme)
-        self.start_bar = StartBar(tests, results_folder)
         self.close_bar = CloseBar()
         self.notice = NoticeBar(theme)
         self.recover = RecoverPanel(theme)
@@ -115,6 +114,7 @@ class MainWindow(QMainWindow):
         self.replay_bar = ReplayBar()
         self.replay_bar.hide()
         self.tabs = Tabs(test, theme, results_folder, self._reader, self.watchdog)
+        self.start_bar = StartBar(self.tabs.prepare.recipe, tests, results_folder)
         self.side = SideColumn(theme, self.recover)
         self.tabs.panels["side"] = self.side
         self.rail = Rail(theme, self.switch_theme, self.show_help)
@@ -358,10 +358,6 @@ class MainWindow(QMainWindow):
         if self._closing == "when stopped" and status and status.state not in ACTIVE:
             self._leave()
 
-    def _start_prepared(self, path: Path) -> None:
-        self.start_bar.choose(path)
-        self.start_bar.open()
-
     def _build(self) -> None:
         self.calibrate_button = button(
             "calibrate_button",
@@ -436,7 +432,6 @@ class MainWindow(QMainWindow):
         self.viewer_bar.wanted.connect(self.controls.send)
         self.tabs.wanted.connect(self.controls.send)
         self.tabs.said.connect(lambda text, good: self.controls.show_answer(text, good=good))
-        self.tabs.start_wanted.connect(self._start_prepared)
         for key, call in (
             ("F1", self.show_help),
             (COMMAND_KEY, self.controls.command_line.act),

@@ -1,0 +1,250 @@
+"""The fields of a test file on the screen: a line each, with its unit, its range and its error."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QGroupBox,
+    QLabel,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from rigapp.gui.look.tokens import GAP, STEP
+from rigapp.gui.testfile.fields import (
+    FieldSpec,
+    form_fields,
+    get_path,
+    parse_value,
+    set_path,
+    show_value,
+)
+from rigapp.gui.widgets.build import choice, column, named, prose, row, tell
+from rigapp.schema.criteria import CRITERIA
+
+Editor = QLineEdit | QComboBox | QCheckBox
+
+CAPTION_WIDTH = 22 * STEP
+WIDTHS = {"int": 14 * STEP, "float": 14 * STEP, "pair": 18 * STEP}
+"""Of the fields for numbers; texts take what room there is."""
+
+TITLES = {
+    "": "Test",
+    "run": "Run",
+    "metadata": "Who and what",
+    "cycles": "Whole cycles to keep",
+    "limits": "Always watched",
+    "stop": "The first that is met ends the test; what is empty is off",
+    "prediction": "Model beside the data",
+    "model.mechanism": "Mechanism",
+    "model.spring": "Spring",
+    "model.joint": "Joint",
+    "model.bushing": "Bushing",
+    "model.pin": "Pin",
+    "model.wear": "Wear law",
+    "model.pairing": "Where the pairing may run: beyond, a warning; what is empty is off",
+}
+
+BESIDE = {
+    f"stop.{one.count or one.window}": (f"stop.{key}", "in a row" if one.count else "over")
+    for key, one in CRITERIA.items()
+    if one.count or one.window
+}
+"""Fields that stand in the line of the field they belong to, with the word before them."""
+
+SENTENCES = {
+    "limits.overload_N": "Switch the drive off when any |F| sample is above",
+    "limits.overspeed_rpm": "Switch the drive off when the speed is above",
+    "limits.stale_data_s": "Switch the drive off when the newest data are older than",
+}
+"""Fields whose caption is the beginning of a sentence."""
+
+
+class FieldLine(QWidget):
+    """A caption, one field or two with their units, and below them what may stand there."""
+
+    def __init__(self, field: FieldSpec, editor: Editor) -> None:
+        super().__init__()
+        self.fields = [field]
+        label = named(QLabel(SENTENCES.get(field.path, field.label)), f"caption_{field.path}", "")
+        label.setAccessibleName(label.text())
+        label.setBuddy(editor)
+        label.setToolTip(field.hint)
+        if field.path not in SENTENCES:
+            label.setFixedWidth(CAPTION_WIDTH)
+            label.setWordWrap(True)
+        self.note = prose(f"note_{field.path}", f"Range or error of {field.label}")
+        self._line = row(label)
+        self._line.setSpacing(STEP)
+        self._add(field, editor)
+        self._line.addStretch(1 if editor.maximumWidth() < self.maximumWidth() else 0)
+        below = row((self.note, 1))
+        below.setContentsMargins(
+            CAPTION_WIDTH + STEP if field.path not in SENTENCES else 0, 0, 0, 0
+        )
+        column(self._line, below, on=self)
+        self.show_errors({})
+
+    def join(self, field: FieldSpec, word: str, editor: Editor) -> None:
+        """Put another field into the line."""
+        self.fields.append(field)
+        label = QLabel(word)
+        label.setBuddy(editor)
+        self._line.insertWidget(self._line.count() - 1, label)
+        self._add(field, editor, self._line.count() - 1)
+
+    def _add(self, field: FieldSpec, editor: Editor, place: int = -1) -> None:
+        self._line.insertWidget(place, editor)
+        if field.unit:
+            at = place if place < 0 else place + 1
+            self._line.insertWidget(at, QLabel(field.unit))
+
+    def show_errors(self, errors: Mapping[str, str]) -> None:
+        """Show what is wrong with the fields of the line, or what they may be."""
+        mine = [errors[one.path] for one in self.fields if one.path in errors]
+        text = f"\u2717 {' '.join(mine)}" if mine else self.fields[0].allowed
+        tell(self.note, "role", "error" if mine else "caption")
+        if text != self.note.text():
+            self.note.setText(text)
+        self.note.setVisible(bool(text))
+
+
+class FieldForm:
+    """Make the editors of all fields, fill and read them; every mistake is told at its field."""
+
+    def __init__(self, changed: Callable[[], None]) -> None:
+        self._changed = changed
+        self.fields = form_fields()
+        self.editors: dict[str, Editor] = {}
+        self.sections: dict[str, QGroupBox] = {}
+        self._lines: dict[str, FieldLine] = {}
+
+    def section(self, name: str) -> QGroupBox:
+        """Return a new card with the fields of a section."""
+        title = TITLES.get(name, name.replace("_", " ").replace(".", ", ").capitalize())
+        box = named(QGroupBox(title), f"section_{name or 'test'}", title)
+        self.sections[name] = box
+        lines: list[QWidget] = []
+        for field in (f for f in self.fields if f.section == name):
+            if field.optional and not box.isCheckable():
+                box.setCheckable(True)
+                box.toggled.connect(self._changed)
+            editor = self._editor(field)
+            owner, word = BESIDE.get(field.path, ("", ""))
+            if owner in self._lines:
+                self._lines[owner].join(field, word, editor)
+                self._lines[field.path] = self._lines[owner]
+            else:
+                self._lines[field.path] = FieldLine(field, editor)
+                lines.append(self._lines[field.path])
+        made = column(*lines, on=box)
+        made.setContentsMargins(GAP, STEP, GAP, GAP)
+        made.setSpacing(STEP)
+        return box
+
+    def _editor(self, field: FieldSpec) -> Editor:
+        name, spoken = f"field_{field.path}", f"{field.label} {field.unit}".strip()
+        editor: Editor
+        if field.kind == "choice":
+            items = [(one.replace("_", " "), one) for one in field.choices]
+            editor = choice(name, spoken, items, self._changed)
+        elif field.kind == "bool":
+            editor = QCheckBox()
+            editor.toggled.connect(self._changed)
+        else:
+            editor = QLineEdit()
+            if not field.needed and field.kind != "str":
+                editor.setPlaceholderText(show_value(field.default) or "off")
+            editor.textEdited.connect(self._changed)
+            if field.kind in WIDTHS:
+                editor.setFixedWidth(WIDTHS[field.kind])
+        self.editors[field.path] = editor
+        return named(editor, name, spoken, field.hint)
+
+    def fill(self, tree: Mapping[str, Any]) -> None:
+        """Show a test; what it does not say is at its default."""
+        for field in self.fields:
+            self._fill(field, get_path(tree, field.path))
+        for name, box in self.sections.items():
+            if box.isCheckable():
+                box.setChecked(get_path(tree, name) is not None)
+
+    def _fill(self, field: FieldSpec, value: Any) -> None:
+        editor = self.editors[field.path]
+        if value is None and not field.needed:
+            value = field.default
+        if isinstance(editor, QComboBox):
+            editor.setCurrentIndex(editor.findData(str(value)))
+        elif isinstance(editor, QCheckBox):
+            editor.setChecked(bool(value))
+        else:
+            editor.setText("" if value is None else show_value(value))
+
+    def read(self) -> tuple[dict[str, Any], dict[str, str]]:
+        """Return nested tables of what can be read, and a sentence for each field that cannot."""
+        tree: dict[str, Any] = {}
+        errors: dict[str, str] = {}
+        for field in self.fields:
+            if field.optional and not self._is_on(field.section):
+                continue
+            try:
+                value = self._value(field)
+            except ValueError as error:
+                errors[field.path] = f"{error}."
+                continue
+            if value is not None:
+                set_path(tree, field.path, value)
+        return tree, errors
+
+    def _value(self, field: FieldSpec) -> Any:
+        editor = self.editors[field.path]
+        if isinstance(editor, QComboBox):
+            return editor.currentData()
+        if isinstance(editor, QCheckBox):
+            return editor.isChecked()
+        text = editor.text().strip()
+        if not text and field.kind != "str":
+            if not field.needed:
+                return None
+            allowed = f"; type {field.allowed}" if field.allowed else ""
+            raise ValueError(f"{field.label} is missing{allowed}")
+        return parse_value(field, text)
+
+    def is_typed(self, path: str) -> bool:
+        """Tell whether something stands in a field; what is no field of the form counts."""
+        editor = self.editors.get(path)
+        return not isinstance(editor, QLineEdit) or bool(editor.text().strip())
+
+    def edit(self, path: str, text: str) -> None:
+        """Put a text into a field."""
+        editor = self.editors[path]
+        assert isinstance(editor, QLineEdit)
+        editor.setText(text)
+
+    def show_errors(self, errors: Mapping[str, str]) -> None:
+        """Show every error at its field."""
+        for path, editor in self.editors.items():
+            tell(editor, "wrong", path in errors)
+        for line in dict.fromkeys(self._lines.values()):
+            line.show_errors(errors)
+
+    def _is_on(self, name: str) -> bool:
+        box = self.sections[name]
+        return box.isChecked() if box.isCheckable() else True
+
+
+def page_of(parts: Sequence[QWidget]) -> QWidget:
+    """Return a page of cards below each other."""
+    page = QWidget()
+    layout = QVBoxLayout(page)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.setSpacing(GAP)
+    for one in parts:
+        layout.addWidget(one)
+    layout.addStretch(1)
+    return page

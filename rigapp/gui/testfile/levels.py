@@ -1,0 +1,268 @@
+"""The limits of a test as sentences: one level of a rule each, and the rules that they make.
+
+A rule of the file has up to four levels on one quantity; who reads it wants to know for each of
+them what happens when what is above how much for how long.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import msgspec
+
+from rigapp.config.recipe import LimitRule, LimitsSection
+from rigapp.config.rules import BOUNDS, quantities, rule_faults
+from rigapp.gui.data.channels import SIZE, title_of, words
+from rigapp.gui.data.texts import unit_text
+from rigapp.gui.testfile.fields import changes, get_path, show_value
+from rigapp.schema.channels import BASE, ChannelTable
+
+DEFAULT_ACTIONS: Final = {"warning": "warn", "critical": "stop"}
+
+ACTIONS: Final = {
+    ("warning", "warn"): "Warn",
+    ("critical", "pause"): "Pause",
+    ("critical", "stop"): "Stop",
+    ("critical", "drive_off"): "Switch the drive off",
+}
+"""What is offered to happen, with the severity of its alarm."""
+
+OTHER_ACTIONS: Final = {
+    ("critical", "warn"): "Warn, critical",
+    ("warning", "pause"): "Pause, warning",
+    ("warning", "stop"): "Stop, warning",
+    ("warning", "drive_off"): "Drive off, warning",
+    ("warning", "none"): "Do nothing",
+    ("critical", "none"): "Do nothing, critical",
+}
+"""What a file may say all the same; shown where it does."""
+
+_STATISTICS: Final = {
+    "angle_of_max": "angle of the maximum of {}",
+    "max": "maximum {}",
+    "min": "minimum {}",
+    "rms": "RMS of {}",
+    "mean": "mean {}",
+}
+
+_OTHERS: Final = {
+    "speed": "mean speed",
+    "residual_rms": "measured \u2212 model",
+    "residual_1_rms": "measured \u2212 model along crank",
+    "residual_2_rms": "measured \u2212 model across crank",
+    "measured_wear_depth": "wear depth",
+    "measured_wear_depth_uncertainty": "uncertainty of the wear depth",
+    "wear_depth": "wear depth of the model",
+    "driven_wear_depth": "wear depth of the model by the measured force",
+}
+"""What words alone would not tell."""
+
+
+@dataclass(frozen=True, slots=True)
+class LimitLevel:
+    """One level of a rule.
+
+    origin: number of the rule that it belongs to. severity: "warning" or "critical". side: "above"
+    or "below". value: None where none is given yet. hysteresis: how far back it ends.
+    """
+
+    origin: int
+    quantity: str = f"{SIZE}_max"
+    severity: str = "warning"
+    side: str = "above"
+    value: Any = None
+    action: str = "warn"
+    revolutions: Any = 1
+    hysteresis: Any = 0.0
+
+    @property
+    def bound(self) -> str:
+        """Return the key of the level."""
+        return f"{self.severity}_{self.side}"
+
+    def sentence(self, table: ChannelTable) -> str:
+        """Return it as one reads it: Warn when maximum |F| is above 95 N in 3 revolutions."""
+        action = action_text(self.severity, self.action)
+        times = f"{self.revolutions} revolution" + ("s" if self.revolutions != 1 else "")
+        value = f"{show_value(self.value)} {unit_of_quantity(self.quantity, table)}".rstrip()
+        what = quantity_text(self.quantity, table)
+        back = f", ends {show_value(self.hysteresis)} inside" if self.hysteresis else ""
+        return f"{action} when {what} is {self.side} {value} in {times}{back}"
+
+
+def action_text(severity: str, action: str) -> str:
+    """Return an action in words."""
+    return ACTIONS.get((severity, action)) or OTHER_ACTIONS[severity, action]
+
+
+def quantity_text(column: str, table: ChannelTable = BASE) -> str:
+    """Return what a limit is about, in words."""
+    if column in _OTHERS:
+        return _OTHERS[column]
+    for ending, text in _STATISTICS.items():
+        name = column.removesuffix(f"_{ending}")
+        if name == column:
+            continue
+        channel = next((one for one in table.channels if one.name == name), None)
+        title = title_of(channel) if channel is not None else words(name)
+        return text.format(title if title.startswith("|") else title[:1].lower() + title[1:])
+    return words(column)
+
+
+def quantity_choices(table: ChannelTable) -> list[tuple[str, str]]:
+    """Return words and column of what a limit can be about, the force first."""
+    known = [*dict.fromkeys((*table.units, *quantities(table)))]
+    offered = [one for one in known if one in quantities(table)]
+    offered.sort(key=lambda one: not one.startswith(f"{SIZE}_m") and one != f"{SIZE}_rms")
+    return [(quantity_text(one, table), one) for one in offered]
+
+
+def unit_of_quantity(column: str, table: ChannelTable) -> str:
+    """Return the unit of a quantity as the window writes it."""
+    return unit_text(quantities(table).get(column, ""))
+
+
+def levels_of(rules: Sequence[Mapping[str, Any]]) -> list[LimitLevel]:
+    """Return the levels of the rules of a file; a rule without one gives one without value."""
+    return [level for origin, rule in enumerate(rules) for level in _of_rule(origin, rule)]
+
+
+def _of_rule(origin: int, rule: Mapping[str, Any]) -> Iterator[LimitLevel]:
+    bounds = [one for one in reversed(BOUNDS) if one in rule] or ["warning_above"]
+    for bound in bounds:
+        severity, _, side = bound.partition("_")
+        action = rule.get(f"action_{severity}", DEFAULT_ACTIONS[severity])
+        yield LimitLevel(
+            origin,
+            str(rule.get("quantity", "")),
+            severity,
+            side,
+            rule.get(bound),
+            str(action) if (severity, action) in {**ACTIONS, **OTHER_ACTIONS} else "warn",
+            rule.get("delay_revolutions", 1),
+            rule.get("hysteresis", 0.0),
+        )
+
+
+def rules_of(
+    levels: Sequence[LimitLevel], given: Sequence[Mapping[str, Any]]
+) -> tuple[list[dict[str, Any]], list[list[int]]]:
+    """Return the rules that levels make, and the places of each one's levels.
+
+    given: the rules of the file, whose keys stay as they are written where they mean the same. A
+    level that no longer fits the rule it came from makes one of its own, at the end.
+    """
+    rules: list[dict[str, Any]] = []
+    places: list[list[int]] = []
+    firsts = {one.origin: at for at, one in reversed(list(enumerate(levels)))}
+    order = sorted(
+        range(len(levels)), key=lambda at: (at not in firsts.values(), levels[at].origin)
+    )
+    for at in order:
+        one = levels[at]
+        fitting = (number for number, mine in enumerate(places) if _fits(levels, mine, one))
+        number = next(fitting, None)
+        if number is None:
+            number = len(rules)
+            own = at == firsts[one.origin] and 0 <= one.origin < len(given)
+            rules.append(_begun(one, given[one.origin] if own else {}))
+            places.append([])
+        places[number].append(at)
+        _write(rules[number], one)
+    return rules, places
+
+
+def _fits(levels: Sequence[LimitLevel], mine: Sequence[int], one: LimitLevel) -> bool:
+    """Tell whether a level can be one of a rule that has some already."""
+    others = [levels[at] for at in mine]
+    first = others[0]
+    same = (first.origin, first.quantity, first.revolutions, first.hysteresis)
+    return same == (one.origin, one.quantity, one.revolutions, one.hysteresis) and not any(
+        other.bound == one.bound or (other.severity == one.severity and other.action != one.action)
+        for other in others
+    )
+
+
+def _begun(one: LimitLevel, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a rule without levels, the rest of it as the file has it."""
+    gone = {*BOUNDS} | {
+        f"action_{name}" for name in DEFAULT_ACTIONS if any(b.startswith(name) for b in given)
+    }
+    rule = {"quantity": one.quantity, **{k: v for k, v in given.items() if k not in gone}}
+    rule["quantity"] = one.quantity
+    if one.hysteresis != given.get("hysteresis", 0.0):
+        rule["hysteresis"] = one.hysteresis
+    if one.revolutions != given.get("delay_revolutions", 1):
+        rule["delay_revolutions"] = one.revolutions
+    for severity, default in DEFAULT_ACTIONS.items():
+        key = f"action_{severity}"
+        if key in gone and given.get(key) == default:
+            rule[key] = default
+    return rule
+
+
+def _write(rule: dict[str, Any], one: LimitLevel) -> None:
+    if one.value is not None:
+        rule[one.bound] = one.value
+    key = f"action_{one.severity}"
+    if one.action != rule.get(key, DEFAULT_ACTIONS[one.severity]):
+        rule[key] = one.action
+
+
+def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
+    """Return what differs between two tests, a line a key; limits as sentences."""
+    rule = "limits.rule"
+    lines = [one for one in changes(before, after) if not one.startswith(rule)]
+    old, new = (
+        [one.sentence(BASE) for one in levels_of(rules_in(get_path(tree, rule)))]
+        for tree in (before, after)
+    )
+    lines += [f"new limit: {one}" for one in new if one not in old]
+    lines += [f"limit gone: {one}" for one in old if one not in new]
+    return lines or (["the order of the limits"] if _other_rules(before, after) else [])
+
+
+def _other_rules(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
+    return any(one.startswith("limits.rule") for one in changes(before, after))
+
+
+def rules_in(value: Any) -> list[dict[str, Any]]:
+    """Return what a file has as rules; nothing where it has something else."""
+    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
+
+
+def faults_of(rule: Mapping[str, Any], table: ChannelTable | None) -> list[str]:
+    """Return what is wrong with a rule, as sentences under its limit."""
+    try:
+        record = msgspec.convert(rule, LimitRule)
+    except msgspec.ValidationError as error:
+        return [str(error)]
+    return [_plain(fault) for fault in rule_faults(record, table)]
+
+
+def _plain(fault: str) -> str:
+    """Return a fault of a rule without the keys of the file."""
+    if fault.startswith("no level"):
+        return "Type the value of the limit."
+    text = re.sub(r"\b(critical|warning)_(above|below)( = )?", "", fault).strip()
+    text = text.replace("delay_revolutions", "revolutions")
+    return f"{text[:1].upper()}{text[1:]}."
+
+
+def never_comes(level: LimitLevel, limits: LimitsSection | None) -> str:
+    """Return why a level cannot be reached, as the drive goes off before; empty where it can."""
+    if limits is None or level.side == "below" or not isinstance(level.value, int | float):
+        return ""
+    for names, most, unit in (
+        ((f"{SIZE}_max", f"{SIZE}_rms", f"{SIZE}_mean", f"{SIZE}_min"), limits.overload_N, "N"),
+        (("speed", "speed_max", "speed_min", "speed_rms"), limits.overspeed_rpm, "rpm"),
+    ):
+        if level.quantity in names and level.value >= most:
+            return (
+                f"{level.value:g} {unit} can never come: the drive goes off at {most:g} {unit}."
+                f" Type a value below {most:g}."
+            )
+    return ""

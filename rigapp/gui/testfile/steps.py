@@ -1,0 +1,138 @@
+"""The steps of preparing a test: which sections stand in each, and the bar that shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
+
+from rigapp.config.ranges import unit_of
+from rigapp.config.recipe import TestFile
+from rigapp.config.rules import ALWAYS
+from rigapp.gui.data.texts import grouped, unit_text
+from rigapp.gui.look.tokens import STEP
+from rigapp.gui.widgets.build import column, named, row, tell
+from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.schema.criteria import CRITERIA
+
+HEIGHT = 7 * STEP
+
+
+@dataclass(frozen=True, slots=True)
+class PrepareStep:
+    """One step: its name, its sections, and what it says of a usable test in a few words."""
+
+    title: str
+    sections: tuple[str, ...]
+    words: Callable[[TestFile], str]
+
+
+def _record_words(test: TestFile) -> str:
+    cycles = test.cycles
+    if cycles.schedule == "every":
+        return f"every {grouped(cycles.every_revolutions)}th"
+    return f"{cycles.per_decade} a decade" if cycles.schedule == "logarithmic" else "no cycles"
+
+
+def _stop_words(test: TestFile) -> str:
+    """Return the first criterion that is set, and what it is set to."""
+    for key, one in CRITERIA.items():
+        level = getattr(test.stop, key)
+        if level is not None:
+            return f"{one.title} {level:g} {unit_text(unit_of(f'stop.{key}'))}"
+    return "after the last one"
+
+
+STEPS = (
+    PrepareStep("Specimen", ("", "metadata"), lambda test: test.metadata.specimen or "not named"),
+    PrepareStep(
+        "Run",
+        ("run",),
+        lambda test: f"{grouped(test.run.revolutions)} at {test.run.speed_rpm:g} rpm",
+    ),
+    PrepareStep(
+        "Stop",
+        ("stop",),
+        _stop_words,
+    ),
+    PrepareStep("Limits", ("limits",), lambda test: f"{len(ALWAYS)} + {len(test.limits.rule)}"),
+    PrepareStep("Record", ("cycles",), _record_words),
+    PrepareStep(
+        "Model",
+        ("prediction",),
+        lambda test: test.prediction.joint if test.prediction.enabled else "off",
+    ),
+)
+"""The last one has, folded, every section that stands in no other."""
+
+MODEL = len(STEPS) - 1
+
+
+class StepButton(QPushButton):
+    """Show one step: a tick when it is right, its number, or a cross; name and a few words."""
+
+    def __init__(self, place: int, title: str) -> None:
+        super().__init__()
+        self._place, self._title = place, title
+        named(self, f"step_{title.lower()}", title).setProperty("rank", "step")
+        self.setCheckable(True)
+        self.setAutoExclusive(True)
+        self.setFixedHeight(HEIGHT)
+        self.mark = QLabel(str(place + 1))
+        self.mark.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.mark.setProperty("mark", "later")
+        self.title = ElidedLabel(f"step_{title.lower()}_title", title)
+        self.title.show_text(title)
+        self.title.setProperty("role", "title")
+        self.words = ElidedLabel(f"step_{title.lower()}_words", f"{title} in short")
+        self.words.setProperty("role", "caption")
+        texts = column(None, self.title, self.words, None)
+        texts.setSpacing(0)
+        layout = row(self.mark, (texts, 1), on=self)
+        layout.setContentsMargins(STEP, 0, STEP // 2, 0)
+        layout.setSpacing(STEP)
+        for one in (self.mark, self.title, self.words):
+            one.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setMinimumWidth(
+            4 * STEP + 3 * STEP + QFontMetrics(self.font()).horizontalAdvance(title)
+        )
+
+    def show_step(self, state: str, words: str) -> None:
+        """Show a state (done, now, later, wrong) and a few words."""
+        tell(self.mark, "mark", state)
+        self.mark.setText({"done": "\u2713", "wrong": "\u2717"}.get(state, str(self._place + 1)))
+        self.words.show_text(words)
+        self.setAccessibleName(f"Step {self._place + 1}, {self._title}: {words}")
+        self.setAccessibleDescription(state)
+
+
+class StepBar(QFrame):
+    """The steps in a row; one of them is shown."""
+
+    chosen = Signal(int)
+
+    def __init__(self, titles: Sequence[str]) -> None:
+        super().__init__()
+        named(self, "steps", "Steps of preparing a test").setProperty("role", "card")
+        self.buttons = [StepButton(place, title) for place, title in enumerate(titles)]
+        for place, one in enumerate(self.buttons):
+            one.clicked.connect(partial(self._choose, place))
+        parts: list[tuple[QWidget, int]] = [(one, 1) for one in self.buttons]
+        layout = row(*parts, on=self)
+        layout.setContentsMargins(1, 1, 1, 1)
+        layout.setSpacing(0)
+
+    def _choose(self, place: int, checked: bool = True) -> None:
+        self.chosen.emit(place)
+
+    def show_steps(self, now: int, words: Sequence[str], wrong: Sequence[int]) -> None:
+        """Show the step that is open, a few words on each, and how many mistakes each has."""
+        for place, (one, text, count) in enumerate(zip(self.buttons, words, wrong, strict=True)):
+            one.setChecked(place == now)
+            state = "wrong" if count else "now" if place == now else "done" if text else "later"
+            mistakes = f"{count} mistake" + ("s" if count > 1 else "")
+            one.show_step(state, mistakes if count else text)
