@@ -57,7 +57,9 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
             distribution="two-point",
             points=points,
         ),
-        _half_width("creep", use.creep * load),
+        _half_width("creep, measured", use.creep * load, "A")
+        if use.creep_measured
+        else _half_width("creep", use.creep * load),
         _half_width("temperature, gain", use.gain_per_kelvin * use.temperature * load),
         _half_width("change until the next calibration", use.change * load),
     )

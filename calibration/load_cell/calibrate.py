@@ -16,7 +16,15 @@ from calibration.load_cell.budget import (
     uncertainty_at,
     zero_uncertainty,
 )
-from calibration.load_cell.characteristics import Characteristics, characteristics, loads
+from calibration.load_cell.characteristics import (
+    Characteristics,
+    Creep,
+    characteristics,
+    check_creep,
+    creep,
+    loads,
+    unusable_creep,
+)
 from calibration.load_cell.checks import check_fit
 from calibration.load_cell.evidence import applied_forces, examine
 from calibration.load_cell.plausible import impossible
@@ -25,6 +33,7 @@ from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.scatter import Scatter, scatter
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import TwoAxisFit, choose_terms
+from calibration.load_cell.weights import weight_force
 from calibration.problems import Problem
 from calibration.taking.uncertainty import Budget
 
@@ -55,7 +64,7 @@ class LoadCellCalibration:
     matrix, zero and what follows are None when nothing could be fitted. covariance: of the matrix
     elements 11, 12, 21, 22, elements: their budgets. by_load: the uncertainty from no load to full
     scale. zero: of the zeros of both axes, signal unit. expanded_line: a (N), b of U(F) = a + b F
-    of one reading of a component.
+    of one reading of a component. creep: None where it was not measured, and U has the stated one.
     """
 
     problems: tuple[Problem, ...]
@@ -70,6 +79,7 @@ class LoadCellCalibration:
     zero: tuple[Budget, Budget] | None = None
     expanded_line: tuple[float, float] | None = None
     applied: Array | None = None
+    creep: Creep | None = None
 
     @property
     def budget(self) -> Budget | None:
@@ -106,6 +116,13 @@ def calibrate_load_cell(
     seen = loads(readings, applied, measured)
     traits = characteristics(seen, full, found.residual)
     parts = scatter(found, applied, seen)
+    crept = _creep(readings, settings, found, parts)
+    if crept is not None:
+        problems += check_creep(crept)
+        use = replace(settings.use, creep=crept.half_width, creep_measured=True)
+        settings = replace(settings, use=use)
+    elif readings.hung is not None:
+        problems += unusable_creep(readings.hung)
     by_load = tuple(uncertainty_at(parts, settings, share * full) for share in BUDGET_AT)
     return LoadCellCalibration(
         problems=tuple(problems),
@@ -120,4 +137,16 @@ def calibrate_load_cell(
         zero=zero_uncertainty(parts, settings),
         expanded_line=expanded_line([one.component for one in by_load]),
         applied=applied,
+        creep=crept,
     )
+
+
+def _creep(
+    readings: LoadCellReadings, settings: LoadCellSettings, found: TwoAxisFit, parts: Scatter
+) -> Creep | None:
+    """Return the creep, None where no usable readings tell it."""
+    hung = readings.hung
+    if hung is None or any(unusable_creep(hung)):
+        return None
+    weight = weight_force(hung.mass, settings.weights, settings.place)
+    return creep(hung, found, float(weight[0]), parts.repeatability)

@@ -6,14 +6,24 @@ per cent of the force (of full scale for zero return), computed from the reading
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
 from calibration.arrays import Array, Marks, Whole
-from calibration.load_cell.readings import LoadCellReadings
+from calibration.load_cell.readings import HungReadings, LoadCellReadings
+from calibration.load_cell.two_axis import TwoAxisFit
+from calibration.problems import Problem
 
+CREEP_AT = (30.0, 300.0)
+"""Seconds after the load change at which ISO 376 reads the creep."""
+CREEP_TIMES = 0.2
+"""Part of these by which a time may be off: creep goes with the logarithm of time, so that it
+changes by less than a fifth."""
+LARGEST_CREEP = 0.01
+"""Part of the load: five times what class 2 of ISO 376 allows is no creep of a cell."""
 ANGLE_STEP = np.radians(1.0)
 """Nearer pin angles are one: a technician sets them to half a degree by eye."""
 
@@ -215,3 +225,72 @@ def _rising(readings: LoadCellReadings) -> Marks:
         rising[index] = state.get(name, True)
         last[name] = float(mass)
     return rising
+
+
+# --- creep ---------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Creep:
+    """The change (N) of what is indicated of a load (N) that stays on, between two times (s).
+
+    half_width: relative to the load; what the scatter of the two readings may hide is in it.
+    """
+
+    load: float
+    times: tuple[float, float]
+    change: float
+    half_width: float
+
+    @property
+    def percent(self) -> float:
+        """Return ISO 376's c, per cent of the load."""
+        return 100.0 * abs(self.change) / self.load
+
+
+def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
+    """Yield a note where readings under a load that stays on tell no creep of ISO 376."""
+    wanted = " and ".join(f"{one:g} s" for one in CREEP_AT)
+    why = ""
+    if len(hung.time) != len(CREEP_AT):
+        why = f"there are {len(hung.time)} and not {len(CREEP_AT)}"
+    elif not np.isfinite(np.column_stack((hung.mass, hung.angle, hung.time, hung.signal))).all():
+        why = "one is not a number"
+    elif np.any(np.abs(hung.time / CREEP_AT - 1.0) > CREEP_TIMES):
+        taken = " and ".join(f"{one:.0f} s" for one in hung.time)
+        why = f"they were taken {taken} after loading, not {wanted}"
+    elif hung.mass[0] != hung.mass[1] or not hung.mass[0] > 0.0:
+        why = "they are not of one load"
+    if why:
+        yield Problem(
+            "creep_unusable",
+            f"The readings of the creep are passed over, {why}: the creep that the settings state"
+            " counts.",
+            blocks=False,
+        )
+
+
+def creep(hung: HungReadings, found: TwoAxisFit, load: float, scatter: float) -> Creep:
+    """Return the creep that two readings of a load (N) tell; scatter: of one component, N.
+
+    The scatter of both is added to the square of their difference: so much may it hide.
+    """
+    early, late = found.force(hung.signal)
+    change = float((late - early) @ early / np.hypot(*early))
+    return Creep(
+        load=load,
+        times=(float(hung.time[0]), float(hung.time[1])),
+        change=change,
+        half_width=float(np.hypot(change, np.sqrt(2.0) * scatter) / load),
+    )
+
+
+def check_creep(found: Creep) -> Iterator[Problem]:
+    """Yield that the load was touched between the two readings of the creep."""
+    if abs(found.change) > LARGEST_CREEP * found.load:
+        yield Problem(
+            "creep",
+            f"Between {found.times[0]:.0f} s and {found.times[1]:.0f} s under {found.load:.1f} N"
+            f" the indication changes by {found.change:+.2f} N, {found.percent:.1f} % of the load."
+            " No cell creeps so far: was the load touched? Take the creep again, or leave it out.",
+        )

@@ -1,7 +1,7 @@
 """The dead-weight calibration as data: its plans (daily check, routine, full) and its steps.
 
 Angle reference first; at each pin angle: preloads to the maximum and back, zero, rising loads,
-falling loads, zero.
+falling loads, zero. Creep last: the largest load, read twice while it hangs.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from calibration.load_cell.characteristics import CREEP_AT
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.taking.pieces import WeightChange, next_change, possible_loads
 from calibration.taking.procedure import Event, Method, Procedure, Step, StepKind
@@ -30,6 +31,7 @@ PRELOAD_WAIT = 60.0
 """Seconds that a preload hangs: ISO 376 wants 1 to 1.5 minutes."""
 HANDLING = 25.0
 """Seconds that a technician needs to change a load, for the estimate of the time left."""
+CREEP_SERIES = "creep"
 ANGLE_TOLERANCE = math.radians(5.0)
 """The pin may stand so far from the plan's angle: what counts is the angle that is recorded."""
 LEVEL = (
@@ -41,7 +43,10 @@ LEVEL = (
 
 @dataclass(frozen=True, slots=True)
 class PlanSize:
-    """The size of a plan: angles, loads up, preloads, waiting time (s), descending series."""
+    """The size of a plan: angles, loads up, preloads, waiting time (s), descending series.
+
+    What has descending series has the creep at its end: both tell how the cell follows a load.
+    """
 
     angles: int
     loads: int
@@ -99,6 +104,32 @@ class LoadCellPlan:
                     StepKind.READING, words, angle, change.mass, hanging, str(place + 1), number,
                     size.settle, HANDLING, falling,
                 )  # fmt: skip
+        if size.descending:
+            yield from self._creep(angle, loads[-1])
+
+    def _creep(self, angle: float, largest: float) -> Iterator[Step]:
+        change = next_change(largest, (), self.pieces)
+
+        def step(
+            kind: StepKind, words: str, number: int = 0, wait: float = 0.0, due: float = 0.0
+        ) -> Step:
+            return Step(
+                kind, words, angle, change.mass, change.hanging, CREEP_SERIES, number, wait,
+                0.0 if due else HANDLING, due=due, optional=True,
+            )  # fmt: skip
+
+        yield step(
+            StepKind.PRELOAD,
+            f"Creep: from no load, {_change_words(change).lower()} Hang it without a pause, and go"
+            " on as soon as it hangs still: from then on the time counts.",
+        )
+        before = 0.0
+        for number, due in enumerate(CREEP_AT, 1):
+            words = f"Leave the {change.mass:g} kg hanging: they are read after {due:g} s."
+            if due == CREEP_AT[-1]:
+                words += " Then take all weights off."
+            yield step(StepKind.READING, words, number, due - before, due)
+            before = due
 
 
 def _change_words(change: WeightChange) -> str:
@@ -147,8 +178,8 @@ WEIGHING = Method(
 
 
 def load_cell_readings(procedure: Procedure[LoadCellPlan]) -> LoadCellReadings:
-    """Return the readings that stand, in the order taken."""
-    kept = procedure.standing(of=lambda step: True)
+    """Return the readings that stand, in the order taken; those of the creep are left out."""
+    kept = procedure.standing(of=lambda step: not step.due)
     return LoadCellReadings(
         series=tuple(step.series for step, _ in kept),
         step=np.array([step.number for step, _ in kept], dtype=np.int64),

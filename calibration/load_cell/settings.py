@@ -23,8 +23,8 @@ class Use:
 
     temperature: difference of the cell's temperature to that of the calibration, K. gain_per_kelvin
     relative; zero_per_kelvin: part of full scale, since the zero was taken last. creep: between
-    seconds and minutes under load, part of the load. change: of the gain until the next
-    calibration, relative.
+    seconds and minutes under load, part of the load; creep_measured: by this calibration. change:
+    of the gain until the next calibration, relative.
     """
 
     temperature: float = 0.0
@@ -32,6 +32,7 @@ class Use:
     zero_per_kelvin: float = 0.0
     creep: float = 0.0
     change: float = 0.0
+    creep_measured: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,7 +50,8 @@ class Step:
     set_up: what it is done at (the pin's angle in rad, a probe), None for none. value: what is set
     (kg, m); pieces: of which weights it is made. series, number: name the reading in the record,
     empty where nothing is read. wait: s, after the last change; handling: s that a technician
-    needs. falling: the value is reached from above.
+    needs. falling: the value is reached from above. due: s after the last preload at which it is
+    read, 0 where that does not matter. optional: its series can be left out.
     """
 
     kind: StepKind
@@ -63,6 +64,8 @@ class Step:
     wait: float = 0.0
     handling: float = 0.0
     falling: bool = False
+    due: float = 0.0
+    optional: bool = False
 
     @property
     def effort(self) -> float:
@@ -103,8 +106,8 @@ class Method(Generic[PlanType]):
 class TakenReading:
     """One reading as taken: number of its step, signals, their spread, when (UTC s).
 
-    value, place: what was set (kg, m), and at what it was set up (rad, a probe). rejected: why it
-    does not count, empty while it stands.
+    value, place: what was set (kg, m), and at what it was set up (rad, a probe). hung: s since the
+    preload, of a step that is due then. rejected: why it does not count, empty while it stands.
     """
 
     step: int
@@ -113,18 +116,23 @@ class TakenReading:
     signal: tuple[float, float]
     spread: float
     time: float
+    hung: float = 0.0
     rejected: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Procedure(Generic[PlanType]):
-    """The state of a calibration: steps in the order taken, the present one, all readings."""
+    """The state of a calibration: steps in the order taken, the present one, all readings.
+
+    left_out: the series that the operator did without.
+    """
 
     method: Method[PlanType] = field(repr=False)
     plan: PlanType
     steps: tuple[Step, ...]
     position: int = 0
     taken: tuple[TakenReading, ...] = ()
+    left_out: frozenset[str] = frozenset()
     events: tuple[Event, ...] = field(default=(), repr=False)
 
     # --- what to do now --------------------------------------------------------------------------
@@ -199,10 +207,26 @@ class Procedure(Generic[PlanType]):
             raise ProcedureError(wrong)
         return self._go_on({"event": self.method.set_up, self.method.place: at})
 
-    def exercised(self) -> Self:
-        """Take note that a preload has hung for its time."""
+    def exercised(self, time: float | None = None) -> Self:
+        """Take note that a preload has hung for its time, until when (UTC s)."""
         self._expect(StepKind.PRELOAD)
-        return self._go_on({"event": "exercised"})
+        return self._go_on({"event": "exercised", **({} if time is None else {"time": time})})
+
+    def leave_out(self) -> Self:
+        """Do without the series under way; what was read of it does not count."""
+        if not self.step.optional:
+            raise ProcedureError("this step cannot be left out")
+        series = self.step.series
+        after = self._rejected(series, "left out")
+        event = {"event": "left out", "series": series}
+        return after._go_on(event, left_out=self.left_out | {series})
+
+    def again(self, reason: str) -> Self:
+        """Begin the series under way again; what was read of it does not count."""
+        series = self.step.series
+        start = next(i for i, step in enumerate(self.steps) if step.series == series)
+        event = {"event": "again", "reason": reason}
+        return replace(self._rejected(series, reason), position=start, events=(*self.events, event))
 
     def record(
         self,
@@ -212,10 +236,11 @@ class Procedure(Generic[PlanType]):
         *,
         value: float | None = None,
         place: float | None = None,
+        hung: float = 0.0,
     ) -> Self:
         """Take the reading of the present step; raise ProcedureError when it cannot be one.
 
-        value, place: what was set and where, in place of the step's.
+        value, place: what was set and where, in place of the step's. hung: s since the preload.
         """
         step = self._expect(StepKind.READING)
         reading = TakenReading(
@@ -225,6 +250,7 @@ class Procedure(Generic[PlanType]):
             signal=(float(signal[0]), float(signal[1])),
             spread=float(spread),
             time=time,
+            hung=float(hung),
         )
         if not np.isfinite([*reading.signal, reading.value, reading.place]).all():
             names = [f"signal {n}" for n, one in enumerate(reading.signal, 1) if one - one != 0.0]
@@ -239,6 +265,7 @@ class Procedure(Generic[PlanType]):
             "step": step.number,
             self.method.value: reading.value,
             self.method.place: reading.place,
+            **({"hung": reading.hung} if step.due else {}),
         }
         return self._go_on(event, taken=(*self.taken, reading))
 
@@ -266,14 +293,20 @@ class Procedure(Generic[PlanType]):
         wanted = self.steps[start].set_up
         if not self._stands_for(self.steps[start]):
             start = next(i for i, step in enumerate(self.steps) if step.set_up == wanted)
+        taken = self._rejected(series, f"series repeated: {words}").taken
+        taken = (*taken[:index], replace(first, rejected=words), *taken[index + 1 :])
+        event = {"event": "reject", "index": index, "reason": words}
+        return replace(self, position=start, taken=taken, events=(*self.events, event))
+
+    def _rejected(self, series: str, words: str) -> Self:
+        """Return the state in which no reading of a series stands."""
         taken = tuple(
-            replace(one, rejected=words if one is first else f"series repeated: {words}")
+            replace(one, rejected=words)
             if self.steps[one.step].series == series and not one.rejected
             else one
             for one in self.taken
         )
-        event = {"event": "reject", "index": index, "reason": words}
-        return replace(self, position=start, taken=taken, events=(*self.events, event))
+        return replace(self, taken=taken)
 
     def _stands_for(self, step: Step) -> bool:
         """Tell whether the rig is still set up for a step of a series that is taken again."""
@@ -292,12 +325,20 @@ class Procedure(Generic[PlanType]):
         return replace(after, position=position)
 
     def _wanted(self, position: int, standing: set[int]) -> bool:
-        """Tell whether a step is still to be done: no reading of it, or of its set-up, stands."""
+        """Tell whether a step is still to be done: no reading of it, or of what it is for, stands.
+
+        A preload with a series is for that one, other steps are for all at their set-up.
+        """
         step = self.steps[position]
-        if step.series:
+        if step.series in self.left_out:
+            return False
+        if step.kind is StepKind.READING:
             return position not in standing
         return any(
-            later.series and later.set_up == step.set_up and index not in standing
+            later.kind is StepKind.READING
+            and later.series not in self.left_out
+            and (later.series == step.series if step.series else later.set_up == step.set_up)
+            and index not in standing
             for index, later in enumerate(self.steps)
         )
 
@@ -347,10 +388,19 @@ def _after(procedure: Procedure[PlanType], event: Event) -> Procedure[PlanType]:
     if kind == method.set_up:
         return procedure.set_up(event[method.place])
     if kind == "exercised":
-        return procedure.exercised()
+        return procedure.exercised(event.get("time"))
+    if kind == "again":
+        return procedure.again(event["reason"])
+    if kind == "left out":
+        return procedure.leave_out()
     if kind == "record":
         value, place = event.get(method.value), event.get(method.place)
         return procedure.record(
-            event["signal"], event["spread"], event["time"], value=value, place=place
+            event["signal"],
+            event["spread"],
+            event["time"],
+            value=value,
+            place=place,
+            hung=event.get("hung", 0.0),
         )
     raise ProcedureError(f"unknown event {kind!r}")

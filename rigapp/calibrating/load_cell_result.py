@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from calibration.load_cell.budget import expanded_line
 from calibration.load_cell.calibrate import LoadCellCalibration
+from calibration.load_cell.characteristics import Creep
 from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.problems import Problem
@@ -100,11 +101,23 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
             "interpolation_fc": traits.interpolation,
             "zero_return_f0": traits.zero_return,
             "reversibility_v": traits.reversibility,
-            "creep_c": None,
+            "creep_c": None if found.creep is None else found.creep.percent,
         },
+        "creep": _creep(found.creep),
         "zero_drift_N": traits.drift,
         "applied_N": applied.tolist(),
         "residual_N": fit.residual.tolist(),
+    }
+
+
+def _creep(found: Creep | None) -> dict[str, Any] | None:
+    if found is None:
+        return None
+    return {
+        "load_N": found.load,
+        "hung_s": list(found.times),
+        "change_N": found.change,
+        "half_width_percent": 100.0 * found.half_width,
     }
 
 
@@ -131,6 +144,18 @@ def _too_uncertain(found: LoadCellCalibration, settings: LoadCellSettings) -> It
             )
 
 
+def creep_words(measured: Mapping[str, Any] | None, stated_percent: float) -> str:
+    """Return what U has of the creep, from a result's ``creep`` or the settings."""
+    if measured is None:
+        return f"Creep: not measured; U has the {stated_percent:g} % that the settings state."
+    early, late = measured["hung_s"]
+    return (
+        f"Creep at {measured['load_N']:.1f} N, from {early:.0f} s to {late:.0f} s after loading:"
+        f" {measured['change_N']:+.3f} N; U has {measured['half_width_percent']:.3f} %, the scatter"
+        " of the two readings included."
+    )
+
+
 def _square(values: list[Any]) -> list[list[Any]]:
     """Return four values of the elements 11, 12, 21, 22 as rows."""
     return [values[:2], values[2:]]
@@ -152,6 +177,7 @@ def load_cell_outcome(found: LoadCellCalibration, settings: LoadCellSettings) ->
         f"Residual standard deviation: {found.fit.residual_std:.3f} N.",
         f"Expanded uncertainty at {found.budget.value:g} N: {found.budget.expanded:.2f} N"
         f" (k = {found.budget.coverage_factor:.2f}); U(F) = {constant:.2f} N + {slope:.5f} F.",
+        creep_words(result["creep"], settings.use.creep * 100.0),
         found.classification,
     )
     table = NumberTable(

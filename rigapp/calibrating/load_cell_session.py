@@ -21,7 +21,12 @@ from calibration.load_cell.plans import (
     load_cell_readings,
 )
 from calibration.load_cell.plausible import check_settings
-from calibration.load_cell.readings import LOAD_CELL_COLUMNS, LoadCellReadings, parse_load_cell
+from calibration.load_cell.readings import (
+    HUNG_COLUMN,
+    LOAD_CELL_COLUMNS,
+    LoadCellReadings,
+    parse_load_cell,
+)
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import Terms, fit
 from calibration.load_cell.weights import pin_force, weight_force
@@ -98,7 +103,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     """A dead-weight calibration, or a daily check, under way."""
 
     method = WEIGHING
-    columns = LOAD_CELL_COLUMNS
+    columns = (*LOAD_CELL_COLUMNS, HUNG_COLUMN)
     practice = LOAD_CELL_PRACTICE
 
     @property
@@ -141,7 +146,8 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
 
     def describe(self, reading: TakenReading) -> str:
         """Return mass and angle of a reading in words."""
-        return f"{reading.value:g} kg at {math.degrees(reading.place):.1f} degrees"
+        text = f"{reading.value:g} kg at {math.degrees(reading.place):.1f} degrees"
+        return f"{text}, {reading.hung:.0f} s after loading" if reading.hung else text
 
     def cells(self, reading: TakenReading) -> tuple[str, ...]:
         """Return mass and angle of a reading."""
@@ -289,7 +295,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         step = self.procedure.steps[reading.step]
         return (
             f"{step.series},{step.number},{reading.value!r},{math.degrees(reading.place)!r},"
-            f"{reading.signal[0]!r},{reading.signal[1]!r}"
+            f"{reading.signal[0]!r},{reading.signal[1]!r},{reading.hung or ''}"
         )
 
     def facts(self) -> dict[str, Any]:

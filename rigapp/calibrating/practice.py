@@ -90,8 +90,9 @@ def _plant_fault(mistake: WeighingMistake) -> Actions:
 def _weigh(session: Any, mistake: WeighingMistake, since: int) -> Actions:
     """Bring pin and weights to where the step wants them.
 
-    Wherever they are, since a step may be the first one after a restart. A wrong weight: half a
-    piece less, or a kilogram too much.
+    Wherever they are, since a step may be the first one after a restart. Nobody waits for the
+    creep: it is said how long the weight hangs. A wrong weight: half a piece less, or a kilogram
+    too much.
     """
     procedure, settings = session.procedure, session.settings
     if procedure.done:
@@ -103,7 +104,8 @@ def _weigh(session: Any, mistake: WeighingMistake, since: int) -> Actions:
         mass = step.value + settings.weights.hanger_mass
         if mistake is WeighingMistake.WRONG_WEIGHT:
             mass += _wrong_by(step.pieces)
-    hang = _hand("hang_weight", mass_kg=mass, gravity_m_s2=settings.place.gravity)
+    hung = {"hung_s": step.due} if step.due else {}
+    hang = _hand("hang_weight", mass_kg=mass, gravity_m_s2=settings.place.gravity, **hung)
     return (turn, hang) if step.pieces else (hang, turn)
 
 

@@ -18,6 +18,7 @@ from typing import Any, ClassVar, Generic, TypeVar
 import numpy as np
 
 from calibration.arrays import Array
+from calibration.load_cell.characteristics import CREEP_TIMES
 from calibration.load_cell.daily import DailyCheck
 from calibration.taking.procedure import (
     Event,
@@ -141,6 +142,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         self.given, self.rig = given, rig
         self._patient = keep_waiting_times
         self._since = math.nan
+        self._preloaded = math.nan
         self.newest: WindowType | None = None
         self.check_settings()
         self.journal = Journal(journal)
@@ -245,12 +247,29 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             before = -math.inf if self.newest is None else self.newest.newest
             if math.isnan(self._since) or newest < before:
                 self._since = newest
+                self._preloaded = self._told_preload(newest)
         self.newest = window
         if procedure.done:
             readiness = self.assess(window, procedure.steps[-1], math.nan, 0.0)
             return replace(readiness, state=SignalState.WAITING, words="all readings are taken")
-        wait = procedure.step.wait if self._patient else 0.0
-        return self.assess(window, procedure.step, self._since, wait)
+        return self.assess(window, procedure.step, self._since, self._wait(procedure.step))
+
+    def _wait(self, step: Step) -> float:
+        """Return the seconds from the last change on that a step waits."""
+        if not self._patient:
+            return 0.0
+        return step.due - (self._since - self._preloaded) if step.due else step.wait
+
+    def _told_preload(self, newest: float) -> float:
+        """Return the device time of the last preload, of which the journal tells only the UTC."""
+        told = (self.procedure.told("exercised") or {}).get("time")
+        return math.nan if told is None else newest - (time.time() - float(told))
+
+    @property
+    def takes_itself(self) -> bool:
+        """Tell whether the step is read when it is due, without a word of the operator."""
+        procedure = self.procedure
+        return self._patient and not procedure.done and procedure.step.due > 0.0
 
     def changed_at(self, time_s: float) -> None:
         """Take note of the device time at which something was changed (a simulated hand knows)."""
@@ -266,22 +285,48 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         readiness = self.look(window)
         if not readiness.ready:
             raise ProcedureError(f"it cannot be recorded now: {readiness.words}")
-        self.adopt(self._after(readiness.steadiness, self.place_of(window), at))
+        preload = self.procedure.step.kind is StepKind.PRELOAD
+        self._refuse_late(window.newest)
+        hung = self._hung(window.newest)
+        self.adopt(self._after(readiness.steadiness, self.place_of(window), at, hung))
         self._since = window.newest
+        if preload:
+            self._preloaded = window.newest
+
+    def leave_out(self) -> None:
+        """Do without the series under way; raise ProcedureError where it is needed."""
+        self.adopt(self.procedure.leave_out())
+
+    def _hung(self, newest: float) -> float:
+        """Return the seconds since the preload, of a step that is due then; practised, as due."""
+        due = self.procedure.step.due
+        return round(newest - self._preloaded, 1) if due and self._patient else due
+
+    def _refuse_late(self, newest: float) -> None:
+        """Begin the series again, and raise ProcedureError, where a step is long overdue."""
+        due, hung = self.procedure.step.due, self._hung(newest)
+        if hung <= due * (1.0 + CREEP_TIMES):
+            return
+        self.adopt(self.procedure.again(f"read after {hung:.0f} s"))
+        raise ProcedureError(
+            f"the load hangs for {hung:.0f} s, {due:g} s were wanted: take it off, the creep begins"
+            " again"
+        )
 
     def _after(
-        self, found: Steadiness, place: float | None, at: float | None
+        self, found: Steadiness, place: float | None, at: float | None, hung: float
     ) -> Procedure[PlanType]:
         """Return the procedure after the step under way."""
-        procedure = self.procedure
+        procedure, now = self.procedure, round(time.time(), 3)
         match procedure.step.kind:
             case StepKind.SET_UP:
                 return procedure.set_up(place)
             case StepKind.PRELOAD:
-                return procedure.exercised()
+                return procedure.exercised(now)
             case StepKind.READING:
-                now = round(time.time(), 3)
-                return procedure.record(found.mean, found.spread, now, value=at, place=place)
+                return procedure.record(
+                    found.mean, found.spread, now, value=at, place=place, hung=hung
+                )
         raise ProcedureError("the angle reference is entered, not recorded")
 
     def reject(self, index: int, reason: str) -> None:

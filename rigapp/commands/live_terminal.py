@@ -30,6 +30,9 @@ from rigapp.config.rig import RigFile
 
 PATIENCE_S = 60.0
 """A weight that still swings after a minute needs a hand to steady it."""
+COUNTED_S = 30.0
+"""So often it is said how long a load still hangs."""
+LEAVES_OUT = "s leaves the creep out, "
 LOOK_EVERY_S = 0.03  # as fast as numbers can be read while a hand moves
 
 AnySession = LiveSession[Any, Any, Any]
@@ -95,15 +98,25 @@ class Terminal:
         at = None
         if self._hands is not None:
             self._hands.do(session)
-        else:
-            answer = self._read(session.prompt).strip().lower()
+        elif not session.takes_itself:
+            optional = session.procedure.step.optional
+            prompt = f"{LEAVES_OUT}{session.prompt}" if optional else session.prompt
+            answer = self._read(prompt).strip().lower()
             if answer == "q":
                 return False
             if answer == "r":
                 self._reject()
                 return True
+            if answer == "s" and optional:
+                session.leave_out()
+                return True
             at = session.typed(answer)
-        window = self._wait_ready()
+        try:
+            window = self._wait_ready()
+        except KeyboardInterrupt:
+            if not session.takes_itself:
+                raise
+            return self._interrupted()
         if isinstance(session, LoadCellSession) and session.reference_is_due:
             self._reference(session, window.angle)
             return True
@@ -112,6 +125,13 @@ class Terminal:
         if len(session.procedure.taken) > before:
             self._say(f"  recorded: {session.recorded(found)}")
         return True
+
+    def _interrupted(self) -> bool:
+        """Ask whether the wait is given up; return False when the operator closes."""
+        answer = self._read(f"\n  {LEAVES_OUT}Enter goes on waiting, q closes: ").strip().lower()
+        if answer == "s":
+            self._session.leave_out()
+        return answer != "q"
 
     def _reject(self) -> None:
         """List the readings that stand, ask which does not count and why, reject it."""
@@ -133,11 +153,16 @@ class Terminal:
             found = self._session.look(window)
             if found.ready:
                 return window
-            words = found.words.partition(";")[0]
+            text, words = found.words, found.words.partition(";")[0]
+            if found.left > 0.0:
+                deadline = time.monotonic() + PATIENCE_S
+                if self._session.takes_itself:
+                    left = COUNTED_S * math.ceil(found.left / COUNTED_S)
+                    text = words = f"{words}; {left:g} s are left at most, Ctrl-C leaves it out"
             if words != said and self._hands is None:
-                self._say(f"  {found.words} …")
+                self._say(f"  {text} …")
             said = words
-            if time.monotonic() > deadline + found.left:
+            if time.monotonic() > deadline:
                 raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {found.words}")
             time.sleep(LOOK_EVERY_S)
 

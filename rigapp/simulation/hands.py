@@ -4,6 +4,7 @@ A hand is a table from the control channel::
 
     {"hand": "take_off_follower"}      the pin is free for the dead-weight calibration
     {"hand": "hang_weight", "mass_kg": 5.0, "gravity_m_s2": 9.8123}     0 takes it off
+    {"hand": "hang_weight", "mass_kg": 5.0, "hung_s": 300.0}     it hangs for so long already
     {"hand": "turn_pin", "angle_deg": 90.0}
     {"hand": "set_micrometer", "probe": 1, "position_um": -200.0}
     {"hand": "release_crank"}          the crank may turn without the follower
@@ -11,7 +12,8 @@ A hand is a table from the control channel::
     {"hand": "new_specimen"}           an unworn bushing in place of the present one
 
 The crank is locked while the follower is off, until it is released. A weight is conventional mass:
-steel of 8000 kg/m3 in air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000).
+steel of 8000 kg/m3 in air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000). The cell creeps under
+it, with the logarithm of the time that it is said to hang.
 """
 
 from __future__ import annotations
@@ -27,6 +29,9 @@ from rigapp.simulation.plant import Plant
 
 BUOYANCY = 1.0 - 1.2 / 8000.0  # conventional mass: air over steel
 LOCK_Nm = 1e6
+CREEP_PER_DECADE = 3e-4
+"""Part of the load by which the cell's signal grows from 30 s to 300 s: that of a good cell."""
+CREEP_FROM_S = 30.0
 HEAVIEST_KG = 100.0  # more than a person hangs on a pin
 
 
@@ -52,10 +57,11 @@ class ReleaseCrank(_Hand, frozen=True):
 
 
 class HangWeight(_Hand, frozen=True):
-    """Hang a weight on the pin in place of the present one."""
+    """Hang a weight on the pin in place of the present one, for some time if that is said."""
 
     mass_kg: Annotated[float, msgspec.Meta(ge=0, le=HEAVIEST_KG)]
     gravity_m_s2: Annotated[float, msgspec.Meta(gt=9.7, lt=9.9)] = 9.80665
+    hung_s: Annotated[float, msgspec.Meta(ge=0, le=1e6)] = 0.0
 
 
 class TurnPin(_Hand, frozen=True):
@@ -117,9 +123,10 @@ class PlantHands:
             case PutOnFollower():
                 self._off = False
                 self._weight_N = 0.0
-            case HangWeight(mass_kg=mass, gravity_m_s2=gravity):
+            case HangWeight(mass_kg=mass, gravity_m_s2=gravity, hung_s=hung):
                 self._locked = True
-                self._weight_N = mass * gravity * BUOYANCY
+                creep = CREEP_PER_DECADE * math.log10(max(hung, CREEP_FROM_S) / CREEP_FROM_S)
+                self._weight_N = mass * gravity * BUOYANCY * (1.0 + creep)
             case TurnPin(angle_deg=angle):
                 self._plant.turn_by_hand(math.radians(angle))
             case SetMicrometer(probe=probe, position_um=position):

@@ -42,7 +42,8 @@ def hand(
     angle = step.set_up + np.radians(0.3)
     force = pin_force([step.value * newton_per_kg], [angle], 0.0)
     signal = cell.signal(force, np.array([0.5]), np.array([True]), rng)[0]
-    return procedure.record(signal, 1e-4, 1000.0 + procedure.position, place=angle)
+    at = 1000.0 + procedure.position
+    return procedure.record(signal, 1e-4, at, place=angle, hung=step.due)
 
 
 def finish(procedure: Procedure[LoadCellPlan], seed: int = 3) -> Procedure[LoadCellPlan]:
@@ -74,8 +75,8 @@ def test_sizes_of_the_plans() -> None:
     def count(kind: PlanKind) -> int:
         return sum(s.kind is StepKind.READING for s in LoadCellPlan(kind, 40.0, SET).steps())
 
-    assert count(PlanKind.FULL) == 12 * 21
-    assert count(PlanKind.ROUTINE) == 4 * 11
+    assert count(PlanKind.FULL) == 12 * 21 + 2
+    assert count(PlanKind.ROUTINE) == 4 * 11 + 2
     assert count(PlanKind.DAILY) == 4 * 3
     assert 20 < time_needed(LoadCellPlan(PlanKind.ROUTINE, 40.0, SET).steps()) / 60.0 < 60
 
@@ -104,8 +105,46 @@ def test_rejected_reading_stays_and_its_series_is_taken_again() -> None:
     assert repeated.step.number == 1
     done = finish(repeated)
     assert len(load_cell_readings(done)) == 44
-    assert len(done.taken) == 49
+    assert len(done.taken) == 51
     assert take_up(WEIGHING, journal(done)) == done
+
+
+def at_the_creep(readings: int = 0) -> Procedure[LoadCellPlan]:
+    """Return a procedure whose creep comes now, or has been read so often."""
+    rng = np.random.default_rng(1)
+    procedure = begin(WEIGHING, LoadCellPlan(PlanKind.ROUTINE, 40.0, SET))
+    while procedure.step.series != "creep" or len(procedure.taken) < 44 + readings:
+        procedure = hand(procedure, Cell(), rng)
+    return procedure
+
+
+@pytest.mark.parametrize("readings", [0, 1])
+def test_a_creep_that_is_left_out_is_not_asked_for_again(readings: int) -> None:
+    procedure = at_the_creep(readings).leave_out()
+    assert procedure.done
+    assert [one.rejected for one in procedure.taken[44:]] == ["left out"] * readings
+    assert take_up(WEIGHING, journal(procedure)) == procedure
+    # Another series is rejected: only that one is taken again.
+    done = finish(procedure.reject(3, "bumped"))
+    assert len(done.taken) == 44 + readings + 11
+    assert take_up(WEIGHING, journal(done)) == done
+    with pytest.raises(ProcedureError, match="cannot be left out"):
+        begin(WEIGHING, procedure.plan).leave_out()
+
+
+def test_the_creep_is_read_once_and_taken_again_where_it_is_rejected_or_late() -> None:
+    late = at_the_creep(1).again("read after 500 s")
+    assert late.step.kind is StepKind.PRELOAD
+    assert late.taken[-1].rejected == "read after 500 s"
+    assert take_up(WEIGHING, journal(late)) == late
+    done = finish(late)
+    assert [step.due for step, _ in done.standing(of=lambda step: step.due > 0.0)] == [30.0, 300.0]
+    # It stands: the readings of another series are taken again without it.
+    assert len(finish(done.reject(40, "bumped")).taken) == len(done.taken) + 11
+    # After the end it begins with the preloads of its pin angle.
+    again = done.reject(len(done.taken) - 1, "touched")
+    assert again.step.kind is StepKind.SET_UP
+    assert len(finish(again).taken) == len(done.taken) + 2
 
 
 def test_wrong_event_is_refused_in_words() -> None:
@@ -145,7 +184,7 @@ def test_any_sequence_keeps_every_reading(actions: list[str]) -> None:
         elif not procedure.done:
             procedure = hand(procedure, Cell(), rng)
         assert len(procedure.taken) >= before
-        standing = [one for one in procedure.taken if not one.rejected]
+        standing = procedure.standing(of=lambda step: not step.due)
         assert len(standing) == len(load_cell_readings(procedure))
 
 

@@ -19,6 +19,7 @@ from rigapp.schema.messages import Reply
 
 TRUE_MATRIX = np.array([[201.0, 3.0], [2.0, 198.0]])
 TRUE_ZERO = np.array([0.004, -0.003])
+CREEP_PER_DECADE = 1e-3
 BUOYANCY = 1.0 - 1.2 / 8000.0
 RATE = 1000.0
 
@@ -80,7 +81,8 @@ class ScriptedRig:
         if what == "turn_pin":
             self.angle_deg = details["angle_deg"] % 360.0
         if what == "hang_weight":
-            self.force = details["mass_kg"] * details["gravity_m_s2"] * BUOYANCY
+            creep = CREEP_PER_DECADE * np.log10(max(details.get("hung_s", 0.0), 30.0) / 30.0)
+            self.force = details["mass_kg"] * details["gravity_m_s2"] * BUOYANCY * (1.0 + creep)
         return {"after_sample": int(self.now * RATE)}
 
     def _signals(self) -> dict[str, Any]:

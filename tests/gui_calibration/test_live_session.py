@@ -56,6 +56,8 @@ def test_whole_calibration_finds_the_hidden_matrix(
     assert saved.saved == tmp_path / "c.json"
     assert record.content["taken"]["simulated"] is True
     assert record.content["taken"]["plan"] == "routine"
+    # The hidden cell creeps by 0.1 % from 30 s to 300 s; readings repeat to 0.01 N.
+    assert outcome.result["characteristics_percent"]["creep_c"] == pytest.approx(0.1, abs=0.02)
     with pytest.raises(UnusableInput, match="never overwritten"):
         session.save(outcome, tmp_path / "c.json")
 
@@ -214,7 +216,7 @@ def test_series_with_a_wrong_weight_is_repeated_at_the_end(
     session.reject(wrong, "5 kg instead of 2 kg hung")
     assert session.procedure.step.kind is StepKind.SET_UP
     finish(session, scripted)
-    assert len(session.procedure.taken) == 44 + 11
+    assert len(session.procedure.taken) == 44 + 2 + 11
     outcome = session.judge()
     assert outcome.accepted
     session.save(outcome, tmp_path / "c.json")

@@ -25,6 +25,7 @@ from rigapp.calibrating.certificates.parts import (
     say,
     table,
 )
+from rigapp.calibrating.load_cell_result import creep_words
 from rigapp.config.calibration_settings import WeightsSection
 from rigapp.report.page.manuscript import Figure, Row, Table
 
@@ -56,6 +57,13 @@ TRAITS = {
     "v, reversibility": "{reversibility_v:.3f}",
     "c, creep": "{creep_c:.3f}",
 }
+HUNG = {
+    "kg": "{mass:g}",
+    "s after loading": "{time:.1f}",
+    "angle deg": "{angle:.3f}",
+    "signal 1": "{signals[0]:.6f}",
+    "signal 2": "{signals[1]:.6f}",
+}
 STATED_GRAVITY = "{place[gravity_m_s2]:.6g} m/s2 (stated)"
 FROM_LATITUDE = "from latitude {place[latitude_deg]:g} deg, height {place[height_m]:g} m"
 CONDITIONS = {
@@ -68,7 +76,7 @@ CONDITIONS = {
 IN_USE = {
     "Changes in use, contained in U": "up to {temperature_difference_K:g} K from the calibration,"
     " gain {gain_percent_per_K:g} %/K, zero {zero_percent_of_full_scale_per_K:g} % of full"
-    " scale/K; creep {creep_percent:g} %; gain {gain_change_percent_per_year:g} % a year"
+    " scale/K; creep {crept}; gain {gain_change_percent_per_year:g} % a year"
 }
 """What U contains of a time after the calibration, each at most so much."""
 HOLDS_IN_USE = "It holds in use, too, within the changes that the conditions name."
@@ -92,9 +100,9 @@ def load_cell_parts(content: Content) -> Parts:
         [_results(loads, result), *_cell_tables(content)],
         _cell_figures(content),
         calibrated=_range(loads),
-        conditions=_conditions(content["settings"]),
+        conditions=_conditions(content["settings"], result.get("creep")),
         uncertainty=[*_by_load(result, loads), *(one for budget in budgets for one in budget)],
-        readings=[_readings_table(content)],
+        readings=[_readings_table(content), *_hung_table(content)],
     )
 
 
@@ -186,7 +194,7 @@ def _by_load(result: Content, loads: Sequence[Load]) -> list[Table]:
     return [table(title, BY_LOAD, items)] if items else []
 
 
-def _conditions(settings: Content) -> list[Row]:
+def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     angle = settings["angle"]
     offset, level = angle["offset_deg"], angle.get("level_readings_deg", ())
     told = {
@@ -206,8 +214,14 @@ def _conditions(settings: Content) -> list[Row]:
         *rows_of(SURROUNDINGS, settings),
         ("Local gravity", gravity),
         *rows_of(CONDITIONS, told),
-        *([] if use is None else rows_of(IN_USE, use)),
+        *([] if use is None else rows_of(IN_USE, {**use, "crept": _crept(use, creep)})),
     ]
+
+
+def _crept(use: Content, creep: Content | None) -> str:
+    if creep is None:
+        return f"{use['creep_percent']:g} % as stated"
+    return f"{creep['half_width_percent']:.3f} % as measured"
 
 
 def _statements(content: Content, loads: Sequence[Load], extrapolated: str) -> list[str]:
@@ -226,7 +240,19 @@ def _statements(content: Content, loads: Sequence[Load], extrapolated: str) -> l
         f" scale (about 95 %). {holds}{beyond}",
         "A common error of the pin angle leaves no residual; it is covered by the uncertainty of"
         " the angle reference only.",
+        *_creep(content),
     ]
+
+
+def _creep(content: Content) -> list[str]:
+    """Return how the creep was measured, or what U has in its place; nothing of old records."""
+    use, measured = content["settings"].get("use"), content["result"].get("creep")
+    if use is None:
+        return []
+    words = creep_words(measured, use["creep_percent"])
+    if measured is None:
+        return [words]
+    return [f"{words} It was measured at the largest load, after the last series, from no load."]
 
 
 def _cell_tables(content: Content) -> list[Table]:
@@ -296,6 +322,19 @@ def _readings_table(content: Content) -> Table:
     ]  # fmt: skip
     header = ("series", "step", "kg", "angle deg", "signal 1", "signal 2", "res. 1 N", "res. 2 N")
     return Table("Readings as taken, residuals of the fit", tuple(cell_rows), header)
+
+
+def _hung_table(content: Content) -> list[Table]:
+    hung = parse_load_cell(content["readings_csv"]).hung
+    if hung is None:
+        return []
+    items = (
+        {"mass": mass, "time": time, "angle": math.degrees(angle), "signals": signals}
+        for mass, time, angle, signals in zip(
+            hung.mass, hung.time, hung.angle, hung.signal, strict=True
+        )
+    )
+    return [table("Readings of the creep, which are not in the fit", HUNG, items)]
 
 
 def _cell_figures(content: Content) -> list[Figure]:

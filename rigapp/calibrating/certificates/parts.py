@@ -132,8 +132,10 @@ def taken_words(content: Content) -> str:
     words = f"live on the rig {taken['rig']}"
     if taken.get("operator"):
         words += f" by {taken['operator']}"
-    rejected = sum(1 for event in taken.get("events", ()) if event["event"] == "reject")
+    events = [event["event"] for event in taken.get("events", ())]
+    rejected = events.count("reject")
     words += f"; {rejected} series rejected and repeated" if rejected else "; nothing rejected"
+    words += "; the creep was left out" * ("left out" in events)
     return words + ("; SIMULATED rig, for practice" if taken.get("simulated") else "")
 
 

@@ -59,7 +59,7 @@ class Face:
 
 
 def _taken(steps: tuple[Step, ...]) -> str:
-    readings = sum(1 for step in steps if step.series)
+    readings = sum(1 for step in steps if step.kind is StepKind.READING)
     return f"{readings} readings, about {duration_words(steps)}."
 
 

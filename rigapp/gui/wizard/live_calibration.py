@@ -162,8 +162,12 @@ class LiveCalibration(QObject):
             self.window = session.window_of(reply.result)
             self.readiness = session.look(self.window)
         self.looked.emit()
-        if session is not None and self.goes_ahead and not self.hands_busy:
+        if session is None or self.hands_busy:
+            return
+        if self.goes_ahead:
             self._go_ahead(session)
+        elif session.takes_itself and self.readiness is not None and self.readiness.ready:
+            self.take()
 
     # --- what the operator does ------------------------------------------------------------------
 
@@ -184,6 +188,7 @@ class LiveCalibration(QObject):
             act(self.session)
         except (ProcedureError, UnusableInput) as error:
             self.said.emit(str(error))
+            self.moved.emit()
             return False
         self.said.emit("")
         if self.window is not None:

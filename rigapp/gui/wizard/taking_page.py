@@ -32,6 +32,7 @@ from rigapp.gui.wizard.parts import (
 )
 
 RECORD = "&Record"
+LEAVE_OUT = "Lea&ve the creep out"
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +77,7 @@ class TakingPage(QWizardPage):
         self.live = sentence(f"{prefix}live_signal", words.live)
         self.record = button(f"{prefix}record", RECORD, self._record)
         self.record.setMinimumHeight(2 * self.record.fontMetrics().height() + 8)
+        self.leave_out = button(f"{prefix}leave_out", LEAVE_OUT, self._leave_out)
         self.problem = sentence(f"{prefix}reading_problem", "What stands against it")
         self.table = _readings_table(f"{prefix}readings_table", words.columns)
         spoken, hint = "Reason of the rejection", "why the selected reading does not count"
@@ -86,8 +88,9 @@ class TakingPage(QWizardPage):
         self.shown = number(f"{prefix}shown", spoken, -20000.0, 20000.0, 1, 1.0, "µm")
         entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
         self.hands = HandsPanel(live, f"{prefix}hands", words.do)
-        upper = (self.instruction, self.stability, self.live, entered, self.record, self.problem)
-        shown = [one for one in upper if one is not None]
+        what = (self.instruction, self.stability, self.live, entered)
+        does = (self.record, self.leave_out, self.problem)
+        shown = [one for one in (*what, *does) if one is not None]
         left = filled(QVBoxLayout(), (*shown, None, self.left, self.progress))
         why = row(words.reason, (self.reason, 1), self.reject_button)
         whole = ((row((left, 1), (self.plot, 1)), 1), (self.table, 1), why, self.hands)
@@ -117,6 +120,7 @@ class TakingPage(QWizardPage):
         self.progress.setValue(procedure.position)
         for widget in (self.stability, self.record):
             widget.setVisible(not procedure.done)
+        self.leave_out.setVisible(not procedure.done and procedure.step.optional)
         if procedure.done:
             self.left.setText("All steps are done.")
             self.shown.setEnabled(False)
@@ -182,6 +186,9 @@ class TakingPage(QWizardPage):
         self.live_calibration.take(1e-6 * self.shown.value() if self._words.read_off else None)
         if self.record.isEnabled():
             self.record.setFocus()
+
+    def _leave_out(self) -> None:
+        self.live_calibration.attempt(lambda session: session.leave_out())
 
     def _reject(self) -> None:
         number = self.table.currentRow()
