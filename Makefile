@@ -4,7 +4,7 @@
 # make search random search for what breaks a property; it prints its seed, SEED=N repeats it
 # make bench  performance as ratios, measured side by side in one run
 # make pictures   the pictures of README and guides, anew; needs Xvfb, openbox, xdotool, ImageMagick
-# make translations   texts of the window into its catalogues (rigapp/gui/language/*.ts), compiled
+# make translations   texts of the window into its catalogues (rigapp/gui/language/*.ts)
 # make soak   the long tests: hours
 PYTHON ?= $(shell for p in python3.11 python3.12 python3.13 python3; do \
 	$$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 13))' 2>/dev/null && { command -v $$p; break; }; done)

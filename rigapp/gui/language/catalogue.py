@@ -6,12 +6,15 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtCore import (
+    QCoreApplication,
+    QLibraryInfo,
+    QLocale,
+    QTranslator,
+    QXmlStreamReader,
+)
 
 from rigapp.gui.language.words import speak
-
-CONTEXT: Final = "rigapp"
-"""Under which all texts stand in a catalogue."""
 
 ENGLISH: Final = "en"
 LANGUAGES: Final = {ENGLISH: "English", "de": "Deutsch"}
@@ -31,13 +34,31 @@ def chosen_language(wanted: str, system: Sequence[str] | None = None) -> str:
 
 def catalogue_file(language: str) -> Path:
     """Return the file of a catalogue."""
-    return Path(__file__).with_name(f"{language}.qm")
+    return Path(__file__).with_name(f"{language}.ts")
+
+
+def translations(language: str) -> dict[str, str]:
+    """Return the translations of a catalogue by their English texts; unfinished ones are left out.
+
+    Raises OSError when it cannot be read.
+    """
+    reader = QXmlStreamReader(catalogue_file(language).read_text("utf-8"))
+    found, text = {}, ""
+    while reader.readNextStartElement() or not reader.atEnd():
+        if reader.isStartElement() and reader.name() == "source":
+            text = reader.readElementText()
+        elif reader.isStartElement() and reader.name() == "translation":
+            finished = not reader.attributes().hasAttribute("type")
+            said = reader.readElementText()
+            if finished and said:
+                found[text] = said
+    return found
 
 
 def speak_language(application: QCoreApplication, language: str) -> None:
     """Let the window, and Qt's own dialogs, speak a language from the next widget on.
 
-    Raises FileNotFoundError when its catalogue cannot be read.
+    Raises OSError when its catalogue cannot be read.
     """
     for old in application.findChildren(QTranslator):
         application.removeTranslator(old)
@@ -45,11 +66,8 @@ def speak_language(application: QCoreApplication, language: str) -> None:
     if language == ENGLISH:
         speak(None)
         return
-    qt, own = QTranslator(application), QTranslator(application)
+    dialogs = QTranslator(application)
     folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
-    if qt.load(f"qtbase_{language}", folder):
-        application.installTranslator(qt)
-    path = catalogue_file(language)
-    if not own.load(str(path)):
-        raise FileNotFoundError(f"{path} is no catalogue of texts; make translations makes it.")
-    speak(lambda text: own.translate(CONTEXT, text) or "")
+    if dialogs.load(f"qtbase_{language}", folder):
+        application.installTranslator(dialogs)
+    speak(translations(language))

@@ -20,13 +20,16 @@ from typing import Final
 
 import PySide6
 
-from rigapp.gui.language.catalogue import CONTEXT, ENGLISH, LANGUAGES, catalogue_file
+from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, catalogue_file
 from rigapp.gui.language.told import templates
 from rigapp.gui.language.words import Text
 from rigapp.schema.messages import RunState
 from rigapp.schema.verbs import VERBS
 
 SOURCE: Final = Path(__file__).parents[1]
+CONTEXT: Final = "rigapp"
+"""Under which all texts stand in a catalogue."""
+
 MARK: Final = "Text"
 WORD: Final = re.compile(r"[^\W\d_]{2,}")
 NAMES: Final = {"rigapp", "rpm", "mm", "µm", "Hz", "kHz", "ms", "min", "px"}
@@ -260,9 +263,9 @@ def all_texts() -> list[Text]:
 
 
 def update(languages: Sequence[str] = tuple(LANGUAGES)) -> None:
-    """Bring every catalogue up to date with the source, and compile it.
+    """Bring every catalogue up to date with the source.
 
-    Raises CalledProcessError when one of Qt's tools fails.
+    Raises CalledProcessError when Qt's tool fails.
     """
     lines = (f"QT_TRANSLATE_NOOP({_quoted(CONTEXT)}, {_quoted(one)})\n" for one in all_texts())
     with tempfile.TemporaryDirectory(prefix="rigapp-texts-") as folder:
@@ -270,12 +273,9 @@ def update(languages: Sequence[str] = tuple(LANGUAGES)) -> None:
         listed.write_text("".join(lines), "utf-8")
         for language in languages:
             if language != ENGLISH:
-                compiled = catalogue_file(language)
-                written = compiled.with_suffix(".ts")
                 _run("lupdate", "-silent", "-no-obsolete", "-locations", "none",
                      "-source-language", ENGLISH, "-target-language", language,
-                     listed, "-ts", written)  # fmt: skip
-                _run("lrelease", "-silent", written, "-qm", compiled)
+                     listed, "-ts", catalogue_file(language))  # fmt: skip
 
 
 def _quoted(text: str) -> str:

@@ -602,8 +602,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kraft und Winkel sind unbekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
-        <source>Fourier orders of the map</source>
-        <translation>Fourier-Ordnungen der Karte</translation>
+        <source>Δ model</source>
+        <translation>Δ Modell</translation>
     </message>
     <message>
         <source>Fra&amp;me</source>
@@ -954,6 +954,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
     </message>
     <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
         <source>Note or reason (F8)</source>
         <translation>Notiz oder Grund (F8)</translation>
     </message>
@@ -984,10 +988,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>One revolution</source>
         <translation>Eine Umdrehung</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Bediener</translation>
     </message>
     <message>
         <source>Overload</source>
@@ -1038,16 +1038,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Orte</translation>
     </message>
     <message>
-        <source>Plan</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
         <source>Plan fewer whole cycles, or a new test.</source>
         <translation>Weniger ganze Zyklen oder einen neuen Versuch planen.</translation>
-    </message>
-    <message>
-        <source>Positions of a run</source>
-        <translation>Positionen eines Durchgangs</translation>
     </message>
     <message>
         <source>Prepare</source>
@@ -1088,6 +1080,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>REPLAY</source>
         <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
     </message>
     <message>
         <source>RMS, this cycle</source>
@@ -1374,10 +1370,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Drehzahlen verschieden</translation>
     </message>
     <message>
-        <source>Speeds of the rolls, revolutions per minute</source>
-        <translation>Drehzahlen der Umläufe in Umdrehungen pro Minute</translation>
-    </message>
-    <message>
         <source>Spindle not shown to stand</source>
         <translation>Stillstand der Spindel nicht gezeigt</translation>
     </message>
@@ -1536,10 +1528,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Test file</source>
         <translation>Versuchsdatei</translation>
-    </message>
-    <message>
-        <source>Test file of this mechanism</source>
-        <translation>Versuchsdatei dieses Getriebes</translation>
     </message>
     <message>
         <source>Test file that is edited</source>
@@ -1799,7 +1787,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Watch</source>
-        <translation>Beobachten</translation>
+        <translation>Betrieb</translation>
     </message>
     <message>
         <source>Way to the limit</source>
@@ -1850,10 +1838,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was dieser Eingang zeigt, kann falsch sein.</translation>
     </message>
     <message>
-        <source>Which probe</source>
-        <translation>Welcher Wegsensor</translation>
-    </message>
-    <message>
         <source>Who is in command</source>
         <translation>Wer das Kommando hat</translation>
     </message>
@@ -1876,6 +1860,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Why was the test {}? Enter adds it to the log</source>
         <translation>Warum ist der Versuch im Zustand „{}“? Enter schreibt es ins Protokoll</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
     </message>
     <message>
         <source>Windows cannot be served</source>
@@ -1966,6 +1954,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Antrieb aus</translation>
     </message>
     <message>
+        <source>ends {}</source>
+        <translation>Ende {}</translation>
+    </message>
+    <message>
         <source>ends {}, in {}</source>
         <translation>Ende {}, in {}</translation>
     </message>
@@ -2000,6 +1992,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>least margin {:.0f} %, {}</source>
         <translation>kleinster Abstand {:.0f} %, {}</translation>
+    </message>
+    <message>
+        <source>margin {:.0f} %</source>
+        <translation>Abstand {:.0f} %</translation>
     </message>
     <message>
         <source>measured by the probes, k = 2</source>
@@ -2056,6 +2052,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>present</source>
         <translation>vorhanden</translation>
+    </message>
+    <message>
+        <source>probes, k = 2</source>
+        <translation>Wegsensoren, k = 2</translation>
     </message>
     <message>
         <source>ready</source>

@@ -140,5 +140,9 @@ STEP: Final = 8
 """The grid on which everything stands, in pixels that follow the scale of the screen."""
 GAP: Final = 12
 MARGIN: Final = 16
+TIGHT_WIDTH: Final = 1200
+TIGHT_HEIGHT: Final = 600
+"""A window less wide or high (a small screen at a scale of 150 or 200 %) shows what is needed only:
+bars without their keys, fewer tiles, the side column while there is something to recover from."""
 RADIUS: Final = 6
 CARD_RADIUS: Final = 8

@@ -17,17 +17,20 @@ class ElidedLabel(QLabel):
 
     def __init__(self, name: str, spoken: Text) -> None:
         super().__init__()
-        self._whole = ""
+        self._whole = self._short = ""
         self.setObjectName(name)
         self.setAccessibleName(tr(spoken))
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
-    def show_text(self, text: Text) -> None:
-        """Show a text; nothing is repainted when it is the one shown."""
-        text = tr(text)
-        if text != self._whole:
-            self._whole = text
+    def show_text(self, text: Text, short: Text = "") -> None:
+        """Show a text; nothing is repainted when it is the one shown.
+
+        short: what stands in its place where there is no room for it.
+        """
+        text, short = tr(text), tr(short)
+        if (text, short) != (self._whole, self._short):
+            self._whole, self._short = text, short
             self.setToolTip(text)
             self._cut()
 
@@ -44,7 +47,9 @@ class ElidedLabel(QLabel):
     def _cut(self) -> None:
         metrics = QFontMetrics(self.font())
         room = max(self.contentsRect().width(), 1)
-        self.setText(metrics.elidedText(self._whole, Qt.TextElideMode.ElideRight, room))
+        fits = not self._short or metrics.horizontalAdvance(self._whole) <= room
+        shown = self._whole if fits else self._short
+        self.setText(metrics.elidedText(shown, Qt.TextElideMode.ElideRight, room))
 
 
 class FittedLabel(ElidedLabel):
@@ -52,9 +57,14 @@ class FittedLabel(ElidedLabel):
 
     def __init__(self, name: str, spoken: Text, font: QFont) -> None:
         super().__init__(name, spoken)
+        self.set_largest(font)
+
+    def set_largest(self, font: QFont) -> None:
+        """Take the font that is used where there is room for it."""
         self._largest = font
         self.setFont(font)
         self.setFixedHeight(QFontMetrics(font).height())
+        self._cut()
 
     def _cut(self) -> None:
         font = QFont(self._largest)

@@ -87,9 +87,12 @@ BUTTONS = (
 )
 
 
+NOTE_HINT: Text = "Note or reason (F8)"
+
 BAR_HEIGHT = 8 * STEP
 BUTTON_HEIGHT = 5 * STEP
 STOP_SIZE = QSize(22 * STEP, 6 * STEP)
+TIGHT_STOP_SIZE = QSize(15 * STEP, 6 * STEP)
 
 
 class ControlRow(QFrame):
@@ -107,6 +110,7 @@ class ControlRow(QFrame):
         self._theme = theme
         self._asked_why = ""
         self._good = True
+        self._tight = False
         self._state: RunState | None = None
         self._waiting_start: tuple[dict[str, Any], float] | None = None
         named(self, "controls", "Control of the test")
@@ -156,6 +160,19 @@ class ControlRow(QFrame):
         filled(whole, (stop,))
         whole.setContentsMargins(MARGIN, 0, MARGIN, 0)
         whole.setSpacing(STEP)
+
+    def make_room(self, *, tight: bool) -> None:
+        """Leave out, in a tight window, what runs, the keys, and words that an icon says."""
+        for spec in BUTTONS:
+            words = "" if tight and spec.verb == "connect" else tr(spec.text)
+            self.buttons[spec.verb].setText(words if tight else f"{words}  {spec.key}")
+        self.note.setText("" if tight else tr("&Note"))
+        self.buttons["stop"].setFixedSize(TIGHT_STOP_SIZE if tight else STOP_SIZE)
+        for one in (self.test, self.line, self.command_line):
+            one.setVisible(not tight)
+        self._tight = tight
+        self._show_hint()
+        self.start_place.updateGeometry()
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -311,10 +328,19 @@ class ControlRow(QFrame):
 
     def _ask_why(self, what: str) -> None:
         self._asked_why = what
-        asked = tr("Why was the test {}? Enter adds it to the log", tr(what))
-        self.text.setPlaceholderText(asked)
+        self._show_hint()
         self._to_text()
 
     def _ask_nothing(self) -> None:
         self._asked_why = ""
-        self.text.setPlaceholderText(tr("Note or reason (F8)"))
+        self._show_hint()
+
+    def _show_hint(self) -> None:
+        hint = tr(NOTE_HINT)
+        if self._asked_why:
+            hint = tr("Why was the test {}? Enter adds it to the log", tr(self._asked_why))
+        short: Text = "Why?" if self._asked_why else "Note"
+        self.text.setPlaceholderText(tr(short) if self._tight else hint)
+        room = 0 if self._tight else self.text.fontMetrics().horizontalAdvance(tr(NOTE_HINT))
+        self.text.setMinimumWidth(room + 4 * STEP)
+        self.text.setToolTip(hint)

@@ -11,6 +11,7 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPolygonF,
+    QResizeEvent,
 )
 from PySide6.QtWidgets import QFrame, QProgressBar, QWidget
 
@@ -93,18 +94,35 @@ def paint_shape(painter: QPainter, shape: StateShape) -> None:
         painter.drawEllipse(QRectF(0.43, 0.64, 0.14, 0.14))
 
 
+@dataclass(frozen=True, slots=True)
+class TileSpec:
+    """One tile of the strip: its name in the headline, caption, size of the value, share.
+
+    from_width: of a strip that has room for it. short: the caption in few words.
+    """
+
+    name: str
+    caption: Text
+    points: float
+    share: int
+    from_width: int = 0
+    short: Text = ""
+
+
 class Tile(QFrame):
     """Show a caption, a value, a bar where there is one, and one line below it."""
 
-    def __init__(self, name: str, caption: Text, theme: Theme, points: float) -> None:
+    def __init__(self, spec: TileSpec, theme: Theme) -> None:
         super().__init__()
+        name = spec.name
         self._theme = theme
         self._level: Level | None = None
-        self._caption_text = caption = tr(caption)
+        caption = self._caption_text = tr(spec.caption)
+        self._short = tr(spec.short)
         named(self, f"tile_{name}", caption)
         self.caption = ElidedLabel(f"{name}_caption", caption)
         self.value = FittedLabel(
-            f"{name}_value", caption, sized(self.font(), points, QFont.Weight.DemiBold)
+            f"{name}_value", caption, sized(self.font(), spec.points, QFont.Weight.DemiBold)
         )
         self.detail = ElidedLabel(f"{name}_detail", tr("{}, detail", caption))
         small = sized(self.font(), CAPTION_PT)
@@ -125,7 +143,7 @@ class Tile(QFrame):
         """Show a field."""
         self._set_level(field.level)
         self.value.show_text(field.value)
-        self.detail.show_text(field.detail)
+        self.detail.show_text(field.detail, field.short)
         said = f"{MARKS[field.level]}{self.value.whole} {self.detail.whole}"
         self.setAccessibleDescription(said.strip())
 
@@ -140,7 +158,8 @@ class Tile(QFrame):
             Level.CRITICAL: (theme.critical, theme.on_critical, theme.on_critical),
         }
         back, text, small = colours[level]
-        self.caption.show_text(MARKS[level] + self._caption_text)
+        mark = MARKS[level]
+        self.caption.show_text(mark + self._caption_text, self._short and mark + self._short)
         self.setStyleSheet(
             f"#{self.objectName()} {{ background: {back}; border: 0;"
             f" border-right: 1px solid {theme.hairline}; }}"
@@ -156,27 +175,20 @@ class Tile(QFrame):
         return self._theme.on_signal if self._level is Level.WARNING else self._theme.text
 
 
-@dataclass(frozen=True, slots=True)
-class TileSpec:
-    """One tile of the strip: its name in the headline, caption, size of the value, share."""
-
-    name: str
-    caption: Text
-    points: float
-    share: int
-
-
 TILES = (
     TileSpec("state", "State", LARGE_PT, 248),
     TileSpec("cycle", "Cycle", LARGE_PT, 296),
     TileSpec("force", "|F| maximum", VALUE_PT, 192),
-    TileSpec("wear", "Wear depth", VALUE_PT, 264),
-    TileSpec("agreement", "Measured − model", VALUE_PT, 160),
+    TileSpec("wear", "Wear depth", VALUE_PT, 264, 760),
+    TileSpec("agreement", "Measured − model", VALUE_PT, 160, 840, "Δ model"),
     TileSpec("alarms", "Alarms", LARGE_PT, 184),
 )
 """The tiles in their order; a share is the width in a window of 1440."""
 
 STRIP_HEIGHT = 14 * STEP
+TIGHT_HEIGHT = 11 * STEP
+TIGHT_PT = 18.0
+"""Of the large values in a tight window: still the largest on it."""
 
 
 class Header(QFrame):
@@ -186,7 +198,7 @@ class Header(QFrame):
         super().__init__()
         named(self, "header", "State of the test")
         self.setFixedHeight(STRIP_HEIGHT)
-        self.tiles = {one.name: Tile(one.name, one.caption, theme, one.points) for one in TILES}
+        self.tiles = {one.name: Tile(one, theme) for one in TILES}
         whole = row(*((self.tiles[one.name], one.share) for one in TILES), on=self)
         whole.setContentsMargins(0, 0, 0, 1)
         whole.setSpacing(0)
@@ -207,6 +219,21 @@ class Header(QFrame):
         )
         for tile in self.tiles.values():
             tile.dress(theme)
+
+    def make_room(self, *, tight: bool) -> None:
+        """Take less height in a tight window."""
+        self.setFixedHeight(TIGHT_HEIGHT if tight else STRIP_HEIGHT)
+        for spec in TILES:
+            tile = self.tiles[spec.name]
+            points = min(spec.points, TIGHT_PT) if tight else spec.points
+            tile.value.set_largest(sized(self.font(), points, QFont.Weight.DemiBold))
+        self.shape.setFixedSize(*(2 * [int(0.6 * self.state.value.height())]))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out the tiles for which there is no room."""
+        super().resizeEvent(event)
+        for spec in TILES:
+            self.tiles[spec.name].setVisible(self.width() >= spec.from_width)
 
     def show_headline(self, shown: Headline) -> None:
         """Show a headline; what has not changed is not repainted."""

@@ -47,11 +47,12 @@ class StateShape(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class TileText:
-    """One tile: a large value, one line below, how normal it is."""
+    """One tile: a large value, one line below, how normal it is. short: the line in few words."""
 
     value: Text
     detail: Text = ""
     level: Level = Level.NORMAL
+    short: Text = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,23 +148,23 @@ def _cycle(status: Status, now: float) -> TileText:
         return TileText("–", "no test")
     count = tr("{} of {}", grouped(status.revolution), grouped(status.planned))
     saved = tr("{} saved", grouped(status.committed))
-    end = _end(status, now)
-    return TileText(count, f"{saved}, {end}" if end else saved)
+    end, when = _end(status, now)
+    return TileText(count, f"{saved}, {end}" if end else saved, short=when)
 
 
-def _end(status: Status, now: float) -> str:
-    """Return when the test ends; while it is paused, nobody knows."""
+def _end(status: Status, now: float) -> tuple[Text, Text]:
+    """Return when the test ends, in words and in few; while it is paused, nobody knows."""
     if status.state in (RunState.PAUSED, RunState.PAUSING):
-        return tr("the end waits")
+        return tr("the end waits"), "the end waits"
     if status.state not in ACTIVE or status.expected_end_at <= 0.0:
-        return ""
+        return "", ""
     left = max(0.0, status.expected_end_at - now)
     moment = time.localtime(status.expected_end_at)
     today = time.localtime(now)
     days = (moment.tm_year, moment.tm_yday) != (today.tm_year, today.tm_yday)
     clock = time.strftime("%H:%M", moment)
     when = f"{tr(time.strftime('%a', moment))} {clock}" if days else clock
-    return tr("ends {}, in {}", when, duration(left))
+    return tr("ends {}, in {}", when, duration(left)), tr("ends {}", when)
 
 
 def data_age(status: Status | None, data_age_s: float | None) -> TileText:
@@ -196,6 +197,7 @@ def _force(status: Status, measured: NewestMeasured) -> TileText:
         value,
         tr("least margin {:.0f} %, {}", percent, tr(status.worst_margin.replace("_", " "))),
         level,
+        tr("margin {:.0f} %", percent),
     )
 
 
@@ -211,7 +213,7 @@ def _wear(status: Status, measured: NewestMeasured) -> TileText:
     value = f"{measured.wear_um:.1f}"
     if math.isfinite(measured.wear_uncertainty_um):
         value += f" ± {measured.wear_uncertainty_um:.1f}"
-    return TileText(f"{value} µm", "measured by the probes, k = 2")
+    return TileText(f"{value} µm", "measured by the probes, k = 2", short="probes, k = 2")
 
 
 def _agreement(status: Status) -> TileText:
@@ -222,7 +224,7 @@ def _agreement(status: Status) -> TileText:
     if is_stale(status):
         return TileText(value, tr("stale for {}", duration(status.twin_age_s)), Level.WARNING)
     late = tr("RMS, {} cycles ago", grouped(behind))
-    return TileText(value, "RMS, this cycle" if behind <= 1 else late)
+    return TileText(value, "RMS, this cycle" if behind <= 1 else late, short="RMS")
 
 
 def _alarms(status: Status) -> TileText:

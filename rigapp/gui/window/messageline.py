@@ -25,9 +25,9 @@ class MessageLine(QFrame):
         self.clock = named(QLabel(), "clock", "Time")
         self.clock.setFixedWidth(18 * STEP)
         self.clock.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        whole = row(*((bar, 4) for bar in bars), (answer, 3), self.clock, on=self)
-        whole.setContentsMargins(0, 0, MARGIN, 1)
-        whole.setSpacing(GAP)
+        self._row = row(*((bar, 4) for bar in bars), (answer, 3), self.clock, on=self)
+        self._row.setSpacing(GAP)
+        self.make_room(tight=False)
         for bar in bars:
             bar.setFixedHeight(HEIGHT - 1)
         answer.setContentsMargins(MARGIN, 0, 0, 0)
@@ -40,6 +40,11 @@ class MessageLine(QFrame):
             f" border-bottom: 1px solid {theme.hairline}; }}"
             f" #clock {{ color: {theme.muted}; font-size: {CAPTION_PT}pt; }}"
         )
+
+    def make_room(self, *, tight: bool) -> None:
+        """Leave the whole line to the message in a tight window."""
+        self.clock.setVisible(not tight)
+        self._row.setContentsMargins(0, 0, 0 if tight else MARGIN, 1)
 
     def show_time(self) -> None:
         """Show the time of day."""

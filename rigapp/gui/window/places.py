@@ -8,16 +8,17 @@ from dataclasses import dataclass
 from functools import partial
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QPushButton, QToolButton, QWidget
 
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, Theme
-from rigapp.gui.widgets.build import button, column, named, row
+from rigapp.gui.widgets.build import button, choice, column, named, row
 
 RAIL_WIDTH = 12 * STEP
 ITEM_HEIGHT = 9 * STEP
+TIGHT_ITEM_HEIGHT = 6 * STEP
 ICON = QSize(24, 24)
 PAGE_BAR_HEIGHT = 6 * STEP
 
@@ -68,13 +69,20 @@ class Rail(QFrame):
         places = [self.buttons[place] for place in RailPlace]
         above = column(self.rig, self.kind, None)
         above.setSpacing(STEP // 2)
-        held = QWidget()
-        held.setLayout(above)
-        held.setFixedHeight(12 * STEP)
-        made = column(held, *places, None, self.theme_button, self.help_button, on=self)
-        made.setContentsMargins(STEP, STEP, STEP, STEP)
+        self._above = QWidget()
+        self._above.setLayout(above)
+        made = column(self._above, *places, None, self.theme_button, self.help_button, on=self)
+        made.setContentsMargins(STEP // 2, STEP, STEP // 2, STEP)
         made.setSpacing(STEP // 2)
+        self.make_room(tight=False)
         self.dress(theme)
+
+    def make_room(self, *, tight: bool) -> None:
+        """Take less height in a tight window; that a rig is simulated is always said."""
+        self.rig.setVisible(not tight)
+        self._above.setFixedHeight((4 if tight else 12) * STEP)
+        for one in self.buttons.values():
+            one.setFixedHeight(TIGHT_ITEM_HEIGHT if tight else ITEM_HEIGHT)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -88,7 +96,7 @@ class Rail(QFrame):
             f" #rail_rig {{ font-size: {CAPTION_PT}pt; font-weight: 600; }}"
             f" #rail_kind {{ color: {theme.secondary}; font-size: {CAPTION_PT - 1.5}pt;"
             f" font-weight: 600; border: 1px dashed {theme.border}; border-radius: 4px; }}"
-            f" QPushButton {{ font-size: {CAPTION_PT}pt; color: {theme.secondary}; }}"
+            f" QPushButton {{ font-size: {CAPTION_PT}pt; color: {theme.secondary}; padding: 0; }}"
         )
         for place, one in self.buttons.items():
             chosen = theme.highlight if one.isChecked() else theme.secondary
@@ -120,7 +128,7 @@ class Rail(QFrame):
         made.setCheckable(True)
         made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         made.setIconSize(ICON)
-        made.setFixedSize(RAIL_WIDTH - 2 * STEP, ITEM_HEIGHT)
+        made.setFixedSize(RAIL_WIDTH - STEP, ITEM_HEIGHT)
         key = f"Alt+{list(RailPlace).index(place) + 1}"
         made.setToolTip(f"{tr(place.value)} ({key})")
         made.clicked.connect(partial(self.chosen.emit, place))
@@ -140,7 +148,8 @@ class PageName:
 class PageBar(QWidget):
     """The pages of a place side by side, and at the right what else can be done there.
 
-    It has its height also where a place has one page: nothing below it moves.
+    It has its height also where a place has one page: nothing below it moves. Where there is no
+    room for all their buttons, a list to choose from takes their place.
     """
 
     chosen = Signal(int)
@@ -154,7 +163,9 @@ class PageBar(QWidget):
         self.buttons: dict[int, QPushButton] = {}
         self._row = row()
         self._row.setSpacing(STEP)
-        whole = row((self._row, 0), None, *(one for _, one in self._more), on=self)
+        self.choice = choice("page_choice", "Pages", (), self._choose_from_list)
+        self.setMinimumWidth(20 * STEP)
+        whole = row((self._row, 0), self.choice, None, *(one for _, one in self._more), on=self)
         whole.setContentsMargins(0, STEP, 0, STEP)
         whole.setSpacing(GAP)
 
@@ -167,10 +178,33 @@ class PageBar(QWidget):
             self.buttons = {page.number: self._button(page) for page in pages}
             for made in self.buttons.values():
                 self._row.addWidget(made)
+            self.choice.blockSignals(True)
+            self.choice.clear()
+            for page in pages:
+                self.choice.addItem(tr(page.title), page.number)
+            self.choice.blockSignals(False)
         for number, made in self.buttons.items():
             made.setChecked(number == now)
+        self.choice.setCurrentIndex(self.choice.findData(now))
         for where, other in self._more:
             other.setVisible(where is place)
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the buttons where there is room for all of them."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        shown = [*self.buttons.values(), *(one for _, one in self._more if one.isVisibleTo(self))]
+        wanted = sum(one.sizeHint().width() + GAP for one in shown)
+        fits = wanted <= self.width()
+        for made in self.buttons.values():
+            made.setVisible(fits)
+        self.choice.setVisible(not fits)
+
+    def _choose_from_list(self) -> None:
+        self.chosen.emit(self.choice.currentData())
 
     def _button(self, page: PageName) -> QPushButton:
         made = button(f"page_button_{page.number}", page.title, spoken=page.title, checkable=True)

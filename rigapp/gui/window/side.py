@@ -6,8 +6,9 @@ import math
 import time
 from collections.abc import Sequence
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QFrame, QGridLayout, QProgressBar, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QProgressBar, QScrollArea, QWidget
 
 from rigapp.gui.data.channels import SIZE, FreeValue, free_values
 from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, wear_of
@@ -208,7 +209,7 @@ class LimitsCard(QFrame):
                 line.setVisible(number < len(found))
 
 
-class SideColumn(QWidget):
+class SideColumn(QScrollArea):
     """Hold the cards; a fault takes the place of the limits, and nothing else moves.
 
     The window shows it the news with the strip above, since its ages grow; as a panel it only asks
@@ -223,12 +224,19 @@ class SideColumn(QWidget):
         self.live = LiveCard(theme)
         self.limits = LimitsCard(theme)
         self.recover = recover
-        column(self.live, recover, self.limits, None, on=self).setSpacing(GAP)
-        self.set_window_width(NARROW_WINDOW)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidgetResizable(True)
+        held = QWidget()
+        column(self.live, recover, self.limits, None, on=held).setSpacing(GAP)
+        self.setWidget(held)
+        self.make_room(NARROW_WINDOW, tight=False)
 
-    def set_window_width(self, width: int) -> None:
-        """Take the width of the window."""
+    def make_room(self, width: int, *, tight: bool) -> None:
+        """Take the width of the window; a tight one leaves its room to the recovery."""
         self.setFixedWidth(WIDTH if width >= NARROW_WINDOW else NARROW_WIDTH)
+        self.live.setVisible(not tight)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

@@ -24,7 +24,7 @@ from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import apply_theme, dress_window
-from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, Theme
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
 from rigapp.gui.widgets.build import button, column, named, row
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.closebar import CloseBar
@@ -63,6 +63,9 @@ PROGRAM = "rigapp"
 WINDOW = (1440, 900)
 """Of the window where the screen has the room."""
 
+LEAST = (640, 360)
+"""Of the window: a screen of 1366 x 768 at 200 %, with the frame around it."""
+
 BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
 """Places with newest values and the way out of a fault beside them; the others need the width."""
 
@@ -97,6 +100,7 @@ class MainWindow(QMainWindow):
         self._start_wanted: Path | None = None
         self._closing = ""
         self._discard = False
+        self._tight = False
         self._results_folder = results_folder
         self._rig_file = rig
         self._calibration: CalibrationWizard | None = None
@@ -160,6 +164,7 @@ class MainWindow(QMainWindow):
         self.header.show_headline(headline(status, state, reason, measured(news)))
         if self.tabs.place in BESIDE:
             self.side.show_news(news)
+        self._show_side()
         self.rail.show_rig(*rig_words(news))
         self.messages.show_time()
         self.controls.show_status(status, self._connection.state, replay=self._connection.is_replay)
@@ -336,7 +341,7 @@ class MainWindow(QMainWindow):
     def _show_who_commands(self) -> None:
         watch = self._connection.command
         line = self.controls.command_line
-        line.setVisible(not self._connection.is_replay)
+        line.setVisible(not self._connection.is_replay and not self._tight)
         line.show_holder(watch.holder, watch.name)
         self.viewer_bar.show_holder(watch.holder, watch.name)
         why = why_forbidden(watch.holder, watch.name)
@@ -381,6 +386,7 @@ class MainWindow(QMainWindow):
         self.start_bar.installEventFilter(self)
         self._show_place()
         self.setCentralWidget(body)
+        self.setMinimumSize(*LEAST)
         screen = QGuiApplication.primaryScreen()
         room = screen.availableGeometry() if screen is not None else None
         if room is None or QGuiApplication.platformName() == "offscreen":
@@ -392,8 +398,23 @@ class MainWindow(QMainWindow):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the side column in proportion, and the card of a start above the buttons."""
         super().resizeEvent(event)
-        self.side.set_window_width(self.width())
+        self._make_room()
         self._place_start_bar()
+
+    def _make_room(self) -> None:
+        """Fit the shell to the size of the window."""
+        tight = self.width() < TIGHT_WIDTH or self.height() < TIGHT_HEIGHT
+        self.side.make_room(self.width(), tight=tight)
+        if tight is not self._tight:
+            self._tight = tight
+            for part in (self.header, self.messages, self.rail, self.controls):
+                part.make_room(tight=tight)
+            self._show_side()
+
+    def _show_side(self) -> None:
+        beside = self.tabs.place in BESIDE and (not self._tight or not self.recover.isHidden())
+        if self.side.isVisibleTo(self) != beside:
+            self.side.setVisible(beside)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """RailPlace the card of a start when it appears."""
@@ -411,7 +432,7 @@ class MainWindow(QMainWindow):
         self.start_bar.raise_()
 
     def _show_place(self) -> None:
-        self.side.setVisible(self.tabs.place in BESIDE)
+        self._show_side()
         self.rail.show_place(self.tabs.place)
         self.page_bar.show_pages(self.tabs.place, self.tabs.pages(), self.tabs.currentIndex())
 
