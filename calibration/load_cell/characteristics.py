@@ -294,3 +294,15 @@ def check_creep(found: Creep) -> Iterator[Problem]:
             f" the indication changes by {found.change:+.2f} N, {found.percent:.1f} % of the load."
             " No cell creeps so far: was the load touched? Take the creep again, or leave it out.",
         )
+
+
+def creep_words(found: Creep | None, stated: float) -> str:
+    """Return what U has of the creep: the measured one, else the stated part of the load."""
+    if found is None:
+        return f"Creep: not measured; U has the {100.0 * stated:g} % that the settings state."
+    early, late = found.times
+    return (
+        f"Creep at {found.load:.1f} N, from {early:.0f} s to {late:.0f} s after loading:"
+        f" {found.change:+.3f} N; U has {100.0 * found.half_width:.3f} %, the scatter of the two"
+        " readings included."
+    )

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from calibration.load_cell.budget import expanded_line
 from calibration.load_cell.calibrate import LoadCellCalibration
-from calibration.load_cell.characteristics import Creep
+from calibration.load_cell.characteristics import Creep, creep_words
 from calibration.load_cell.force_uncertainty import too_uncertain
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.problems import Problem
@@ -144,18 +144,6 @@ def _too_uncertain(found: LoadCellCalibration, settings: LoadCellSettings) -> It
             )
 
 
-def creep_words(measured: Mapping[str, Any] | None, stated_percent: float) -> str:
-    """Return what U has of the creep, from a result's ``creep`` or the settings."""
-    if measured is None:
-        return f"Creep: not measured; U has the {stated_percent:g} % that the settings state."
-    early, late = measured["hung_s"]
-    return (
-        f"Creep at {measured['load_N']:.1f} N, from {early:.0f} s to {late:.0f} s after loading:"
-        f" {measured['change_N']:+.3f} N; U has {measured['half_width_percent']:.3f} %, the scatter"
-        " of the two readings included."
-    )
-
-
 def _square(values: list[Any]) -> list[list[Any]]:
     """Return four values of the elements 11, 12, 21, 22 as rows."""
     return [values[:2], values[2:]]
@@ -177,7 +165,7 @@ def load_cell_outcome(found: LoadCellCalibration, settings: LoadCellSettings) ->
         f"Residual standard deviation: {found.fit.residual_std:.3f} N.",
         f"Expanded uncertainty at {found.budget.value:g} N: {found.budget.expanded:.2f} N"
         f" (k = {found.budget.coverage_factor:.2f}); U(F) = {constant:.2f} N + {slope:.5f} F.",
-        creep_words(result["creep"], settings.use.creep * 100.0),
+        creep_words(found.creep, settings.use.creep),
         found.classification,
     )
     table = NumberTable(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -105,6 +106,8 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     method = WEIGHING
     columns = (*LOAD_CELL_COLUMNS, HUNG_COLUMN)
     practice = LOAD_CELL_PRACTICE
+    _kept = 0
+    """Events of the daily check that was kept."""
 
     @property
     def settings(self) -> LoadCellSettings:
@@ -288,7 +291,15 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             source=f"{self.journal.path.name}:{len(self.procedure.events)}",
         )
         append_check(store, entry)
+        self._kept = len(self.procedure.events)
         return read_history(store, self.rig.name)
+
+    def close(self) -> None:
+        """Let the journal go; that of a kept daily check is set aside, not to be taken up."""
+        super().close()
+        if self._kept == len(self.procedure.events):
+            self._kept, path = 0, self.journal.path
+            path.rename(path.with_name(f"{path.name}.{time.strftime('%Y%m%d-%H%M%S')}.kept"))
 
     def row(self, reading: TakenReading) -> str:
         """Return a reading as a line of the CSV."""

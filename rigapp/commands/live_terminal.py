@@ -288,9 +288,5 @@ def _keep_check(
         print(json.dumps({**outcome.result, "history": history_result(history)}))
     for line in (*outcome.lines, *verdict_lines(history)):
         say(line)
-    journal = session.journal.path
-    session.close()
-    # The same command begins the next check, not this one again.
-    journal.rename(journal.with_name(f"{journal.name}.{time.strftime('%Y%m%d-%H%M%S')}.kept"))
     say(f"It is kept in {STORE}; 'rigapp calibrate history' draws the chart.")
     return 0 if outcome.accepted and history.in_control else 1

@@ -302,5 +302,6 @@ def test_the_command_of_a_kept_daily_check_begins_a_new_one(
     session.look(session.window_of(scripted.ask("signals", {})))
     store, said = tmp_path / "daily-checks.jsonl", list[str]()
     _keep_check(session, session.judge(), store, as_json=False, say=said.append)
+    session.close()
     assert len(list(tmp_path.glob("d.journal.*.kept"))) == 1
     assert begin(tmp_path / "d.journal", settings_file, simulated, "daily").procedure.position == 0

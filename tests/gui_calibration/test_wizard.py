@@ -104,6 +104,11 @@ def test_daily_check_is_kept_once_and_charted(wizard: Any, qtbot: Any, tmp_path:
         assert page.chart.words.text().startswith("The last check failed: The cell is off by")
         wizard.back()
     assert len((tmp_path / "daily-checks.jsonl").read_text().splitlines()) == 1
+    # There is nothing to take up of it.
+    wizard.live.close_session()
+    assert len(list(tmp_path.glob("calibration-*.journal.*.kept"))) == 1
+    wizard.plan.initializePage()
+    assert wizard.plan.begin.count() == 1
 
 
 def test_whole_wizard_to_the_certificate(wizard: Any, qtbot: Any, tmp_path: Path) -> None:

@@ -21,7 +21,11 @@ ANGLES = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
 JOINT = {"bushing_radius_mm": 10.0, "bushing_width_mm": 13.1}
 PARAMETERS = {"joint": JOINT, "bushing": {"density_g_per_cm3": 2.2}}
 RESULT = {
-    "uncertainty_line_N": {"constant_N": 1.5, "per_N": 0.01},
+    "uncertainty_line_N": {"constant_N": 1.9, "per_N": 0.012},
+    "uncertainty_lines_of_mean_N": {
+        "component": {"constant_N": 1.5, "per_N": 0.01},
+        "magnitude": {"constant_N": 0.5, "per_N": 0.004},
+    },
     "coverage_factor": 2.04,
     "expanded_uncertainty_N": 5.5,
 }
@@ -104,11 +108,11 @@ def test_worn_profile_in_numbers_and_as_a_picture(page: Page) -> None:
 
 def test_uncertainty_of_forces_is_stated(page: Page) -> None:
     stated = page.value("Summary", "Uncertainty of a force")
-    assert stated.startswith("U(F) = 1.50 N + 0.01000 |F|, k = 2.04 (record ")
+    assert stated.startswith("U(F) = 1.50 N + 0.01000 |F|, k = 1.96 (record ")
     largest = page.value("Summary", "Largest joint force")
     force = float(largest.partition(" ")[0])
     assert float(largest.partition("± ")[2].partition(" ")[0]) == pytest.approx(
-        1.5 + 0.01 * force, abs=0.01
+        0.5 + 0.004 * force, abs=0.01
     )
     assert page.text.count("Shaded: the expanded uncertainty of a force") == 2
 

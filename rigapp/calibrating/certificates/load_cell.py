@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 
 from calibration.arrays import ACROSS
+from calibration.load_cell.characteristics import Creep, creep_words
 from calibration.load_cell.readings import parse_load_cell
 from calibration.load_cell.two_axis import forces
 from calibration.load_cell.weights import pin_force
@@ -25,7 +26,6 @@ from rigapp.calibrating.certificates.parts import (
     say,
     table,
 )
-from rigapp.calibrating.load_cell_result import creep_words
 from rigapp.config.calibration_settings import WeightsSection
 from rigapp.report.page.manuscript import Figure, Row, Table
 
@@ -246,13 +246,15 @@ def _statements(content: Content, loads: Sequence[Load], extrapolated: str) -> l
 
 def _creep(content: Content) -> list[str]:
     """Return how the creep was measured, or what U has in its place; nothing of old records."""
-    use, measured = content["settings"].get("use"), content["result"].get("creep")
+    use, one = content["settings"].get("use"), content["result"].get("creep")
     if use is None:
         return []
-    words = creep_words(measured, use["creep_percent"])
-    if measured is None:
-        return [words]
-    return [f"{words} It was measured at the largest load, after the last series, from no load."]
+    if one is None:
+        return [creep_words(None, 0.01 * use["creep_percent"])]
+    early, late = one["hung_s"]
+    half_width = 0.01 * one["half_width_percent"]
+    words = creep_words(Creep(one["load_N"], (early, late), one["change_N"], half_width), 0.0)
+    return [f"{words} It was measured at one load that stayed on, after it was hung from none."]
 
 
 def _cell_tables(content: Content) -> list[Table]:

@@ -186,7 +186,8 @@ def _data_lines(
         place = f" in revolution {count(peak.revolution)}" if math.isfinite(peak.value) else ""
         doubt = ""
         if uncertainty is not None and math.isfinite(peak.value):
-            doubt = f" ± {quantity(float(uncertainty.at(np.array(peak.value))), 'N', 2)}"
+            told = uncertainty.at(np.array(peak.value), of_magnitude=True)
+            doubt = f" ± {quantity(float(told), 'N', 2)}"
         lines.append(("Largest joint force", quantity(peak.value, "N") + doubt + place))
     stated = "not stated: no calibration record of the load cell in the file"
     lines.append(

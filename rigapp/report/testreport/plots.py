@@ -162,11 +162,12 @@ def trends(
                     x, values = channel.lines[one]
                     # An error of the angle turns the whole force into a component.
                     force = values if whole is None else np.interp(x, whole[0], whole[1])
-                    _band(axes, x, values, uncertainty.at(force), COLOURS[one])
-            doubt = stated.get(channel.name)
-            if doubt is not None:
+                    doubt = uncertainty.at(force, of_magnitude=channel.name == "force")
+                    _band(axes, x, values, doubt, COLOURS[one])
+            of_channel = stated.get(channel.name)
+            if of_channel is not None:
                 for one in ("max", "min"):
-                    _band(axes, *channel.lines[one], doubt, COLOURS[one])
+                    _band(axes, *channel.lines[one], of_channel, COLOURS[one])
             with_model = False
             negative = channel.smallest.value < 0.0 and channel.overall > max(
                 0.0, channel.largest.value
@@ -404,7 +405,8 @@ def _force_panel(axes: Any, picture: CyclePicture, uncertainty: ForceUncertainty
         if uncertainty is not None:
             angle = picture.columns["angle"]
             x, values = envelope(angle, picture.columns[name])
-            doubt = uncertainty.at(np.interp(x, angle, picture.columns["force"]))
+            force = np.interp(x, angle, picture.columns["force"])
+            doubt = uncertainty.at(force, of_magnitude=name == "force")
             _band(axes, x, values, doubt, COLOURS[name], 0.15)
         _curve(axes, picture, picture.columns[name], color=COLOURS[name], label=SHORT[name])
     label = "model"
