@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from patience import PATIENCE_S
 
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.probes.readings import parse_probe
@@ -33,7 +34,7 @@ def rigapp(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
         [sys.executable, "-m", "rigapp", *map(str, arguments)],
         capture_output=True,
         text=True,
-        timeout=100,
+        timeout=PATIENCE_S,
         check=False,
     )
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from patience import PATIENCE_S
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "drivers" / "contract"))
 
@@ -193,7 +194,7 @@ def test_the_command_line_says_what_is_wrong_without_a_traceback(port: str, word
         [sys.executable, "-m", "rigapp", "doctor", "--port", port],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE_S,
         check=False,
     )
     assert done.returncode == 1
@@ -206,7 +207,7 @@ def test_the_whole_examination_runs_with_nothing_connected() -> None:
         [sys.executable, "-m", "rigapp", "doctor"],
         capture_output=True,
         text=True,
-        timeout=100,
+        timeout=PATIENCE_S,
         check=False,
     )
     assert "Traceback" not in done.stdout + done.stderr

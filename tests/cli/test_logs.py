@@ -10,6 +10,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE_S
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.logs import (
@@ -32,7 +33,7 @@ def rigapp(folder: Path, *arguments: str | Path) -> subprocess.CompletedProcess[
         [sys.executable, "-m", "rigapp", *map(str, arguments)],
         capture_output=True,
         text=True,
-        timeout=100,
+        timeout=PATIENCE_S,
         check=False,
         env={**os.environ, "RIGAPP_RUNTIME_DIR": str(folder / "run")},
     )

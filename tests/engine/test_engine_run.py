@@ -451,3 +451,15 @@ def test_what_a_driver_warns_of_is_in_the_log(rig: MemoryRig) -> None:
     assert [(event.source, event.text) for event in told] == [
         ("drivers.memory", "daq: the amplifier is hot")
     ]
+
+
+@pytest.mark.parametrize("samples", [7, 48, 700, 3000])
+def test_which_revolutions_are_steady_does_not_depend_on_the_size_of_blocks(
+    rig: MemoryRig, monkeypatch: pytest.MonkeyPatch, samples: int
+) -> None:
+    monkeypatch.setattr("engine_doubles.BLOCK", samples)
+    run(rig, 8)
+    ramp = rig.store.column("quality").astype(int) & Flag.RAMP
+    np.testing.assert_array_equal(
+        ramp != 0, [True, False, False, False, False, False, False, False]
+    )

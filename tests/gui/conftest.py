@@ -350,7 +350,7 @@ def attach(window: MainWindow, engine: ScriptedEngine, qtbot: Any) -> Callable[[
             window.tick()
             return engine.clients > 0 and not engine.snapshots
 
-        qtbot.waitUntil(taken, timeout=90_000)
+        qtbot.waitUntil(taken, timeout=PATIENCE_MS)
         window.draw_now()
 
     return ticks

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 
 from rigapp.gui.data.connection import EngineConnection
@@ -107,7 +108,7 @@ def ticked(qtbot: Any, *windows: MainWindow) -> Callable[[Callable[[], bool]], N
                 window.tick()
             return condition()
 
-        qtbot.waitUntil(look, timeout=90_000)
+        qtbot.waitUntil(look, timeout=PATIENCE_MS)
 
     return until
 

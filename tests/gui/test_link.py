@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from patience import PATIENCE_MS
 
 from rigapp.gui.data.connection import (
     FIRST_SNAPSHOT_S,
@@ -49,7 +50,7 @@ def pump_until(
             connection.pump()
             return condition()
 
-        qtbot.waitUntil(step, timeout=90_000)
+        qtbot.waitUntil(step, timeout=PATIENCE_MS)
 
     return until
 

@@ -10,6 +10,7 @@ import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from patience import PATIENCE_MS
 from PySide6.QtWidgets import QLabel, QLineEdit
 
 from rigapp.calibrating.records_in_use import with_records
@@ -345,7 +346,7 @@ def test_the_list_follows_armed_test_and_engine(
         panel.show_news(News(ready(make_status)))
         return {check.what: check.verdict.value for check in panel.checks.shown}
 
-    qtbot.waitUntil(lambda: "Disk" in shown(), timeout=90_000)
+    qtbot.waitUntil(lambda: "Disk" in shown(), timeout=PATIENCE_MS)
     assert "good" in shown()["Disk"]
     type_into(panel.recipe, "run.revolutions", "x")
     assert shown()["Form"] == "attention"  # what is typed is not part of the armed test
@@ -381,7 +382,7 @@ def test_window_and_command_line_show_one_list(
         panel.show_news(News(status))
         return [[one.verdict, one.what, one.finding, one.action] for one in panel.checks.shown]
 
-    qtbot.waitUntil(lambda: {"Disk", "Speed"} <= {row[1] for row in rows()}, timeout=90_000)
+    qtbot.waitUntil(lambda: {"Disk", "Speed"} <= {row[1] for row in rows()}, timeout=PATIENCE_MS)
     marks = {"good": "ok", "attention": "note", "blocks": "BLOCKS"}
     shown = rows()
     assert len(shown) == len(lines)
@@ -412,8 +413,8 @@ def test_a_rig_file_that_became_unusable_blocks(
         panel.show_news(News(ready(make_status)))
         return {check.what for check in panel.checks.shown}
 
-    qtbot.waitUntil(lambda: "Speed" in what(), timeout=90_000)
+    qtbot.waitUntil(lambda: "Speed" in what(), timeout=PATIENCE_MS)
     rig.write_text(text.replace("[spindle]", "[spindel]"), encoding="utf-8")
     now[0] = 100.0
-    qtbot.waitUntil(lambda: "Rig file" in what(), timeout=90_000)
+    qtbot.waitUntil(lambda: "Rig file" in what(), timeout=PATIENCE_MS)
     worker.close()

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit
 
@@ -193,7 +194,7 @@ def test_a_start_means_the_file_and_shows_what_differs(
     assert recipe.test.run.revolutions == 700
     assert card.go.isEnabled()
     card.go.click()
-    qtbot.waitUntil(lambda: "start" in engine.verbs, timeout=90_000)
+    qtbot.waitUntil(lambda: "start" in engine.verbs, timeout=PATIENCE_MS)
     assert engine.requests[-1][1]["test"] == str(path)
 
 
@@ -213,7 +214,7 @@ def test_closing_the_window_asks_for_unsaved_changes(
     assert window.tabs.prepare.isVisible()
     assert "run.speed_rpm: 60 → 45" in recipe.unsaved_bar.text.text()
     recipe.unsaved_bar.discard.click()
-    qtbot.waitUntil(lambda: not window.isVisible(), timeout=90_000)
+    qtbot.waitUntil(lambda: not window.isVisible(), timeout=PATIENCE_MS)
     assert read_test(path).record.run.speed_rpm == 60.0
 
 

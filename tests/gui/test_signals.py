@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE_S
 
 PROGRAM = """
 import sys
@@ -55,7 +56,7 @@ def test_window_over_a_running_test_is_closed_by_a_signal(
         assert process.stdout is not None
         assert any(line == "looked\n" for line in process.stdout)
         process.send_signal(number)
-        _, complaint = process.communicate(timeout=90)
+        _, complaint = process.communicate(timeout=PATIENCE_S)
     finally:
         process.kill()
         process.wait()

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from patience import PATIENCE_S
 
 TOOLS = ("Xvfb", "openbox", "xdotool")
 APP = Path(__file__).with_name("story_app.py")
@@ -58,7 +59,7 @@ def display(tmp_path: Path) -> Iterator[dict[str, str]]:
     yield environment
     for process in (manager, server):
         process.terminate()
-        process.wait(timeout=60)
+        process.wait(timeout=PATIENCE_S)
 
 
 def test_start_note_pause_resume_acknowledge_stop_without_a_mouse(

@@ -11,6 +11,7 @@ from typing import Any
 
 import msgspec
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import (
@@ -35,7 +36,7 @@ def wait_for_verb(window: MainWindow, engine: Any, qtbot: Any, verb: str) -> dic
         window.tick()
         return verb in engine.verbs
 
-    qtbot.waitUntil(asked, timeout=90_000)
+    qtbot.waitUntil(asked, timeout=PATIENCE_MS)
     return dict(engine.requests)[verb]
 
 
@@ -159,7 +160,7 @@ def test_a_refusal_is_said_in_words(
         window.tick()
         return "emergency stop is pressed" in window.controls.answer.whole
 
-    qtbot.waitUntil(said, timeout=90_000)
+    qtbot.waitUntil(said, timeout=PATIENCE_MS)
     assert "▲" in window.controls.answer.whole
 
 

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE_S
 
 from model.compiled import njit
 
@@ -59,7 +60,7 @@ def run(program: Path, **environment: str) -> tuple[float, float, int]:
         capture_output=True,
         text=True,
         check=False,
-        timeout=100,
+        timeout=PATIENCE_S,
     )
     assert done.returncode == 0, done.stderr
     value, made, hits = json.loads(done.stdout)

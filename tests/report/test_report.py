@@ -11,6 +11,7 @@ from pathlib import Path
 import h5py
 import pytest
 from page import Page, read
+from patience import PATIENCE_S
 from report_samples import append, event, eventful, new_test
 
 from rigapp.commands.report import write_report
@@ -285,11 +286,11 @@ def test_report_of_a_real_run(tmp_path: Path) -> None:
     subprocess.run(
         [*command, "run", "examples/quick.toml", "--rig", "examples/simulated.toml",
          "--revolutions", "40", "--speed", "max", "--out", str(path)],
-        check=True, cwd=REPOSITORY, timeout=100, capture_output=True,
+        check=True, cwd=REPOSITORY, timeout=PATIENCE_S, capture_output=True,
     )  # fmt: skip
     done = subprocess.run(
         [*command, "report", str(path), "--to", str(tmp_path / "quick.html")],
-        check=True, cwd=REPOSITORY, timeout=100, capture_output=True, text=True,
+        check=True, cwd=REPOSITORY, timeout=PATIENCE_S, capture_output=True, text=True,
     )  # fmt: skip
     assert done.stderr == ""
     found = read((tmp_path / "quick.html").read_bytes())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE_S
 
 from rigapp.schema.messages import Reply, Request
 from rigapp.schema.states import Refused
@@ -195,7 +196,7 @@ def test_client_in_command_stays_present_until_it_is_closed(
     client = Client(EngineEntry(1, server.commands, server.stream, "rig.toml", 0.0), "Ada")
     try:
         assert client.request("take_command").ok
-        assert all(seen.acquire(timeout=60.0) for _ in range(3))
+        assert all(seen.acquire(timeout=PATIENCE_S) for _ in range(3))
     finally:
         client.close()
         server.close()

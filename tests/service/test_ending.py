@@ -15,6 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE_S
 from stories import RIG, Running, recipe, summary, until
 
 from rigapp.process.ending import Background, asked_to_end, ending_as_interrupt, finish_in_time
@@ -93,7 +94,7 @@ main()
         [sys.executable, "-c", end_itself, *map(str, arguments)],
         capture_output=True,
         text=True,
-        timeout=60.0,
+        timeout=PATIENCE_S,
         check=False,
     )
     assert ended.returncode == 1
@@ -155,7 +156,7 @@ def test_an_interruption_ends_a_start_that_hangs_in_a_device(
             # Two that come together count as one.
             time.sleep(0.05)
             process.send_signal(signal.SIGINT)
-        out, complaint = process.communicate(timeout=60)
+        out, complaint = process.communicate(timeout=PATIENCE_S)
     finally:
         process.kill()
         process.wait()
@@ -201,7 +202,7 @@ def test_what_hangs_at_the_end_is_left_after_some_time_or_when_asked_again(folde
         assert process.stdout.readline() == "closing\n"
         if number is not None:
             process.send_signal(number)
-        out, complaint = process.communicate(timeout=60)
+        out, complaint = process.communicate(timeout=PATIENCE_S)
         assert (process.returncode, out) == (1, "given up\n")
         assert (
             complaint == "rigapp: what was still open could not be closed in time and was left.\n"

@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 import serial
 from numpy.typing import NDArray
+from patience import PATIENCE_S
 
 from drivers.api import DriveRequest, Spindle
 from drivers.registry import load_driver
@@ -99,7 +100,7 @@ def test_prints_one_line_of_urls_and_ends_quietly(rig_file: Path, number: signal
         with serial.serial_for_url(url, timeout=0.1):
             pass
     process.send_signal(number)
-    rest, complaints = process.communicate(timeout=60.0)
+    rest, complaints = process.communicate(timeout=PATIENCE_S)
     assert (process.returncode, rest, complaints) == (0, b"", b"")
     assert not any(Path(url).exists() for url in urls.values())
 
@@ -259,7 +260,10 @@ def test_outlives_its_parent_until_the_spindle_stands_still(rig_file: Path) -> N
         "print(rig.pid, time.monotonic(), flush=True); os._exit(9)\n"
     )
     started = subprocess.run(
-        [sys.executable, "-c", parent, str(rig_file)], capture_output=True, timeout=60, check=False
+        [sys.executable, "-c", parent, str(rig_file)],
+        capture_output=True,
+        timeout=PATIENCE_S,
+        check=False,
     )
     assert started.returncode == 9, started.stderr.decode()
     pid, died = int(started.stdout.split()[0]), float(started.stdout.split()[1])

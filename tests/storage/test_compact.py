@@ -12,6 +12,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from patience import PATIENCE_S
 from storage_samples import METADATA, PLAN, check, new_test, write
 
 from rigapp.config.errors import UnusableInput
@@ -152,7 +153,7 @@ compact.compact_test(sys.argv[1])
 @pytest.mark.parametrize("step", STEPS)
 def test_killed_on_the_way_the_file_is_whole(quick_folder: Path, step: str, moment: str) -> None:
     path = ended(quick_folder)
-    done = subprocess.run([sys.executable, "-c", KILLED_AT, path, step, moment], timeout=60)
+    done = subprocess.run([sys.executable, "-c", KILLED_AT, path, step, moment], timeout=PATIENCE_S)
     assert done.returncode == -signal.SIGKILL
     with open_test(path) as reader:
         assert check(reader) == 150
@@ -167,7 +168,7 @@ def test_killed_on_the_way_the_file_is_whole(quick_folder: Path, step: str, mome
 def test_background_process_does_it_while_a_reader_has_the_file_open(quick_folder: Path) -> None:
     path = ended(quick_folder)
     with open_test(path) as old:
-        assert compact_in_background(path).wait(timeout=60) == 0
+        assert compact_in_background(path).wait(timeout=PATIENCE_S) == 0
         assert check(old) == 150
     with open_test(path) as reader:
         assert reader.compressed

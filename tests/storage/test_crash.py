@@ -15,6 +15,7 @@ from pathlib import Path
 
 import h5py
 import pytest
+from patience import PATIENCE_S
 from storage_samples import PLAN, check, new_test, write
 
 from rigapp.schema.channels import BASE
@@ -59,7 +60,7 @@ def kill_one_writer(folder: Path, chance: random.Random, number: int, *words: st
         assert ready == b"ready\n", process.stderr.read().decode()
         time.sleep(chance.uniform(0.0, 0.08))
         os.kill(process.pid, signal.SIGKILL)
-        rest, _ = process.communicate(timeout=60)
+        rest, _ = process.communicate(timeout=PATIENCE_S)
         lines = [line for line in rest.split(b"\n")[:-1] if line]
         announced = int(lines[-1]) if lines else announced
         assert not writer_is_alive(path)

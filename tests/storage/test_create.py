@@ -12,6 +12,7 @@ from pathlib import Path
 
 import h5py
 import pytest
+from patience import PATIENCE_S
 from storage_samples import METADATA, PLAN, new_test, write
 
 from rigapp.config.errors import UnusableInput
@@ -162,7 +163,10 @@ def test_file_is_write_protected_and_found_running(running: TestWriter) -> None:
     assert stat.S_IMODE(running.path.stat().st_mode) == 0o444
     code = "import sys; from rigapp.storage import open_test as o; print(o(sys.argv[1]).summary())"
     done = subprocess.run(
-        [sys.executable, "-c", code, running.path], capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", code, running.path],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE_S,
     )
     assert "'status': 'running'" in done.stdout, done.stderr
 
@@ -210,7 +214,7 @@ def test_xarray_gets_named_dimensions(running: TestWriter) -> None:
 def test_h5dump_reads_it(running: TestWriter) -> None:
     try:
         done = subprocess.run(
-            ["h5dump", "-H", running.path], capture_output=True, text=True, timeout=60
+            ["h5dump", "-H", running.path], capture_output=True, text=True, timeout=PATIENCE_S
         )
     except FileNotFoundError:
         pytest.skip("h5dump is not installed")
@@ -221,7 +225,10 @@ def test_h5dump_reads_it(running: TestWriter) -> None:
 def test_hdf5_refuses_to_open_it_for_writing(running: TestWriter) -> None:
     code = "import h5py, sys; h5py.File(sys.argv[1], 'r+')"
     done = subprocess.run(
-        [sys.executable, "-c", code, running.path], capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", code, running.path],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE_S,
     )
     assert done.returncode != 0
     assert "unable to lock file" in done.stderr or "Permission denied" in done.stderr
@@ -234,7 +241,7 @@ def test_an_ordinary_user_cannot_truncate_it(running: TestWriter) -> None:
     else:
         as_user = {}
     done = subprocess.run(
-        ["sh", "-c", ': > "$0"', running.path], capture_output=True, timeout=60, **as_user
+        ["sh", "-c", ': > "$0"', running.path], capture_output=True, timeout=PATIENCE_S, **as_user
     )
     assert done.returncode != 0
     with open_test(running.path) as reader:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from patience import PATIENCE_S
 from storage_samples import PLAN, check, curves, cycle, new_test, prediction, row, write
 
 from rigapp.config.errors import UnusableInput
@@ -103,7 +104,7 @@ def test_second_writer_is_refused_in_this_and_in_another_process(quick_folder: P
         with pytest.raises(UnusableInput, match="another process is writing this test"):
             reopen_test(path)
         done = subprocess.run(
-            [sys.executable, "-c", code, path], capture_output=True, text=True, timeout=60
+            [sys.executable, "-c", code, path], capture_output=True, text=True, timeout=PATIENCE_S
         )
         assert "another process is writing this test" in done.stdout
         write(writer, 1, 3)

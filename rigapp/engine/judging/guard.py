@@ -26,6 +26,9 @@ Array = NDArray[np.float64]
 AT_SPEED = 0.05
 """The set speed is reached within this share of it."""
 
+SPEED_HELD = (RunState.STARTING, RunState.RUNNING)
+"""States in which the crank turns at the set speed, or goes to it."""
+
 PAUSE_RPM = 3.0
 """A crank that is held in a pause may not turn faster than this."""
 
@@ -65,6 +68,7 @@ class Guard:
         self._speeds = SpeedComparison()
         self._turned_before = 0.0
         self._calm = False
+        self._changed_in = 0
         self._sound: dict[str, int] = {}
         self._blind: set[str] = set()
 
@@ -73,7 +77,9 @@ class Guard:
     def begun(self, sample: int) -> None:
         """Start the test's time."""
         test = self._run.test
-        self._start_count = self._rig.processor.assembler.motion.travel[1]
+        assembler = self._rig.processor.assembler
+        self._start_count = assembler.motion.travel[1]
+        self._changed_in = assembler.ordinal
         self._speeds.begin()
         self._missed = 0
         self._blind = set()
@@ -142,10 +148,10 @@ class Guard:
         if state is RunState.PAUSED and abs(speed_rpm) > PAUSE_RPM:
             run.act_on(because("moved_in_pause", speed_rpm=speed_rpm))
             return
-        if test is None or state not in (RunState.STARTING, RunState.RUNNING):
+        if test is None or state not in SPEED_HELD:
             self._turned_before = turned
             if test is not None:
-                test.steady_from = None
+                self._changes(test)
             return
         if self._start_count is not None and self._senses_differ(self._start_count):
             return
@@ -156,8 +162,9 @@ class Guard:
             run.act_on(because("index_missed", revolutions=lost))
             return
         if state is RunState.STARTING:
-            test.steady_from = None
-            if abs(speed_rpm - test.target_rpm) <= AT_SPEED * test.target_rpm:
+            if test.steady_from is not None:
+                self._changes(test)
+            if _at_speed(speed_rpm, test):
                 run.fire_if(Trigger.AT_SPEED, only=(RunState.STARTING,))
             pace = max(1.0, rig.processor.motion.pace())
             self._compare_speeds(speed_rpm, test, pace * LATE_S * test.ramp_rpm_per_s)
@@ -165,6 +172,11 @@ class Guard:
         if test.steady_from is None:
             test.steady_from = rig.processor.assembler.ordinal + 1
         self._compare_speeds(speed_rpm, test)
+
+    def _changes(self, test: OpenTest) -> None:
+        """Take note that the speed is being changed, or was until now."""
+        test.steady_from = None
+        self._changed_in = self._rig.processor.assembler.ordinal
 
     def _compare_speeds(
         self, speed_rpm: float, test: OpenTest, late_rpm: float | None = None
@@ -223,13 +235,26 @@ class Guard:
         run, test = self._run, self._run.test
         if test is None or run.state not in ACTIVE or test.stood:
             return
-        steady = test.steady_from is not None and revolution.ordinal >= test.steady_from
+        steady = run.state in SPEED_HELD and self._is_steady(test, revolution)
         row = test.run.take(revolution, steady)
         if row is not None:
             self._act(test, row)
             run.record(row)
         if test.run.complete:
             self._complete(test)
+
+    def _is_steady(self, test: OpenTest, revolution: Revolution) -> bool:
+        """Tell whether the speed was not being changed in any part of a revolution.
+
+        It began at the set speed, by its own samples: how many come in a block depends on the
+        computer, and rows do not. A crank that never turns evenly enough is steady a revolution
+        after it was seen at speed.
+        """
+        if test.steady_from is not None and revolution.ordinal >= test.steady_from:
+            return True
+        turn = self._rig.processor.assembler.encoder.counts_per_revolution
+        later = revolution.ordinal > self._changed_in
+        return later and _at_speed(revolution.first_speed_rpm(turn), test)
 
     def _complete(self, test: OpenTest) -> None:
         planned, rows = test.run.planned, test.rows
@@ -311,3 +336,7 @@ class Guard:
         self._sound[key] = self._sound.get(key, 0) + 1 if sound else 0
         if self._sound[key] == CALM_REVOLUTIONS:
             self._run.alarms.clear(key)
+
+
+def _at_speed(speed_rpm: float, test: OpenTest) -> bool:
+    return abs(speed_rpm - test.target_rpm) <= AT_SPEED * test.target_rpm

@@ -26,6 +26,7 @@ from rigapp.engine.samples.counterstate import (
     StateAt,
     new_state,
 )
+from rigapp.engine.samples.motion import ENOUGH_COUNTS
 from rigapp.engine.samples.sampleclock import TICKS_PER_S
 from rigapp.engine.samples.unwrap import INDEX_NEAR, scan
 from rigapp.schema.messages import Flag
@@ -110,6 +111,16 @@ class Revolution:
     def samples(self) -> int:
         """Return the number of samples kept."""
         return int(self.counts.shape[0])
+
+    def first_speed_rpm(self, counts_per_revolution: int) -> float:
+        """Return the mean speed (rpm) over the first part of it that tells one; NaN of none."""
+        enough = max(ENOUGH_COUNTS, counts_per_revolution // 16)
+        end = min(int(np.searchsorted(self.counts, enough)), self.samples - 1)
+        if end < 1:
+            return math.nan
+        index = self.sample_indices()
+        turned = float(self.counts[end] - self.counts[0]) / counts_per_revolution
+        return 60.0 * turned * self.sample_rate_Hz / float(index[end] - index[0])
 
     def sample_indices(self) -> NDArray[np.int64]:
         """Return the device sample index (or tick) of every sample, (samples,)."""
