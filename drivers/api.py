@@ -21,10 +21,24 @@ import enum
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
+
+
+class Named(Protocol):
+    """What every driver says of itself."""
+
+    name: str
+    port: str
+
+
+class Line(Protocol):
+    """What every line says of itself: whose it is, and where."""
+
+    device: str
+    port: str
 
 
 class DeviceError(Exception):
@@ -35,6 +49,12 @@ class DeviceError(Exception):
         self.device = device
         self.port = port
         self.sentence = sentence
+
+    @classmethod
+    def at(cls, who: Named | Line, sentence: str) -> Self:
+        """Return the error of a driver, or of the line on which it speaks."""
+        name = getattr(who, "name", "") or getattr(who, "device", "")
+        return cls(str(name), who.port, sentence)
 
 
 class ConnectionFailed(DeviceError):
@@ -69,11 +89,8 @@ class DeviceFault(DeviceError):
     """The device reports a fault of its own."""
 
 
-class BytePort(Protocol):
+class BytePort(Line, Protocol):
     """Exchange bytes with a device; what a driver needs of a transport."""
-
-    device: str
-    port: str
 
     @property
     def is_open(self) -> bool:
@@ -196,11 +213,8 @@ class DataRequest:
 
 
 @runtime_checkable
-class DataSource(Protocol):
+class DataSource(Named, Protocol):
     """Acquire samples. One thread calls ``read``; ``stop`` and ``close`` may come from another."""
-
-    name: str
-    port: str
 
     def open(self) -> Identity:
         """Open the port and identify the device; raise ConnectionFailed or WrongDevice."""
@@ -327,11 +341,8 @@ class DriveRequest:
 
 
 @runtime_checkable
-class Spindle(Protocol):
+class Spindle(Named, Protocol):
     """Turn the crank. Every call is serialised by the driver's own lock."""
-
-    name: str
-    port: str
 
     def open(self) -> Identity:
         """Open the port and identify the drive; raise ConnectionFailed or WrongDevice."""
@@ -373,14 +384,11 @@ class SlowRequest:
 
 
 @runtime_checkable
-class SlowSource(Protocol):
+class SlowSource(Named, Protocol):
     """Tell slow quantities (temperature, humidity) when asked; a thread of its own asks.
 
     It may fail and come back: after DeviceLost the caller closes it and opens it anew.
     """
-
-    name: str
-    port: str
 
     def open(self) -> Identity:
         """Open the port and identify the device; raise ConnectionFailed or WrongDevice."""

@@ -81,7 +81,7 @@ class SerialPort:
             )
         except _PORT_ERRORS as error:
             sentence = _why_not_opened(error, self.port)
-            raise ConnectionFailed(self.device, self.port, sentence) from error
+            raise ConnectionFailed.at(self, sentence) from error
         self.low_latency = _set_low_latency(opened)
         self._selectable = _can_select(opened)
         self._closing = False
@@ -122,9 +122,7 @@ class SerialPort:
                 raise self._lost(error, "writing") from error
             self.bytes_sent += len(data) if sent is None else sent
         if sent is not None and sent != len(data):
-            raise DeviceLost(
-                self.device, self.port, f"only {sent} of {len(data)} bytes could be sent."
-            )
+            raise DeviceLost.at(self, f"only {sent} of {len(data)} bytes could be sent.")
 
     def drain(self) -> bytes:
         """Read until the line is quiet for 20 ms, at most 2 s, and return what came."""
@@ -163,11 +161,11 @@ class SerialPort:
         opened = self._serial
         if opened is None:
             why = "was closed" if self._closing else "is not open"
-            raise DeviceLost(self.device, self.port, f"the port {why} ({doing}).")
+            raise DeviceLost.at(self, f"the port {why} ({doing}).")
         return opened
 
     def _lost(self, error: Exception, doing: str) -> DeviceLost:
-        return DeviceLost(self.device, self.port, _why_lost(error, doing))
+        return DeviceLost.at(self, _why_lost(error, doing))
 
 
 def byte_counters(line: BytePort) -> dict[str, int]:

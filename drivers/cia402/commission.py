@@ -155,9 +155,8 @@ class Commissioning:
         while not monitor.wait_for_state(NodeState.OPERATIONAL, sent_ns, 0.05):
             node.beat()
             if time.monotonic() > deadline:
-                raise ReplyTimeout(
-                    node.device,
-                    node.port,
+                raise ReplyTimeout.at(
+                    node,
                     f"node {node.node_id} tells no heartbeat of state OPERATIONAL within "
                     f"{_START_S:g} s; its heartbeat cannot be supervised.",
                 )
@@ -293,4 +292,4 @@ class Commissioning:
             )
 
     def _refused(self, sentence: str) -> SettingRefused:
-        return SettingRefused(self._node.device, self._node.port, sentence)
+        return SettingRefused.at(self._node, sentence)

@@ -108,7 +108,7 @@ class DriveControl:
         return describe_code(self._node.read(0x603F))
 
     def _fault(self, sentence: str) -> DeviceFault:
-        return DeviceFault(self._node.device, self._node.port, sentence)
+        return DeviceFault.at(self._node, sentence)
 
     def _stuck(self, sentence: str) -> ReplyTimeout:
-        return ReplyTimeout(self._node.device, self._node.port, sentence)
+        return ReplyTimeout.at(self._node, sentence)

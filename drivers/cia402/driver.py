@@ -90,7 +90,7 @@ class Cia402Drive:
             try:
                 options = bus_options(self.port, self._settings)
             except ValueError as error:
-                raise ConnectionFailed(self.name, self.port, f"{error}.") from error
+                raise ConnectionFailed.at(self, f"{error}.") from error
             timeout_s = float(self._settings["sdo_timeout_ms"]) * 1e-3
             node = CanNode(self.name, self.port, node_id, options, timeout_s)
             self._monitor = monitor = NodeMonitor()
@@ -167,9 +167,7 @@ class Cia402Drive:
             if target == 0 and state is not State.ENABLED:
                 return
             if target != 0 and self._trip:
-                raise DeviceFault(
-                    self.name, self.port, f"{self._trip}; reset the fault before the next start."
-                )
+                raise DeviceFault.at(self, f"{self._trip}; reset the fault before the next start.")
             node.write(0x6083, ramp)
             node.write(0x6084, ramp)
             if target != 0 and state is not State.ENABLED:
@@ -308,9 +306,8 @@ class Cia402Drive:
         if self._monitor.boot_ups != setup.boot_ups:
             self._setup = None
             self._target = None
-            raise DeviceLost(
-                self.name,
-                self.port,
+            raise DeviceLost.at(
+                self,
                 "the drive has restarted (boot-up message) and its motor is off; check its supply.",
             )
 
@@ -318,7 +315,7 @@ class Cia402Drive:
 
     def _open_node(self) -> CanNode:
         if self._node is None:
-            raise DeviceLost(self.name, self.port, "the drive is not open.")
+            raise DeviceLost.at(self, "the drive is not open.")
         return self._node
 
     def _configured(self) -> Setup:
@@ -327,7 +324,7 @@ class Cia402Drive:
         return self._setup
 
     def _refused(self, sentence: str) -> SettingRefused:
-        return SettingRefused(self.name, self.port, sentence)
+        return SettingRefused.at(self, sentence)
 
 
 DRIVER: Final = DriverInfo(

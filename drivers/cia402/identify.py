@@ -20,12 +20,10 @@ def identify(node: CanNode, interface: str, objects: str) -> Identity:
     try:
         device_type = _wake(node)
     except ReplyTimeout as error:
-        raise ConnectionFailed(node.device, node.port, error.sentence) from error
+        raise ConnectionFailed.at(node, error.sentence) from error
     if device_type & 0xFFFF != PROFILE_402:
-        raise WrongDevice(
-            node.device,
-            node.port,
-            f"node {node.node_id} is no CiA 402 drive (device type {device_type:08X}).",
+        raise WrongDevice.at(
+            node, f"node {node.node_id} is no CiA 402 drive (device type {device_type:08X})."
         )
     vendor, product, revision, serial = (node.read_if_there(0x1018, sub) for sub in range(1, 5))
     if objects == "auto":

@@ -104,9 +104,8 @@ class CanNode:
             raise
         except Exception as error:  # each interface has errors of its own
             interface = self._bus_options["interface"]
-            raise ConnectionFailed(
-                self.device,
-                self.port,
+            raise ConnectionFailed.at(
+                self,
                 f"the CAN interface {interface} cannot be opened ({error}); check the channel's "
                 "name, the adapter and that no other program uses it.",
             ) from error
@@ -186,13 +185,11 @@ class CanNode:
         if failure is not None:
             raise self._lost(failure) from failure
         if self._bus is None:
-            raise DeviceLost(self.device, self.port, "the CAN bus is not open.")
+            raise DeviceLost.at(self, "the CAN bus is not open.")
 
     def _lost(self, error: Exception) -> DeviceError:
-        return DeviceLost(
-            self.device,
-            self.port,
-            f"the CAN adapter broke off ({error}); check its cable and the bus.",
+        return DeviceLost.at(
+            self, f"the CAN adapter broke off ({error}); check its cable and the bus."
         )
 
     # --- node ------------------------------------------------------------------------------------
@@ -268,9 +265,8 @@ class CanNode:
                 except canopen.SdoCommunicationError as error:
                     self._check()
                     if attempt == tries or self.hurry.is_set():
-                        raise ReplyTimeout(
-                            self.device,
-                            self.port,
+                        raise ReplyTimeout.at(
+                            self,
                             f"node {self.node_id} did not answer object {_shown(index, subindex)} "
                             f"in {attempt} tries of {self._timeout_s * 1e3:.0f} ms: check power, "
                             "wiring, terminators, node id and bit rate.",
@@ -278,10 +274,8 @@ class CanNode:
         raise AssertionError("at least one try")
 
     def _refused(self, index: int, subindex: int, what: str) -> SettingRefused:
-        return SettingRefused(
-            self.device,
-            self.port,
-            f"object {_shown(index, subindex)} of node {self.node_id} {what}.",
+        return SettingRefused.at(
+            self, f"object {_shown(index, subindex)} of node {self.node_id} {what}."
         )
 
 

@@ -105,7 +105,7 @@ class Dataq:
         try:
             plan = make_plan(request, settings)
         except Unplannable as error:
-            raise SettingRefused(self.name, self.port, str(error)) from error
+            raise SettingRefused.at(self, str(error)) from error
         self._check_model(settings["model"])
         self._settings = settings
         self._link.reply_timeout_s = settings["reply_timeout_s"]
@@ -122,7 +122,7 @@ class Dataq:
     def start(self) -> None:
         """Start streaming; sample index, block sequence and counter restart at 0."""
         if self._plan is None:
-            raise SettingRefused(self.name, self.port, "it was not configured before the start.")
+            raise SettingRefused.at(self, "it was not configured before the start.")
         if self._stream is not None and self._stream.running:
             return
         settings = self._settings
@@ -142,10 +142,8 @@ class Dataq:
 
     def zero(self, inputs: Sequence[str]) -> None:
         """Refuse: the device cannot zero its inputs."""
-        raise SettingRefused(
-            self.name,
-            self.port,
-            f"it cannot zero {', '.join(inputs)} itself; the zero belongs to the calibration.",
+        raise SettingRefused.at(
+            self, f"it cannot zero {', '.join(inputs)} itself; the zero belongs to the calibration."
         )
 
     def stop(self) -> None:
@@ -190,15 +188,13 @@ class Dataq:
             if data is not None:
                 return
         if self._link.heard:
-            raise WrongDevice(
-                self.name,
-                self.port,
+            raise WrongDevice.at(
+                self,
                 "something sends bytes, but does not answer stop as a DATAQ instrument does; check "
                 "the port in the rig file, and switch the device off and on.",
             )
-        raise ConnectionFailed(
-            self.name,
-            self.port,
+        raise ConnectionFailed.at(
+            self,
             "nothing answers stop; check power and cable, and that the LED blinks yellow (CDC "
             "mode).",
         )
@@ -226,10 +222,8 @@ class Dataq:
             if self._model in p.MODELS
             else "check the port in the rig file"
         )
-        raise WrongDevice(
-            self.name,
-            self.port,
-            f"a DI-{self._model} answers, and the rig file says DI-{wanted}; {advice}.",
+        raise WrongDevice.at(
+            self, f"a DI-{self._model} answers, and the rig file says DI-{wanted}; {advice}."
         )
 
     def _advice(self) -> dict[str, str]:

@@ -33,9 +33,8 @@ class Link:
         wanted = _words(command)
         reply = self._exchange(command)
         if reply.strip() != wanted:
-            raise ProtocolError(
-                self.port.device,
-                self.port.port,
+            raise ProtocolError.at(
+                self.port,
                 f"{wanted!r} was answered with {reply[:_SHOWN]!r} instead of its echo; check that "
                 "no other program uses the device, and switch it off and on.",
             )
@@ -48,9 +47,8 @@ class Link:
         try:
             return query_value(command, reply)
         except BadReply as error:
-            raise ProtocolError(
-                self.port.device,
-                self.port.port,
+            raise ProtocolError.at(
+                self.port,
                 f"{error}; check the port in the rig file, and that the device is in CDC mode.",
             ) from error
 
@@ -91,9 +89,8 @@ class Link:
                     stray = reply or stray
         if stray:
             return stray
-        raise ReplyTimeout(
-            self.port.device,
-            self.port.port,
+        raise ReplyTimeout.at(
+            self.port,
             f"no answer to {wanted!r} within {self.reply_timeout_s:g} s, {tries} tries; check "
             "cable and power, and that the LED blinks yellow (CDC mode).",
         )

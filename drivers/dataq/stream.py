@@ -317,4 +317,4 @@ class Stream:
         _log.warning("%s on %s: %s", self._link.port.device, self._link.port.port, sentence)
 
     def _error(self, kind: type[DeviceLost | ProtocolError | ReplyTimeout], why: str) -> Exception:
-        return kind(self._link.port.device, self._link.port.port, why)
+        return kind.at(self._link.port, why)

@@ -109,7 +109,7 @@ class Gsv8:
         try:
             plan = make_plan(request, settings)
         except Unplannable as error:
-            raise SettingRefused(self.name, self.port, str(error)) from error
+            raise SettingRefused.at(self, str(error)) from error
         self._settings = settings
         self._link.reply_timeout_s = settings["reply_timeout_s"]
         self._link.expect(None)
@@ -175,9 +175,8 @@ class Gsv8:
         for name in inputs:
             channel = self._channel(name)
             if registers.zero_prohibited(channel):
-                raise SettingRefused(
-                    self.name,
-                    self.port,
+                raise SettingRefused.at(
+                    self,
                     f"zeroing {name} is prohibited in the device; allow it with the maker's "
                     "program.",
                 )
@@ -192,9 +191,7 @@ class Gsv8:
         """
         plan, layout = self._configured()
         if self._streaming:
-            raise SettingRefused(
-                self.name, self.port, "the half-scale check needs the stream stopped first."
-            )
+            raise SettingRefused.at(self, "the half-scale check needs the stream stopped first.")
         self._link.command(Command.SET_INJECTION, u8(_INJECT_HALF_SCALE))
         try:
             time.sleep(_SETTLING_S + _SETTLING_PERIODS / plan.sample_rate_Hz)
@@ -268,9 +265,8 @@ class Gsv8:
         self._link.expect(None)
         reply = p.decode_interface(self._link.command(Command.GET_INTERFACE, u8(1), reply=4))
         if reply.model != p.MODEL_GSV8:
-            raise WrongDevice(
-                self.name,
-                self.port,
+            raise WrongDevice.at(
+                self,
                 f"a device of model {reply.model:02X} answers, not a GSV-8 (model 08); check the "
                 "port in the rig file.",
             )
@@ -290,13 +286,13 @@ class Gsv8:
         rate = f"baud_rate ({self._settings['baud_rate']})."
         if self._link.tally.dropped_bytes:
             sentence = "something sends bytes, but not those of a GSV-8; check the port and, on a "
-            return WrongDevice(self.name, self.port, f"{sentence}UART, {rate}")
+            return WrongDevice.at(self, f"{sentence}UART, {rate}")
         sentence = "nothing answers; check power, cable and port and, on a UART, "
-        return ConnectionFailed(self.name, self.port, sentence + rate)
+        return ConnectionFailed.at(self, sentence + rate)
 
     def _configured(self) -> tuple[Plan, FrameLayout]:
         if self._plan is None or self._layout is None:
-            raise SettingRefused(self.name, self.port, "it was not configured before the start.")
+            raise SettingRefused.at(self, "it was not configured before the start.")
         return self._plan, self._layout
 
     def _channel(self, name: str) -> int:
@@ -304,12 +300,12 @@ class Gsv8:
         try:
             family, number = parse_input(name)
         except Unplannable as error:
-            raise SettingRefused(self.name, self.port, str(error)) from error
+            raise SettingRefused.at(self, str(error)) from error
         if family == "analog":
             return number
         counters = sorted(self._plan.counters) if self._plan is not None else []
         if number - 1 not in counters:
-            raise SettingRefused(self.name, self.port, f"{name} is not in use.")
+            raise SettingRefused.at(self, f"{name} is not in use.")
         return p.ANALOG_CHANNELS + 1 + counters.index(number - 1)
 
 

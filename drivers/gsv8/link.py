@@ -108,10 +108,8 @@ class Link:
         response = self.exchange(command, parameters, reply=reply, tries=tries, patience=patience)
         # "Done, and more was changed" comes without data, so it is no answer to a question.
         if response.status not in _DONE or (reply and response.status):
-            raise SettingRefused(
-                self.port.device,
-                self.port.port,
-                f"{command.words} was refused: {status_words(response.status)}.",
+            raise SettingRefused.at(
+                self.port, f"{command.words} was refused: {status_words(response.status)}."
             )
         return response.data
 
@@ -156,9 +154,8 @@ class Link:
             self._forget()
             self._commanding.release()
         if stray:
-            raise ProtocolError(
-                self.port.device,
-                self.port.port,
+            raise ProtocolError.at(
+                self.port,
                 f"{command.words} was answered with the wrong number of bytes; check the firmware "
                 "and that no other program uses the device.",
             )
@@ -260,9 +257,8 @@ class Link:
         self._sort(self._parser.feed(data), host_time_ns)
         if self._parser.consecutive_foreign >= _FOREIGN_LIMIT:
             self._parser.consecutive_foreign = 0
-            raise ProtocolError(
-                self.port.device,
-                self.port.port,
+            raise ProtocolError.at(
+                self.port,
                 "the measured values have another number of objects or another format than the "
                 "device was set to; stop the test, configure again and check the object map.",
             )
@@ -315,9 +311,8 @@ class Link:
             self.read(_SLICE_S)
 
     def _timeout(self, command: Command, why: str) -> ReplyTimeout:
-        return ReplyTimeout(
-            self.port.device,
-            self.port.port,
+        return ReplyTimeout.at(
+            self.port,
             f"no answer to {command.words} within {self.reply_timeout_s:g} s ({why}); check cable "
             "and power, and that no other program uses the device.",
         )

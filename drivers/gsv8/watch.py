@@ -104,9 +104,8 @@ class StreamWatch:
             self._pending = None
             self._misses += 1
             if self._misses >= _MISSES_ALLOWED and self._must_answer:
-                raise ReplyTimeout(
-                    self._link.port.device,
-                    self._link.port.port,
+                raise ReplyTimeout.at(
+                    self._link.port,
                     f"it streams but did not answer {pending.command.words} {self._misses} times, "
                     "so lost data would not be noticed; check the cable and other programs.",
                 )
@@ -144,9 +143,8 @@ class StreamWatch:
             return
         self.losses += 1
         if self._stop_on_loss:
-            raise DataOverrun(
-                self._link.port.device,
-                self._link.port.port,
+            raise DataOverrun.at(
+                self._link.port,
                 "the device dropped measured values because they were not read in time; lower "
                 "sample_rate_Hz or free the computer.",
             )

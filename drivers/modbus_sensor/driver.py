@@ -57,7 +57,7 @@ class ModbusSensor:
         try:
             self._questions = questions(registers_of(self._settings))
         except ValueError as error:
-            raise SettingRefused(self.name, self.port, str(error)) from error
+            raise SettingRefused.at(self, str(error)) from error
         self._line.open()
         try:
             self._ask(_OPEN_S)
@@ -66,7 +66,7 @@ class ModbusSensor:
             kind = _ON_OPENING.get(type(error))
             if kind is None:
                 raise
-            raise kind(self.name, self.port, getattr(error, "sentence", str(error))) from error
+            raise kind.at(self, getattr(error, "sentence", str(error))) from error
         address = self._settings["address"]
         model = f"Modbus RTU device, {self._settings['preset']}"
         return Identity("", model, "", "", self.port, {"address": str(address)})
@@ -76,7 +76,7 @@ class ModbusSensor:
         try:
             check(SlowRequest(request.quantities, request.timeout_s, self._settings))
         except ValueError as error:
-            raise SettingRefused(self.name, self.port, str(error)) from error
+            raise SettingRefused.at(self, str(error)) from error
         wanted = [one for one in registers_of(self._settings) if one.quantity in request.quantities]
         self._questions = questions(wanted)
         self._timeout_s = request.timeout_s

@@ -49,21 +49,19 @@ class ModbusLink:
             if reply.exception:
                 sentence = f"{self._asked(function, address, count)} is answered by "
                 advice = f"{reply.exception}; check the registers against the device's manual."
-                raise DeviceFault(self.port.device, self.port.port, sentence + advice)
+                raise DeviceFault.at(self.port, sentence + advice)
             if reply.words:
                 return reply.words
             self.crc_errors += "checksum" in reply.wrong
             wrong = reply.wrong
         if wrong:
-            raise ProtocolError(
-                self.port.device,
-                self.port.port,
+            raise ProtocolError.at(
+                self.port,
                 f"{self._asked(function, address, count)} was answered by {wrong}; check the line, "
                 "its termination, and that addresses are used once.",
             )
-        raise ReplyTimeout(
-            self.port.device,
-            self.port.port,
+        raise ReplyTimeout.at(
+            self.port,
             f"no answer to {self._asked(function, address, count)} within "
             f"{self.reply_timeout_s:g} s; check power, wires A and B, address, baud rate and "
             "parity.",

@@ -58,12 +58,12 @@ def identify(link: Link, status_width: str) -> Identity:
         text = link.version()
     except ReplyTimeout as error:
         sentence = f"no RoboClaw answers at address {link.address}: {error.sentence}"
-        raise ConnectionFailed(link.device, link.port, sentence) from error
+        raise ConnectionFailed.at(link, sentence) from error
     except ProtocolError as error:
         sentence = f"what answers is no RoboClaw at address {link.address}: {error.sentence}"
-        raise WrongDevice(link.device, link.port, sentence) from error
+        raise WrongDevice.at(link, sentence) from error
     if not text.strip():
-        raise WrongDevice(link.device, link.port, "the firmware text is empty.")
+        raise WrongDevice.at(link, "the firmware text is empty.")
     link.generation = _generation(link, text, status_width)
     details = {"status_bits": str(link.generation.status_bits)}
     return identity_of(text, link.port, link.address, details)
@@ -82,9 +82,8 @@ def _generation(link: Link, firmware: str, status_width: str) -> Generation:
             continue
         link.crc_errors = link.retries = link.late_bytes = 0
         return link.generation
-    raise WrongDevice(
-        link.device,
-        link.port,
+    raise WrongDevice.at(
+        link,
         f'the status of firmware "{firmware}" has neither 16 nor 32 bits; '
         "set status_width from the drive's manual.",
     )
@@ -161,4 +160,4 @@ def _set_watchdog(link: Link, units: int) -> None:
 
 
 def _refused(link: Link, sentence: str) -> SettingRefused:
-    return SettingRefused(link.device, link.port, sentence)
+    return SettingRefused.at(link, sentence)

@@ -161,13 +161,12 @@ class RoboClaw:
             command = Command.RAMP_SPEED_M1 + self._motor - 1
             self._judge_silence(link, setup)
             if speed and self._silence_s:
-                raise DeviceFault(
-                    self.name,
-                    self.port,
+                raise DeviceFault.at(
+                    self,
                     f"{WATCHDOG.format(self._silence_s)}; reset the fault before the next start.",
                 )
             if link.hurry.is_set():
-                raise DeviceFault(self.name, self.port, "a stop came before the speed was set.")
+                raise DeviceFault.at(self, "a stop came before the speed was set.")
             self._target = speed
             link.write(
                 command,
@@ -235,10 +234,10 @@ class RoboClaw:
                 words = self._words(link)
         if words.emergency_stop:
             sentence = f"the emergency stop stays: {remedy}."
-            raise DeviceFault(self.name, self.port, sentence)
+            raise DeviceFault.at(self, sentence)
         if words.faults:
             sentence = f"{', '.join(words.faults)}: remove the cause, then reset again."
-            raise DeviceFault(self.name, self.port, sentence)
+            raise DeviceFault.at(self, sentence)
 
     def _words(self, link: Link) -> StatusWords:
         (state,) = link.read(Command.STATUS)
@@ -344,17 +343,15 @@ class RoboClaw:
     def _restarted(self, sign: str) -> DeviceLost:
         self._setup = None
         self._target = None
-        return DeviceLost(
-            self.name,
-            self.port,
-            f"the drive has restarted ({sign}) and its motor is off; check its supply.",
+        return DeviceLost.at(
+            self, f"the drive has restarted ({sign}) and its motor is off; check its supply."
         )
 
     # --- helpers ---------------------------------------------------------------------------------
 
     def _link(self) -> Link:
         if self._connection is None:
-            raise DeviceLost(self.name, self.port, "the drive is not open.")
+            raise DeviceLost.at(self, "the drive is not open.")
         return self._connection
 
     def _configured(self) -> Setup:
@@ -363,7 +360,7 @@ class RoboClaw:
         return self._setup
 
     def _refused(self, sentence: str) -> SettingRefused:
-        return SettingRefused(self.name, self.port, sentence)
+        return SettingRefused.at(self, sentence)
 
 
 DRIVER: Final = DriverInfo(

@@ -149,15 +149,13 @@ class Link:
         name = Command(command).name
         told = [sentence for sentence in failures if sentence]
         if not told:
-            return ReplyTimeout(
-                self.device,
-                self.port,
+            return ReplyTimeout.at(
+                self,
                 f"no reply to {name} ({command}) in {len(failures)} tries of "
                 f"{self._timeout_s * 1e3:.0f} ms: check power, cable, address and baud rate.",
             )
-        return ProtocolError(
-            self.device,
-            self.port,
+        return ProtocolError.at(
+            self,
             f"{name} ({command}) failed in {len(failures)} tries: {'; '.join(told)}: "
             "check the cable's screen and the baud rate.",
         )

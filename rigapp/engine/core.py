@@ -26,7 +26,6 @@ from rigapp.engine.judging.testrun import Row
 from rigapp.engine.publish import Publisher
 from rigapp.engine.recording.recorder import cycle_message, measured_history
 from rigapp.schema.alarms import Cause, because, kind_of
-from rigapp.schema.columns import prediction_columns
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import (
     Alarm,
@@ -75,7 +74,7 @@ class Core:
         self.timing = timing
         self.alarms = AlarmBook(time.time, self._alarm_changed, time.monotonic)
         self.table = channel_table(rig.record)
-        self.publisher = Publisher(len(self.table.names), len(prediction_columns()))
+        self.publisher = Publisher(self.table.units)
         self.test: ActiveTest | None = None
         self._on_measured = on_measured
         self.control: SpindleControl | None = None
@@ -162,7 +161,7 @@ class Core:
         level: str = "information",
         data: msgspec.Struct | None = None,
     ) -> bool:
-        """Write to the log of the test under way and show it to every viewer.
+        """Write to the log of the test under way, and to that of the program.
 
         key: what the line is about. level: how bad it is. data: what programs read of it. False
         when the log has no room for it.
@@ -185,7 +184,6 @@ class Core:
                     test.recorder.trigger(critical=False)
             except Exception as error:
                 self.storage_failed(error)
-        self.publisher.event(event)
         return kept
 
     def note_limit(self, cause: Cause) -> None:
@@ -315,7 +313,6 @@ class Core:
             event = Event(time.time(), row.number, "gap", "engine", text, level="warning")
             _log(event)
             test.recorder.gap(event)
-            self.publisher.event(event)
 
     def place(self) -> None:
         """Put what waits in memory into the file, without making it safe."""

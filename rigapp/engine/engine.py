@@ -13,9 +13,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-import msgspec
-import numpy as np
-
 from drivers.api import DeviceError, DeviceFault
 from drivers.registry import load_driver
 from rigapp.config.errors import UnusableInput
@@ -561,17 +558,7 @@ class Engine:
 
     def snapshot(self, subscription: Subscription) -> Snapshot:
         """Return what is new for a viewer, with the status, as one message."""
-        update = subscription.take()
-        return Snapshot(
-            status=msgspec.structs.replace(self.status(), rows_dropped=subscription.rows_dropped),
-            first_row=update.first_row,
-            rows=np.ascontiguousarray(update.rows, "<f8").tobytes(),
-            predictions=np.ascontiguousarray(update.predictions, "<f8").tobytes(),
-            cycle=update.cycle,
-            prediction=update.prediction,
-            profile=update.profile,
-            columns=self._core.table.units,
-        )
+        return subscription.take(self.status)
 
     def submit_prediction(self, prediction: Prediction) -> None:
         """Take a prediction of the twin: store it, judge it by the rules, publish it."""

@@ -8,19 +8,14 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.schema.messages import (
-    Cycle,
-    Event,
-    Prediction,
-    WornProfile,
-)
+from rigapp.schema.messages import Prediction, Snapshot, Status, WornProfile
 from rigapp.schema.notices import Committed, Notice
 
 Array = NDArray[np.float64]
@@ -58,43 +53,19 @@ class NoticeStream:
         self._items.popleft()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Update:
-    """Carry what is new since the last take.
-
-    rows: (n, columns) of ``revolution_columns``; first_row: place of the first in the file;
-    predictions: (m, columns) of ``prediction_columns``; cycle, prediction, profile: the newest,
-    None when there is none since the last take.
-    """
-
-    rows: Array
-    first_row: int
-    predictions: Array
-    events: tuple[Event, ...]
-    cycle: Cycle | None
-    prediction: Prediction | None
-    profile: WornProfile | None = None
-
-
 class Subscription:
     """Collect for one viewer; what it does not take in time is dropped, oldest first."""
 
-    def __init__(self, columns: int, prediction_columns: int, rows: int, events: int) -> None:
-        self._columns = columns
-        self._prediction_columns = prediction_columns
+    def __init__(self, units: Mapping[str, str], rows: int) -> None:
+        self._units = dict(units)
         self._rows: deque[Array] = deque(maxlen=rows)
         self._predictions: deque[Array] = deque(maxlen=rows)
-        self._events: deque[Event] = deque(maxlen=events)
         self._next_row = 0
         self._prediction: Prediction | None = None
         self._profile: WornProfile | None = None
         self._cycle: Any = None
         self._lock = threading.Lock()
         self.rows_dropped = 0
-        self.events_dropped = 0
-
-    def _full(self, queue: deque[Any]) -> bool:
-        return queue.maxlen is not None and len(queue) >= queue.maxlen
 
     def restart(self, first_row: int) -> None:
         """Begin with another file: rows of the last one are forgotten."""
@@ -109,18 +80,10 @@ class Subscription:
     def add_row(self, row: Array, place: int, cycle: Any) -> None:
         """Add a row, its place in the file and a maker of its whole cycle."""
         with self._lock:
-            if self._full(self._rows):
-                self.rows_dropped += 1
+            self.rows_dropped += len(self._rows) == self._rows.maxlen
             self._rows.append(row)
             self._next_row = place + 1
             self._cycle = cycle
-
-    def add_event(self, event: Event) -> None:
-        """Add an event."""
-        with self._lock:
-            if self._full(self._events):
-                self.events_dropped += 1
-            self._events.append(event)
 
     def add_prediction(
         self, values: Array, prediction: Prediction, profile: WornProfile | None = None
@@ -131,42 +94,47 @@ class Subscription:
             self._prediction = prediction
             self._profile = profile or self._profile
 
-    def take(self) -> Update:
-        """Return what is new, and forget it. The cycle is calibrated here, in the caller's time."""
+    def take(self, status: Callable[[], Status]) -> Snapshot:
+        """Return what is new since the last call, and forget it.
+
+        status: of the engine, asked after the rows were taken. The cycle is calibrated here, in the
+        caller's time.
+        """
         with self._lock:
             rows, predictions = list(self._rows), list(self._predictions)
-            events = tuple(self._events)
             first = self._next_row - len(rows)
             cycle, prediction, profile = self._cycle, self._prediction, self._profile
             self._rows.clear()
             self._predictions.clear()
-            self._events.clear()
             self._cycle = self._prediction = self._profile = None
-        return Update(
-            rows=np.array(rows).reshape(-1, self._columns),
+        return Snapshot(
+            status=msgspec.structs.replace(status(), rows_dropped=self.rows_dropped),
             first_row=first,
-            predictions=np.array(predictions).reshape(-1, self._prediction_columns),
-            events=events,
+            rows=np.array(rows, "<f8").tobytes(),
+            predictions=np.array(predictions, "<f8").tobytes(),
             cycle=cycle() if cycle is not None else None,
             prediction=prediction,
             profile=profile,
+            columns=self._units,
         )
 
 
 class Publisher:
-    """Reach every viewer; a viewer can neither delay nor fail the engine."""
+    """Reach every viewer; a viewer can neither delay nor fail the engine.
 
-    def __init__(self, columns: int, prediction_columns: int) -> None:
-        self._columns = columns
-        self._prediction_columns = prediction_columns
+    units: of the columns of a row, by name and in their order.
+    """
+
+    def __init__(self, units: Mapping[str, str]) -> None:
+        self._units = units
         self._subscriptions: tuple[Subscription, ...] = ()
         self._streams: tuple[NoticeStream, ...] = ()
         self._lock = threading.Lock()
         self.next_row = 0
 
-    def subscribe(self, rows: int = 100_000, events: int = 10_000) -> Subscription:
-        """Return a bounded collection of rows, events, predictions and the newest cycle."""
-        one = Subscription(self._columns, self._prediction_columns, rows, events)
+    def subscribe(self, rows: int = 100_000) -> Subscription:
+        """Return a bounded collection of rows, predictions and the newest cycle."""
+        one = Subscription(self._units, rows)
         one.restart(self.next_row)
         with self._lock:
             self._subscriptions = (*self._subscriptions, one)
@@ -200,11 +168,6 @@ class Publisher:
         for one in self._subscriptions:
             one.add_row(row, self.next_row, cycle)
         self.next_row += 1
-
-    def event(self, event: Event) -> None:
-        """Publish an event."""
-        for one in self._subscriptions:
-            one.add_event(event)
 
     def prediction(self, values: Array, prediction: Prediction) -> None:
         """Publish a prediction; its checkpoint is for the file alone."""

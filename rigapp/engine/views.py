@@ -14,6 +14,7 @@ from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
 from rigapp.engine.judging.limits import least_margin, margin_to
 from rigapp.engine.recovery import Situation, recovery
+from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import LOAD_CELL, PROBES, Channel, Kind
 from rigapp.schema.columns import by_name, prediction_columns
 from rigapp.schema.messages import (
@@ -35,6 +36,9 @@ SLOWEST_PACE = 1e-3
 
 RIG_FILE = "rig file"
 """What is told in place of a calibration record where there is none."""
+
+RIG_LINE = "by its line in the rig file"
+"""The same of a free channel."""
 
 
 def build_status(core: Core, connection: Connection | None, operator: str) -> Status:
@@ -213,7 +217,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     said = {
         LOAD_CELL: calibration.load_cell.record or RIG_FILE,
         PROBES: calibration.probes.record or RIG_FILE,
-        "": "by its line in the rig file",
+        **{name: line.record or RIG_LINE for name, line in calibration.scalars.items()},
     }
     units = {one.channel.name: one.unit for one in calibration.wires}
     views = []
@@ -226,10 +230,10 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
                 units.get(channel.name, channel.unit),
                 value,
                 channel.unit,
-                said[channel.instrument]
+                said[channel.instrument or channel.name]
                 if channel.kind is Kind.SAMPLED
                 else "from force_1 and force_2",
-                _uncertainty(core, channel, live.values["force"]),
+                _uncertainty(core, calibration, channel, live.values["force"]),
             )
         )
     for channel in calibration.table.slow:
@@ -246,14 +250,16 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     return tuple(views)
 
 
-def _uncertainty(core: Core, channel: Channel, force: float) -> float | None:
+def _uncertainty(
+    core: Core, calibration: Calibration, channel: Channel, force: float
+) -> float | None:
     """Return the expanded uncertainty of a channel's value where the calibration states it."""
     if channel.instrument == LOAD_CELL:
         return uncertainty_of_force(core, force)
-    stated = core.rig.record.probes.uncertainty_um
-    if channel.instrument != PROBES or stated is None:
-        return None
-    return stated[core.table.names_of(PROBES).index(channel.name)]
+    if channel.instrument != PROBES:
+        return calibration.scalars[channel.name].uncertainty
+    stated = calibration.probes.uncertainty_um
+    return None if stated is None else stated[core.table.names_of(PROBES).index(channel.name)]
 
 
 def uncertainty_of_force(core: Core, force: float) -> float | None:

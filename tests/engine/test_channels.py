@@ -54,7 +54,11 @@ FREE = {
         device="daq", input="analog_5", unit="degC", scale=100.0, offset_V=0.1
     ),
     "gap": ChannelSection(
-        device="daq", input="analog_6", unit="mm", table=((0.0, 5.0), (1.0, 3.0), (2.0, 2.5))
+        device="daq",
+        input="analog_6",
+        unit="mm",
+        table=((0.0, 5.0), (1.0, 3.0), (2.0, 2.5)),
+        uncertainty=0.02,
     ),
     "room_temperature": ChannelSection(source="climate.temperature_C"),
     "motor_current": ChannelSection(source="drive.current_A"),
@@ -232,6 +236,8 @@ def test_a_viewer_is_told_what_a_row_holds(rig: ChannelRig) -> None:
     assert (shown["gap"].raw_unit, shown["gap"].unit) == ("V", "mm")
     assert shown["room_temperature"].age_s is not None
     assert shown["gap"].age_s is None
+    assert (shown["gap"].uncertainty, shown["bushing_temperature"].uncertainty) == (0.02, None)
+    assert shown["gap"].calibration == "by its line in the rig file"
     named = {one.name for one in rig.engine.status().devices}
     assert named == {"daq", "drive", "climate"}
 

@@ -41,12 +41,13 @@ def document(revolutions: int) -> Document[TestFile]:
 def test_a_test_is_in_its_file(rig: MemoryRig, tmp_path: Path) -> None:
     path = tmp_path / "test.h5"
     rig.engine.connect()
-    rows = rig.engine.subscribe()
+    viewer = rig.engine.subscribe()
     rig.engine.start(document(25), path, operator="Ada")
     assert rig.engine.wait(ENDED, 60.0) is RunState.STOPPED
     rig.engine.note("after the end")
     rig.engine.shutdown()
-    shown = rows.take().rows
+    taken = rig.engine.snapshot(viewer)
+    shown = np.frombuffer(taken.rows).reshape(-1, len(taken.columns))
     with open_test(path) as reader:
         summary = reader.summary()
         assert (summary["status"], summary["revolutions"]) == ("complete", 25)

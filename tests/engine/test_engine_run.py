@@ -355,9 +355,10 @@ def test_a_viewer_gets_rows_the_newest_cycle_and_the_gap_when_it_lags(rig: Memor
     assert snapshot.cycle is not None
     assert snapshot.cycle.revolution == 20
     assert as_array(snapshot.cycle.curves["force"]).max() == pytest.approx(50.0, rel=1e-4)
-    late = lagging.take()
-    np.testing.assert_array_equal(late.rows[:, 0], np.arange(17, 21))
-    assert (late.first_row, lagging.rows_dropped) == (16, 16)
+    late = rig.engine.snapshot(lagging)
+    rows = np.frombuffer(late.rows).reshape(-1, len(BASE.revolution_columns))
+    np.testing.assert_array_equal(rows[:, 0], np.arange(17, 21))
+    assert (late.first_row, late.status.rows_dropped) == (16, 16)
     assert len(rig.engine.snapshot(quick).rows) == 0
 
 
@@ -380,9 +381,9 @@ def test_predictions_are_stored_judged_and_shown(rig: MemoryRig) -> None:
     assert (status.twin_revolution, status.residual_rms_N) == (6, 3.0)
     assert len(rig.store.predictions) == 1
     eventually(lambda: rig.store.curves == 1)
-    update = viewer.take()
+    update = rig.engine.snapshot(viewer)
     assert update.prediction is not None
-    assert update.predictions[0, 1] == 3.0
+    assert np.frombuffer(update.predictions)[1] == 3.0
     rig.engine.submit_prediction(predicted(7, 30.0))
     rig.engine.wait(ENDED, 60.0)
     assert rig.engine.outcome is not None

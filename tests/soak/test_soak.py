@@ -94,7 +94,8 @@ def feed(path: Path, revolutions: int, monkeypatch: pytest.MonkeyPatch) -> None:
     warm: Footprint | None = None
     shown, seen_at = 0, time.monotonic()
     while rig.engine.state in ACTIVE:
-        rows = viewer.take().rows
+        taken = rig.engine.snapshot(viewer)
+        rows = np.frombuffer(taken.rows).reshape(-1, len(taken.columns))
         if len(rows):
             seen_at = time.monotonic()
             assert rows[0, 0] == shown + 1
@@ -155,7 +156,8 @@ def test_slow_disk_costs_no_revolution(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.setattr(os, "fdatasync", slow)
     shown = most = 0
     while rig.engine.state in ACTIVE:
-        syncs, rows = len(delays), viewer.take().rows
+        syncs, taken = len(delays), rig.engine.snapshot(viewer)
+        rows = np.frombuffer(taken.rows).reshape(-1, len(taken.columns))
         if len(rows):
             shown = int(rows[-1, 0])
         if syncs == 1:
