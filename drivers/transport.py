@@ -11,11 +11,12 @@ import errno
 import select
 import threading
 import time
+from collections.abc import Callable
 from typing import Any
 
 import serial
 
-from drivers.api import BytePort, ConnectionFailed, DeviceLost
+from drivers.api import BytePort, ConnectionFailed, DeviceLost, Identity
 
 try:
     from termios import error as termios_error
@@ -172,6 +173,16 @@ def byte_counters(line: BytePort) -> dict[str, int]:
     """Return the counted bytes of a port that counts them, as ``LineCounters`` names them."""
     names = ("bytes_received", "bytes_sent")
     return {name: getattr(line, name) for name in names if hasattr(line, name)}
+
+
+def opened(line: BytePort, identify: Callable[[], Identity]) -> Identity:
+    """Open a line and return who answers; it is closed again when that fails."""
+    line.open()
+    try:
+        return identify()
+    except BaseException:
+        line.close()
+        raise
 
 
 def _read_selectable(opened: Any, maximum: int, wait_s: float) -> bytes:

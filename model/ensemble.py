@@ -93,7 +93,6 @@ class Ensemble:
 def revolutions_of(
     system: ClearanceSystem,
     points: int,
-    settling: int = SETTLING,
     alive: Callable[[], None] = lambda: None,
 ) -> Iterator[ContactCycle]:
     """Yield one revolution after another, for ever, from a start in contact and some to settle.
@@ -101,7 +100,7 @@ def revolutions_of(
     alive: called now and then, and may raise.
     """
     cycle = contact_cycle(
-        system, points, settling_revolutions=settling, progress=lambda part: alive()
+        system, points, settling_revolutions=SETTLING, progress=lambda part: alive()
     )
     while True:
         yield cycle
@@ -118,7 +117,6 @@ def ensemble(
     system: ClearanceSystem,
     revolutions: int,
     points: int = 360,
-    settling: int = SETTLING,
     progress: Callable[[float], None] = lambda part: None,
 ) -> Ensemble:
     """Run so many revolutions after the settling ones and return their means.
@@ -136,7 +134,7 @@ def ensemble(
         progress(done / revolutions)
 
     try:
-        for cycle in revolutions_of(system, points, settling, alive):
+        for cycle in revolutions_of(system, points, alive):
             for name, value in _quantities(system, cycle).items():
                 means[name].add(value)
             taken, done = [cycle], done + 1

@@ -34,7 +34,6 @@ from typing import Any, Final
 
 from drivers.api import (
     Block,
-    BytePort,
     ConnectionFailed,
     DataRequest,
     DeviceError,
@@ -56,7 +55,7 @@ from drivers.dataq.probe import PROBE, identity_of, version_words
 from drivers.dataq.protocol import Clock, Info
 from drivers.dataq.settings import SETTINGS
 from drivers.dataq.stream import Pace, Stream, Tally
-from drivers.transport import SerialPort, byte_counters
+from drivers.transport import SerialPort, byte_counters, opened
 
 _log = logging.getLogger(__name__)
 
@@ -65,18 +64,13 @@ _BAUD_RATE: Final = 115200  # without meaning on USB
 
 
 class Dataq:
-    """One DI-2108 or DI-4108 in CDC mode; implements ``drivers.api.DataSource``.
+    """One DI-2108 or DI-4108 in CDC mode; implements ``drivers.api.DataSource``."""
 
-    port may be a ``BytePort`` of one's own in place of the serial one.
-    """
-
-    def __init__(
-        self, name: str, port: str, settings: Mapping[str, Any], line: BytePort | None = None
-    ) -> None:
+    def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name = name
         self.port = port
         self._settings: dict[str, Any] = filled(SETTINGS, settings)
-        self._line = line or SerialPort(name, port, _BAUD_RATE)
+        self._line = SerialPort(name, port, _BAUD_RATE)
         self._link = Link(
             self._line, self._settings["reply_timeout_s"], self._settings["command_pause_s"]
         )
@@ -91,12 +85,7 @@ class Dataq:
 
         Raises ConnectionFailed (port, or nothing answers) or WrongDevice.
         """
-        self._line.open()
-        try:
-            return self._identify()
-        except BaseException:
-            self._line.close()
-            raise
+        return opened(self._line, self._identify)
 
     def configure(self, request: DataRequest) -> StreamSetup:
         """Tell the device everything and check every echo; raise SettingRefused."""

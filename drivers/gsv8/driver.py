@@ -13,7 +13,6 @@ import numpy as np
 
 from drivers.api import (
     Block,
-    BytePort,
     ConnectionFailed,
     DataRequest,
     DeviceError,
@@ -41,7 +40,7 @@ from drivers.gsv8.protocol import Command, u8
 from drivers.gsv8.registers import Registers
 from drivers.gsv8.settings import SETTINGS
 from drivers.gsv8.watch import StreamWatch
-from drivers.transport import SerialPort, byte_counters
+from drivers.transport import SerialPort, byte_counters, opened
 
 _log = logging.getLogger(__name__)
 
@@ -69,19 +68,14 @@ class HalfScale:
 
 
 class Gsv8:
-    """One GSV-8 on a serial line or USB; implements ``drivers.api.DataSource``.
+    """One GSV-8 on a serial line or USB; implements ``drivers.api.DataSource``."""
 
-    port may be a ``BytePort`` of one's own in place of the serial one.
-    """
-
-    def __init__(
-        self, name: str, port: str, settings: Mapping[str, Any], line: BytePort | None = None
-    ) -> None:
+    def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name = name
         self.port = port
         self._own_settings: dict[str, Any] = filled(SETTINGS, settings)
         self._settings = self._own_settings
-        self._line = line or SerialPort(name, port, self._settings["baud_rate"])
+        self._line = SerialPort(name, port, self._settings["baud_rate"])
         self._link = Link(self._line, self._settings["reply_timeout_s"])
         self._firmware = (0, 0)
         self._plan: Plan | None = None
@@ -95,12 +89,7 @@ class Gsv8:
 
         Raises ConnectionFailed (port, or nothing answers) or WrongDevice.
         """
-        self._line.open()
-        try:
-            return self._identify()
-        except BaseException:
-            self._line.close()
-            raise
+        return opened(self._line, self._identify)
 
     def configure(self, request: DataRequest) -> StreamSetup:
         """Set what differs, read everything back; raise SettingRefused."""

@@ -53,15 +53,13 @@ def solve_contact(
     surface: Array,
     pin_radius: float,
     force: ArrayLike,
-    extra: Array | None = None,
     start: Contact | None = None,
 ) -> Contact:
     """Solve the contact of the pin with the surface under one force.
 
     surface: positions of the compliance's nodes, (N, 2), m; force: on the bushing by the pin per
-    metre of width, (2,), N/m; extra: what an implicit wear step adds to the diagonal of the
-    compliance, (N,), m^2/N; start: a contact to start from. Holds at the end, and is verified:
-    gap >= 0, force >= 0, force x gap = 0, sum of force x normal = the given force.
+    metre of width, (2,), N/m; start: a contact to start from. Holds at the end, and is
+    verified: gap >= 0, force >= 0, force x gap = 0, sum of force x normal = the given force.
     Raises ContactError when the surface given cannot carry the force, ArcTooSmall when more nodes
     would touch than may.
     """
@@ -76,14 +74,13 @@ def solve_contact(
         pressed = np.zeros(len(surface))
     else:
         pin, touching, pressed = start.pin.copy(), start.touching.copy(), start.force.copy()
-    diagonal = np.zeros(len(surface)) if extra is None else extra
     gap = np.empty(len(surface))
     frame = np.empty((len(surface), 4))
     status, iterations = active_set.solve(
         surface,
         compliance.axis,
         compliance.polar,
-        diagonal,
+        np.zeros(len(surface)),
         pin_radius,
         load,
         pin,

@@ -113,12 +113,7 @@ class Ring:
         return suitable_mesh(sectors, self.inner, self.outer)
 
 
-def ring_of(
-    joint: Joint,
-    material: Material,
-    plane: Plane = "strain",
-    contact: ContactModel = "finite-element",
-) -> Ring:
+def ring_of(joint: Joint, material: Material, contact: ContactModel = "finite-element") -> Ring:
     """Return the ring of a joint with a bushing of this material."""
     return Ring(
         inner=joint.bushing_radius,
@@ -126,7 +121,6 @@ def ring_of(
         pin_radius=joint.pin_radius,
         youngs_modulus=material.youngs_modulus,
         poissons_ratio=material.poissons_ratio,
-        plane=plane,
         contact=contact,
     )
 
@@ -182,14 +176,12 @@ def pressure_distribution(
     ring: Ring,
     force: ArrayLike,
     sectors: int | None = None,
-    surface: Array | None = None,
 ) -> PressureDistribution:
     """Compute the pressure of the pin on the bushing.
 
     force: on the bushing by the pin, per metre of width, (2,), N/m; x is angle 0. sectors: of the
-    mesh; by default so many that 40 nodes lie in half the contact. surface: worn positions of its
-    2 x sectors nodes, (2 x sectors, 2), m; by default unworn.
-    Raises ContactError when the bushing cannot carry the force.
+    mesh; by default so many that 40 nodes lie in half the contact. Raises ContactError when the
+    bushing cannot carry the force.
     """
     load = np.asarray(force, dtype=np.float64)
     size = float(np.hypot(load[0], load[1]))
@@ -200,18 +192,18 @@ def pressure_distribution(
         refuse_beyond_elasticity(size, size / ring.modulus, ring.wall, ring.modulus, ring.modulus)
     expected = ring.half_angle(size)
     if sectors is None:
-        sectors = len(surface) // 2 if surface is not None else sectors_at_least(126.0 / expected)
-    worn = ring.circle(sectors) if surface is None else surface
-    half = np.pi if surface is not None else min(ARC_TURNS * expected + ARC_RAD, np.pi)
+        sectors = sectors_at_least(126.0 / expected)
+    surface = ring.circle(sectors)
+    half = min(ARC_TURNS * expected + ARC_RAD, np.pi)
     room = 0.5 * np.pi * MOST_NODES / sectors
     nodes = arc_nodes(sectors, np.arctan2(load[1], load[0]), min(half, room))
     compliance = ring.compliance(ring.mesh(sectors), nodes)
-    contact = solve_contact(compliance, worn[nodes], ring.pin_radius, load)
+    contact = solve_contact(compliance, surface[nodes], ring.pin_radius, load)
     pressure = np.zeros(2 * sectors)
-    pressure[nodes] = contact.force / simpson_weights(worn)[nodes]
+    pressure[nodes] = contact.force / simpson_weights(surface)[nodes]
     refuse_beyond_elasticity(
         size,
-        ring.indentation(worn[nodes], contact.pin),
+        ring.indentation(surface[nodes], contact.pin),
         ring.wall,
         float(pressure.max()),
         ring.modulus,

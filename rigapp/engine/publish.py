@@ -145,9 +145,9 @@ class Publisher:
         with self._lock:
             self._subscriptions = tuple(s for s in self._subscriptions if s is not one)
 
-    def watch(self, bound: int = 4096) -> NoticeStream:
+    def watch(self) -> NoticeStream:
         """Return a bounded stream of Committed, StateChanged, AlarmChanged and Finished."""
-        stream = NoticeStream(bound)
+        stream = NoticeStream()
         with self._lock:
             self._streams = (*self._streams, stream)
         return stream

@@ -317,18 +317,14 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
         )
         text = f"{what.lower()} is not that of the test ({', '.join(changed)})"
         yield Compared(what, before, here, fit, text)
-    clocks = [
-        str(one.get("acquisition", {}).get("clock", "time")) for one in (past.calibration, present)
-    ]
-    if clocks[0] != clocks[1]:
-        text = f"the test was sampled by {clocks[0]}, this rig samples by {clocks[1]}"
-        yield Compared("Sample clock", clocks[0], clocks[1], Fit.BLOCKS, text)
-    rates = [
-        float(one.get("acquisition", {}).get("sample_rate_Hz", 0.0))
-        for one in (past.calibration, present)
-    ]
-    if rates[0] != rates[1]:
-        yield Compared("Sample rate", f"{rates[0]:g} Hz", f"{rates[1]:g} Hz", Fit.NOTED)
+    was, is_now = (one.get("acquisition", {}) for one in (past.calibration, present))
+    before, here = (str(one.get("clock", "time")) for one in (was, is_now))
+    if before != here:
+        text = f"the test was sampled by {before}, this rig samples by {here}"
+        yield Compared("Sample clock", before, here, Fit.BLOCKS, text)
+    before, here = (f"{one.get('sample_rate_Hz', 0.0):g} Hz" for one in (was, is_now))
+    if before != here:
+        yield Compared("Sample rate", before, here, Fit.NOTED)
 
 
 def _of_zero(

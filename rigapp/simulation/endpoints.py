@@ -20,6 +20,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol
 
+LOOPBACK = "127.0.0.1"
 _READ_SIZE = 65536
 _GAUGE_S = 0.05  # a host that has gone is noticed in this time
 
@@ -185,8 +186,7 @@ class PtyEndpoint:
 class SocketEndpoint:
     """A TCP server on the loopback for one host at a time; a second one is turned away."""
 
-    def __init__(self, host: str = "127.0.0.1") -> None:
-        self._host = host
+    def __init__(self) -> None:
         self._port = 0
         self._listener: socket.socket | None = None
         self._connection: socket.socket | None = None
@@ -194,7 +194,7 @@ class SocketEndpoint:
 
     @property
     def url(self) -> str:
-        return f"socket://{self._host}:{self._port}"
+        return f"socket://{LOOPBACK}:{self._port}"
 
     def connected(self) -> bool:
         self._accept()
@@ -244,7 +244,7 @@ class SocketEndpoint:
             return
         listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listener.bind((self._host, self._port))
+        listener.bind((LOOPBACK, self._port))
         listener.listen(1)
         listener.setblocking(False)
         self._listener = listener

@@ -36,10 +36,9 @@ class RoboClawSimulator:
     turns free. any_address: answer to every address, as over USB. firmware: its text; the packet
     layouts follow from it unless status_width, pin_modes, voltage_offset or combined_status say
     otherwise. inter_byte_timeout_s: a longer gap inside a packet discards it; 0.01 on the real
-    drive, longer by default because a busy host pauses inside a packet. serial_timeout: watchdog
-    at power-on in units of 0.1 s. qpps: speed limit of both motors in counts/s. unknown_commands:
-    numbers that this firmware lacks and is silent to (200 to 202 are not in every manual). faults:
-    ``Fault`` records or tables of their fields.
+    drive, longer by default because a busy host pauses inside a packet. qpps: speed limit of
+    both motors in counts/s. unknown_commands: numbers that this firmware lacks and is silent to
+    (200 to 202 are not in every manual). faults: ``Fault`` records or tables of their fields.
     """
 
     kinds = RoboClawFault
@@ -56,14 +55,12 @@ class RoboClawSimulator:
         voltage_offset: bool | None = None,
         combined_status: bool | None = None,
         inter_byte_timeout_s: float = 0.5,
-        serial_timeout: int = 0,
         qpps: int = 44000,
-        logic_V: float = 12.1,
         unknown_commands: Iterable[int] = (),
         faults: Faults = (),
     ) -> None:
         generation = _generation(firmware, status_width, pin_modes, voltage_offset)
-        saved = Saved(timeout=serial_timeout)
+        saved = Saved()
         if generation.pin_modes == 3:
             saved.pin_modes = (1, 0, 0)
         for settings in saved.axes:
@@ -77,7 +74,7 @@ class RoboClawSimulator:
         unknown = frozenset(unknown_commands)
         if not combined_status:
             unknown |= {Command.COMBINED_STATUS}
-        self._registers = Registers(generation, motor, saved, logic_V, unknown, self._plan)
+        self._registers = Registers(generation, motor, saved, unknown, self._plan)
         self._address = address
         self._any_address = any_address
         self._firmware = firmware

@@ -44,6 +44,9 @@ class RoboClawFault(enum.StrEnum):
     RESET = "reset"  # s until the drive answers again
 
 
+LOGIC_VOLTAGE = 121  # 0.1 V, of a board on 48 V
+
+
 @dataclass(frozen=True, slots=True)
 class _Bits:
     """Hold the status bits of a condition in both firmware generations, for motor 1."""
@@ -88,14 +91,12 @@ class Registers:
         generation: Generation,
         motor: int,
         saved: Saved,
-        logic_V: float,
         unknown: frozenset[int],
         plan: FaultPlan,
     ) -> None:
         self.generation = generation
         self.motor = motor
         self._saved = saved
-        self._logic_voltage = round(logic_V * 10)
         self._plan = plan
         self._state = MotorState(0, 0.0, 0.0)
         self._readers = self._board_readers() | self._motor_readers(0) | self._motor_readers(1)
@@ -206,7 +207,7 @@ class Registers:
         return (
             round((self._plan.time_s - self._powered_s) * 1e3) & 0xFFFFFFFF,
             self._status(),
-            *(hot, hot, self._main_voltage(), self._logic_voltage),
+            *(hot, hot, self._main_voltage(), LOGIC_VOLTAGE),
             *(first.pwm, second.pwm, *self._currents()),
             *(first.count, second.count),
             *(round(first.setpoint), round(second.setpoint)),
@@ -225,8 +226,8 @@ class Registers:
         return {
             Command.GET_TIMEOUT: lambda: (self.memory.timeout,),
             Command.MAIN_VOLTAGE: lambda: (self._main_voltage(),),
-            Command.LOGIC_VOLTAGE: lambda: (self._logic_voltage,),
-            Command.VOLTAGES: lambda: (self._main_voltage(), self._logic_voltage),
+            Command.LOGIC_VOLTAGE: lambda: (LOGIC_VOLTAGE,),
+            Command.VOLTAGES: lambda: (self._main_voltage(), LOGIC_VOLTAGE),
             Command.PWM: of_axes(lambda axis: axis.pwm),
             Command.CURRENTS: self._currents,
             Command.MAIN_LIMITS: lambda: self.memory.main_limits[:limits],

@@ -59,6 +59,10 @@ def cycle_message(number: int, measured: Measured) -> Cycle:
     )
 
 
+CURVES_WAITING = 256
+"""Predictions that wait for their cycle: a twin that lags more has lost its place anyway."""
+
+
 class CurvesBeside:
     """Choose the predicted curves that go beside the kept cycles.
 
@@ -67,9 +71,9 @@ class CurvesBeside:
     the oldest lose their curves.
     """
 
-    def __init__(self, waiting: int = 256) -> None:
-        self._waiting: deque[Prediction] = deque(maxlen=waiting)
-        self._kept: deque[int] = deque(maxlen=waiting)
+    def __init__(self) -> None:
+        self._waiting: deque[Prediction] = deque(maxlen=CURVES_WAITING)
+        self._kept: deque[int] = deque(maxlen=CURVES_WAITING)
         self._decided = 0
 
     def predicted(self, prediction: Prediction) -> Iterator[Prediction]:

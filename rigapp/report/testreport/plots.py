@@ -39,6 +39,16 @@ MODEL = "#D55E00"
 DRIVEN = "#CC79A7"
 GAP = "#E69F00"
 MODEL_LINE: Mapping[str, Any] = {"color": MODEL, "ls": (0, (4, 2)), "lw": 1.1}
+DEPTHS: Mapping[str, tuple[Mapping[str, Any], str, str]] = {
+    "measured_wear_depth": ({"color": COLOURS["force"]}, "measured", "measured"),
+    "wear_depth": (MODEL_LINE, "model", "predicted"),
+    "driven_wear_depth": (
+        {"color": DRIVEN, "ls": "-.", "lw": 1.1},
+        "model by\nmeasured\nforces",
+        "by the measured forces",
+    ),
+}
+"""Depth of wear -> how it is drawn, its label, how it is told."""
 GAPS_SHOWN = 40  # more would hide the curves
 BAND_WORDS = "Shaded: the expanded uncertainty of a force by the calibration."
 STATED_WORDS = "Shaded: the expanded uncertainty of a value by the calibration."
@@ -53,6 +63,11 @@ SHORT = {
     "min": "minimum",
     "value": "value",
     "speed": "speed",
+}
+RESIDUAL_OF = {
+    "force": "residual_rms",
+    "force_1": "residual_1_rms",
+    "force_2": "residual_2_rms",
 }
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
@@ -227,16 +242,13 @@ def _leave_out_unsteady(axes: Any, channel: ChannelFacts) -> bool:
 def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figure:
     """Draw the agreement with the model against revolution."""
     found = {one.name: one for one in agreement.residuals}
-    forces = [one for one in ("residual_rms", "residual_1_rms", "residual_2_rms") if one in found]
-    names = dict(zip(("residual_rms", "residual_1_rms", "residual_2_rms"),
-                     ("force", "force_1", "force_2"), strict=True))  # fmt: skip
     with canvas_of(_height(2)) as canvas:
         upper, lower = _panels(canvas, 2)
         for axes in (upper, lower):
             _mark_gaps(axes, gaps)
-        for name in forces:
-            channel = names[name]
-            _draw(upper, found[name].line, color=COLOURS[channel], label=SHORT[channel])
+        for channel, name in RESIDUAL_OF.items():
+            if name in found:
+                _draw(upper, found[name].line, color=COLOURS[channel], label=SHORT[channel])
         upper.set_ylim(bottom=0.0)
         upper.set_ylabel("residual RMS (N)")
         upper.set_title("measured minus model, RMS over a revolution", loc="left")
@@ -257,34 +269,25 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> F
 
 def wear_trend(agreement: Agreement, gaps: Sequence[Gap], vector: bool) -> Figure | None:
     """Draw wear depth against revolution; None when none is known."""
-    measured, predicted, driven = (
-        agreement.wear[one] for one in ("measured_wear_depth", "wear_depth", "driven_wear_depth")
-    )
-    if measured is None and predicted is None and driven is None:
+    known = [(agreement.wear[name], *how) for name, how in DEPTHS.items()]
+    if all(found is None for found, *_ in known):
         return None
     with canvas_of(2.6) as canvas:
         axes = canvas.subplots()
         _mark_gaps(axes, gaps)
-        words = "Wear depth against revolution:"
-        if measured is not None:
-            x, y = measured.line
-            _draw(axes, (x, 1e3 * y), color=COLOURS["force"], label="measured")
-            words += f" measured {quantity(1e3 * measured.depth, 'um')} at the end;"
-        if predicted is not None:
-            x, y = predicted.line
-            _draw(axes, (x, 1e3 * y), **MODEL_LINE, label="model")
-            words += f" predicted {quantity(1e3 * predicted.depth, 'um')} at the end."
-        if driven is not None:
-            x, y = driven.line
-            style = {"color": DRIVEN, "ls": "-.", "lw": 1.1}
-            _draw(axes, (x, 1e3 * y), **style, label="model by\nmeasured\nforces")
-            words += f" by the measured forces {quantity(1e3 * driven.depth, 'um')} at the end."
+        words = []
+        for found, style, label, said in known:
+            if found is not None:
+                x, y = found.line
+                _draw(axes, (x, 1e3 * y), **style, label=label)
+                words.append(f"{said} {quantity(1e3 * found.depth, 'um')} at the end")
         axes.set_ylabel("wear depth (µm)")
         axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
         revolution_axis(axes)
         caption = "From the probes (solid), by the model (dashed), by the model from the measured"
         caption += " forces (dash-dotted); what is unknown is not drawn."
-        return saved(canvas, "Wear depth", words, caption, vector)
+        told = f"Wear depth against revolution: {'; '.join(words)}."
+        return saved(canvas, "Wear depth", told, caption, vector)
 
 
 def cycles(

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.channels import BASE, ChannelTable
-from rigapp.schema.columns import PROFILE_ANGLES_DEG, PROFILE_CURVES, profile_columns
+from rigapp.schema.columns import PROFILE_ANGLES_DEG
 from rigapp.schema.messages import Event
 from rigapp.storage.filesystem.locks import writer_is_alive
 from rigapp.storage.reading.oldlog import translated
@@ -34,11 +34,11 @@ from rigapp.storage.structure.layout import (
     FORM_ATTRIBUTE,
     PLAN,
     PROFILE_ANGLE,
-    PROFILE_SENTENCES,
     SCHEMA,
     SCHEMA_ATTRIBUTE,
     START_TIME,
     STATE,
+    FileColumn,
     FilePlan,
     FileStream,
     streams_of,
@@ -287,17 +287,17 @@ class TestReader:
 
         Curves (profiles, angles) in mm, NaN where nothing is known; empty for files without.
         """
-        names = [*(one.name for one in profile_columns()), *PROFILE_CURVES]
         angle = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
-        if "profiles" not in self._streams:
-            empty = {name: np.empty(0) for name in names}
-            return {
-                "angle": angle,
-                **empty,
-                **{n: np.empty((0, angle.size)) for n in PROFILE_CURVES},
-            }
-        table = self._table("profiles", 0)
-        return {"angle": angle, **{name: table[f"profile_{name}"] for name in names}}
+        fields = self._profile_fields()
+        table = {one.name: np.empty((0, *one.shape)) for one in fields.values()}
+        if "profiles" in self._streams:
+            table = self._table("profiles", 0)
+        return {"angle": angle, **{name: table[one.name] for name, one in fields.items()}}
+
+    def _profile_fields(self) -> dict[str, FileColumn]:
+        """Return what a worn profile has, of files without them too, by name."""
+        stream = streams_of(replace(self.plan, profiles=1))["profiles"]
+        return {one.name.removeprefix("profile_"): one for one in stream.fields}
 
     def checkpoint(self) -> bytes:
         """Return the newest checkpoint of the twin at or before the last safe row, else nothing."""
@@ -349,22 +349,25 @@ class TestReader:
         """
         import xarray
 
+        coordinates: dict[str, Any] = {}
         if stream == "profiles":
-            return _profiles_dataset(self.profiles())
-
-        found = self._streams[stream]
-        table = self._table(stream, 0)
-        coordinate = table.pop(found.dimension)
-        described = {one.name: one for one in found.fields}
+            table, fields, rows = self.profiles(), self._profile_fields(), "revolution"
+            about = {"units": "deg", "long_name": PROFILE_ANGLE}
+            coordinates["angle"] = ("angle", table.pop("angle"), about)
+        else:
+            found = self._streams[stream]
+            table, rows = self._table(stream, 0), found.dimension
+            fields = {one.name: one for one in found.fields}
+        coordinates[rows] = table.pop(rows)
         variables = {
             name: (
-                (found.dimension,),
+                (rows, "angle")[: values.ndim],
                 values,
-                {"units": described[name].unit, "long_name": described[name].description},
+                {"units": fields[name].unit, "long_name": fields[name].description},
             )
             for name, values in table.items()
         }
-        return xarray.Dataset(variables, coords={found.dimension: coordinate})
+        return xarray.Dataset(variables, coords=coordinates)
 
     def _table(self, stream: str, first: int) -> Columns:
         found: FileStream = self._streams[stream]
@@ -398,34 +401,6 @@ class TestReader:
     def _text(self, path: str) -> str:
         value = self._file[path][()]
         return value.decode() if isinstance(value, bytes) else str(value)
-
-
-def _profiles_dataset(columns: Columns) -> Any:
-    """Return worn profiles as an xarray.Dataset over revolution and angle."""
-    import xarray
-
-    found = {
-        one.name: (
-            "revolution",
-            columns[one.name],
-            {"units": one.unit, "long_name": one.description},
-        )
-        for one in profile_columns()
-        if one.name != "revolution"
-    }
-    curves = {
-        name: (
-            ("revolution", "angle"),
-            columns[name],
-            {"units": "mm", "long_name": PROFILE_SENTENCES[name]},
-        )
-        for name in PROFILE_CURVES
-    }
-    coordinates = {
-        "revolution": columns["revolution"],
-        "angle": ("angle", columns["angle"], {"units": "deg", "long_name": PROFILE_ANGLE}),
-    }
-    return xarray.Dataset({**found, **curves}, coords=coordinates)
 
 
 def _tree(group: h5py.Group) -> dict[str, Any]:
