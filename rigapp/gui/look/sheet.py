@@ -50,13 +50,29 @@ QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border: 2px solid $high
 QLineEdit:disabled { background: $alternate; color: $muted; border-color: $hairline; }
 QLineEdit[wrong="true"] { border: 2px solid $critical; padding: 0 7px; }
 
-QComboBox, QAbstractSpinBox { min-height: 28px; }
+QComboBox, QAbstractSpinBox {
+    background: $base; color: $text; border: 1px solid $border; border-radius: ${radius}px;
+    padding: 0 7px; min-height: 28px; selection-background-color: $highlight;
+    selection-color: $highlighted_text;
+}
+QComboBox:focus, QAbstractSpinBox:focus { border: 2px solid $highlight; padding: 0 6px; }
+QComboBox:disabled, QAbstractSpinBox:disabled {
+    background: $alternate; color: $muted; border-color: $hairline;
+}
+QComboBox::drop-down { border: 0; width: 20px; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: 0; width: 18px; }
+QComboBox::down-arrow, QAbstractSpinBox::down-arrow, QAbstractSpinBox::up-arrow {
+    width: 0; height: 0; border-left: 4px solid $clear; border-right: 4px solid $clear;
+}
+QComboBox::down-arrow, QAbstractSpinBox::down-arrow { border-top: 5px solid $secondary; }
+QAbstractSpinBox::up-arrow { border-bottom: 5px solid $secondary; }
 
 QTableView {
     background: $base; alternate-background-color: $alternate; border: 1px solid $hairline;
     border-radius: ${card}px; gridline-color: $hairline; selection-background-color: $tint;
-    selection-color: $text;
+    selection-color: $text; padding: 1px;
 }
+QTableView:focus { border: 2px solid $highlight; padding: 0; }
 QHeaderView { background: $alternate; }
 QHeaderView::section {
     background: $alternate; color: $secondary; border: 0; border-bottom: 1px solid $hairline;
@@ -123,4 +139,6 @@ def style_sheet(theme: Theme) -> str:
     colours = {
         name: getattr(theme, name) for name in Theme.__dataclass_fields__ if name != "curves"
     }
-    return _SHEET.substitute(colours, radius=RADIUS, card=CARD_RADIUS, caption=CAPTION_PT)
+    return _SHEET.substitute(
+        colours, clear="#00ffffff", radius=RADIUS, card=CARD_RADIUS, caption=CAPTION_PT
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 from typing import Any, TypeVar
 
 from PySide6.QtCore import Qt
@@ -162,6 +163,12 @@ def filled(layout: Layout, items: Sequence[Item | tuple[Item, int]]) -> Layout:
                 caption = None
             layout.addWidget(item, stretch)
     return layout
+
+
+def follow_in_tab_order(*widgets: QWidget) -> None:
+    """Let the key Tab visit widgets one after the other, after the first one's place."""
+    for first, then in pairwise(widgets):
+        QWidget.setTabOrder(first, then)
 
 
 def page(*items: Item | tuple[Item, int]) -> QWidget:

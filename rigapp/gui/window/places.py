@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QPushButton, QToolBu
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, Theme
-from rigapp.gui.widgets.build import button, choice, column, named, row
+from rigapp.gui.widgets.build import button, choice, column, follow_in_tab_order, named, row
 
 RAIL_WIDTH = 12 * STEP
 ITEM_HEIGHT = 9 * STEP
@@ -186,6 +186,7 @@ class PageBar(QWidget):
         for number, made in self.buttons.items():
             made.setChecked(number == now)
         self.choice.setCurrentIndex(self.choice.findData(now))
+        follow_in_tab_order(self.choice, *self.buttons.values(), *(one for _, one in self._more))
         for where, other in self._more:
             other.setVisible(where is place)
         self._fit()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
@@ -106,6 +106,7 @@ class Tabs(QTabWidget):
         self._last_page = {tab.place: number for number, tab in reversed(list(enumerate(TABS)))}
         named(self, "tabs", "Panels")
         self.tabBar().hide()
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setDocumentMode(True)
         for place, tab in enumerate(TABS):
             page = tab.make(host)
@@ -213,5 +214,6 @@ def _scrolling(page: QWidget, tab: Tab) -> QScrollArea:
     area = named(QScrollArea(), f"page_{tab.name}", tab.title)
     area.setWidgetResizable(True)
     area.setFrameShape(QScrollArea.Shape.NoFrame)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to what has the focus
     area.setWidget(page)
     return area

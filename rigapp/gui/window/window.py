@@ -16,7 +16,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QShortcut,
 )
-from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QPushButton, QWidget
 
 from rigapp.gui.data.connection import ConnectionState, EngineConnection
 from rigapp.gui.data.news import News
@@ -25,7 +25,7 @@ from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import apply_theme, dress_window
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
-from rigapp.gui.widgets.build import button, column, named, row
+from rigapp.gui.widgets.build import button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.closebar import CloseBar
 from rigapp.gui.window.command import KEY as COMMAND_KEY
@@ -384,8 +384,10 @@ class MainWindow(QMainWindow):
         layout.setSpacing(0)
         self.start_bar.setParent(body)
         self.start_bar.installEventFilter(self)
-        self._show_place()
         self.setCentralWidget(body)
+        asked = self.messages.findChildren(QPushButton)
+        follow_in_tab_order(self.rail.help_button, *asked, self.page_bar.choice)
+        self._show_place()
         self.setMinimumSize(*LEAST)
         screen = QGuiApplication.primaryScreen()
         room = screen.availableGeometry() if screen is not None else None
