@@ -1,7 +1,8 @@
 """The likelihood of bins of depth: what is linear in them is marginalised in closed form.
 
-Depth of bin i = (1 + e) D_i + b + w_i + r_i. The sensitivity e and the reference b are normal and
-common to all bins; w is a random walk in the logarithm of revolutions; r is the scatter.
+Depth of bin i = (1 + e) D_i + b + a c_i + w_i + r_i. The sensitivity e, the reference b and the
+modulus a are normal and common to all bins; w is a random walk in the logarithm of revolutions; r
+is the scatter.
 """
 
 from __future__ import annotations
@@ -98,13 +99,14 @@ def _mean_logarithms(low: Array, high: Array) -> tuple[Array, Array]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Noise:
-    """Hold scatter and drift of the bins for J strengths of the drift, m per root of ln n.
+    """Hold scatter, modulus and drift of the bins for J strengths of the drift, m per root of ln n.
 
-    Scatter and drift are independent along the same n directions, whatever the strength is.
-    strength (J,); log_prior (J,): of each; basis (n, n): of the directions, in which the scatter is
-    1; share (J, n): precision along each; log_determinant (J,): of the covariance; onward (J, n):
-    weights, along each direction, of what is left of the bins in the drift of the last one;
-    spare (J,): variance of that drift which the bins leave, m^2.
+    They are independent along the same n directions, whatever the strength is.
+    strength (J,); log_prior (J,): of each; basis (n, n): of the directions, in which scatter and
+    modulus together are 1; share (J, n): precision along each; log_determinant (J,): of the
+    covariance; onward (J, n): weights, along each direction, of what is left of the bins in drift
+    and error by the modulus of the last one, which are called its drift from there on; spare (J,):
+    variance of it that the bins leave, m^2.
     """
 
     strength: Array
@@ -128,27 +130,37 @@ class Noise:
         )
 
 
-def noise_of(readings: DepthBins, drift: float) -> Noise:
-    """Return scatter and drift of the bins; drift: lower bound of its strength."""
+def noise_of(readings: DepthBins, drift: float, elastic: Array) -> Noise:
+    """Return scatter, modulus and drift of the bins.
+
+    drift: lower bound of its strength; elastic (n,): standard uncertainty of each bin by the
+    modulus, m, which is small against the depth, so that the measured depth tells it.
+    """
     strength = max(drift, LEAST_DRIFT) * np.array(STRENGTHS)
     log_prior = -STRENGTH_DECAY * np.arange(strength.size)
     walked = readings.walked
     walk = np.minimum(walked[:, None], walked)
     np.fill_diagonal(walk, readings.alone)
-    scaled = walk / readings.noise[:, None] / readings.noise
-    size, direction = np.linalg.eigh(scaled)
-    basis = direction / readings.noise[:, None]
+    ratio = elastic / readings.noise
+    square = float(ratio @ ratio)
+    # The root of (1 + ratio ratio^T)^-1, which makes scatter and modulus together 1.
+    shrink = (1.0 / np.sqrt(1.0 + square) - 1.0) / max(square, 1e-300)
+    whitened = (np.eye(ratio.size) + shrink * np.outer(ratio, ratio)) / readings.noise
+    size, direction = np.linalg.eigh(whitened @ walk @ whitened.T)
+    basis = whitened.T @ direction
     spread = 1.0 + strength[:, None] ** 2 * np.maximum(size, 0.0)
-    last = strength[:, None] ** 2 * (walked @ basis)
+    last = strength[:, None] ** 2 * (walked @ basis) + elastic[-1] * (elastic @ basis)
     onward = last / spread
     return Noise(
         strength,
         log_prior - np.logaddexp.reduce(log_prior),
         basis,
         1.0 / spread,
-        np.log(spread).sum(axis=1) + 2.0 * float(np.log(readings.noise).sum()),
+        np.log(spread).sum(axis=1)
+        + 2.0 * float(np.log(readings.noise).sum())
+        + float(np.log1p(square)),
         onward,
-        strength**2 * walked[-1] - (last * onward).sum(axis=1),
+        strength**2 * walked[-1] + elastic[-1] ** 2 - (last * onward).sum(axis=1),
     )
 
 

@@ -144,7 +144,8 @@ def identify(
     """
     closed = bins.closed if isinstance(bins, Bins) else bins
     readings = readings_of(closed, errors)
-    given = Given(readings, life, errors, prior, noise_of(readings, errors.drift))
+    noise = noise_of(readings, errors.drift, life.elastic_doubt(readings.depth))
+    given = Given(readings, life, errors, prior, noise)
     first = (STATEMENTS[0], *constant_posterior(given, STATEMENTS[0]))
     start = float(first[2].weight @ first[2].hypotheses.log_coefficient)
     found = [

@@ -79,13 +79,16 @@ class DepthLife:
     """Hold the depth in the measured place against progress, as far as it is computed.
 
     coefficient: K0 that it was computed with, m^2/N; stretches: one for each load, in the order of
-    the test; relative_error: bound of the computation's own error, as a part of the depth. It is
-    never extrapolated: beyond ``reach`` nothing is known but that the depth is larger.
+    the test; relative_error: bound of the computation's own error, as a part of the depth; elastic
+    (m,): standard uncertainty, m, by the bushing's modulus of a reading at each row of the first
+    stretch, all of one sign, None without any. It is never extrapolated: beyond ``reach`` nothing
+    is known but that the depth is larger.
     """
 
     coefficient: float
     stretches: tuple[Stretch, ...]
     relative_error: float = 0.0
+    elastic: Array | None = None
 
     def __post_init__(self) -> None:
         require_positive("coefficient", self.coefficient, "m^2/N")
@@ -95,6 +98,12 @@ class DepthLife:
     def reach(self) -> float:
         """Return the largest depth that is computed, m."""
         return float(self.stretches[-1].depth[-1])
+
+    def elastic_doubt(self, depth: Array) -> Array:
+        """Return the standard uncertainty by the modulus of readings at depths (n,), m."""
+        if self.elastic is None:
+            return np.zeros(depth.shape)
+        return np.interp(depth, self.stretches[0].depth, self.elastic)
 
     def continued(self, start: float, progress: ArrayLike, depth: ArrayLike) -> DepthLife:
         """Return the life gone on with under another load from a measured progress on.
@@ -135,13 +144,18 @@ class DepthLife:
 
 
 def depth_life(
-    coefficient: float, progress: ArrayLike, depth: ArrayLike, relative_error: float = 0.0
+    coefficient: float,
+    progress: ArrayLike,
+    depth: ArrayLike,
+    relative_error: float = 0.0,
+    elastic: Array | None = None,
 ) -> DepthLife:
     """Return the life of one load: depth (m,), m, at progress (m,), nominal cycles, from a new one.
 
-    coefficient: K0, m^2/N. Raises ModelError for rows that do not rise.
+    coefficient: K0, m^2/N; relative_error, elastic: see ``DepthLife``. Raises ModelError for rows
+    that do not rise.
     """
-    return DepthLife(coefficient, (_stretch(0.0, progress, depth),), relative_error)
+    return DepthLife(coefficient, (_stretch(0.0, progress, depth),), relative_error, elastic)
 
 
 def _stretch(start: float, progress: ArrayLike, depth: ArrayLike) -> Stretch:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import msgspec
+import numpy as np
 
 from model.errors import ModelError
 from model.identification import (
@@ -33,17 +34,26 @@ from model.identification import (
 from model.identification.identify import Identification
 from model.identification.words import revolution_of
 from model.parameters import Parameters
+from model.wear.front import Front, touched
 from model.wear.loads import CycleLoads
 from model.wear.state import WearState, unworn_state
 from rigapp.schema.columns import WEAR_MODELS
+from rigapp.twin.approach import MeanApproach
 from rigapp.twin.measureddepth import MeasuredDepth
 from rigapp.twin.predict import NOTHING
 
 LIFE_ERROR = 0.01
 """The computed life is right to this part of the depth: so much do two independent methods for
 elasticity and wear differ at an equal coefficient, the model's and the simulated rig's."""
-LEAST_REFERENCE = 1e-8
-"""The zero of the depth is never better known than this, m: the resolution of the probes."""
+LEAST_REFERENCE, NO_REFERENCE = 1e-8, 1.0
+"""The zero of the depth is never better known than the first, m: the resolution of the probes. The
+second stands for nothing known of it yet."""
+MODULUS_DOUBT = 0.2
+"""Relative standard uncertainty of the bushing's modulus: data sheets of polymers differ by it."""
+MODULUS_SHARE = 0.7
+"""A modulus that is wrong by a part moves a reading at equal progress by so much of that part of
+the change of the approach: 0.6 to 0.9 from 3 to 10,000 cycles, by lives of moduli a fifth apart.
+Most of it is the approach that is taken out wrongly, early on the computed life."""
 STEP_SHARE, FIRST_CYCLES = 0.05, 2.0
 """The life goes on by so much of its cycles, and by so many at first: halving moves no depth by
 1e-3. One step a revolution, so that none waits for it."""
@@ -106,6 +116,7 @@ class LifeAhead:
     loads: CycleLoads
     progress: list[float] = field(default_factory=lambda: [0.0])
     depth: list[float] = field(default_factory=lambda: [0.0])
+    approach: list[float] = field(default_factory=list)
     failed: str = ""
     _state: WearState | None = None
     _life: DepthLife | None = None
@@ -123,6 +134,8 @@ class LifeAhead:
             if self._state is None:
                 largest = float(self.loads.magnitude.max())
                 self._state = unworn_state(_without_running_in(self.parameters), largest)
+                problem, front = self._state.problem, self._state.front
+                self.approach.append(self._mean_approach(touched(problem, front, self.loads)))
             state = self._state
             self._state = state.advance_by(self.loads, max(FIRST_CYCLES, STEP_SHARE * state.cycles))
             reached = self._state.depth_at_contact
@@ -134,14 +147,31 @@ class LifeAhead:
             return
         self.progress.append(self._state.cycles)
         self.depth.append(reached)
+        self.approach.append(self._mean_approach(self._state.front))
+
+    def _mean_approach(self, front: Front) -> float:
+        """Return the elastic approach, m, its mean over the positions by the work done there."""
+        assert self._state is not None
+        assert front.pins is not None
+        ring = self._state.problem.ring
+        each = [ring.indentation(front.surface, pin) for pin in front.pins]
+        return float(np.average(each, weights=self.loads.slip * self.loads.magnitude))
 
     def life(self) -> DepthLife | None:
         """Return the life so far; None while there is hardly any."""
         if self.steps < 3:
             return None
         if self._life is None or self._life.reach < self.depth[-1]:
-            coefficient = self.parameters.bushing.wear_coefficient
-            self._life = depth_life(coefficient, self.progress, self.depth, LIFE_ERROR)
+            approach = MeanApproach(np.array(self.depth), np.array(self.approach))
+            gain = np.array([approach.gain(depth) for depth in self.depth])
+            change = gain * (approach.means[0] - approach.means)
+            self._life = depth_life(
+                self.parameters.bushing.wear_coefficient,
+                self.progress,
+                self.depth,
+                LIFE_ERROR,
+                MODULUS_DOUBT * MODULUS_SHARE * change,
+            )
         return self._life
 
 
@@ -168,7 +198,7 @@ class Identifier:
     ahead: LifeAhead | None = None
     progress: float = 0.0
     revolution: float = 0.0
-    reference: float = LEAST_REFERENCE
+    reference: float = NO_REFERENCE
     deepest: float = 0.0
     ratio: float = 1.0
     ends: tuple[float, float, float] = NEVER
@@ -195,7 +225,8 @@ class Identifier:
         self.deepest = max(self.deepest, depth.depth)
         if self._wanted(self.ahead):
             self.ahead.step()
-        self.reference = max(0.5 * depth.uncertainty, LEAST_REFERENCE)
+        # The least so far: what a later depth is less certain by is the elastic approach.
+        self.reference = max(min(self.reference, 0.5 * depth.uncertainty), LEAST_REFERENCE)
         life = self.ahead.life()
         if life is not None:
             self._judge(life, depth.depth)

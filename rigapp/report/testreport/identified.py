@@ -159,7 +159,7 @@ def _moments(reader: TestReader, bins: Sequence[Bin], after: int | None) -> list
     table = reader.predictions()
     read = np.isfinite(table["measured_wear_depth"])
     revolutions = table["revolution"][read].astype(np.float64)
-    doubt = 0.5e-3 * table["measured_wear_depth_uncertainty"][read]
+    doubt = np.minimum.accumulate(0.5e-3 * table["measured_wear_depth_uncertainty"][read])
     found = []
     for one in bins:
         place = int(np.searchsorted(revolutions, one.revolution, side="right"))

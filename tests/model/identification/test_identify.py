@@ -18,6 +18,7 @@ from model.identification import (
     probe_errors,
     remaining,
 )
+from model.identification.evidence import noise_of, readings_of
 
 LIFE = virtual.a_life()
 TRUE = 1.1 * virtual.NOMINAL
@@ -45,6 +46,37 @@ def test_a_certain_sensitivity_would_make_the_limits_narrower() -> None:
     assert certain.spread < 0.8 * usual.spread
     unsure = replace(LIFE, relative_error=0.03)
     assert identify(bins, unsure, virtual.ERRORS, virtual.PRIOR).spread > 1.4 * usual.spread
+
+
+def test_a_modulus_that_is_wrong_by_more_than_its_uncertainty_stays_within_the_limits() -> None:
+    one = LIFE.stretches[0]
+    elastic = 2e-6 * one.depth / (one.depth + 10e-6)
+    unsure = replace(LIFE, elastic=elastic)
+    read = virtual.readings(LIFE, 4, 5000)
+    wrong = virtual.gathered(read - 1.5 * np.interp(read, one.depth, elastic))
+    without = identify(wrong, LIFE, virtual.ERRORS, virtual.PRIOR).coefficient
+    found = identify(wrong, unsure, virtual.ERRORS, virtual.PRIOR).coefficient
+    assert without.high < TRUE < found.high
+
+
+def test_scatter_modulus_and_drift_together_are_the_covariance_of_the_bins() -> None:
+    bins = readings_of(virtual.gathered(virtual.readings(LIFE, 4, 1200)).closed, virtual.ERRORS)
+    elastic = np.linspace(0.0, 1e-6, bins.depth.size)
+    noise = noise_of(bins, virtual.ERRORS.drift, elastic)
+    walk = np.minimum(bins.walked[:, None], bins.walked)
+    np.fill_diagonal(walk, bins.alone)
+    for strength, share, log_determinant, onward, spare in zip(
+        noise.strength, noise.share, noise.log_determinant, noise.onward, noise.spare, strict=True
+    ):
+        dense = np.diag(bins.noise**2) + np.outer(elastic, elastic) + strength**2 * walk
+        last = strength**2 * bins.walked + elastic[-1] * elastic
+        inverse = np.linalg.inv(dense)
+        whole = (noise.basis * share) @ noise.basis.T @ dense
+        np.testing.assert_allclose(whole, np.eye(elastic.size), atol=1e-6)
+        assert log_determinant == pytest.approx(np.linalg.slogdet(dense)[1], rel=1e-9)
+        np.testing.assert_allclose(noise.basis @ onward, last @ inverse, atol=1e-7)
+        total = strength**2 * bins.walked[-1] + elastic[-1] ** 2
+        assert spare == pytest.approx(total - last @ inverse @ last, rel=1e-6)
 
 
 def test_bins_go_on_from_their_numbers_as_if_nothing_had_been() -> None:
