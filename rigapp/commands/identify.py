@@ -9,6 +9,7 @@ from typing import Any
 
 from rigapp.commands.progress import bar
 from rigapp.config.errors import UnusableInput
+from rigapp.config.toml import toml_text
 from rigapp.config.writing import whole_file
 
 
@@ -104,3 +105,17 @@ def _say(found: Any) -> None:
             print(f"{name}: {text}")
         if found.why_not:
             print(f"Not counted: {found.why_not}")
+    if found.pairing is not None:
+        print("What the test file of the next test may begin with:")
+        print(_prior_lines(found.pairing.prior))
+
+
+def _prior_lines(prior: Any) -> str:
+    """Return a prior as the section of a test file."""
+    from rigapp.config.recipe import PriorSection
+    from rigapp.report.testreport.identifiedtables import PER_UNIT
+
+    coefficient, spread = float(f"{PER_UNIT * prior.coefficient:.4g}"), float(f"{prior.spread:.3g}")
+    return (
+        f"[prediction.prior]\n{toml_text(PriorSection(coefficient, spread, prior.source))}".rstrip()
+    )

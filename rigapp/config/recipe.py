@@ -106,11 +106,27 @@ class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     hold_off_revolutions: Annotated[int, within(0, MOST)] = 0
 
 
+class PriorSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[prediction.prior]: the wear coefficient as tests of the same pairing tell it beforehand.
+
+    ln K is normal about that of the key, with the standard deviation spread_ln; source: where from,
+    in words. ``rigapp identify`` prints all three.
+    """
+
+    wear_coefficient_mm3_per_Nm: Annotated[float, within(1e-12, 1.0)]
+    spread_ln: Annotated[float, within(0.001, 10.0)]
+    source: str = "the test file"
+
+
 class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[prediction]: the model that runs beside the data."""
+    """[prediction]: the model that runs beside the data.
+
+    prior: of the wear coefficient; without one it is known to a decade to either side.
+    """
 
     joint: Annotated[PredictedJoint, JOINT_WORDS] = "continuous"
     enabled: bool = True
+    prior: PriorSection | None = None
 
 
 class TestFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -314,6 +314,7 @@ class EngineHost:
                     test.stop.wear_depth_um,
                     test.run.revolutions,
                     stated.records if stated is not None else "",
+                    test.prediction.prior,
                 ),
                 force_uncertainty_N=rig.load_cell.uncertainty_N,
             )

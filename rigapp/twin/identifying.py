@@ -37,6 +37,7 @@ from model.parameters import Parameters
 from model.wear.front import Front, touched
 from model.wear.loads import CycleLoads
 from model.wear.state import WearState, unworn_state
+from rigapp.config.recipe import PriorSection
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.twin.approach import MeanApproach
 from rigapp.twin.measureddepth import MeasuredDepth
@@ -73,7 +74,8 @@ class Sought(msgspec.Struct, frozen=True):
 
     sensitivity: relative standard uncertainty; drift_um: what a position may wander by in a decade
     of revolutions, standard; None where no record states it. depth_um: of the stop criterion, None
-    without one. planned: the last revolution. record: which one it is.
+    without one. planned: the last revolution. record: which one it is. prior: of the wear
+    coefficient, None where the test file has none.
     """
 
     sensitivity: float | None = None
@@ -81,6 +83,7 @@ class Sought(msgspec.Struct, frozen=True):
     depth_um: float | None = None
     planned: float = 0.0
     record: str = ""
+    prior: PriorSection | None = None
 
     @property
     def depth(self) -> float | None:
@@ -298,7 +301,10 @@ class Identifier:
             raise CannotBeTold(
                 "model.bushing.wear_coefficient_mm3_per_Nm is 0: give its order of magnitude"
             )
-        return Prior(coefficient)
+        told = self.sought.prior
+        if told is None:
+            return Prior(coefficient)
+        return Prior(told.wear_coefficient_mm3_per_Nm / MM3_PER_NM, told.spread_ln, told.source)
 
     def possible(self) -> bool:
         """Tell whether anything can ever be stated; say in words why not."""

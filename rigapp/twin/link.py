@@ -33,6 +33,9 @@ ATTEMPTS = 5
 REPORT_PAUSE_S = 60.0
 """Gaps in the predictions are reported together, no more often than this."""
 TOO_SLOW = "the twin could not keep up"
+SINGLE_THREADED = {"OPENBLAS_NUM_THREADS": "1"}
+"""Of the worker, unless somebody says otherwise: its matrices are small, and threads that wait for
+each other make an update of the wear coefficient up to twice as long."""
 
 
 @dataclass(slots=True)
@@ -178,6 +181,7 @@ class TwinLink:
             [sys.executable, "-m", "rigapp.twin.worker", endpoint, str(os.getpid())],
             stdin=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,  # what matters comes in its answers
+            env=SINGLE_THREADED | os.environ,
             start_new_session=True,  # Ctrl-C is for the engine, which ends the twin itself
         )
         try:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 from plant_revolutions import EXAMPLES, PARAMETERS, measured_revolutions
 
 from rigapp.commands.identify import identify_tests
 from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_test
 from rigapp.report.testreport.identified import identified_test, identified_tests
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import as_array
@@ -111,6 +113,30 @@ def test_two_specimens_tell_their_scatter_and_the_next_ones_limits(folder: Path)
     assert found.pairing.prior.source == "2 specimens: first.h5, second.h5"
     with pytest.raises(UnusableInput, match="give it once"):
         identified_tests([folder / "first.h5", folder / "first.h5"])
+
+
+def test_the_printed_prior_makes_the_limits_of_the_next_test_narrower(
+    folder: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    files = [folder / "first.h5", folder / "second.h5"]
+    assert identify_tests(files, None, as_json=False) == 0
+    said = capsys.readouterr().out
+    lines = said[said.index("[prediction.prior]") :]
+    recipe = (EXAMPLES / "quick.toml").read_text("utf-8").replace("[model]", f"{lines}\n[model]", 1)
+    (tmp_path / "next.toml").write_text(recipe, "utf-8")
+    prior = read_test(tmp_path / "next.toml").record.prediction.prior
+    assert prior is not None
+    assert prior.source == "2 specimens: first.h5, second.h5"
+    known = []
+    for asked in (RECORDED, msgspec.structs.replace(RECORDED, prior=prior)):
+        found = identified_test(
+            record(tmp_path / f"{asked.prior is None}.h5", 0.9, asked, 48)
+        ).known
+        assert found is not None
+        assert found.coefficient.low < 0.9e-9 * TRUE < found.coefficient.high
+        known.append(found)
+    assert known[1].spread < 0.9 * known[0].spread
+    assert known[1].prior.source == prior.source
 
 
 def test_a_file_whose_probes_have_no_record_is_refused_in_words(

@@ -41,6 +41,7 @@ TITLES = {
     "limits": "Always watched",
     "stop": "The first that is met ends the test; what is empty is off",
     "prediction": "Model beside the data",
+    "prediction.prior": "Wear coefficient by earlier tests: rigapp identify prints it",
     "model.mechanism": "Mechanism",
     "model.spring": "Spring",
     "model.joint": "Joint",
