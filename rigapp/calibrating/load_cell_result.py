@@ -8,15 +8,22 @@ from typing import Any
 
 import numpy as np
 
-from calibration.load_cell.budget import expanded_line
-from calibration.load_cell.calibrate import LoadCellCalibration
+from calibration.load_cell.budget import LoadUncertainty, expanded_line
+from calibration.load_cell.calibrate import LoadCellCalibration, calibrate_load_cell
 from calibration.load_cell.characteristics import Creep, creep_words
 from calibration.load_cell.force_uncertainty import too_uncertain
+from calibration.load_cell.readings import parse_load_cell
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.problems import Problem
 from calibration.taking.uncertainty import Budget
 from rigapp.calibrating.records import budget_lines, finite, problems_of
 from rigapp.calibrating.session import NumberTable, Outcome
+from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
+
+OF_A_FIT = (
+    "matrix_N_per_unit", "zero", "residual_std_N", "expanded_uncertainty_N", "coverage_factor",
+)  # fmt: skip
+"""Keys that a result without a fit has, too."""
 
 
 def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> dict[str, Any]:
@@ -29,68 +36,35 @@ def load_cell_result(found: LoadCellCalibration, settings: LoadCellSettings) -> 
         "classification": found.classification,
         "full_scale_N": settings.cell.full_scale,
     }
+    if fit is None or traits is None or budget is None or zero is None:
+        return {**result, **dict.fromkeys(OF_A_FIT)}
     applied, covariance = found.applied, found.covariance
-    if (
-        fit is None
-        or traits is None
-        or budget is None
-        or zero is None
-        or applied is None
-        or covariance is None
-    ):
-        return {
-            **result,
-            "matrix_N_per_unit": None,
-            "zero": None,
-            "residual_std_N": None,
-            "expanded_uncertainty_N": None,
-            "coverage_factor": None,
-        }
+    assert applied is not None
+    assert covariance is not None
+    elements = found.elements
     zero_N = float(np.hypot(*(fit.matrix * [one.expanded for one in zero]).T).max())
-    line = found.expanded_line or (budget.expanded, 0.0)
     return {
         **result,
         "terms": found.terms,
         "matrix_N_per_unit": fit.matrix.tolist(),
         "matrix_covariance": covariance.tolist(),
-        "matrix_standard_uncertainty_N_per_unit": np.sqrt(np.diag(covariance))
-        .reshape(2, 2)
-        .tolist(),
-        "matrix_expanded_uncertainty_N_per_unit": _square([one.expanded for one in found.elements]),
-        "matrix_effective_degrees_of_freedom": _square(
-            [finite(one.degrees) for one in found.elements]
-        ),
+        "matrix_standard_uncertainty_N_per_unit": _square(np.sqrt(np.diag(covariance)).tolist()),
+        "matrix_expanded_uncertainty_N_per_unit": _square([one.expanded for one in elements]),
+        "matrix_effective_degrees_of_freedom": _square([finite(one.degrees) for one in elements]),
         "zero": fit.zero.tolist(),
         "sensitivity_unit_per_N": fit.sensitivity.tolist(),
         "quadratic_unit_per_N2": None if fit.quadratic is None else fit.quadratic.tolist(),
         "residual_std_N": fit.residual_std,
-        "uncertainty_line_N": {"constant_N": line[0], "per_N": line[1]},
+        "uncertainty_line_N": _line(found.expanded_line or (budget.expanded, 0.0)),
         "uncertainty_lines_of_mean_N": {
-            name: dict(zip(("constant_N", "per_N"), expanded_line(budgets), strict=True))
-            for name, budgets in (
-                ("component", [one.component.of_mean(math.inf) for one in found.by_load]),
-                ("magnitude", [one.magnitude.of_mean(math.inf) for one in found.by_load]),
+            name: _line(
+                expanded_line([getattr(one, name).of_mean(math.inf) for one in found.by_load])
             )
+            for name in ("component", "magnitude")
         },
         **_budget(budget),
         "magnitude": _budget(found.by_load[-1].magnitude),
-        "uncertainty_by_load": [
-            {
-                "load_N": one.load,
-                **{
-                    f"{name}_{words}_N": budget_of.of_mean(readings).expanded
-                    for name, budget_of in (
-                        ("component", one.component),
-                        ("magnitude", one.magnitude),
-                        ("across", one.across),
-                    )
-                    for words, readings in (("one_reading", 1.0), ("mean_of_many", math.inf))
-                },
-                "coverage_factor": one.component.coverage_factor,
-                "effective_degrees_of_freedom": finite(one.component.degrees),
-            }
-            for one in found.by_load
-        ],
+        "uncertainty_by_load": [_at_load(one) for one in found.by_load],
         "zero_expanded_uncertainty": [one.expanded for one in zero],
         "zero_standard_uncertainty": [one.combined for one in zero],
         "zero_effective_degrees_of_freedom": [finite(one.degrees) for one in zero],
@@ -118,6 +92,19 @@ def _creep(found: Creep | None) -> dict[str, Any] | None:
         "hung_s": list(found.times),
         "change_N": found.change,
         "half_width_percent": 100.0 * found.half_width,
+    }
+
+
+def _at_load(found: LoadUncertainty) -> dict[str, Any]:
+    """Return the uncertainty at a load."""
+    told: dict[str, Any] = {"load_N": found.load}
+    for name in ("component", "magnitude", "across"):
+        for words, readings in (("one_reading", 1.0), ("mean_of_many", math.inf)):
+            told[f"{name}_{words}_N"] = getattr(found, name).of_mean(readings).expanded
+    return {
+        **told,
+        "coverage_factor": found.component.coverage_factor,
+        "effective_degrees_of_freedom": finite(found.component.degrees),
     }
 
 
@@ -149,8 +136,17 @@ def _square(values: list[Any]) -> list[list[Any]]:
     return [values[:2], values[2:]]
 
 
-def load_cell_outcome(found: LoadCellCalibration, settings: LoadCellSettings) -> Outcome:
-    """Return a calibration as it is shown, printed and kept."""
+def _line(line: tuple[float, float]) -> dict[str, float]:
+    return {"constant_N": line[0], "per_N": line[1]}
+
+
+def fit_load_cell(text: str, given: LoadCellFile, where: str, drift: bool | None = None) -> Outcome:
+    """Fit readings (CSV) by settings from ``where``: as it is shown, printed and kept.
+
+    drift: as ``calibrate_load_cell`` has it. Raises ReadingsError and UnusableInput.
+    """
+    settings = load_cell_meaning(given, where)
+    found = calibrate_load_cell(parse_load_cell(text), settings, drift)
     result = load_cell_result(found, settings)
     if found.fit is None or found.budget is None or found.expanded_line is None:
         return Outcome("load cell", result, (found.classification,))
@@ -168,14 +164,7 @@ def load_cell_outcome(found: LoadCellCalibration, settings: LoadCellSettings) ->
         creep_words(found.creep, settings.use.creep),
         found.classification,
     )
-    table = NumberTable(
-        ("", f"Signal 1 (N per {unit})", f"Signal 2 (N per {unit})", f"Zero ({unit})"),
-        tuple(
-            (f"Axis {axis}", *(f"{one:.4f}" for one in row), f"{at_rest:.6f}")
-            for axis, (row, at_rest) in enumerate(
-                zip(rows, found.fit.zero.tolist(), strict=True), 1
-            )
-        ),
-        in_lines=4,
-    )
-    return Outcome("load cell", result, lines, table)
+    header = ("", f"Signal 1 (N per {unit})", f"Signal 2 (N per {unit})", f"Zero ({unit})")
+    axes = zip(("Axis 1", "Axis 2"), rows, found.fit.zero.tolist(), strict=True)
+    shown = ((name, *(f"{one:.4f}" for one in row), f"{rest:.6f}") for name, row, rest in axes)
+    return Outcome("load cell", result, lines, NumberTable(header, tuple(shown), in_lines=4))

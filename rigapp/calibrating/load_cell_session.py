@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import msgspec
 import numpy as np
 
-from calibration.load_cell.calibrate import calibrate_load_cell
 from calibration.load_cell.daily import daily_check
 from calibration.load_cell.live import LoadCellWindow, assess_load
 from calibration.load_cell.plans import (
@@ -22,12 +20,7 @@ from calibration.load_cell.plans import (
     load_cell_readings,
 )
 from calibration.load_cell.plausible import check_settings
-from calibration.load_cell.readings import (
-    HUNG_COLUMN,
-    LOAD_CELL_COLUMNS,
-    LoadCellReadings,
-    parse_load_cell,
-)
+from calibration.load_cell.readings import HUNG_COLUMN, LOAD_CELL_COLUMNS, parse_load_cell
 from calibration.load_cell.settings import LoadCellSettings
 from calibration.load_cell.two_axis import Terms, fit
 from calibration.load_cell.weights import pin_force, weight_force
@@ -35,7 +28,7 @@ from calibration.taking.level import LevelError, LevelReading, reversed_level, s
 from calibration.taking.procedure import Event, ProcedureError, Step, StepKind, TakenReading
 from calibration.taking.signals import Readiness
 from rigapp.calibrating.daily_history import DailyHistory, append_check, entry_of, read_history
-from rigapp.calibrating.load_cell_result import load_cell_outcome
+from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.practice import LOAD_CELL_PRACTICE
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.session import (
@@ -238,18 +231,10 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
 
     def fitted(self) -> Outcome:
         """Fit and check all readings, or compare those of a daily check with what hung."""
-        settings = replace(
-            self.settings,
-            angle_offset=self.angle_reference["offset"],
-            angle_uncertainty=self.angle_reference["uncertainty"],
-            angle_stated=True,
-        )
-        readings = parse_load_cell(self.readings_csv())
-        if self.procedure.plan.kind is PlanKind.DAILY:
-            return self._daily(readings, settings)
-        return load_cell_outcome(calibrate_load_cell(readings, settings), settings)
-
-    def _daily(self, readings: LoadCellReadings, settings: LoadCellSettings) -> Outcome:
+        text, given = self.readings_csv(), self.used_settings()
+        if self.procedure.plan.kind is not PlanKind.DAILY:
+            return fit_load_cell(text, given, "settings")
+        readings, settings = parse_load_cell(text), load_cell_meaning(given, "settings")
         used = self.newest
         if used is None:
             raise ProcedureError("the calibration in use is not known; is the engine running?")

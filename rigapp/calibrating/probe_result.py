@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from calibration.probes.alignment import Alignment, PairCalibration
-from calibration.probes.calibrate import ProbeCalibration
+from calibration.probes.alignment import Alignment, PairCalibration, calibrate_pair, split_pair
+from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
+from calibration.probes.readings import parse_probe
+from calibration.probes.settings import ProbeSettings
 from rigapp.calibrating.records import budget_lines, finite, problems_of
 from rigapp.calibrating.session import Outcome
 
@@ -101,8 +104,14 @@ def pair_lines(found: PairCalibration) -> list[str]:
     ]
 
 
-def probe_outcome(found: ProbeCalibration | PairCalibration) -> Outcome:
-    """Return a calibration of one probe or of both as it is shown, printed and kept."""
-    if isinstance(found, ProbeCalibration):
+def fit_probes(text: str, settings: Sequence[ProbeSettings]) -> Outcome:
+    """Fit the readings (CSV) of one probe, or of both where two are set (series 1.x and 2.x).
+
+    Returns it as it is shown, printed and kept; raises ReadingsError.
+    """
+    readings = parse_probe(text)
+    if len(settings) == 1:
+        found = calibrate_probe(readings, settings[0])
         return Outcome("probe", probe_result(found), tuple(probe_lines(found)))
-    return Outcome("probe pair", pair_result(found), tuple(pair_lines(found)))
+    both = calibrate_pair(split_pair(readings), (settings[0], settings[1]))
+    return Outcome("probe pair", pair_result(both), tuple(pair_lines(both)))

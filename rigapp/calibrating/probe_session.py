@@ -10,17 +10,15 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from calibration.probes.alignment import PairCalibration, calibrate_pair, split_pair
-from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
 from calibration.probes.live import ProbeWindow, assess_probe
 from calibration.probes.plans import MEASURING, ProbePlan, probe_readings
 from calibration.probes.positions import robust_line
-from calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS, ProbeReadings, parse_probe
+from calibration.probes.readings import OTHER_COLUMN, PROBE_COLUMNS
 from calibration.probes.settings import ProbeSettings
 from calibration.taking.procedure import ProcedureError, Step, StepKind, TakenReading
 from calibration.taking.signals import Readiness
 from rigapp.calibrating.practice import PROBE_PRACTICE
-from rigapp.calibrating.probe_result import probe_outcome
+from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.session import (
     NO_CURVES,
     LiveSession,
@@ -67,15 +65,6 @@ def probe_plan(probe: str, plan: str, reach_um: float, positions: int) -> ProbeP
     except ProcedureError as error:
         raise UnusableInput(f"the plan is not possible: {error}.") from error
     return wanted
-
-
-def calibrate_probes(
-    readings: ProbeReadings, settings: Sequence[ProbeSettings]
-) -> ProbeCalibration | PairCalibration:
-    """Calibrate one probe, or both where settings of two are given (series 1.x and 2.x)."""
-    if len(settings) == 1:
-        return calibrate_probe(readings, settings[0])
-    return calibrate_pair(split_pair(readings), (settings[0], settings[1]))
 
 
 class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
@@ -176,7 +165,7 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
     def fitted(self) -> Outcome:
         """Fit and check all readings."""
         settings = [self.settings_of(probe) for probe in self.procedure.plan.probes]
-        return probe_outcome(calibrate_probes(parse_probe(self.readings_csv()), settings))
+        return fit_probes(self.readings_csv(), settings)
 
     def row(self, reading: TakenReading) -> str:
         """Return a reading as a line of the CSV."""

@@ -13,9 +13,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from calibration.channel import CHANNEL_COLUMNS
-from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.load_cell.readings import LOAD_CELL_COLUMNS, parse_load_cell
-from calibration.probes.readings import PROBE_COLUMNS, parse_probe
+from calibration.load_cell.readings import LOAD_CELL_COLUMNS
+from calibration.probes.readings import PROBE_COLUMNS
 from rigapp.calibrating.certificates.channel import channel_parts
 from rigapp.calibrating.certificates.load_cell import load_cell_parts
 from rigapp.calibrating.certificates.parts import Parts
@@ -24,11 +23,11 @@ from rigapp.calibrating.certificates.run_out import run_out_parts
 from rigapp.calibrating.certificates.running_check import running_parts
 from rigapp.calibrating.channel import KIND as CHANNEL
 from rigapp.calibrating.channel import fit_channel
-from rigapp.calibrating.load_cell_result import load_cell_outcome
+from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.load_cell_session import LoadCellSession
-from rigapp.calibrating.probe_result import probe_outcome
+from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.probe_session import PROBES as WHICH_PROBES
-from rigapp.calibrating.probe_session import ProbeSession, calibrate_probes
+from rigapp.calibrating.probe_session import ProbeSession
 from rigapp.calibrating.records_in_use import LOAD_CELL, PROBES, RUN_OUT, RecordPlace
 from rigapp.calibrating.run_out import RUN_OUT_COLUMNS
 from rigapp.calibrating.running_check import RUNNING_COLUMNS
@@ -39,7 +38,6 @@ from rigapp.config.calibration_settings import (
     LoadCellFile,
     ProbeFile,
     RunOutFile,
-    load_cell_meaning,
     probe_meaning,
 )
 from rigapp.config.errors import UnusableInput
@@ -67,17 +65,11 @@ class Subject:
     place: RecordPlace | None = None
 
 
-def _fit_load_cell(text: str, given: LoadCellFile, where: str, which: str) -> Outcome:
-    settings = load_cell_meaning(given, where)
-    return load_cell_outcome(calibrate_load_cell(parse_load_cell(text), settings), settings)
-
-
 def _fit_probes(text: str, given: ProbeFile, where: str, which: str) -> Outcome:
     """Fit one probe (the readings do not tell which), or a pair, whose series are 1.x and 2.x."""
     if which not in WHICH_PROBES:
         raise UnusableInput(f"--probe {which}: choose {', '.join(WHICH_PROBES)}.")
-    settings = [probe_meaning(given)] * len(WHICH_PROBES[which])
-    return probe_outcome(calibrate_probes(parse_probe(text), settings))
+    return fit_probes(text, [probe_meaning(given)] * len(WHICH_PROBES[which]))
 
 
 SUBJECTS: Mapping[str, Subject] = {
@@ -89,7 +81,7 @@ SUBJECTS: Mapping[str, Subject] = {
             columns=LOAD_CELL_COLUMNS,
             settings=LoadCellFile,
             certificate=load_cell_parts,
-            fit=_fit_load_cell,
+            fit=lambda text, given, where, _: fit_load_cell(text, given, where),
             session=LoadCellSession,
             place=LOAD_CELL,
         ),

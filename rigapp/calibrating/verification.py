@@ -14,22 +14,16 @@ from typing import Any
 
 import msgspec
 
-from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.load_cell.readings import parse_load_cell
-from calibration.probes.alignment import calibrate_pair, split_pair
-from calibration.probes.calibrate import calibrate_probe
-from calibration.probes.readings import parse_probe
 from calibration.records import EVALUATION, Record, unseal
 from calibration.taking.readings import ReadingsError
 from rigapp.calibrating.channel import channel_again
-from rigapp.calibrating.load_cell_result import load_cell_result
-from rigapp.calibrating.probe_result import pair_result, probe_result
+from rigapp.calibrating.load_cell_result import fit_load_cell
+from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.run_out import map_again
 from rigapp.calibrating.running_check import check_again
 from rigapp.config.calibration_settings import (
     LoadCellFile,
     ProbeFile,
-    load_cell_meaning,
     probe_meaning,
 )
 from rigapp.config.errors import UnusableInput
@@ -73,28 +67,21 @@ class _Kind:
 
 def _load_cell(content: Content) -> Result:
     given = msgspec.convert(content["settings"], LoadCellFile)
-    settings = load_cell_meaning(given, "the record's settings")
     # Of the first evaluation the words alone say whether the drift was fitted.
     told = "drift" in content["result"].get("terms", "") if "evaluation" not in content else None
-    found = calibrate_load_cell(parse_load_cell(content["readings_csv"]), settings, told)
-    return load_cell_result(found, settings)
+    return fit_load_cell(content["readings_csv"], given, "the record's settings", told).result
 
 
-def _probe(content: Content) -> Result:
-    given = msgspec.convert(content["settings"], ProbeFile)
-    return probe_result(calibrate_probe(parse_probe(content["readings_csv"]), probe_meaning(given)))
-
-
-def _pair(content: Content) -> Result:
+def _probes(content: Content) -> Result:
     settings = probe_meaning(msgspec.convert(content["settings"], ProbeFile))
-    readings = split_pair(parse_probe(content["readings_csv"]))
-    return pair_result(calibrate_pair(readings, (settings, settings)))
+    count = 2 if content["kind"] == "probe pair" else 1
+    return fit_probes(content["readings_csv"], [settings] * count).result
 
 
 KINDS: Mapping[str, _Kind] = {
     "load cell": _Kind(_load_cell, ("matrix_N_per_unit", "zero", "quadratic_unit_per_N2")),
-    "probe": _Kind(_probe, ("sensitivity_um_per_V", "offset_V")),
-    "probe pair": _Kind(_pair, ("sensitivity_um_per_V", "offset_V", "matrix")),
+    "probe": _Kind(_probes, ("sensitivity_um_per_V", "offset_V")),
+    "probe pair": _Kind(_probes, ("sensitivity_um_per_V", "offset_V", "matrix")),
     "run-out map": _Kind(map_again, ("cos_um", "sin_um"), ("rest_um",)),
     "channel": _Kind(channel_again, ("scale_per_V", "offset_V", "table")),
     "running check": _Kind(check_again, ("measured_mass_times_radius_kg_m",)),

@@ -11,12 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibration.load_cell.calibrate import calibrate_load_cell
-from calibration.load_cell.readings import parse_load_cell
 from calibration.records import seal, unseal
 from calibration.turning.running_check import Known, SpeedRun, running_check
 from rigapp.calibrating.certificate import write_certificate
-from rigapp.calibrating.load_cell_result import load_cell_outcome
+from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.records import keep_record
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.calibrating.running_check import running_result, runs_csv
@@ -28,7 +26,6 @@ from rigapp.config.calibration_settings import (
     LoadCellFile,
     PlaceSection,
     ProbeFile,
-    load_cell_meaning,
 )
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
@@ -47,8 +44,7 @@ GIVEN = LoadCellFile(
 def sealed(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     """Return the record of a good calibration."""
     text = as_csv(take(Cell(), np.random.default_rng(4), angles=4))
-    settings = load_cell_meaning(GIVEN, "here")
-    outcome = load_cell_outcome(calibrate_load_cell(parse_load_cell(text), settings), settings)
+    outcome = fit_load_cell(text, GIVEN, "here")
     path = tmp_path_factory.mktemp("sealed") / "record.json"
     keep_record(path, outcome.kind, text, GIVEN, outcome.result)
     return path.read_bytes()

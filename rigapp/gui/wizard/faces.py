@@ -40,15 +40,12 @@ ROUNDED_GRAVITY = 9.81
 class Face:
     """How the window shows a subject of ``SUBJECTS``.
 
-    name: of the wizard; what: in its title; prefix: of the widgets' names. readings: the page on
-    which they are taken. angle: there is an angle reference. plot: of the residuals; fitted: it
-    stands beside the result, too. session: of a subject without steps. live: what listens to the
-    engine.
+    what: in the wizard's title. readings: the page on which they are taken. angle: there is an
+    angle reference. plot: of the residuals; fitted: it stands beside the result, too. session: of a
+    subject without steps. live: what listens to the engine.
     """
 
-    name: str
     what: str
-    prefix: str
     asks: Questions
     readings: Callable[[Any, Theme], TakingPage | RollingPage]
     plot: PlotNames
@@ -226,8 +223,7 @@ RUN_OUT_PLOT = PlotNames(
     "run_out", "Run-out map, micrometres", "µm", "Crank angle (degrees)", "Run-out"
 )
 WITH_WEIGHTS = TakingWords(
-    prefix="",
-    progress="calibration_progress",
+    stem=WEIGHING.stem,
     live="Signals now",
     reject="Reject the selected reading and repeat its series",
     reason="Rea&son",
@@ -235,8 +231,7 @@ WITH_WEIGHTS = TakingWords(
     buttons={StepKind.SET_UP: "The pin is &turned", StepKind.PRELOAD: "The preload is d&one"},
 )
 WITH_MICROMETER = TakingWords(
-    prefix="probe_",
-    progress="probe_progress",
+    stem=MEASURING.stem,
     live="Voltages now",
     reject="Reject the selected reading, repeat its series",
     reason="Re&ason",
@@ -247,9 +242,7 @@ WITH_MICROMETER = TakingWords(
 )
 FACES = {
     "load cell": Face(
-        name="calibration_wizard",
         what="the load cell",
-        prefix="",
         asks=WEIGHING,
         readings=partial(TakingPage, words=WITH_WEIGHTS, plot=CELL_PLOT),
         plot=CELL_PLOT,
@@ -257,17 +250,13 @@ FACES = {
         fitted=False,
     ),
     "probes": Face(
-        name="probe_wizard",
         what="the probes",
-        prefix="probe_",
         asks=MEASURING,
         readings=partial(TakingPage, words=WITH_MICROMETER, plot=PROBE_PLOT),
         plot=PROBE_PLOT,
     ),
     "run-out": Face(
-        name="run_out_wizard",
         what="the pin's run-out",
-        prefix="run_out_",
         asks=ROLLING,
         readings=RollingPage,
         plot=RUN_OUT_PLOT,

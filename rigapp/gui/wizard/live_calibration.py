@@ -22,6 +22,8 @@ from rigapp.schema.messages import Reply
 LOOK_MS = 150
 """Often enough for a hand that waits for a sign; the engine's answer holds the last seconds."""
 NOWHERE = (-1, -1)
+Question = tuple[str, dict[str, Any]]
+"""A verb of the engine and its arguments."""
 AnySession = LiveSession[Any, Any, Any]
 
 
@@ -86,8 +88,11 @@ class HandsQueue:
 class LiveCalibration(QObject):
     """Listen to the engine and hold the calibration under way; nothing here waits.
 
-    view: the engine's newest answer to ``signals``, None before there is one.
+    question: what the engine is asked over and over; view: its newest answer, None before there is
+    one.
     """
+
+    question: Question = ("signals", {"window_s": LISTEN_S})
 
     looked = Signal()
     moved = Signal()
@@ -142,11 +147,11 @@ class LiveCalibration(QObject):
         self._worker.close()
 
     def tick(self) -> None:
-        """Ask for the newest window unless an answer is still due."""
+        """Ask the engine again unless an answer is still due."""
         self._worker.deliver()
         if not self._asked:
             self._asked = True
-            self._line("signals", {"window_s": LISTEN_S}, self._heard)
+            self._line(*self.question, self._heard)
 
     def _heard(self, reply: Reply) -> None:
         self._asked = False

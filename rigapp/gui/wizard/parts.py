@@ -25,6 +25,11 @@ from rigapp.gui.widgets.build import column, named, prose, row
 from rigapp.gui.widgets.labels import scaled_font
 
 
+def prefix_of(stem: str) -> str:
+    """Return how the names of a subject's widgets begin: those of the load cell were the first."""
+    return "" if stem == "calibration" else f"{stem}_"
+
+
 def field(form: QFormLayout, text: str, widget: QWidget) -> None:
     """Add a row with an access key."""
     label = QLabel(text)

@@ -27,7 +27,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
 from rigapp.gui.widgets.build import button, choice, edit, filled, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import field, sentence
+from rigapp.gui.wizard.parts import field, prefix_of, sentence
 
 NEW = "Begin a new calibration"
 PLAN, RIG = "plan", "rig"
@@ -110,8 +110,8 @@ class PlanPage(QWizardPage):
         spoken = "Choose a settings file"
         self.browse = button(f"{stem}_browse", "Bro&wse…", self._browse, spoken)
         self.summary = sentence(f"{stem}_summary", "What this means")
-        problem = "plan_problem" if stem == "calibration" else f"{stem}_plan_problem"
-        self.problem = sentence(problem, "What is wrong on this page")
+        spoken = "What is wrong on this page"
+        self.problem = sentence(f"{prefix_of(stem)}plan_problem", spoken)
         form = QFormLayout()
         field(form, "&Begin or take up", self.begin)
         label = QLabel("&Settings file")

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWizardPage
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, filled, named, row
-from rigapp.gui.wizard.live_calibration import LiveCalibration
+from rigapp.gui.wizard.live_calibration import LiveCalibration, Question
 from rigapp.gui.wizard.parts import sentence
 from rigapp.schema.messages import Reply
 
@@ -17,6 +17,7 @@ from rigapp.schema.messages import Reply
 class RollingCalibration(LiveCalibration):
     """Let the engine take one roll after the other; nothing here waits."""
 
+    question: Question = ("status", {})
     rolling = False
 
     def roll(self) -> None:
@@ -29,13 +30,6 @@ class RollingCalibration(LiveCalibration):
         """Stop the spindle under control; what is recorded stays."""
         self.rolling = False
         self._line("stop", {"reason": "the slow roll was stopped in the wizard"}, self._answered)
-
-    def tick(self) -> None:
-        """Ask how the engine stands unless an answer is still due."""
-        self._worker.deliver()
-        if not self._asked:
-            self._asked = True
-            self._line("status", {}, self._heard)
 
     def _heard(self, reply: Reply) -> None:
         self._asked = False

@@ -28,6 +28,7 @@ from rigapp.gui.wizard.parts import (
     Stability,
     labelled,
     number,
+    prefix_of,
     sentence,
 )
 
@@ -39,13 +40,12 @@ LEAVE_OUT = "Lea&ve the creep out"
 class TakingWords:
     """Names and words of the page.
 
-    prefix: of the widgets' names; columns: of the table; buttons: kind of a step -> what the button
+    stem: of the widgets' names; columns: of the table; buttons: kind of a step -> what the button
     says, in place of ``RECORD``. do: what the simulated hands do. read_off: a position that the
     operator reads off is entered.
     """
 
-    prefix: str
-    progress: str
+    stem: str
     live: str
     reject: str
     reason: str
@@ -64,13 +64,15 @@ class TakingPage(QWizardPage):
         """Make the widgets; plot: of the residuals so far."""
         super().__init__()
         self.live_calibration, self._words, self.plot = live, words, ResidualPlot(theme, plot)
-        prefix = words.prefix
+        prefix = prefix_of(words.stem)
         self.setTitle("Readings")
         spoken = "What to do now"
         self.instruction = sentence(f"{prefix}instruction", spoken, 1.8, bold=True)
         self.instruction.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.instruction.setMinimumHeight(4 * self.instruction.fontMetrics().height())
-        self.progress = named(QProgressBar(), words.progress, "Progress of the calibration")
+        self.progress = named(
+            QProgressBar(), f"{words.stem}_progress", "Progress of the calibration"
+        )
         self.progress.setTextVisible(False)
         self.left = sentence(f"{prefix}time_left", "Progress and time left")
         self.stability = Stability(theme)

@@ -15,7 +15,7 @@ from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
 from rigapp.gui.wizard.faces import FACES
 from rigapp.gui.wizard.live_calibration import AskLater
-from rigapp.gui.wizard.parts import ResidualPlot
+from rigapp.gui.wizard.parts import ResidualPlot, prefix_of
 from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import ResultPage
 
@@ -48,7 +48,8 @@ class CalibrationWizard(QWizard):
         of, face = SUBJECTS[subject], FACES[subject]
         session: Any = face.session or of.session
         assert of.place is not None
-        self.setObjectName(face.name)
+        stem, prefix = face.asks.stem, prefix_of(face.asks.stem)
+        self.setObjectName(f"{stem}_wizard")
         self.setWindowTitle(f"Calibrate {face.what} – rigapp")
         self.setAccessibleName(f"Calibration of {face.what}")
         self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
@@ -59,8 +60,8 @@ class CalibrationWizard(QWizard):
         self.angle = AnglePage(self.live, theme) if face.angle else None
         self.readings: Any = face.readings(self.live, theme)
         plot = ResidualPlot(theme, face.plot) if face.fitted else None
-        self.result_page = ResultPage(self.live, theme, folder, face.prefix, plot)
-        self.certificate = CertificatePage(self.live, face.prefix, of.place)
+        self.result_page = ResultPage(self.live, theme, folder, prefix, plot)
+        self.certificate = CertificatePage(self.live, prefix, of.place)
         before: list[QWizardPage] = [self.plan] if self.angle is None else [self.plan, self.angle]
         before[-1].setCommitPage(True)
         for page in (*before, self.readings, self.result_page, self.certificate):
