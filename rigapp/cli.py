@@ -387,15 +387,13 @@ def calibrate_load_cell(
     practise: PractiseOption = False,
 ) -> int:
     """Calibrate the load cell from a CSV of readings or live; a bad fit is refused, not saved."""
-    from rigapp.commands.calibrate import calibrate_table
-    from rigapp.commands.live_terminal import calibrate_live, load_cell_as_told
+    from rigapp.commands.live_terminal import calibrate
 
-    if rig is None:
-        return calibrate_table("load cell", readings, settings, to, as_json=json)
-    told = load_cell_as_told(readings, plan, weights)
-    return calibrate_live(
-        "load cell", rig, settings, to, told, journal=journal, practise=practise, as_json=json
-    )
+    asked = {"plan": plan, "weights": weights}
+    return calibrate(
+        "load cell", asked, settings, to, readings, rig,
+        journal=journal, practise=practise, as_json=json,
+    )  # fmt: skip
 
 
 @calibrate_app.command("probes")
@@ -417,15 +415,13 @@ def calibrate_probes(
     practise: PractiseOption = False,
 ) -> int:
     """Calibrate probes by micrometer steps, from a CSV or live; a bad fit is refused, not saved."""
-    from rigapp.commands.calibrate import calibrate_table
-    from rigapp.commands.live_terminal import calibrate_live, probes_as_told
+    from rigapp.commands.live_terminal import calibrate
 
-    if rig is None:
-        return calibrate_table("probes", readings, settings, to, which=probe, as_json=json)
-    told = probes_as_told(readings, probe, plan, reach_um, positions)
-    return calibrate_live(
-        "probes", rig, settings, to, told, journal=journal, practise=practise, as_json=json
-    )
+    asked = {"which": probe, "plan": plan, "reach": reach_um, "positions": positions}
+    return calibrate(
+        "probes", asked, settings, to, readings, rig,
+        journal=journal, practise=practise, as_json=json,
+    )  # fmt: skip
 
 
 @calibrate_app.command("channel")

@@ -13,7 +13,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from calibration.channel import CHANNEL_COLUMNS
+from calibration.load_cell.plans import LoadCellPlan
 from calibration.load_cell.readings import LOAD_CELL_COLUMNS
+from calibration.probes.plans import ProbePlan
 from calibration.probes.readings import PROBE_COLUMNS
 from rigapp.calibrating.certificates.channel import channel_parts
 from rigapp.calibrating.certificates.load_cell import load_cell_parts
@@ -24,11 +26,12 @@ from rigapp.calibrating.certificates.running_check import running_parts
 from rigapp.calibrating.channel import KIND as CHANNEL
 from rigapp.calibrating.channel import fit_channel
 from rigapp.calibrating.load_cell_result import fit_load_cell
-from rigapp.calibrating.load_cell_session import LoadCellSession
+from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan
 from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.probe_session import PROBES as WHICH_PROBES
-from rigapp.calibrating.probe_session import ProbeSession
+from rigapp.calibrating.probe_session import ProbeSession, probe_plan, usual_reach_um
 from rigapp.calibrating.records_in_use import LOAD_CELL, PROBES, RUN_OUT, RecordPlace
+from rigapp.calibrating.rolls import REVOLUTIONS, RollPlan, roll_plan
 from rigapp.calibrating.run_out import RUN_OUT_COLUMNS
 from rigapp.calibrating.running_check import RUNNING_COLUMNS
 from rigapp.calibrating.session import LiveSession, Outcome
@@ -38,6 +41,7 @@ from rigapp.config.calibration_settings import (
     LoadCellFile,
     ProbeFile,
     RunOutFile,
+    load_cell_meaning,
     probe_meaning,
 )
 from rigapp.config.errors import UnusableInput
@@ -47,7 +51,8 @@ from rigapp.config.errors import UnusableInput
 class Subject:
     """One thing that can be calibrated.
 
-    name: of the verb, with blanks. kinds: of its records. columns: of its readings. settings: of
+    name: of the verb, with blanks. plan (what is asked for by name, settings): what is taken live;
+    raises UnusableInput. kinds: of its records. columns: of its readings. settings: of
     its file. fit (readings as CSV, settings, where they are from, which of several): raises
     ReadingsError or UnusableInput; None where the readings are test files. session: with live
     readings step by step, None for others. certificate: of a record's content. place: where a rig
@@ -62,6 +67,7 @@ class Subject:
     certificate: Callable[[Mapping[str, Any]], Parts]
     fit: Callable[[str, Any, str, str], Outcome] | None = None
     session: type[LiveSession[Any, Any, Any]] | None = None
+    plan: Callable[[Mapping[str, Any], Any], Any] | None = None
     place: RecordPlace | None = None
 
 
@@ -70,6 +76,23 @@ def _fit_probes(text: str, given: ProbeFile, where: str, which: str) -> Outcome:
     if which not in WHICH_PROBES:
         raise UnusableInput(f"--probe {which}: choose {', '.join(WHICH_PROBES)}.")
     return fit_probes(text, [probe_meaning(given)] * len(WHICH_PROBES[which]))
+
+
+def _weighing(asked: Mapping[str, Any], given: LoadCellFile) -> LoadCellPlan:
+    meaning = load_cell_meaning(given, "settings")
+    return load_cell_plan(asked["plan"], asked["weights"], meaning)
+
+
+def _measuring(asked: Mapping[str, Any], given: ProbeFile) -> ProbePlan:
+    """Return the plan; without a reach the usual one, of probes of some sensitivity."""
+    reach, positions = asked["reach"], asked["positions"]
+    if reach is None:
+        reach = usual_reach_um(asked["sensitivity"], given.probe.range_V, max(positions, 2))
+    return probe_plan(asked["which"], asked["plan"], reach, positions)
+
+
+def _rolling(asked: Mapping[str, Any], given: RunOutFile) -> RollPlan:
+    return roll_plan(asked["speeds"], REVOLUTIONS[asked["plan"]], asked["orders"])
 
 
 SUBJECTS: Mapping[str, Subject] = {
@@ -83,6 +106,7 @@ SUBJECTS: Mapping[str, Subject] = {
             certificate=load_cell_parts,
             fit=lambda text, given, where, _: fit_load_cell(text, given, where),
             session=LoadCellSession,
+            plan=_weighing,
             place=LOAD_CELL,
         ),
         Subject(
@@ -93,6 +117,7 @@ SUBJECTS: Mapping[str, Subject] = {
             certificate=probe_parts,
             fit=_fit_probes,
             session=ProbeSession,
+            plan=_measuring,
             place=PROBES,
         ),
         Subject(
@@ -101,6 +126,7 @@ SUBJECTS: Mapping[str, Subject] = {
             columns=RUN_OUT_COLUMNS,
             settings=RunOutFile,
             certificate=run_out_parts,
+            plan=_rolling,
             place=RUN_OUT,
         ),
         Subject(

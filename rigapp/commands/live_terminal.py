@@ -7,26 +7,22 @@ import math
 import os
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Protocol
 
-from calibration.probes.plans import ProbePlan
 from calibration.taking.procedure import ProcedureError
 from calibration.taking.signals import LISTEN_S
 from rigapp.calibrating.daily_history import STORE, history_result, verdict_lines
-from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan
+from rigapp.calibrating.load_cell_session import LoadCellSession
 from rigapp.calibrating.practice import Actions
-from rigapp.calibrating.probe_session import probe_plan, usual_reach_um
 from rigapp.calibrating.records import refuse_existing
 from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.calibrating.subjects import SUBJECTS
-from rigapp.commands.calibrate import ONE_SOURCE, say_outcome
+from rigapp.commands.calibrate import ONE_SOURCE, calibrate_table, say_outcome
 from rigapp.commands.engine_line import Ask, engine_line
-from rigapp.config.calibration_settings import ProbeFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig
-from rigapp.config.rig import RigFile
 
 PATIENCE_S = 60.0
 """A weight that still swings after a minute needs a hand to steady it."""
@@ -202,55 +198,38 @@ def sayer(as_json: bool) -> Say:
     return say
 
 
-Told = Callable[[Any, RigFile], Any]
-"""What the operator wants: settings and rig file -> plan; raises UnusableInput."""
-
-
-def load_cell_as_told(readings: Path | None, plan: str, weights: str) -> Told:
-    """Return the plan of a load-cell calibration, as the options of the command tell it."""
-    if readings is not None:
-        raise UnusableInput(ONE_SOURCE)
-    return lambda given, rig: load_cell_plan(plan, weights, load_cell_meaning(given, "settings"))
-
-
-def probes_as_told(
-    readings: Path | None, probe: str, plan: str, reach_um: float | None, positions: int
-) -> Told:
-    """Return the plan of a probe calibration, as the options of the command tell it."""
-    if readings is not None:
-        raise UnusableInput(ONE_SOURCE)
-
-    def wanted(given: ProbeFile, rig: RigFile) -> ProbePlan:
-        reach = reach_um
-        if reach is None:
-            sensitivity = rig.probes.sensitivity_um_per_V
-            reach = usual_reach_um(sensitivity, given.probe.range_V, max(positions, 2))
-        return probe_plan(probe, plan, reach, positions)
-
-    return wanted
-
-
-def calibrate_live(
+def calibrate(
     name: str,
-    rig: Path,
+    asked: Mapping[str, Any],
     settings: Path,
     to: Path,
-    told: Told,
+    readings: Path | None,
+    rig: Path | None,
     *,
     journal: Path | None,
     practise: bool,
     as_json: bool,
     read: Read = input,
 ) -> int:
-    """Take the readings on the terminal and keep a record when they are good; the exit status."""
+    """Keep the record of a subject when its readings are good, a table's or live; the exit status.
+
+    asked: what is wanted, by name (see the subject's ``plan``).
+    """
+    if (readings is None) == (rig is None):
+        raise UnusableInput(ONE_SOURCE)
+    if rig is None:
+        which = asked.get("which", "")
+        return calibrate_table(name, readings, settings, to, which=which, as_json=as_json)
     subject = SUBJECTS[name]
     assert subject.session is not None
+    assert subject.plan is not None
     given = read_document(settings, subject.settings).record
     document = read_rig(rig)
     simulated = document.record.simulation is not None
     if practise and not simulated:
         raise UnusableInput(f"--practise: {rig} is not simulated; simulated hands move nothing.")
-    wanted = told(given, document.record)
+    sensitivity = document.record.probes.sensitivity_um_per_V
+    wanted = subject.plan({**asked, "sensitivity": sensitivity}, given)
     refuse_existing(to)
     where = journal or to.with_name(f"{to.name}.journal")
     operator = given.paperwork.operator or os.environ.get("USER", "")

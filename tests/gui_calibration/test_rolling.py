@@ -43,7 +43,7 @@ def opened(qtbot: Any, line: HostLine, folder: Path) -> CalibrationWizard:
 def test_rolls_are_taken_up_and_make_a_map_that_the_engine_uses(
     qtbot: Any, line: HostLine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.gui.wizard.faces.REVOLUTIONS", FEW)
+    monkeypatch.setattr("rigapp.calibrating.subjects.REVOLUTIONS", FEW)
     text = (EXAMPLE.parent / "quick.toml").read_text("utf-8")
     # A loaded machine may hold the samples back for a while; that is not what is tested here.
     (tmp_path / "t.toml").write_text(text.replace("stale_data_s = 2.0", "stale_data_s = 60"))

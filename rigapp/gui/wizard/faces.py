@@ -12,9 +12,8 @@ from calibration.load_cell.plausible import GRAVITY
 from calibration.probes.plans import ProbePlan
 from calibration.probes.readings import FEWEST_POSITIONS
 from calibration.taking.procedure import Step, StepKind, duration_words
-from rigapp.calibrating.load_cell_session import load_cell_plan
-from rigapp.calibrating.probe_session import probe_plan, usual_reach_um
-from rigapp.calibrating.rolls import ORDERS, REVOLUTIONS, RollPlan, RollSession, roll_plan
+from rigapp.calibrating.probe_session import usual_reach_um
+from rigapp.calibrating.rolls import ORDERS, RollPlan, RollSession
 from rigapp.config.calibration_settings import (
     CellSection,
     LoadCellFile,
@@ -63,11 +62,6 @@ def _taken(steps: tuple[Step, ...]) -> str:
 # --- the load cell --------------------------------------------------------------------------------
 
 
-def _load_cell_plan(values: Values, settings: LoadCellFile) -> LoadCellPlan:
-    meaning = load_cell_meaning(settings, "settings")
-    return load_cell_plan(values["plan"], values["weights"], meaning)
-
-
 def _describe_load_cell(plan: LoadCellPlan, values: Values, settings: LoadCellFile) -> str:
     steps = plan.steps()
     most = max(step.value for step in steps)
@@ -114,16 +108,11 @@ WEIGHING = Questions(
         Field("gravity", "Local &gravity", _GRAVITY, ROUNDED_GRAVITY, "place.gravity_m_s2"),
     ),
     culprit="weights",
-    wanted=_load_cell_plan,
     describe=_describe_load_cell,
     derived=_gravity,
 )
 
 # --- the probes -----------------------------------------------------------------------------------
-
-
-def _probe_plan(values: Values, settings: ProbeFile) -> ProbePlan:
-    return probe_plan(values["which"], values["plan"], values["reach"], values["positions"])
 
 
 def _describe_probes(plan: ProbePlan, values: Values, settings: ProbeFile) -> str:
@@ -169,16 +158,11 @@ MEASURING = Questions(
         Field("micrometer", "u of the &micrometer", _SCALE, 0.5, _SCALE_KEY, _SCALE_SPOKEN),
     ),
     culprit="reach",
-    wanted=_probe_plan,
     describe=_describe_probes,
     propose=_propose_reach,
 )
 
 # --- the run-out ----------------------------------------------------------------------------------
-
-
-def _roll_plan(values: Values, settings: RunOutFile) -> RollPlan:
-    return roll_plan(values["speeds"], REVOLUTIONS[values["plan"]], values["orders"])
 
 
 def _describe_rolls(plan: RollPlan, values: Values, settings: RunOutFile) -> str:
@@ -211,7 +195,6 @@ ROLLING = Questions(
         Field("test", "&Test file", _TEST, "", RIG, "Test file of this mechanism"),
     ),
     culprit="speeds",
-    wanted=_roll_plan,
     describe=_describe_rolls,
 )
 

@@ -63,10 +63,9 @@ class Questions:
     """What is asked before a subject is calibrated.
 
     stem: of the widgets' names; journals: of the files in the folder. given: the settings without a
-    file. culprit: the field that is likely wrong when a plan is. wanted (values, settings): the
-    plan; raises UnusableInput or ValueError. describe (plan, values, settings): what it means, in
-    words. derived (settings): values of settings that follow from others. propose (answer of the
-    engine, values, settings): values until others are typed.
+    file. culprit: the field that is likely wrong when a plan is. describe (plan, values, settings):
+    what a plan means, in words. derived (settings): values of settings that follow from others.
+    propose (answer of the engine, values, settings): values until others are typed.
     """
 
     stem: str
@@ -76,7 +75,6 @@ class Questions:
     given: CalibrationFile
     fields: tuple[Field, ...]
     culprit: str
-    wanted: Callable[[Values, Any], Any]
     describe: Callable[[Any, Values, Any], str]
     derived: Callable[[Any], Values] = _nothing
     propose: Callable[[Any, Values, Any], Values] = _nothing
@@ -94,11 +92,12 @@ class PlanPage(QWizardPage):
         folder: Path,
         settings: Path | None,
         asks: Questions,
+        planned: Callable[[Values, Any], Any],
         which: str = "",
     ) -> None:
-        """Make the fields of a subject; which: of several things of it."""
+        """Make the fields of a subject; planned: its plan; which: of several things of it."""
         super().__init__()
-        self._live, self._folder, self.asks = live, folder, asks
+        self._live, self._folder, self.asks, self._planned = live, folder, asks, planned
         self._given: Any = asks.given
         stem = asks.stem
         self.setTitle(asks.title)
@@ -175,7 +174,7 @@ class PlanPage(QWizardPage):
 
     def wanted(self) -> Any:
         """Return the plan that the fields say; raise UnusableInput or ValueError."""
-        return self.asks.wanted(self.values, self.settings_now())
+        return self._planned(self.values, self.settings_now())
 
     def read_settings(self) -> None:
         """Take the fields from the settings file, if one is named."""

@@ -48,6 +48,7 @@ class CalibrationWizard(QWizard):
         of, face = SUBJECTS[subject], FACES[subject]
         session: Any = face.session or of.session
         assert of.place is not None
+        assert of.plan is not None
         stem, prefix = face.asks.stem, prefix_of(face.asks.stem)
         self.setObjectName(f"{stem}_wizard")
         self.setWindowTitle(f"Calibrate {face.what} – rigapp")
@@ -56,7 +57,7 @@ class CalibrationWizard(QWizard):
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
         self.setModal(False)
         self.live = face.live(line, rig, session)
-        self.plan = PlanPage(self.live, folder, settings, face.asks, which)
+        self.plan = PlanPage(self.live, folder, settings, face.asks, of.plan, which)
         self.angle = AnglePage(self.live, theme) if face.angle else None
         self.readings: Any = face.readings(self.live, theme)
         plot = ResidualPlot(theme, face.plot) if face.fitted else None
