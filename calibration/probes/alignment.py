@@ -16,10 +16,9 @@ symmetrically about 0 this is an offset, not a slope.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from calibration.arrays import Array
 from calibration.probes.calibrate import ProbeCalibration, calibrate_probe
@@ -112,10 +111,7 @@ def align(
     matrix = np.linalg.inv(forward)
     off = np.array([[0.0, uncertainty[0]], [uncertainty[1], 0.0]])
     # d(inverse) = -inverse d(forward) inverse, the two off-diagonal elements independent
-    parts = [
-        matrix @ (off * mask) @ matrix
-        for mask in (np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[0.0, 0.0], [1.0, 0.0]]))
-    ]
+    variance = matrix**2 @ off**2 @ matrix**2
     angle = np.arctan(tangent)
     return Alignment(
         angle=angle,
@@ -123,7 +119,7 @@ def align(
         orthogonality=float(angle[1] - angle[0]),
         orthogonality_uncertainty=float(np.hypot(*uncertainty)),
         matrix=np.asarray(matrix, np.float64),
-        matrix_uncertainty=np.asarray(np.hypot(parts[0], parts[1]), np.float64),
+        matrix_uncertainty=np.asarray(np.sqrt(variance), np.float64),
     )
 
 
@@ -139,16 +135,15 @@ def _slope(position: Array, signal: Array) -> tuple[float, float]:
 def split_pair(readings: ProbeReadings) -> tuple[ProbeReadings, ProbeReadings]:
     """Return the readings of both probes from one table: the series are 1.x and 2.x."""
     series = np.array(readings.series)
-    return _of(readings, series, "1."), _of(readings, series, "2.")
-
-
-def _of(readings: ProbeReadings, series: NDArray[np.str_], start: str) -> ProbeReadings:
-    rows = np.char.startswith(series, start)
-    return ProbeReadings(
-        series=tuple(series[rows].tolist()),
-        step=readings.step[rows],
-        position=readings.position[rows],
-        signal=readings.signal[rows],
-        other=None if readings.other is None else readings.other[rows],
-        unused=readings.unused,
+    one, two = (
+        replace(
+            readings,
+            series=tuple(series[rows].tolist()),
+            step=readings.step[rows],
+            position=readings.position[rows],
+            signal=readings.signal[rows],
+            other=None if readings.other is None else readings.other[rows],
+        )
+        for rows in (np.char.startswith(series, "1."), np.char.startswith(series, "2."))
     )
+    return one, two

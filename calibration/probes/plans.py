@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 
@@ -94,33 +94,21 @@ class ProbePlan:
 # --- the journal ----------------------------------------------------------------------------------
 
 
-def _told(plan: ProbePlan) -> Event:
-    return {
-        "what": "probes",
-        "probes": list(plan.probes),
-        "reach": plan.reach,
-        "positions": plan.positions,
-        "runs": plan.runs,
-    }
-
-
 def _plan(event: Event) -> ProbePlan:
     if event.get("what") != "probes":
         raise ProcedureError("it is not the journal of a probe calibration")
     return ProbePlan(tuple(event["probes"]), event["reach"], event["positions"], event["runs"])
 
 
-def _other_probe(probe: float, step: Step) -> str:
-    return "" if probe == step.set_up else f"probe {probe:g} is set up, not {step.set_up:g}"
-
-
 MEASURING = Method(
-    told=_told,
+    told=lambda plan: {"what": "probes", **asdict(plan), "probes": list(plan.probes)},
     plan=_plan,
     set_up="mounted",
     place="probe",
     value="position",
-    wrongly=_other_probe,
+    wrongly=lambda probe, step: (
+        "" if probe == step.set_up else f"probe {probe:g} is set up, not {step.set_up:g}"
+    ),
     afresh=False,
 )
 

@@ -22,7 +22,6 @@ class RobustLine:
     """A robust straight line through readings: slope (V/m), residual (V, n), noise (V)."""
 
     slope: float
-    intercept: float
     residual: Array
     noise: float
 
@@ -30,14 +29,14 @@ class RobustLine:
 def robust_line(position: Array, signal: Array) -> RobustLine:
     """Fit a line that a few wrong readings do not bend (iteratively reweighted least squares)."""
     weights = np.ones(len(position))
-    slope, intercept, noise = 0.0, 0.0, 0.0
+    slope, noise = 0.0, 0.0
     for _ in range(20):
         slope, intercept = np.polyfit(position, signal, 1, w=np.sqrt(weights))
         residual = signal - intercept - slope * position
         noise = max(1.4826 * float(np.median(np.abs(residual))), 1e-9)
         weights = np.minimum(1.0, 2.0 * noise / np.maximum(np.abs(residual), 1e-30)) ** 2
     residual = signal - intercept - slope * position
-    return RobustLine(float(slope), float(intercept), residual, noise)
+    return RobustLine(float(slope), residual, noise)
 
 
 def positions(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:

@@ -129,21 +129,15 @@ def spread_at(covariance: Array, angle: Array) -> Array:
     return np.asarray(np.sqrt(np.maximum(variance, 0.0)), np.float64)
 
 
-def make_map(
-    rolls: Sequence[Roll],
-    orders: int,
-    range_metres: float | None = None,
-    elastic_doubts: Sequence[Array] = (),
-) -> RunOutMap:
+def make_map(rolls: Sequence[Roll], orders: int, elastic_doubts: Sequence[Array] = ()) -> RunOutMap:
     """Develop slow revolutions into a map of ``orders`` orders and judge it.
 
-    range_metres: what a probe can show at most either way; used to find saturation. elastic_doubts:
-    a matrix (2, 2) for each independent error of the elastic motion; times the motion it is one
-    standard uncertainty. Raises RunOutError where there is nothing to develop.
+    elastic_doubts: a matrix (2, 2) for each independent error of the elastic motion; times the
+    motion it is one standard uncertainty. Raises RunOutError where there is nothing to develop.
     """
     if not 1 <= orders <= MOST_ORDERS:
         raise RunOutError(f"orders: choose 1 to {MOST_ORDERS}")
-    problems = list(_unusable(rolls, orders, range_metres))
+    problems = list(_unusable(rolls, orders))
     if any(problem.blocks for problem in problems):
         return RunOutMap(False, tuple(problems))
     found = tuple(
@@ -218,10 +212,6 @@ def _develop(roll: int, turn: SlowRevolution, orders: int) -> Harmonics:
     return Harmonics(roll, turn.number, orders_of[:2], orders_of[2:], rest)
 
 
-def _rolls(found: Sequence[Harmonics]) -> list[int]:
-    return sorted({one.roll for one in found})
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class _Combined:
     """The map with its covariance, the part of it from within the rolls, and what was taken off."""
@@ -278,7 +268,7 @@ def _largest(parts: Sequence[Array], grid: Array) -> Array:
 def _drift(found: Sequence[Harmonics], grid: Array) -> Array:
     """Return the largest change of the map from the first to the last half of a roll, m."""
     worst = np.zeros(2)
-    for index in _rolls(found):
+    for index in sorted({one.roll for one in found}):
         group = [h.coefficients for h in found if h.roll == index]
         half = len(group) // 2
         change = np.mean(group[-half:], axis=0) - np.mean(group[:half], axis=0)
@@ -286,7 +276,7 @@ def _drift(found: Sequence[Harmonics], grid: Array) -> Array:
     return worst
 
 
-def _unusable(rolls: Sequence[Roll], orders: int, range_metres: float | None) -> Iterator[Problem]:
+def _unusable(rolls: Sequence[Roll], orders: int) -> Iterator[Problem]:
     if not rolls:
         raise RunOutError("there is no roll")
     for roll in rolls:
@@ -312,10 +302,10 @@ def _unusable(rolls: Sequence[Roll], orders: int, range_metres: float | None) ->
                 f" inertia moves the pin. Turn at {60.0 * FASTEST / (2.0 * math.pi):.0f} rpm or"
                 " less.",
             )
-        yield from _unusable_turns(roll, orders, range_metres)
+        yield from _unusable_turns(roll, orders)
 
 
-def _unusable_turns(roll: Roll, orders: int, range_metres: float | None) -> Iterator[Problem]:
+def _unusable_turns(roll: Roll, orders: int) -> Iterator[Problem]:
     for turn in roll.turns:
         where = f"{roll.label}, revolution {turn.number}"
         if not (np.isfinite(turn.probes).all() and np.isfinite(turn.angle).all()):
@@ -328,8 +318,7 @@ def _unusable_turns(roll: Roll, orders: int, range_metres: float | None) -> Iter
                 " faster, or ask for fewer orders.",
             )
             return
-        ends = range_metres is not None and np.abs(turn.probes).max() >= 0.999 * range_metres
-        if turn.saturated or ends:
+        if turn.saturated:
             yield Problem("saturated", f"{where}: a probe is at the end of its range; move it.")
             return
     for probe in range(2):

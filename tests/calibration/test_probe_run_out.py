@@ -98,8 +98,8 @@ def test_each_mistake_has_its_name() -> None:
     rng = np.random.default_rng(6)
     good = roll(rng)
 
-    def codes(made: Roll, reach: float | None = None) -> list[str]:
-        found = make_map([made], 2, reach)
+    def codes(made: Roll) -> list[str]:
+        found = make_map([made], 2)
         assert found.accepted == (not any(one.blocks for one in found.problems))
         return [one.code for one in found.problems]
 
@@ -109,7 +109,6 @@ def test_each_mistake_has_its_name() -> None:
     assert codes(replace(good, speed=60.0 * RPM)) == ["too_fast"]
     assert codes(replace(good, speed=0.0)) == ["too_fast"]
     assert codes(spoilt(np.full((2, 600), np.nan), good)) == ["not_a_number"]
-    assert codes(good, reach=350e-6) == ["saturated"]
     late = replace(good, turns=tuple(replace(one, saturated=True) for one in good.turns))
     assert codes(late) == ["saturated"]
     dead = replace(
