@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -60,61 +62,53 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
         host.close()
 
 
-def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
+@contextmanager
+def _opened(line: Line, folder: Path, rig: Path, application: Any, **more: Any) -> Iterator[Any]:
+    """Yield a wizard on the screen, and what waits until something is so."""
     from rigapp.calibrating.session import Rig
     from rigapp.gui.look.tokens import LIGHT
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
-    settings = folder / "settings.toml"
-    settings.write_text(SETTINGS, "utf-8")
     mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
-    wizard = CalibrationWizard(line, mine, LIGHT, folder, settings)
+    wizard = CalibrationWizard(line, mine, LIGHT, folder, **more)
     wizard.resize(1040, 820)
     wizard.show()
-    live = wizard.live
-
-    def pump(until: Callable[[], bool], what: str) -> None:
-        _pump(wizard, line, application, until, what)
-
-    wizard.next()
-    live.lend_a_hand()
-    pump(wizard.angle.isComplete, "the angle")
-    wizard.next()
-    live.goes_ahead = True
-    pump(lambda: len(live.session.procedure.taken) > LOAD_CELL_READINGS, "half of the readings")
-    live.goes_ahead = False
-    pump(lambda: wizard.readings.record.isEnabled(), "a steady reading")
-    _grab(wizard, application, images / "calibration-reading.png")
-    live.goes_ahead = True
-    pump(wizard.readings.isComplete, "all readings")
-    wizard.next()
-    pump(lambda: live.outcome is not None, "the verdict")
-    _grab(wizard, application, images / "calibration-result.png", RESULT_HEIGHT)
+    yield wizard, partial(_pump, wizard, line, application)
     wizard.reject()
+
+
+def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
+    settings = folder / "settings.toml"
+    settings.write_text(SETTINGS, "utf-8")
+    with _opened(line, folder, rig, application, settings=settings) as (wizard, pump):
+        live = wizard.live
+        wizard.next()
+        live.lend_a_hand()
+        pump(wizard.angle.isComplete, "the angle")
+        wizard.next()
+        live.goes_ahead = True
+        pump(lambda: len(live.session.procedure.taken) > LOAD_CELL_READINGS, "half of the readings")
+        live.goes_ahead = False
+        pump(wizard.readings.record.isEnabled, "a steady reading")
+        _grab(wizard, application, images / "calibration-reading.png")
+        live.goes_ahead = True
+        pump(wizard.readings.isComplete, "all readings")
+        wizard.next()
+        pump(lambda: live.outcome is not None, "the verdict")
+        _grab(wizard, application, images / "calibration-result.png", RESULT_HEIGHT)
 
 
 def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
-    from rigapp.calibrating.session import Rig
-    from rigapp.gui.look.tokens import LIGHT
-    from rigapp.gui.wizard.wizard import CalibrationWizard
-
-    mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
-    wizard = CalibrationWizard(line, mine, LIGHT, folder, subject="probes", which="both")
-    wizard.resize(1040, 820)
-    wizard.show()
-    live = wizard.live
-
-    def pump(until: Callable[[], bool], what: str) -> None:
-        _pump(wizard, line, application, until, what)
-
-    pump(lambda: wizard.plan.fields["reach"].value() > LEAST_REACH_UM, "the probes' range")
-    wizard.next()
-    live.goes_ahead = True
-    pump(lambda: len(live.session.procedure.taken) > PROBE_READINGS, "some of the steps")
-    live.goes_ahead = False
-    pump(lambda: wizard.readings.record.isEnabled(), "a steady reading")
-    _grab(wizard, application, images / "calibration-probes.png")
-    wizard.reject()
+    which = {"subject": "probes", "which": "both"}
+    with _opened(line, folder, rig, application, **which) as (wizard, pump):
+        live, reach = wizard.live, wizard.plan.fields["reach"]
+        pump(lambda: reach.value() > LEAST_REACH_UM, "the probes' range")
+        wizard.next()
+        live.goes_ahead = True
+        pump(lambda: len(live.session.procedure.taken) > PROBE_READINGS, "some of the steps")
+        live.goes_ahead = False
+        pump(wizard.readings.record.isEnabled, "a steady reading")
+        _grab(wizard, application, images / "calibration-probes.png")
 
 
 def _pump(wizard: Any, line: Line, application: Any, until: Callable[[], bool], what: str) -> None:
