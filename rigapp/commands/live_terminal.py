@@ -9,7 +9,7 @@ import sys
 import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from calibration.taking.procedure import ProcedureError
 from calibration.taking.signals import LISTEN_S
@@ -34,13 +34,6 @@ LOOK_EVERY_S = 0.03  # as fast as numbers can be read while a hand moves
 AnySession = LiveSession[Any, Any, Any]
 Say = Callable[[str], None]
 Read = Callable[[str], str]
-
-
-class Helper(Protocol):
-    """Whoever does at the rig what a step asks, in place of the operator."""
-
-    def do(self, session: AnySession) -> None:
-        """Do what the step under way asks."""
 
 
 class SimulatedHands:
@@ -68,7 +61,12 @@ class Terminal:
     """Ask the operator step by step; ``read`` is ``input`` or a script."""
 
     def __init__(
-        self, session: AnySession, ask: Ask, read: Read, say: Say, hands: Helper | None = None
+        self,
+        session: AnySession,
+        ask: Ask,
+        read: Read,
+        say: Say,
+        hands: SimulatedHands | None = None,
     ) -> None:
         """Take the session, the engine and, for a practice, the simulated hands."""
         self._session, self._ask = session, ask
