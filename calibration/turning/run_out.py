@@ -30,6 +30,8 @@ GOOD_REVOLUTIONS = 10
 """Revolutions whose spread is a standard uncertainty: known within 35 % of five, 24 % of ten."""
 FASTEST = 2.0 * math.pi * 15.0 / 60.0
 """Crank speed (rad/s) above which inertia moves the pin too much to speak of a slow roll."""
+OVER = 1.02
+"""Times that: a drive that is set to it may turn so much faster on the average."""
 MOST_ORDERS = 32
 """Finer than the probes' sensing area on the pin can see."""
 SAMPLES_PER_ORDER = 16
@@ -295,7 +297,7 @@ def _unusable(rolls: Sequence[Roll], orders: int) -> Iterator[Problem]:
                 " better.",
                 blocks=False,
             )
-        if not 0.0 < abs(roll.speed) <= FASTEST:
+        if not 0.0 < abs(roll.speed) <= OVER * FASTEST:
             yield Problem(
                 "too_fast",
                 f"{roll.label}: {60.0 * abs(roll.speed) / (2.0 * math.pi):.1f} rpm is no slow roll:"

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import msgspec
-
 from calibration.channel import (
     ChannelCalibration,
     ChannelSettings,
@@ -24,23 +22,12 @@ KIND = "channel"
 
 def fit_channel(text: str, given: ChannelFile, where: str, which: str) -> Outcome:
     """Fit a table of readings; raise ReadingsError."""
-    result = _result(calibrate_channel(parse_channel(text), _meaning(given)), given)
-    return Outcome(KIND, result, tuple(_lines(result)))
-
-
-def channel_again(content: Content) -> dict[str, Any]:
-    """Return the result of a record's readings, fitted again."""
-    given = msgspec.convert(content["settings"], ChannelFile)
-    return _result(
-        calibrate_channel(parse_channel(content["readings_csv"]), _meaning(given)), given
-    )
-
-
-def _meaning(given: ChannelFile) -> ChannelSettings:
     channel = given.channel
-    return ChannelSettings(
+    settings = ChannelSettings(
         channel.method, channel.reference_standard_uncertainty, channel.resolution_V
     )
+    result = _result(calibrate_channel(parse_channel(text), settings), given)
+    return Outcome(KIND, result, tuple(_lines(result)))
 
 
 def _result(found: ChannelCalibration, given: ChannelFile) -> dict[str, Any]:

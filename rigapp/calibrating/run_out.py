@@ -51,12 +51,8 @@ def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[
         found = make_map([roll for roll, _ in rolls], orders, elastic_doubts=DOUBTS)
     except RunOutError as error:
         raise UnusableInput(f"run-out: {error}.") from error
-    return run_out_outcome(found), harmonics_csv(found), [facts for _, facts in rolls]
-
-
-def run_out_outcome(found: RunOutMap) -> Outcome:
-    """Return a map as it is shown, printed and kept."""
-    return Outcome("run-out map", run_out_result(found), tuple(run_out_lines(found)))
+    outcome = Outcome("run-out map", run_out_result(found), tuple(run_out_lines(found)))
+    return outcome, harmonics_csv(found), [facts for _, facts in rolls]
 
 
 def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
@@ -140,14 +136,8 @@ def _as_read(shown: Array, angle: Array, probes: Mapping[str, Any]) -> Array:
     cosines = probes.get("run_out_cos_um")
     if cosines is None or not np.size(cosines):
         return np.asarray(read, np.float64)
-    together = _interleaved(np.asarray(cosines), np.asarray(probes["run_out_sin_um"]))
+    together = np.stack((cosines, probes["run_out_sin_um"]), axis=-1).reshape(2, -1)
     return np.asarray(read + evaluate(together, angle), np.float64)
-
-
-def _interleaved(cosines: Array, sines: Array) -> Array:
-    together = np.empty((2, 2 * cosines.shape[1]))
-    together[:, 0::2], together[:, 1::2] = cosines, sines
-    return together
 
 
 def run_out_result(found: RunOutMap) -> dict[str, Any]:
@@ -169,22 +159,20 @@ def run_out_result(found: RunOutMap) -> dict[str, Any]:
         "map_um": (UM * evaluate(found.coefficients, grid)).tolist(),
         "map_standard_uncertainty_um": (UM * spread_at(found.covariance, grid)).tolist(),
         "map_step_deg": GRID_DEG,
-        "peak_to_peak_um": _listed(found.peak),
-        "inertia_um": _listed(found.inertia),
-        "elastic_um": _listed(found.elastic),
-        "between_rolls_um": _listed(found.between),
-        "drift_um": _listed(found.drift),
-        "rest_um": _listed(found.rest),
         "expanded_uncertainty_um": float(UM * found.expanded.max()),
-        "expanded_uncertainties_um": _listed(found.expanded),
+        **{
+            f"{name}_um": None if values is None else (UM * values).tolist()
+            for name, values in (
+                ("peak_to_peak", found.peak),
+                ("inertia", found.inertia),
+                ("elastic", found.elastic),
+                ("between_rolls", found.between),
+                ("drift", found.drift),
+                ("rest", found.rest),
+                ("expanded_uncertainties", found.expanded),
+            )
+        },
     }
-
-
-def _listed(values: Array | None) -> list[float] | None:
-    if values is None:
-        return None
-    listed: list[float] = (UM * values).tolist()
-    return listed
 
 
 def harmonics_csv(found: RunOutMap) -> str:

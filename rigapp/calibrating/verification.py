@@ -16,12 +16,13 @@ import msgspec
 
 from calibration.records import EVALUATION, Record, unseal
 from calibration.taking.readings import ReadingsError
-from rigapp.calibrating.channel import channel_again
+from rigapp.calibrating.channel import fit_channel
 from rigapp.calibrating.load_cell_result import fit_load_cell
 from rigapp.calibrating.probe_result import fit_probes
 from rigapp.calibrating.run_out import map_again
 from rigapp.calibrating.running_check import check_again
 from rigapp.config.calibration_settings import (
+    ChannelFile,
     LoadCellFile,
     ProbeFile,
     probe_meaning,
@@ -78,12 +79,17 @@ def _probes(content: Content) -> Result:
     return fit_probes(content["readings_csv"], [settings] * count).result
 
 
+def _channel(content: Content) -> Result:
+    given = msgspec.convert(content["settings"], ChannelFile)
+    return fit_channel(content["readings_csv"], given, "", "").result
+
+
 KINDS: Mapping[str, _Kind] = {
     "load cell": _Kind(_load_cell, ("matrix_N_per_unit", "zero", "quadratic_unit_per_N2")),
     "probe": _Kind(_probes, ("sensitivity_um_per_V", "offset_V")),
     "probe pair": _Kind(_probes, ("sensitivity_um_per_V", "offset_V", "matrix")),
     "run-out map": _Kind(map_again, ("cos_um", "sin_um"), ("rest_um",)),
-    "channel": _Kind(channel_again, ("scale_per_V", "offset_V", "table")),
+    "channel": _Kind(_channel, ("scale_per_V", "offset_V", "table")),
     "running check": _Kind(check_again, ("measured_mass_times_radius_kg_m",)),
 }
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from calibration.turning.run_out import (
+    FASTEST,
     Roll,
     RunOutError,
     SlowRevolution,
@@ -107,6 +108,8 @@ def test_each_mistake_has_its_name() -> None:
     assert codes(roll(rng, turns=4)) == ["too_few_revolutions"]
     assert codes(roll(rng, turns=7)) == ["few_revolutions"]
     assert codes(replace(good, speed=60.0 * RPM)) == ["too_fast"]
+    # As fast as a plan may be, by a drive that turns a little faster.
+    assert codes(replace(good, speed=1.005 * FASTEST)) == []
     assert codes(replace(good, speed=0.0)) == ["too_fast"]
     assert codes(spoilt(np.full((2, 600), np.nan), good)) == ["not_a_number"]
     late = replace(good, turns=tuple(replace(one, saturated=True) for one in good.turns))
