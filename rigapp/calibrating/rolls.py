@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -110,11 +110,16 @@ def rolls_of(
     return SpindleRuns(runs, "slow roll")
 
 
-def save_map(files: Sequence[Path], orders: int, name: str, given: RunOutFile, to: Path) -> Outcome:
-    """Make a map of rolls and keep its record when it is good; name: of the rig, if it is known."""
+def save_map(
+    files: Sequence[Path], orders: int, source: Mapping[str, Any], given: RunOutFile, to: Path
+) -> Outcome:
+    """Make a map of rolls and keep its record when it is good.
+
+    source: the rig and whether it is simulated, as far as that is known.
+    """
     outcome, readings, facts = map_of(files, orders)
     if outcome.accepted:
-        taken = {"rig": name, "files": facts, "orders": orders}
+        taken = {**source, "files": facts, "orders": orders}
         keep_record(to, outcome.kind, readings, given, outcome.result, taken)
     return outcome
 
@@ -182,7 +187,8 @@ class RollSession:
         """Seal an accepted map in a record; raise UnusableInput."""
         refuse_existing(to)
         self.runs.compress()
-        save_map(self.runs.files, self.plan.orders, self.rig.name, self.given, to)
+        source = {"rig": self.rig.name, "simulated": self.rig.simulated}
+        save_map(self.runs.files, self.plan.orders, source, self.given, to)
         return replace(outcome, saved=to)
 
     def residuals(self) -> ResidualsSoFar:

@@ -96,7 +96,7 @@ def calibrate_run_out(
     given = RunOutFile(schema=1) if settings is None else read_document(settings, RunOutFile).record
     refuse_existing(to)
     if rig is None:
-        outcome = save_map(recorded, orders, "", given, to)
+        outcome = save_map(recorded, orders, {"rig": ""}, given, to)
         return say_outcome(outcome, to, as_json=as_json)
     operator = given.paperwork.operator or os.environ.get("USER", "")
     document, plan = read_rig(rig), roll_plan(rpm, revolutions, orders)
@@ -104,7 +104,8 @@ def calibrate_run_out(
     rolls = rolls_of(document, base, plan, to.with_suffix(""), operator)
     own = document.record.simulation is not None
     take_runs(rolls, engine_line(rig, operator, own=own), sayer(as_json))
-    outcome = save_map(rolls.files, orders, document.record.name, given, to)
+    source = {"rig": document.record.name, "simulated": own}
+    outcome = save_map(rolls.files, orders, source, given, to)
     return say_outcome(outcome, to, as_json=as_json)
 
 

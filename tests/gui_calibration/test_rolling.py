@@ -79,6 +79,7 @@ def test_rolls_are_taken_up_and_make_a_map_that_the_engine_uses(
     saved = wizard.live.outcome.saved
     record = unseal(saved.read_bytes())
     assert record.kind == "run-out map"
+    assert record.content["taken"]["simulated"] is True
     assert record.content["result"]["peak_to_peak_um"] == pytest.approx([6.0, 6.0], abs=0.6)
     wizard.certificate.use.click()
     wizard.certificate.use.click()
