@@ -144,17 +144,17 @@ def test_a_free_channel_is_drawn_in_the_trend_and_against_the_angle(
         panel.show_news(News(data=data))
     trend.choice.setCurrentIndex(trend.choice.findData(WARM.name))
     trend.show_news(News(data=data))
-    assert trend.values.whole == "Now: maximum 32.5, RMS 32, minimum 31.5"
+    assert trend.words == "Now: maximum 32.5, RMS 32, minimum 31.5"
     trend.choice.setCurrentIndex(trend.choice.findData(ROOM.name))
     trend.show_news(News(data=data))
-    assert trend.values.whole == "Now: newest 21.5, 12 s old"
+    assert trend.words == "Now: newest 21.5, 12 s old"
     assert [curves.choice.itemText(i) for i in range(2)] == ["Pin position", "Bushing temperature"]
     curves.choice.setCurrentIndex(1)
     curves.show_news(News(data=data))
     drawn = curves._curves[0].getData()[1]
     assert drawn.min() == pytest.approx(30.0, abs=1e-3)
     assert drawn.max() == pytest.approx(32.0, abs=1e-3)
-    assert "mean 31.0 °C" in curves.legend.accessibleName()
+    assert curves.title.whole == "°C, mean 31.0"
     # another rig: what was chosen is gone, and the panels show what is there
     for panel in (trend, curves):
         panel.show_news(News(data=LiveData()))
@@ -218,11 +218,11 @@ def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
         hands.see(lambda: window.side.live.free["humidity"].caption.whole.endswith(" old"))
         trend = panels["overview_trend"]
         trend.choice.setCurrentIndex(trend.choice.findData("bushing_temperature"))
-        hands.see(lambda: "maximum 2" in trend.values.whole)
+        hands.see(lambda: "maximum 2" in trend.words)
         window.tabs.setCurrentIndex(1)
         curves = panels["cycle"].channels
         curves.choice.setCurrentIndex(curves.choice.findText("Bushing temperature"))
-        hands.see(lambda: "Bushing temperature, mean 2" in curves.legend.accessibleName())
+        hands.see(lambda: curves.title.whole.startswith("°C, mean 2"))
         window.tabs.setCurrentIndex(3)
         limits, name = panels["limits"], "bushing_temperature_max.warning_above"
         hands.see(lambda: name in [row[0] for row in limits.table.texts()])
@@ -246,6 +246,6 @@ def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
     assert window.side.live.free["humidity"].caption.whole.endswith(" old")
     trend.choice.setCurrentIndex(trend.choice.findData("humidity"))
     window.draw_now()
-    assert trend.values.whole.startswith("Now: newest ")
+    assert trend.words.startswith("Now: newest ")
     assert any("bushing_temperature" in one.cause for one in window._connection.status.alarms)
     window._leave()

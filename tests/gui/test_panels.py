@@ -269,7 +269,7 @@ def test_results_are_compared_and_replayed(
         panel.compare.quantity.setCurrentIndex(index)
     panel.compare.axis.setCurrentIndex(1)
     panel.dress(DARK)
-    assert len(panel.compare.legend._entries) == 2
+    assert len(panel.compare.plot.marks.names) == 2
 
 
 def test_the_report_is_written_beside_the_file(
@@ -295,10 +295,11 @@ def test_the_report_is_written_beside_the_file(
 
 def test_a_comparison_on_the_wear_axis_ascends(recorded: Path) -> None:
     data = load_history(recorded).data
-    x, y = line_of(data, "force_max", "measured_wear_depth")
-    assert len(x) == len(y) == 300
-    assert (np.diff(x) >= 0.0).all()
-    assert x[0] == pytest.approx(data.predictions.series("measured_wear_depth").values[0], rel=1e-5)
+    line = line_of(data, "force_max", "measured_wear_depth")
+    assert len(line.x) == len(line.y) == 300
+    assert (np.diff(line.x) >= 0.0).all()
+    depth = data.predictions.series("measured_wear_depth").values[0]
+    assert line.x[0] == pytest.approx(1e3 * depth, rel=1e-5)
 
 
 def test_an_interrupted_test_can_be_gone_on_with(
@@ -398,8 +399,8 @@ def test_the_profile_panel_shows_both_depths(qtbot: Any, qapp: Any, recorded: Pa
     qtbot.addWidget(panel)
     panel.show_news(News(data=history.data, recipe=history.recipe))
     predicted = history.data.predictions.last("wear_depth")
-    assert panel._model.getData()[1].max() == pytest.approx(predicted)
-    assert f"model {predicted:.4f} mm" in panel.legend.accessibleName()
+    assert panel._model.getData()[1].max() == pytest.approx(1e3 * predicted)
+    assert f"model {1e3 * predicted:.1f}" in panel.plot.accessibleDescription()
     panel.dress(DARK)
 
 
@@ -522,14 +523,14 @@ def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
 
     def compared() -> bool:
         window.tick()
-        return "Grey: revolution 40" in cycle.overlay.title.whole
+        return "stored 40" in cycle.overlay.plot.accessibleDescription()
 
     qtbot.waitUntil(compared, timeout=PATIENCE_MS)
     assert cycle.stored.value() == 40
-    assert len(cycle.overlay._references["force"].getData()[0]) > 100
+    assert len(cycle.overlay._behind["stored"]["force"].getData()[0]) > 100
     cycle.show_stored.setChecked(False)
     window.draw_now()
-    assert "Grey" not in cycle.overlay.title.whole
+    assert "stored" not in cycle.overlay.plot.accessibleDescription()
     numbers = {cycle.values.item(0, column).text() for column in range(9)}
     assert "96.00" in numbers
 
@@ -551,9 +552,9 @@ def test_every_trend_draws_what_it_names(
         trend.choice.setCurrentIndex(index)
         window.draw_now()
         assert trend._curves
-        assert all(len(curve.getData()[0]) > 0 for _, _, curve in trend._curves)
+        assert all(len(one.trace.getData()[0]) > 0 for one in trend._curves)
         if trend.choice.currentData() == "wear":
-            assert "± 0.0011 (k = 2)" in trend.values.whole
+            assert "± 1.1" in trend.words
     trend.choice.setCurrentIndex(0)
     trend.modes["last"].click()
     window.draw_now()
@@ -563,7 +564,7 @@ def test_every_trend_draws_what_it_names(
     trend.modes["whole"].click()
     window.draw_now()
     assert trend.plot.viewRange()[0][0] == 1.0
-    assert "maximum" in trend.values.whole
+    assert "maximum" in trend.words
 
 
 def test_a_trend_is_zoomed_by_keys(
@@ -592,17 +593,17 @@ def test_a_trend_is_read_at_a_cycle(
     engine.say(count=1500)
     attach()
     trend = window.tabs.panels["upper_trend"]
-    trend.point_at(700.3)
+    trend.view.point_at(700.3)
     window.draw_now()
     expected = window._test.data.rows.series("force_max").values[699]
-    assert f"At cycle 700: maximum {expected:.4g}" in trend.values.whole
-    assert "model maximum" in trend.values.whole
-    trend.point_at(99_999.0)
+    assert f"At cycle 700: maximum {expected:.4g}" in trend.words
+    assert "model maximum" in trend.words
+    trend.view.point_at(99_999.0)
     window.draw_now()
-    assert trend.values.whole == ""
+    assert trend.words == ""
     qtbot.keyClick(trend.plot, Qt.Key.Key_Escape)
     window.draw_now()
-    assert trend.values.whole.startswith("Now: maximum")
+    assert trend.words.startswith("Now: maximum")
 
 
 def test_closing_asks_while_a_test_is_under_way(

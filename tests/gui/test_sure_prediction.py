@@ -22,7 +22,7 @@ def seen(overlay: OverlayPanel, **columns: float) -> str:
     data = LiveData()
     data.take(msgspec.structs.replace(make_snapshot(1, 9), predictions=rows.tobytes()))
     overlay.show_news(News(data=data))
-    return overlay.title.whole
+    return f"{overlay.plot.accessibleDescription()}; {overlay.readout.whole}"
 
 
 @pytest.fixture
@@ -34,16 +34,21 @@ def overlay(qtbot: Any, qapp: Any) -> OverlayPanel:
 
 def test_the_uncertainty_stands_beside_the_prediction(overlay: OverlayPanel) -> None:
     text = seen(overlay)
-    assert "Model: revolution 9, ± 0.94 N (k = 2)" in text
-    assert "FASTER" not in text
+    assert "model ± 0.94" in text
+    assert "faster" not in text
+    low, high = overlay._model_bands["force"].limits
+    assert high - low == pytest.approx(2 * 0.94)
 
 
 def test_a_speed_that_is_not_followed_is_told_where_it_matters(overlay: OverlayPanel) -> None:
     text = seen(overlay, force_uncertainty=22.0, unfollowed_acceleration=54.0)
-    assert "± 22 N (k = 2), SPEED CHANGES FASTER THAN THE PREDICTION CAN FOLLOW" in text
-    assert "FASTER" not in seen(overlay, force_uncertainty=1.2, unfollowed_acceleration=2.0)
+    assert "model ± 22" in text
+    assert text.endswith("▲ the speed changes faster than the prediction can follow")
+    assert "faster" not in seen(overlay, force_uncertainty=1.2, unfollowed_acceleration=2.0)
 
 
 def test_a_file_of_before_says_nothing(overlay: OverlayPanel) -> None:
     text = seen(overlay, force_uncertainty=np.nan, unfollowed_acceleration=np.nan)
-    assert text.endswith("Model: revolution 9")
+    assert "model" in text
+    assert "±" not in text
+    assert len(overlay._model_bands["force"].limits[0]) == 0

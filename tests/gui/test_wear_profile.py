@@ -48,13 +48,12 @@ def test_the_panel_draws_only_what_the_pin_reached(qtbot: Any) -> None:
     panel.show_news(News(data=data))
     angle, depth = panel._measured.getData()
     assert np.isnan(depth[np.abs(angle) > 20.0]).all()
-    assert depth[np.abs(angle) <= 20.0] == pytest.approx(0.02)
-    upper = panel._upper.getData()
-    assert upper[0].min() == -20.0
-    assert upper[1] == pytest.approx(0.04)
-    words = panel.legend.accessibleName()
-    assert "0.0200 ± 0.0200 mm (k = 2)" in words
-    assert "revolution 20" in words
+    assert depth[np.abs(angle) <= 20.0] == pytest.approx(20.0)
+    assert panel._band.limits[1] == pytest.approx(40.0)
+    assert len(panel._band.limits[1]) == 41
+    assert "measured 20.0 ± 20.0" in panel.plot.accessibleDescription()
+    words = panel.title.whole
+    assert "cycle 20" in words
     assert "-20° to 20°" in words
 
 
@@ -67,8 +66,8 @@ def test_unknown_profiles_say_so(qtbot: Any) -> None:
         nothing[name][:] = np.nan
     data.profile = shown_profile(profile_message(nothing, 0))
     panel.show_news(News(data=data))
-    words = panel.legend.accessibleName()
-    assert "measured: not known yet, revolution 3" in words
+    words = panel.title.whole
+    assert "measured: not known yet, cycle 3" in words
     assert "model: not known" in words
     panel.dress(LIGHT)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -100,8 +101,8 @@ def statistics(shown: RevolutionCurves) -> list[tuple[str, list[float]]]:
     return table
 
 
-def uncertainty_of(channels: Sequence[ChannelView]) -> float | None:
-    """Return the uncertainty of the joint force in N: of |F|, else the larger of its components."""
+def uncertainty_of(channels: Sequence[ChannelView]) -> float:
+    """Return U of the joint force in N: of |F|, else the larger of its components; NaN: unknown."""
     known = {
         channel.name: channel.uncertainty
         for channel in channels
@@ -109,7 +110,13 @@ def uncertainty_of(channels: Sequence[ChannelView]) -> float | None:
     }
     if SIZE in known:
         return known[SIZE]
-    return max((known[name] for name in COMPONENTS if name in known), default=None)
+    return max((known[name] for name in COMPONENTS if name in known), default=math.nan)
+
+
+def joint_uncertainty(*uncertainties: float) -> float:
+    """Return U of a difference of independent values, of those that are known; NaN: none is."""
+    known = [one for one in uncertainties if math.isfinite(one)]
+    return math.hypot(*known) if known else math.nan
 
 
 def _in_frame(

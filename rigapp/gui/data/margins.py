@@ -9,10 +9,40 @@ from dataclasses import dataclass
 from rigapp.config.recipe import LimitRule, TestFile
 from rigapp.gui.data.channels import SIZE, words
 from rigapp.gui.data.news import News
+from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.texts import unit_text
 from rigapp.schema.loglines import newest_limits
 
 DRIVE_OFF = "drive off"
+DEPTH = "measured_wear_depth"
+COMPLETE = "complete"
+
+
+@dataclass(frozen=True, slots=True)
+class WatchedLimit:
+    """A limit of a column of rows or predictions, in ``unit``, which is ``scale`` of the column's.
+
+    below: it is passed downwards. action: what happens then.
+    """
+
+    title: str
+    column: str
+    limit: float
+    unit: str
+    action: str
+    below: bool = False
+    scale: float = 1.0
+
+    @property
+    def words(self) -> str:
+        """Return what happens where, e.g. ``warn above 95 N``."""
+        unit = f" {self.unit}" if self.unit else ""
+        side = "below" if self.below else "at" if self.action == COMPLETE else "above"
+        return f"{self.action} {side} {self.limit:.4g}{unit}"
+
+    def margin(self, value: float) -> Margin:
+        """Return a value, in the limit's unit, beside it."""
+        return Margin(self.title, value, self.limit, self.unit, self.action, self.below)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +81,40 @@ class Margin:
 
 
 def margins(news: News) -> list[Margin]:
-    """Return the limits that the newest revolution can be judged by, in the order of the test."""
+    """Return the limits that the newest revolution can be judged by, in the order of the test.
+
+    Of two levels on one side the next one is told: the critical one when the other is passed.
+    """
+    found: dict[tuple[str, bool], Margin] = {}
+    for one in watched(news):
+        value = one.scale * newest(news, one.column)
+        key = (one.title, one.below)
+        if math.isfinite(value) and (key not in found or found[key].passed):
+            found[key] = one.margin(value)
+    return list(found.values())
+
+
+def watched(news: News) -> list[WatchedLimit]:
+    """Return every limit of the test as it is now, a warning before what is worse."""
     test = news.recipe
     if test is None:
         return []
     changed = newest_limits(news.events)
-    found = [one for rule in test.limits.rule for one in _of_rule(rule, news, changed)]
-    return [one for one in (*_always(test, news, changed), *found) if math.isfinite(one.value)]
+    limits = test.limits
+    overload = _overload(test, changed)
+    overspeed = changed.get("overspeed_rpm", limits.overspeed_rpm)
+    found = [
+        WatchedLimit("|F|, any sample", f"{SIZE}_max", overload, "N", DRIVE_OFF),
+        WatchedLimit("Speed", "speed_max", overspeed, "rpm", DRIVE_OFF),
+    ]
+    if test.stop.wear_depth_um is not None:
+        depth = test.stop.wear_depth_um
+        found.append(WatchedLimit("Wear depth", DEPTH, depth, "µm", COMPLETE, scale=UM_PER_MM))
+    for rule in limits.rule:
+        found += _of_rule(
+            rule, unit_text(news.data.channels.units.get(rule.quantity, "1")), changed
+        )
+    return found
 
 
 def overload_limit(news: News) -> float:
@@ -70,38 +127,19 @@ def _overload(test: TestFile, changed: Mapping[str, float]) -> float:
     return changed.get("overload_N", test.limits.overload_N)
 
 
-def _always(test: TestFile, news: News, changed: Mapping[str, float]) -> Iterator[Margin]:
-    limits = test.limits
-    overload = _overload(test, changed)
-    yield Margin("|F|, any sample", _newest(news, f"{SIZE}_max"), overload, "N", DRIVE_OFF)
-    overspeed = changed.get("overspeed_rpm", limits.overspeed_rpm)
-    yield Margin("Speed", _newest(news, "speed_max"), overspeed, "rpm", DRIVE_OFF)
-    if test.stop.wear_depth_um is not None:
-        depth = 1e3 * _newest(news, "measured_wear_depth")
-        yield Margin("Wear depth", depth, test.stop.wear_depth_um, "µm", "complete")
-
-
-def _of_rule(rule: LimitRule, news: News, changed: Mapping[str, float]) -> Iterator[Margin]:
-    """Return the next level above and the next below."""
-    value = _newest(news, rule.quantity)
-    unit = unit_text(news.data.channels.units.get(rule.quantity, "1"))
+def _of_rule(rule: LimitRule, unit: str, changed: Mapping[str, float]) -> Iterator[WatchedLimit]:
     for side in ("above", "below"):
-        levels = {
-            level: changed.get(f"{rule.quantity}.{level}_{side}", getattr(rule, f"{level}_{side}"))
-            for level in ("warning", "critical")
-        }
-        for level, limit in levels.items():
-            if limit is None:
-                continue
-            action = str(getattr(rule, f"action_{level}")).replace("_", " ")
-            title = words(rule.quantity).capitalize()
-            one = Margin(title, value, limit, unit, action, side == "below")
-            if level == "critical" or levels["critical"] is None or not one.passed:
-                yield one
-                break
+        for level in ("warning", "critical"):
+            name = f"{level}_{side}"
+            limit = changed.get(f"{rule.quantity}.{name}", getattr(rule, name))
+            if limit is not None:
+                action = str(getattr(rule, f"action_{level}")).replace("_", " ")
+                title = words(rule.quantity).capitalize()
+                yield WatchedLimit(title, rule.quantity, limit, unit, action, side == "below")
 
 
-def _newest(news: News, column: str) -> float:
+def newest(news: News, column: str) -> float:
+    """Return the newest value of a column of rows or predictions, NaN where there is none."""
     for table in (news.data.rows, news.data.predictions):
         if column in table.names:
             return table.last(column)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from rigapp.gui.data.channels import axis_of, span_of, title_of
+from rigapp.gui.data.channels import SIZE, axis_of, span_of, title_of
 from rigapp.gui.data.texts import unit_text
-from rigapp.schema.channels import Channel, ChannelTable, Kind
+from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.schema.columns import prediction_columns
 
 STATISTICS = {"max": ("maximum", "first"), "rms": ("RMS", "main"), "min": ("minimum", "second")}
@@ -15,6 +15,8 @@ STATISTICS = {"max": ("maximum", "first"), "rms": ("RMS", "main"), "min": ("mini
 COMPARED = {**{name: text for name, (text, _) in STATISTICS.items()}, "mean": "mean"}
 """The statistics that tests are compared by."""
 
+UM_PER_MM = 1e3
+LARGEST = f"{SIZE}_max"
 _DERIVED = Kind.DERIVED
 _PREDICTED = frozenset(column.name for column in prediction_columns())
 
@@ -35,20 +37,29 @@ class TrendLine:
 
 @dataclass(frozen=True, slots=True)
 class TrendQuantity:
-    """What a trend can show: measured lines and predicted lines of one unit."""
+    """What a trend can show: measured and predicted lines of one unit, scale times their columns.
+
+    measured are columns of rows, predicted of predictions.
+    """
 
     title: str
     axis: str
     minimum_span: float
     measured: tuple[TrendLine, ...]
     predicted: tuple[TrendLine, ...] = ()
+    scale: float = 1.0
+
+    @property
+    def unit(self) -> str:
+        """Return the unit of its values, as the window writes it."""
+        return self.axis.rpartition("(")[2].rstrip(")") if "(" in self.axis else ""
 
 
 _OTHERS = {
     "wear": TrendQuantity(
         "Wear depth",
-        "Depth (mm)",
-        0.002,
+        "Depth (µm)",
+        2.0,
         (),
         (
             TrendLine(
@@ -56,6 +67,7 @@ _OTHERS = {
             ),
             TrendLine("wear_depth", "model", "model"),
         ),
+        UM_PER_MM,
     ),
     "residual": TrendQuantity(
         "Measured − model",
@@ -84,7 +96,7 @@ _OTHERS = {
 
 def trend_quantities(table: ChannelTable) -> dict[str, TrendQuantity]:
     """Return what a trend can show of the channels of a table, and all else, by name."""
-    return {**{one.name: _of_channel(one) for one in _ordered(table)}, **_OTHERS}
+    return {**{one.name: _of_channel(one) for one in _ordered(table)}, LARGEST: _LARGEST, **_OTHERS}
 
 
 def _ordered(table: ChannelTable) -> list[Channel]:
@@ -102,7 +114,9 @@ def _of_channel(channel: Channel) -> TrendQuantity:
             TrendLine(f"{channel.name}_{name}", role, text)
             for name, (text, role) in STATISTICS.items()
         )
-    predicted = lines if lines[0].column in _PREDICTED else ()
+    predicted: tuple[TrendLine, ...] = ()
+    if lines[0].column in _PREDICTED:
+        predicted = tuple(replace(line, doubt="force_uncertainty") for line in lines)
     return TrendQuantity(title_of(channel), axis_of(channel), span_of(channel), lines, predicted)
 
 
@@ -117,6 +131,23 @@ def compared_columns(table: ChannelTable) -> dict[str, str]:
             found[column] = f"{title}, {word} ({unit})" if word else f"{title} ({unit})"
     for quantity in _OTHERS.values():
         for line in (*quantity.measured, *quantity.predicted):
-            unit = quantity.axis.rpartition("(")[2]
-            found[line.column] = f"{quantity.title}, {line.text} ({unit}"
+            found[line.column] = f"{quantity.title}, {line.text} ({quantity.unit})"
     return found
+
+
+def scale_of(column: str) -> float:
+    """Return what the values of a column are multiplied by to be in the unit of its words."""
+    for quantity in _OTHERS.values():
+        if any(line.column == column for line in quantity.predicted):
+            return quantity.scale
+    return 1.0
+
+
+_WHOLE = _of_channel(BASE[SIZE])
+_LARGEST = replace(
+    _WHOLE,
+    title=f"{_WHOLE.title} maximum",
+    measured=_WHOLE.measured[:1],
+    predicted=_WHOLE.predicted[:1],
+)
+"""The largest force alone: on an axis with the smallest its changes are not seen."""

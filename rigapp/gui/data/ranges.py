@@ -17,6 +17,19 @@ def nice_step(span: float, parts: int = 5) -> float:
     return 10.0 * power
 
 
+def round_places(low: float, high: float, parts: int, least: int = 3) -> tuple[float, list[float]]:
+    """Return the distance of round values from low to high, and them: about ``parts`` + 1.
+
+    There are at least ``least`` of them, also where that takes more parts.
+    """
+    while True:
+        step = nice_step(high - low, parts)
+        first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+        if last - first + 1 >= least:
+            return step, [step * number for number in range(first, last + 1)]
+        parts += 1
+
+
 FILLED_LEAST = 0.45
 """Of an axis: a range that the data fill less shrinks to the next step below."""
 SPARE, SPARE_BOTH = 1.02, 1.06

@@ -148,6 +148,18 @@ def predicted_cycle(message: Prediction) -> PredictedCycle:
     )
 
 
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """How sure a predicted force is.
+
+    uncertainty_N: the largest expanded one (k = 2) of the revolution, NaN when unknown; unfollowed:
+    the speed changed faster than the prediction can follow.
+    """
+
+    uncertainty_N: float = math.nan
+    unfollowed: bool = False
+
+
 class LiveData:
     """Collect snapshots into what the panels draw; the panels only read."""
 
@@ -223,21 +235,16 @@ class LiveData:
         self.rows.load(columns)
         self._next_row = len(self.rows)
 
-    def doubt(self, revolution: int) -> str:
-        """Return how sure the predicted force of a revolution is, in words; empty when unknown."""
+    def doubt(self, revolution: int) -> Doubt:
+        """Return how sure the predicted force of a revolution is."""
         place = int(np.searchsorted(self.predictions.revolutions, revolution))
         if place == len(self.predictions) or self.predictions.revolutions[place] != revolution:
-            return ""
+            return Doubt()
         sure, unfollowed, most = (
             float(self.predictions.series(name).values[place])
             for name in ("force_uncertainty", "unfollowed_acceleration", f"{SIZE}_max")
         )
-        if not math.isfinite(sure):
-            return ""
-        text = f"\u00b1 {sure:.2g} N (k = 2)"
-        if unfollowed > 0.0 and sure > UNFOLLOWED_SHARE * most:
-            text += ", SPEED CHANGES FASTER THAN THE PREDICTION CAN FOLLOW"
-        return text
+        return Doubt(sure, unfollowed > 0.0 and sure > UNFOLLOWED_SHARE * most)
 
     def partner(self, prediction: PredictedCycle) -> MeasuredCycle | None:
         """Return the measured cycle of a prediction while it is still kept."""

@@ -27,6 +27,13 @@ def grouped(number: int) -> str:
     return f"{number:,}".replace(",", "\u2009")
 
 
+def axis_number(value: float, step: float) -> str:
+    """Return a number at an axis whose numbers are ``step`` apart, with a true minus."""
+    decimals = max(0, -math.floor(math.log10(step) + 1e-9))
+    text = f"{value:,.{decimals}f}".replace(",", "\u2009")
+    return text.replace("-", "\u2212") if value <= -step / 2.0 else text.lstrip("-")
+
+
 def duration(seconds: float) -> str:
     """Return a length of time in the two largest units that matter."""
     if not math.isfinite(seconds):

@@ -8,22 +8,21 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rigapp.gui.data.pyramid import polyline
-from rigapp.gui.data.quantities import compared_columns
+from rigapp.gui.data.judged import EVERYTHING, Drawn, drawn
+from rigapp.gui.data.quantities import compared_columns, scale_of
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredTest, load_history
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.curves import clear
+from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import LegendRow, PlotPanel, QuietPlot, clear
+from rigapp.gui.plots.plotting import PlotPanel, QuietPlot
 from rigapp.gui.widgets.build import choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.channels import BASE
-
-Floats = NDArray[np.float64]
 
 CHOOSE = "Choose one or more tests above and press Compare."
 MOST = 6
@@ -32,7 +31,9 @@ COLOURS = {
     "light": ("#0072b2", "#d55e00", "#2ca25f", "#000000", "#a8497b", "#803000"),
     "dark": ("#3f9be0", "#f0a050", "#7fe0b0", "#ffffff", "#f0e442", "#e15759"),
 }
-AXES = {"cycle": "Cycle", "measured_wear_depth": "Measured wear depth (mm)"}
+CYCLE = "cycle"
+AXES = {CYCLE: "Cycle", "measured_wear_depth": "Measured wear depth (µm)"}
+NOTHING = Drawn(np.empty(0), np.empty(0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,22 +44,27 @@ class ComparedTest:
     data: LiveData
 
 
-def line_of(data: LiveData, quantity: str, axis: str) -> tuple[Floats, Floats]:
-    """Return the points of one test to draw, extremes kept."""
+def line_of(data: LiveData, quantity: str, axis: str) -> Drawn:
+    """Return the line of one test to draw, extremes kept, in the units of the words."""
     table = data.rows if quantity in data.rows.names else data.predictions
     if quantity not in table.names:
-        return np.empty(0), np.empty(0)
-    series = table.series(quantity)
-    x, y = polyline(table.revolutions, series.envelope(0, len(series), BUCKETS))
-    if axis == "cycle" or not len(data.predictions):
-        return x, y
+        return NOTHING
+    line = drawn(table, quantity, data.rows, EVERYTHING, BUCKETS, scale_of(quantity))
+    if axis == CYCLE or not len(data.predictions):
+        return line
     depth = data.predictions.series(axis).values
     known = np.isfinite(depth)
     if not known.any():
-        return np.empty(0), np.empty(0)
-    at = np.interp(x, data.predictions.revolutions[known], depth[known].astype(np.float64))
+        return NOTHING
+    revolutions = data.predictions.revolutions[known]
+    depths = scale_of(axis) * depth[known].astype(np.float64)
+    at = np.interp(line.x, revolutions, depths)
     order = np.argsort(at, kind="stable")
-    return at[order], y[order]
+    beyond = [
+        None if one is None else (float(np.interp(one[0], revolutions, depths)), one[1])
+        for one in (line.above, line.under)
+    ]
+    return Drawn(at[order], line.y[order], line.low, line.high, *beyond)
 
 
 def _items(texts: dict[str, str]) -> list[tuple[str, str]]:
@@ -84,9 +90,8 @@ class ComparePanel(PlotPanel):
         self.message = ElidedLabel("compare_message", "State of the comparison")
         self.message.show_text(CHOOSE)
         self.plot.empty(CHOOSE)
-        self.legend = LegendRow("compare_legend", theme)
         top = row("&Quantity", self.quantity, "Against", self.axis, (self.message, 1))
-        column(top, self.legend, (self.plot, 1), on=self)
+        column(top, (self.plot, 1), on=self)
 
     @property
     def runs(self) -> list[ComparedTest]:
@@ -139,35 +144,38 @@ class ComparePanel(PlotPanel):
     def _draw(self) -> None:
         quantity, axis = str(self.quantity.currentData()), str(self.axis.currentData())
         colours = COLOURS[self._theme.name]
-        entries = []
-        limits = [np.inf, -np.inf, np.inf, -np.inf]
+        names, spots, lines = [], [], []
         for index, curve in enumerate(self._curves):
             if index >= len(self._runs):
                 clear(curve)
                 continue
             run = self._runs[index]
-            x, y = line_of(run.data, quantity, axis)
+            line = line_of(run.data, quantity, axis)
             pen = LinePen(colours[index])
             self.plot.draw_with(pen, curve)
-            curve.setData(x, y, connect="finite")
-            entries.append((run.path.stem, pen))
-            if np.isfinite(y).any():
-                limits = [
-                    min(limits[0], float(np.nanmin(x))),
-                    max(limits[1], float(np.nanmax(x))),
-                    min(limits[2], float(np.nanmin(y))),
-                    max(limits[3], float(np.nanmax(y))),
-                ]
-        self.legend.show_entries(entries)
-        self.plot.label("left", self.quantity.currentText())
+            curve.setData(line.x, line.y, connect="finite")
+            known = np.flatnonzero(np.isfinite(line.y))
+            if not known.size:
+                continue
+            lines.append(line)
+            names.append(CurveName(run.path.stem, pen, float(line.y[known[-1]])))
+            spots += [
+                Spot(*at, f"{at[1]:.4g}", pen) for at in (line.above, line.under) if at is not None
+            ]
         self.plot.label("bottom", AXES[axis])
-        if np.isfinite(limits).all():
-            self._place(*limits)
+        if lines:
+            self._place(lines)
+            bottom, top = self.plot.viewRange()[1]
+            spots = [one for one in spots if not bottom <= one.y <= top]
         else:
             missing = f"None of the chosen tests has {self.quantity.currentText()}."
             self.plot.empty(missing if self._runs else CHOOSE)
+        self.plot.show_marks(names=tuple(names), spots=tuple(spots))
 
-    def _place(self, left: float, right: float, low: float, high: float) -> None:
-        self.plot.setXRange(left, max(right, left + 1e-6), padding=0.02)
+    def _place(self, lines: Sequence[Drawn]) -> None:
+        """Show every line whole across; flagged revolutions do not range the axis upwards."""
+        left = min(float(one.x.min()) for one in lines)
+        right = max(float(one.x.max()) for one in lines)
+        self.plot.setXRange(left, max(right, left + 1e-6), padding=0.0)
         self.plot.steady = SteadyRange(1e-6)
-        self.plot.fit(low, high)
+        self.plot.fit(min(one.low for one in lines), max(one.high for one in lines))

@@ -21,7 +21,7 @@ from rigapp.gui.panel import Host
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.polar import PolarPanel
-from rigapp.gui.widgets.build import button, filled, named, page, split, whole_number
+from rigapp.gui.widgets.build import button, named, page, row, split, whole_number
 
 HEADINGS = tuple(
     f"{statistic}\n{kind}"
@@ -42,11 +42,11 @@ class ValueTable(QTableWidget):
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        for row in range(3):
+        for line in range(3):
             for column in range(len(HEADINGS)):
                 item = QTableWidgetItem("–")
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                self.setItem(row, column, item)
+                self.setItem(line, column, item)
         self._fit()
 
     def show_values(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
@@ -55,11 +55,11 @@ class ValueTable(QTableWidget):
         self.setVerticalHeaderLabels(["|F| (N)", f"{first} (N)", f"{second} (N)"])
         unknown = [float("nan")] * len(HEADINGS)
         table = [unknown] * 3 if shown is None else [values for _, values in statistics(shown)]
-        for row, values in enumerate(table):
+        for line, values in enumerate(table):
             for column, value in enumerate(values):
                 sign = "+" if column % 3 == 2 else ""
                 text = "–" if value != value else f"{value:{sign}.2f}"
-                item = self.item(row, column)
+                item = self.item(line, column)
                 if item is not None and item.text() != text:
                     item.setText(text)
 
@@ -93,7 +93,7 @@ class CyclePanel(QSplitter):
             self.channels,
             spoken="Vector and other channels",
         )
-        self.addWidget(page((self.overlay, 1), self.values))
+        self.addWidget(page(self.tools, (self.overlay, 1), self.values))
         self.addWidget(self.right)
         self.setSizes([860, 500])
 
@@ -109,7 +109,7 @@ class CyclePanel(QSplitter):
             "Compare with the stored revolution",
             checkable=True,
         )
-        filled(self.overlay.tools, (self.hold, "Stored revol&ution", self.stored, self.show_stored))
+        self.tools = row(self.hold, "Stored revol&ution", self.stored, self.show_stored, None)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

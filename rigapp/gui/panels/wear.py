@@ -69,7 +69,7 @@ class WearPanel(QWidget):
         if self._known.after:
             sentence += f" (By cycle {grouped(self._known.after)}.)"
         self.sentence.setText(sentence or waiting)
-        self.bands.draw(self._known, predictions, waiting)
+        self.bands.draw(self._known, news, waiting)
         self.narrowing.draw(self._known, sentence or waiting)
 
     def _have_computed(self, news: News, revolution: float) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rigapp.gui.data.channels import axis_of, span_of, title_of, words
+from rigapp.gui.data.channels import span_of, title_of, words
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
@@ -14,8 +14,10 @@ from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import MeasuredCycle
 from rigapp.gui.data.texts import unit_text
 from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.curves import clear
+from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, LegendRow, PlotPanel, QuietPlot, clear
+from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detail
 from rigapp.gui.widgets.build import choice, column, row
 from rigapp.schema.channels import BASE, PROBES, Channel, ChannelTable, Kind
 
@@ -27,7 +29,6 @@ class CurveGroup:
     """Channels drawn together; centred: each less its mean, for what moves matters, not where."""
 
     title: str
-    axis: str
     channels: tuple[Channel, ...]
     texts: tuple[str, ...]
     centred: bool = False
@@ -38,11 +39,9 @@ def curve_groups(table: ChannelTable) -> tuple[CurveGroup, ...]:
     names = table.names_of(PROBES)
     directions = zip(names, COMPONENT_NAMES[ForceFrame.FOLLOWER], strict=True)
     texts = tuple(f"{words(name)}, {direction}" for name, direction in directions)
-    probes = CurveGroup(
-        "Pin position", "Position − mean (µm)", tuple(table[n] for n in names), texts, centred=True
-    )
+    probes = CurveGroup("Pin position", tuple(table[n] for n in names), texts, centred=True)
     return probes, *(
-        CurveGroup(title_of(one), axis_of(one), (one,), (title_of(one),))
+        CurveGroup(title_of(one), (one,), (title_of(one),))
         for one in table.free
         if one.kind is not Kind.SLOW
     )
@@ -60,14 +59,13 @@ class ChannelCurvePanel(PlotPanel):
         self._means: tuple[float, ...] = ()
         self._drawn: MeasuredCycle | None = None
         self.plot = QuietPlot(f"{prefix}_channel_plot", "Channel against crank angle", theme)
-        self.plot.guide(0.0, horizontal=True)
         self.plot.show_crank_angle()
         self.choice = choice(
             f"{prefix}_channel", "Channel against crank angle", (), self._group_chosen
         )
-        self.legend = LegendRow(f"{prefix}_channel_legend", theme)
+        self.title = detail(f"{prefix}_channel_title", "Unit and mean")
         self._curves = [self.plot.curve(LinePen(role)) for role in ROLES]
-        column(row(self.choice, None), self.legend, (self.plot, 1), on=self)
+        column(row(self.choice, (self.title, 1)), (self.plot, 1), on=self)
         self._offer(BASE)
         self._nothing(NO_REVOLUTION)
 
@@ -100,7 +98,7 @@ class ChannelCurvePanel(PlotPanel):
             shown = [values - mean for values, mean in zip(shown, self._means, strict=True)]
         for curve, values in zip(self._curves, shown, strict=False):
             curve.setData(*thinned(angle, values, max(self.plot.width(), 200)))
-        self._show_legend()
+        self._show_names([float(values[-1]) for values in shown])
         low = min((float(values.min()) for values in shown), default=np.nan)
         high = max((float(values.max()) for values in shown), default=np.nan)
         self.plot.fit(low, high)
@@ -114,26 +112,33 @@ class ChannelCurvePanel(PlotPanel):
         self.choice.addItems([group.title for group in self._groups])
         self.choice.setCurrentIndex(max(self.choice.findText(chosen), 0))
         self.choice.blockSignals(False)
-        self.choice.setVisible(len(self._groups) > 1)
+        self.choice.setEnabled(len(self._groups) > 1)
         self._group_chosen()
 
     def _group_chosen(self) -> None:
         group = self.group
         self._means = ()
         self._drawn = None
-        self.plot.steady = SteadyRange(span_of(group.channels[0]), symmetric=group.centred)
-        self.plot.label("left", group.axis)
         clear(*self._curves)
-        self._show_legend()
+        self.plot.start_afresh()
+        self.plot.steady = SteadyRange(span_of(group.channels[0]), symmetric=group.centred)
+        self.title.show_text("")
 
     def _nothing(self, why: str) -> None:
         clear(*self._curves)
         self.plot.empty(f"{why}: {self.group.title} over one turn of the crank is drawn here.")
 
-    def _show_legend(self) -> None:
-        group, entries = self.group, []
-        for place, (channel, text) in enumerate(zip(group.channels, group.texts, strict=True)):
-            if place < len(self._means):
-                text += f", mean {self._means[place]:.1f} {unit_text(channel.unit)}"
-            entries.append((text, LinePen(ROLES[place])))
-        self.legend.show_entries(entries)
+    def _show_names(self, ends: list[float]) -> None:
+        """Name the curves where they end; unit and means stand above."""
+        group = self.group
+        means = ", ".join(f"{mean:.1f}" for mean in self._means)
+        unit = unit_text(group.channels[0].unit)
+        self.title.show_text(
+            f"{unit} less means {means}" if group.centred else f"{unit}, mean {means}"
+        )
+        self.plot.show_marks(
+            names=tuple(
+                CurveName(text.split(",")[0], LinePen(role), end)
+                for text, role, end in zip(group.texts, ROLES, ends, strict=False)
+            )
+        )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
@@ -12,6 +14,7 @@ from rigapp.gui.data.comparison import (
     RevolutionCurves,
     binned,
     compose,
+    joint_uncertainty,
     uncertainty_of,
     values_at,
 )
@@ -20,19 +23,28 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
+from rigapp.gui.data.series import Doubt, LiveData
+from rigapp.gui.data.texts import grouped
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.plots.palette import MODEL_CURVE, STALE_CURVE, LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, LegendRow, PlotPanel, clear
-from rigapp.gui.widgets.build import choice, column, row
-from rigapp.gui.widgets.labels import ElidedLabel
-from rigapp.schema.messages import ChannelView
+from rigapp.gui.plots.curves import clear
+from rigapp.gui.plots.limitlines import limit_lines
+from rigapp.gui.plots.marks import CurveName, Spot
+from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
+from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, PlotPanel, detail, heading
+from rigapp.gui.widgets.build import button, choice, column, row
 
 RESIDUAL_BIN_DEG = 2.0
 """Short enough for the model's sharpest turn, long enough that noise averages out."""
 
 PENS = dict(zip(CURVES, map(LinePen, ("main", "first", "second")), strict=True))
-STORED = LinePen("frozen")
+OTHER = LinePen("frozen")
+"""A revolution behind the newest one."""
+WAITING = f"{NO_REVOLUTION}: the joint force over one turn of the crank is drawn here."
 NO_PREDICTION = "No prediction yet: measured − model is drawn here."
+UNFOLLOWED = "the speed changes faster than the prediction can follow"
+WHOLE_TURN = np.array([0.0, 360.0])
+FROZEN, STORED = "frozen", "stored"
+"""What a revolution behind the newest one is: of a moment ago, or from the file."""
 
 
 class AnglePlot(CursorPlot):
@@ -58,74 +70,66 @@ class OverlayPanel(PlotPanel):
         super().__init__(f"{prefix}_overlay_panel", "Joint force over one revolution")
         self._ratio: float | None = None
         self._stale = False
-        self._uncertainty: float | None = None
+        self._uncertainty = math.nan
+        self._doubt = Doubt()
         self._cursor: float | None = None
-        self._reference: StoredRevolution | None = None
+        self._others: dict[str, StoredRevolution] = {}
+        self._newest: StoredRevolution | None = None
+        self._data: LiveData | None = None
         self._drawn: tuple[object, ...] = ()
-        self._doubt = ""
         self.frame = ForceFrame.CRANK
         self.held = False
         self.shown: RevolutionCurves | None = None
         self._make_plots(prefix, theme)
-        self._build(prefix, theme)
+        self._build(prefix)
 
     def _make_plots(self, prefix: str, theme: Theme) -> None:
-        self.plot = AnglePlot(
-            f"{prefix}_force_plot", "Joint force against crank angle", theme, self.set_cursor
+        self.plot, self.residual_plot = (
+            AnglePlot(
+                f"{prefix}_{name}_plot", f"{spoken} against crank angle", theme, self.set_cursor
+            )
+            for name, spoken in (("force", "Joint force"), ("residual", "Measured minus model"))
         )
-        self.plot.label("left", "Force (N)")
         self.plot.show_crank_angle(label=False)
-        self.plot.guide(0.0, horizontal=True)
         self.plot.steady = SteadyRange(10.0)
-        self.residual_plot = AnglePlot(
-            f"{prefix}_residual_plot",
-            "Measured minus model against crank angle",
-            theme,
-            self.set_cursor,
-        )
-        self.residual_plot.label("left", "ΔF (N)")
         self.residual_plot.show_crank_angle()
-        self.residual_plot.guide(0.0, horizontal=True)
         self.residual_plot.steady = SteadyRange(4.0, symmetric=True)
-        self.plot.empty(
-            f"{NO_REVOLUTION}: the joint force over one turn of the crank is drawn here."
-        )
+        self.plot.empty(WAITING)
         self.residual_plot.empty(NO_PREDICTION)
-        self._band = self.residual_plot.band()
-        self._raw_residual = self.residual_plot.curve(LinePen("grid"))
-        self._references = {name: self.plot.curve(STORED) for name in CURVES}
+        self._model_bands = {name: self.plot.shade(MODEL) for name in CURVES}
+        self._band = self.residual_plot.shade(MODEL)
+        self._raw_residual = self.residual_plot.curve(LinePen("strong"))
+        self._behind = {
+            kind: {name: self.plot.curve(OTHER) for name in CURVES} for kind in (FROZEN, STORED)
+        }
         self._measured = {name: self.plot.curve(pen) for name, pen in PENS.items()}
-        self._model = {name: self.plot.curve(MODEL_CURVE) for name in CURVES}
+        self._model = {name: self.plot.curve(MODEL) for name in CURVES}
         self._residual = {name: self.residual_plot.curve(pen) for name, pen in PENS.items()}
 
-    def _build(self, prefix: str, theme: Theme) -> None:
-        self.title = ElidedLabel(f"{prefix}_overlay_title", "Revolutions shown")
+    def _build(self, prefix: str) -> None:
+        self.title = detail(f"{prefix}_overlay_title", "Revolutions shown")
         frames = [(f"{frame.value} frame", frame) for frame in ForceFrame]
         self.frame_box = choice(
             f"{prefix}_frame", "Frame of the force components", frames, self._frame_chosen
         )
-        self.tools = row((self.title, 1), "Fra&me", self.frame_box)
-        self.legend = LegendRow(f"{prefix}_overlay_legend", theme)
-        self.readout = ElidedLabel(f"{prefix}_cursor", "Values at the cursor")
-        self.readout.show_text(
-            "Lower strip: measured − model, grey every sample.  Click a plot, or Tab to it and use"
-            " ← →, to read values."
+        self.freeze = button(
+            f"{prefix}_freeze",
+            "Free&ze",
+            self._freeze,
+            "Keep this revolution in grey behind the next ones",
+            tip="Keep this revolution in grey behind the next ones.",
+            checkable=True,
         )
+        self.readout = detail(f"{prefix}_cursor", "Values at the cursor")
         column(
-            self.tools,
-            self.legend,
+            row(heading("Force"), (self.title, 1), self.freeze, self.frame_box),
             (self.plot, 5),
+            row(heading("Measured − model"), (self.readout, 1)),
             (self.residual_plot, 2),
-            self.readout,
             on=self,
         )
         self._offer_follower_frame()
-        self._show_legend()
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        super().dress(theme)
-        self._band.setBrush(theme.band)
+        self._read_out()
 
     def set_mechanism(self, crank_over_follower: float | None) -> None:
         """Take crank radius / follower length of the test; None: the follower frame is closed."""
@@ -133,57 +137,72 @@ class OverlayPanel(PlotPanel):
             self._ratio = crank_over_follower
             self._offer_follower_frame()
 
-    def set_channels(self, channels: tuple[ChannelView, ...]) -> None:
-        """Take the channels' uncertainties: the band of the strip is what cannot be told apart."""
-        uncertainty = uncertainty_of(channels)
-        if uncertainty != self._uncertainty:
-            self._uncertainty = uncertainty
-            self._band.setVisible(uncertainty is not None)
-            if uncertainty is not None:
-                self._band.setRegion((-uncertainty, uncertainty))
-            self._show_legend()
-
-    def compare_with(self, reference: StoredRevolution | None) -> None:
-        """Draw a stored revolution in grey behind the newest one; None: nothing."""
-        self._reference = reference
+    def compare_with(self, stored: StoredRevolution | None, kind: str = STORED) -> None:
+        """Draw a revolution in grey behind the newest one; None: nothing."""
+        self._others.pop(kind, None)
+        if stored is not None:
+            self._others[kind] = stored
         self._drawn = ()
-        self._show_legend()
 
     def show_news(self, news: News) -> None:
         """Draw the newest revolution if it is not drawn yet and the picture is not held."""
         self.set_mechanism(news.crank_over_follower)
+        data = news.data
+        if data is not self._data:
+            self._start_afresh(data)
         if news.status is not None:
-            self.set_channels(news.status.channels)
-        data, stale = news.data, news.stale
-        if stale != self._stale:
-            self._stale = stale
+            self._uncertainty = uncertainty_of(news.status.channels)
+        if news.stale != self._stale:
+            self._stale = news.stale
             self.plot.draw_with(self._model_pen, *self._model.values())
-            self._show_legend()
         prediction, cycle = data.prediction, data.cycle
-        if prediction is not None and cycle is not None and not stale:
+        if prediction is not None and cycle is not None and not news.stale:
             cycle = data.partner(prediction) or cycle
         if cycle is None:
             self._clear()
             return
         if self.held and self.shown is not None:
             return
-        doubt = data.doubt(prediction.revolution) if prediction is not None else ""
-        token = (cycle.revolution, prediction and prediction.revolution, self.frame, self._ratio)
-        if token != self._drawn or doubt != self._doubt:
+        doubt = data.doubt(prediction.revolution) if prediction is not None else Doubt()
+        token = (
+            cycle.revolution,
+            prediction and prediction.revolution,
+            self.frame,
+            self._ratio,
+            self._stale,
+            repr((doubt, self._uncertainty)),
+            len(news.events),
+            news.recipe is None,
+        )
+        if token != self._drawn:
             self._drawn, self._doubt = token, doubt
-            self._draw_reference()
+            self._newest = StoredRevolution(cycle, prediction)
+            self._draw_others()
             self.draw(compose(cycle, prediction, self.frame, self._ratio))
+            largest = float(cycle.channels[SIZE].max())
+            self.plot.show_marks(limits=limit_lines(news, {f"{SIZE}_max"}, largest))
+
+    def _start_afresh(self, data: LiveData) -> None:
+        """Forget what is of another test: ranges, marks, and what stands behind."""
+        if self._data is not None:
+            self._others.clear()
+            self.freeze.setChecked(False)
+            for plot in (self.plot, self.residual_plot):
+                plot.start_afresh()
+        self._data, self._drawn = data, ()
 
     def _clear(self) -> None:
-        self.title.show_text(NO_REVOLUTION)
+        self.title.show_text("")
         if self.shown is not None:
-            self.shown, self._drawn = None, ()
+            self.shown, self._newest, self._drawn = None, None, ()
             clear(*self._measured.values())
-            self.plot.empty(f"{NO_REVOLUTION}.")
+            self._draw_others()
+            self.plot.empty(WAITING)
             self._clear_model()
 
     def _clear_model(self) -> None:
-        clear(*self._model.values(), *self._residual.values(), self._raw_residual)
+        clear(*self._model.values(), *self._model_bands.values())
+        clear(*self._residual.values(), self._raw_residual, self._band)
         self.residual_plot.empty(NO_PREDICTION)
 
     def draw(self, shown: RevolutionCurves) -> None:
@@ -196,7 +215,7 @@ class OverlayPanel(PlotPanel):
         low = min(float(values.min()) for values in shapes)
         self.plot.fit(low, max(float(values.max()) for values in shapes))
         self._draw_model(shown, buckets)
-        self._show_title(shown)
+        self._show_words(shown)
         self._read_out()
 
     def set_cursor(self, angle_deg: float | None) -> None:
@@ -207,50 +226,86 @@ class OverlayPanel(PlotPanel):
         self._read_out()
 
     def _draw_model(self, shown: RevolutionCurves, buckets: int) -> None:
-        if shown.model is None or shown.residual is None:
+        if shown.model is None or shown.residual is None or shown.model_angle_deg is None:
             self._clear_model()
             return
+        sure = self._doubt.uncertainty_N
         for name in CURVES:
-            self._model[name].setData(shown.model_angle_deg, shown.model[name])
+            model = shown.model[name]
+            self._model[name].setData(shown.model_angle_deg, model)
+            self._model_bands[name].setData(shown.model_angle_deg, model - sure, model + sure)
             self._residual[name].setData(
                 *binned(shown.angle_deg, shown.residual[name], RESIDUAL_BIN_DEG)
             )
         raw = shown.residual[SIZE]
         self._raw_residual.setData(*thinned(shown.angle_deg, raw, buckets))
+        both = np.full(2, joint_uncertainty(self._uncertainty, sure))
+        self._band.setData(WHOLE_TURN, -both, both)
         worst = float(np.abs(raw).max())
         self.residual_plot.fit(-worst, worst)
 
-    def _draw_reference(self) -> None:
-        if self._reference is None:
-            clear(*self._references.values())
-            return
-        shown = compose(self._reference.cycle, None, self.frame, self._ratio)
+    def _draw_others(self) -> None:
         buckets = max(self.plot.width(), 200)
-        for name, curve in self._references.items():
-            curve.setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
+        for kind, curves in self._behind.items():
+            other = self._others.get(kind)
+            if other is None:
+                clear(*curves.values())
+                continue
+            shown = compose(other.cycle, None, self.frame, self._ratio)
+            for name, curve in curves.items():
+                curve.setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
 
-    def _show_title(self, shown: RevolutionCurves) -> None:
-        text = f"Measured: revolution {shown.measured_revolution}"
-        if shown.model is None:
-            text += ".  No prediction yet"
-        else:
-            text += f".  Model: revolution {shown.model_revolution}"
-            text += f", {self._doubt}" if self._doubt else ""
-        if self._reference is not None:
-            text += f".  Grey: revolution {self._reference.cycle.revolution}"
-        self.title.show_text(text + (".  HELD" if self.held else ""))
+    def _show_words(self, shown: RevolutionCurves) -> None:
+        """Write the title, and the names at the curves."""
+        title = f"N, cycle {grouped(shown.measured_revolution)}"
+        if shown.model_revolution not in (None, shown.measured_revolution):
+            title += f", model {grouped(shown.model_revolution or 0)}"
+        self.title.show_text(title + (", HELD" if self.held else ""))
+        texts = ("|F|", *COMPONENT_NAMES[self.frame])
+        names = [
+            CurveName(_short(text), pen, float(shown.measured[name][-1]))
+            for text, (name, pen) in zip(texts, PENS.items(), strict=True)
+        ]
+        if shown.model is not None:
+            word = "model" + (" (stale)" if self._stale else "")
+            names.append(
+                CurveName(
+                    _with_doubt(word, self._doubt.uncertainty_N),
+                    self._model_pen,
+                    float(shown.model[SIZE][-1]),
+                )
+            )
+        names += [
+            CurveName(f"{kind} {grouped(other.cycle.revolution)}", OTHER,
+                      float(other.cycle.channels[SIZE][-1]))
+            for kind, other in self._others.items()
+        ]  # fmt: skip
+        place = int(np.argmax(shown.measured[SIZE]))
+        angle, largest = float(shown.angle_deg[place]), float(shown.measured[SIZE][place])
+        peak = Spot(angle, largest, f"{largest:.1f} N at {angle:.0f}°", PENS[SIZE])
+        self.plot.show_marks(names=tuple(names), spots=(peak,))
+        both = joint_uncertainty(self._uncertainty, self._doubt.uncertainty_N)
+        if shown.residual is not None and math.isfinite(both):
+            self.residual_plot.show_marks(names=(CurveName(f"± {both:.2g} N", MODEL, both),))
 
     def _read_out(self) -> None:
+        text = "N, grey: every sample"
+        if self._doubt.unfollowed:
+            text = f"▲ {UNFOLLOWED}"
         if self.shown is not None and self._cursor is not None:
-            first, second = COMPONENT_NAMES[self.frame]
-            self.readout.show_text(values_at(self.shown, self._cursor, first, second))
+            text = values_at(self.shown, self._cursor, *COMPONENT_NAMES[self.frame])
+        self.readout.show_text(text)
+
+    def _freeze(self, wanted: bool) -> None:
+        if wanted and self._newest is None:
+            self.freeze.setChecked(False)
+        self.compare_with(self._newest if wanted else None, FROZEN)
 
     def _frame_chosen(self) -> None:
         self.frame = ForceFrame(self.frame_box.currentData())
         self.plot.steady.forget()
         self.residual_plot.steady.forget()
         self._drawn = ()
-        self._show_legend()
 
     def _offer_follower_frame(self) -> None:
         index = self.frame_box.findData(ForceFrame.FOLLOWER)
@@ -262,14 +317,13 @@ class OverlayPanel(PlotPanel):
 
     @property
     def _model_pen(self) -> LinePen:
-        return STALE_CURVE if self._stale else MODEL_CURVE
+        return STALE_CURVE if self._stale else MODEL
 
-    def _show_legend(self) -> None:
-        names = ("|F|", *COMPONENT_NAMES[self.frame])
-        entries = list(zip(names, PENS.values(), strict=True))
-        entries.append(("model (stale)" if self._stale else "model", self._model_pen))
-        if self._reference is not None:
-            entries.append(("stored", STORED))
-        if self._uncertainty is not None:
-            entries.append((f"±{self._uncertainty:.3g} N", LinePen("band")))
-        self.legend.show_entries(entries)
+
+def _with_doubt(word: str, uncertainty_N: float) -> str:
+    return f"{word} ± {uncertainty_N:.2g}" if math.isfinite(uncertainty_N) else word
+
+
+def _short(component: str) -> str:
+    """Return the name of a component without its frame, which stands above the plot."""
+    return component.removesuffix(" crank").removesuffix(" follower")

@@ -15,13 +15,11 @@ class LinePen:
     """How a line is drawn in any theme.
 
     colour: a role of ``Theme.curves``, a field of ``Theme``, or a colour itself (``#rrggbb``).
-    A measured line is solid, one pixel, opaque (the fast path of the plots); width: more than one
-    pixel only for curves of few points.
+    Every line is one pixel wide and opaque: wider ones take four times as long to paint.
     """
 
     colour: str
     dashed: bool = False
-    width: float = 1.0
 
     def of(self, theme: Theme) -> QPen:
         """Return the pen in a theme."""
@@ -29,17 +27,16 @@ class LinePen:
         pen = line_pen(str(known))
         if self.dashed:
             pen.setStyle(Qt.PenStyle.CustomDashLine)
-            pen.setWidthF(self.width)
-            pen.setDashPattern([6.0 / self.width + 2.0, 4.0 / self.width + 2.0])
+            pen.setDashPattern(list(DASHES))
         return pen
 
 
 MODEL = LinePen("model", dashed=True)
-"""A predicted line of many points."""
+STALE_CURVE = LinePen("frozen", dashed=True)
+"""A predicted line, and one that is older than what it stands beside."""
 
-MODEL_CURVE = LinePen("model", dashed=True, width=2.0)
-STALE_CURVE = LinePen("frozen", dashed=True, width=2.0)
-"""A predicted curve, and one that is older than what it stands beside."""
+DASHES = (8.0, 4.0)
+"""Stroke and gap in pixels: long enough to be seen through the noise of a measured line."""
 
 
 def line_pen(colour: str, *, dotted: bool = False) -> QPen:

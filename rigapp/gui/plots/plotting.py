@@ -1,27 +1,48 @@
-"""Plots that keep still and cost little: fixed ranges, a few lines for a grid, legend outside."""
+"""Plots that keep still and cost little: fixed ranges, names at the curves, marks painted."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pyqtgraph as pg
-from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QPainter, QResizeEvent
+from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.ranges import SteadyRange
-from rigapp.gui.look.tokens import GAP, STEP, Theme
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import BODY_PT, GAP, STEP, Theme
+from rigapp.gui.plots.axes import QuietAxis
+from rigapp.gui.plots.curves import ShadedBand, Trace
+from rigapp.gui.plots.marks import (
+    Marks,
+    PlotFrame,
+    name_room,
+    paint_grid,
+    paint_limit_words,
+    paint_limits,
+    paint_moments,
+    paint_names,
+    paint_spots,
+)
 from rigapp.gui.plots.palette import LinePen, line_pen
 from rigapp.gui.widgets.build import named
+from rigapp.gui.widgets.labels import ElidedLabel
+
+QUARTERS = range(0, 361, 90)
+"""Of a turn, degrees: where an axis of crank angles has its ticks."""
 
 
 class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
-    """A plot without menus, buttons, automatic ranges or a grid that is painted at every frame."""
+    """A plot without menus, buttons, automatic ranges or a legend; ``show_marks`` does the rest."""
 
-    def __init__(self, name: str, spoken: str, theme: Theme) -> None:
-        super().__init__(background=theme.base)
+    def __init__(self, name: str, spoken: str, theme: Theme, *, lane: bool = False) -> None:
+        """Make a plot; lane: with room above it for the words of moments."""
+        axes = {side: QuietAxis(side) for side in ("left", "bottom")}
+        super().__init__(background=theme.base, axisItems=axes)
         named(self, name, spoken)
         self.setMenuEnabled(False)
         self.hideButtons()
@@ -29,20 +50,22 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.disableAutoRange()
         self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
         self.setMinimumSize(QSize(120, 60))
-        metrics = QFontMetrics(self.font())
-        self.getPlotItem().layout.setContentsMargins(
-            0, metrics.height() // 2, metrics.horizontalAdvance("000"), metrics.height() // 4
-        )
+        self._axes = axes
         self._pens: dict[Any, LinePen] = {}
+        self._bands: list[ShadedBand] = []
+        self._marks = Marks()
+        self._room = 2 * STEP
+        self._top = QFontMetrics(self.font()).height() if lane else STEP
         self.steady = SteadyRange(1.0)
         self._instead = QLabel(self)
         self._instead.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._instead.setWordWrap(True)
         self._instead.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._instead.hide()
-        self.getAxis("left").setWidth(metrics.horizontalAdvance("−00.00") + 2 * metrics.height())
-        for side in ("left", "bottom"):
-            self.getAxis(side).enableAutoSIPrefix(False)
+        # The background is painted once and kept until something on it moves.
+        for moved in (self.getViewBox().sigRangeChanged, self.getViewBox().sigResized):
+            moved.connect(self._repaint)
+        self._give_room()
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -50,16 +73,17 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.theme = theme
         self.setBackground(theme.base)
         self._instead.setStyleSheet(f"color: {theme.muted}; border: 1px dashed {theme.border}")
-        for side in ("left", "bottom"):
-            axis = self.getAxis(side)
-            axis.setPen(line_pen(theme.border))
-            axis.setTextPen(theme.text)
+        for side, axis in self._axes.items():
+            axis.setPen(line_pen(theme.strong) if side == "bottom" else pg.mkPen(None))
+            axis.setTextPen(theme.muted)
         for item, pen in self._pens.items():
             item.setPen(pen.of(theme))
+        for band in self._bands:
+            band.dress(theme)
 
     def label(self, side: str, text: str) -> None:
         """Write an axis label; the unit is part of the text."""
-        self.getAxis(side).setLabel(text)
+        self._axes[side].caption(text)
 
     @property
     def instead(self) -> str:
@@ -74,19 +98,27 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._instead.setVisible(bool(sentence))
         self.setAccessibleDescription(sentence)
         self.getPlotItem().setVisible(not sentence)
+        self._repaint()
 
     def resizeEvent(self, event: QResizeEvent | None) -> None:
         """Keep the sentence of an empty plot in its middle."""
         super().resizeEvent(event)
         if event is not None:
-            gap = QFontMetrics(self.font()).height()
-            self._instead.setGeometry(self.rect().adjusted(gap, gap // 2, -gap, -gap // 2))
+            self._instead.setGeometry(self.rect().adjusted(GAP, STEP, -GAP, -STEP))
 
-    def curve(self, pen: LinePen) -> pg.PlotCurveItem:
+    def curve(self, pen: LinePen) -> Trace:
         """Add an empty curve for data known to be finite."""
-        item = pg.PlotCurveItem(skipFiniteCheck=True)
+        item = Trace()
         self.addItem(item)
         self.draw_with(pen, item)
+        return item
+
+    def shade(self, pen: LinePen) -> ShadedBand:
+        """Add an empty band, in the colour of a curve, behind the curves."""
+        item = ShadedBand(pen)
+        self._bands.append(item)
+        self.addItem(item, ignoreBounds=True)
+        item.dress(self.theme)
         return item
 
     def draw_with(self, pen: LinePen, *items: Any) -> None:
@@ -95,9 +127,12 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             self._pens[item] = pen
             item.setPen(pen.of(self.theme))
 
-    def take_out(self, item: Any) -> None:
-        """Remove a curve."""
-        del self._pens[item]
+    def take_out(self, item: Trace | ShadedBand) -> None:
+        """Remove a curve or a band."""
+        if isinstance(item, ShadedBand):
+            self._bands.remove(item)
+        else:
+            del self._pens[item]
         self.removeItem(item)
 
     def fit(self, low: float, high: float) -> None:
@@ -107,40 +142,84 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         if self.steady.update(low, high) and self.steady.range is not None:
             self.setYRange(*self.steady.range, padding=0.0)
 
+    def show_marks(self, **parts: Any) -> None:
+        """Show names, limits, moments or spots (see ``Marks``); the others stay."""
+        marks = replace(self._marks, **parts)
+        if marks == self._marks:
+            return
+        self._marks = marks
+        if not self.instead:
+            self.setAccessibleDescription(marks.words)
+        needed = name_room(marks.names)
+        if needed > self._room:
+            self._room = needed
+            self._give_room()
+        self._repaint()
+
+    @property
+    def marks(self) -> Marks:
+        """Return what stands on the plot beside its curves."""
+        return self._marks
+
+    def start_afresh(self) -> None:
+        """Forget range, room and marks: what is drawn next is of another test."""
+        self.steady.forget()
+        self._room = 2 * STEP
+        self._give_room()
+        self.show_marks(names=(), limits=(), moments=(), spots=())
+
+    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
+        """Paint what lies behind the curves."""
+        super().drawBackground(painter, rect)
+        if not self.instead:
+            frame = self._frame()
+            across, up = (self._axes[side].places() for side in ("bottom", "left"))
+            paint_grid(painter, frame, across, up, self.theme)
+            paint_limits(painter, frame, self._marks.limits, self.theme)
+
+    def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
+        """Paint what lies before the curves."""
+        if self.instead:
+            return
+        frame, marks = self._frame(), self._marks
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        taken: list[QRectF] = []
+        paint_moments(painter, frame, marks.moments, self.theme)
+        paint_spots(painter, frame, marks.spots, self.theme, taken)
+        paint_limit_words(painter, frame, marks.limits, self.theme, taken)
+        paint_names(painter, frame, marks.names, self.theme)
+
+    def _repaint(self, *_: object) -> None:
+        self.resetCachedContent()
+        self.viewport().update()
+
+    def _frame(self) -> PlotFrame:
+        view = self.getViewBox()
+        across, up = view.viewRange()
+        return PlotFrame(view.sceneBoundingRect(), tuple(across), tuple(up))
+
+    def _give_room(self) -> None:
+        self.getPlotItem().layout.setContentsMargins(0, self._top, self._room, 0)
+
     def guide(self, at: float, *, horizontal: bool) -> pg.InfiniteLine:
-        """Add a calm line in place of a grid."""
+        """Add a calm line where the grid has none."""
         line = pg.InfiniteLine(at, angle=0 if horizontal else 90)
         self.draw_with(LinePen("grid"), line)
         line.setZValue(-10)
         self.addItem(line, ignoreBounds=True)
         return line
 
-    def band(self) -> pg.LinearRegionItem:
-        """Add a horizontal band behind the curves, hidden until it is given a height."""
-        item = pg.LinearRegionItem(
-            (0.0, 0.0), orientation="horizontal", movable=False, brush=self.theme.band
-        )
-        self.draw_with(LinePen("band"), *item.lines)
-        item.setZValue(-20)
-        item.hide()
-        self.addItem(item, ignoreBounds=True)
-        return item
-
     def show_crank_angle(self, *, label: bool = True) -> None:
-        """Set the x axis to one revolution with ticks and lines at every quarter."""
+        """Set the x axis to one revolution with ticks at every quarter."""
         self.setXRange(0.0, 360.0, padding=0.0)
-        axis = self.getAxis("bottom")
-        major = [(float(at), str(at)) for at in range(0, 361, 90)]
-        minor = [(float(at), "") for at in range(0, 361, 30) if at % 90]
-        axis.setTicks([major, minor])
+        axis = self._axes["bottom"]
+        axis.setTicks([[(float(at), f"{at}°") for at in QUARTERS]])
         axis.setStyle(hideOverlappingLabels=False)
         if label:
-            self.label("bottom", "Crank angle (deg)")
+            self.label("bottom", "Crank angle")
         else:
             axis.setStyle(showValues=False)
-            axis.setHeight(6)
-        for at in (90.0, 180.0, 270.0):
-            self.guide(at, horizontal=False)
+            axis.setHeight(STEP)
 
 
 Pointed = Callable[[float | None], None]
@@ -150,10 +229,13 @@ Pointed = Callable[[float | None], None]
 class CursorPlot(QuietPlot):
     """A plot with a cursor that a click puts somewhere and Esc takes away."""
 
-    def __init__(self, name: str, spoken: str, theme: Theme, pointed: Pointed) -> None:
-        super().__init__(name, spoken, theme)
+    def __init__(
+        self, name: str, spoken: str, theme: Theme, pointed: Pointed, *, lane: bool = False
+    ) -> None:
+        super().__init__(name, spoken, theme, lane=lane)
         self._pointed = pointed
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setToolTip("Click, or Tab to it and use ← →, to read values; Esc ends it.")
         self.cursor_line = self.guide(0.0, horizontal=False)
         self.draw_with(LinePen("text"), self.cursor_line)
         self.cursor_line.hide()
@@ -181,63 +263,9 @@ class CursorPlot(QuietPlot):
 NO_REVOLUTION = "No revolution measured yet"
 """The beginning of the sentence of a plot that waits for the first one."""
 
-LegendEntry = tuple[str, LinePen]
-"""One line of a legend: text and the pen that the curve has."""
-
-
-def clear(*curves: pg.PlotCurveItem) -> None:
-    """Draw nothing with curves."""
-    for curve in curves:
-        curve.setData([], [])
-
-
-class LegendRow(QWidget):
-    """Show samples of the curves with their names, outside the plot."""
-
-    def __init__(self, name: str, theme: Theme) -> None:
-        super().__init__()
-        self.setObjectName(name)
-        self._theme = theme
-        self._row = QHBoxLayout(self)
-        self._row.setContentsMargins(4, 0, 4, 0)
-        self._row.setSpacing(4)
-        self._row.addStretch(1)
-        self.setMinimumWidth(1)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._entries: tuple[LegendEntry, ...] = ()
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self._theme = theme
-        entries, self._entries = self._entries, ()
-        self.show_entries(entries)
-
-    def show_entries(self, entries: Sequence[LegendEntry]) -> None:
-        """Replace what is shown."""
-        entries = tuple(entries)
-        if entries == self._entries:
-            return
-        self._entries = entries
-        gap = QFontMetrics(self.font()).horizontalAdvance("M")
-        while self._row.count() > 1:
-            item = self._row.takeAt(0)
-            widget = item.widget() if item is not None else None
-            if widget is not None:
-                widget.hide()
-                widget.deleteLater()
-        for text, pen in entries:
-            at = self._row.count() - 1
-            self._row.insertWidget(at, _Sample(pen.of(self._theme)))
-            label = QLabel(text)
-            label.setTextFormat(Qt.TextFormat.PlainText)
-            label.setContentsMargins(0, 0, gap, 0)
-            label.setProperty("role", "caption")
-            self._row.insertWidget(at + 1, label)
-        self.setAccessibleName("Legend: " + ", ".join(text for text, _ in entries))
-
 
 class PlotPanel(QWidget):
-    """A panel of plots: in a new theme every plot and legend on it is drawn anew."""
+    """A panel of plots: in a new theme every plot on it is drawn anew."""
 
     def __init__(self, name: str, spoken: str) -> None:
         super().__init__()
@@ -249,24 +277,18 @@ class PlotPanel(QWidget):
         """Take a theme."""
         for plot in self.findChildren(QuietPlot):
             plot.dress(theme)
-        for legend in self.findChildren(LegendRow):
-            legend.dress(theme)
 
 
-class _Sample(QWidget):
-    """Paint a short piece of a curve."""
+def heading(text: str) -> QLabel:
+    """Return the title of a card, or of a part of it."""
+    made = QLabel(text)
+    made.setFont(sized(made.font(), BODY_PT, QFont.Weight.DemiBold))
+    return made
 
-    def __init__(self, pen: QPen) -> None:
-        super().__init__()
-        self._pen = QPen(pen)
-        self._pen.setWidthF(2.0)
-        self.setFixedWidth(QFontMetrics(self.font()).horizontalAdvance("MM"))
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the line at mid height."""
-        painter = QPainter(self)
-        painter.setPen(self._pen)
-        middle = self.height() / 2.0
-        painter.drawLine(QPointF(1.0, middle), QPointF(self.width() - 6.0, middle))
-        painter.end()
+def detail(name: str, spoken: str) -> ElidedLabel:
+    """Return what stands beside a title: unit, revolution."""
+    made = ElidedLabel(name, spoken)
+    made.setProperty("role", "secondary")
+    made.setContentsMargins(STEP // 2, 0, STEP // 2, 0)
+    return made

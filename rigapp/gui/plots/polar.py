@@ -9,8 +9,9 @@ from rigapp.gui.data.comparison import RevolutionCurves
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.ranges import nice_step
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.plots.palette import MODEL_CURVE, LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, clear
+from rigapp.gui.plots.curves import clear
+from rigapp.gui.plots.palette import MODEL, LinePen
+from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, heading
 from rigapp.gui.widgets.build import column
 
 CIRCLE = np.linspace(0.0, 2.0 * np.pi, 91)
@@ -28,12 +29,10 @@ class PolarPanel(PlotPanel):
         self.plot = QuietPlot(f"{prefix}_polar_plot", "Force vector, polar", theme)
         self.plot.setAspectLocked(True)
         self._circles = [self.plot.curve(LinePen("grid")) for _ in range(2)]
-        self.plot.guide(0.0, horizontal=True)
-        self.plot.guide(0.0, horizontal=False)
         self.plot.empty(WAITING)
         self._measured = self.plot.curve(LinePen("main"))
-        self._model = self.plot.curve(MODEL_CURVE)
-        column(self.plot, on=self)
+        self._model = self.plot.curve(MODEL)
+        column(heading("Force vector"), (self.plot, 1), on=self)
 
     def refresh(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
         """Draw the revolution that the overlay shows."""

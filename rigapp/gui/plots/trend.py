@@ -2,39 +2,44 @@
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton
 
 from rigapp.gui.data.channels import SIZE
+from rigapp.gui.data.judged import Drawn, View, banded, drawn
+from rigapp.gui.data.moments import moments
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantities
-from rigapp.gui.data.ranges import SteadyRange, nice_step
+from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import LiveData, SeriesTable
-from rigapp.gui.data.texts import duration
+from rigapp.gui.data.texts import duration, grouped
 from rigapp.gui.look.tokens import Theme
+from rigapp.gui.plots.curves import ShadedBand, Trace
+from rigapp.gui.plots.limitlines import limit_lines
+from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import MODEL, LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, LegendRow, PlotPanel, Pointed
+from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, PlotPanel, Pointed, detail
+from rigapp.gui.plots.trendview import FOLLOWED, LAST, WHOLE, TrendView
 from rigapp.gui.widgets.build import button, choice, column, row
-from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.channels import BASE, ChannelTable
 
-Floats = NDArray[np.float64]
-
 BUCKETS = 1200
-FOLLOWED = 1000
+"""Points of a line across: about one for each pixel of a plot on a wide screen."""
+FLAGGED = LinePen("muted")
+"""How the value of a revolution is written that does not range the axis."""
+BAND_BUCKETS = 240
+"""Of a band: its edges change slowly, and each point is a corner to fill."""
 
 
 class TrendPlot(CursorPlot):
     """A plot whose x axis can be moved and zoomed by mouse and by keys."""
 
     def __init__(self, name: str, theme: Theme, pointed: Pointed) -> None:
-        super().__init__(name, "Statistics against cycle", theme, pointed)
+        super().__init__(name, "Statistics against cycle", theme, pointed, lane=True)
         self.setMouseEnabled(x=True, y=False)
         self.label("bottom", "Cycle")
 
@@ -56,30 +61,49 @@ class TrendPlot(CursorPlot):
         self.getViewBox().sigRangeChangedManually.emit([True, False])
 
 
+@dataclass(slots=True)
+class _Curve:
+    """A line on the plot: what it is of, its curve, and the band of its uncertainty."""
+
+    line: TrendLine
+    predicted: bool
+    trace: Trace
+    band: ShadedBand | None
+
+
 class TrendPanel(PlotPanel):
-    """Draw one quantity over the whole test, the last cycles, or any range chosen by hand."""
+    """Draw one quantity over the whole test, the last cycles, or any range chosen by hand.
+
+    Panels of one ``view`` move together; the one that ``leads`` has the buttons for it.
+    """
 
     takes = Takes.HISTORY
 
     def __init__(
-        self, prefix: str, theme: Theme, quantity: str = SIZE, *, access_keys: bool = True
+        self,
+        prefix: str,
+        theme: Theme,
+        quantity: str = SIZE,
+        *,
+        view: TrendView | None = None,
+        leads: bool = True,
     ) -> None:
         super().__init__(f"{prefix}_trend_panel", "Statistics against cycle")
-        self._access_keys = access_keys
         self._name = quantity
         self._channels = BASE
         self._quantities = trend_quantities(BASE)
-        self._mode = "whole"
         self._drawn: tuple[object, ...] = ()
-        self._curves: list[tuple[TrendLine, bool, Any]] = []
-        self._cursor: float | None = None
+        self._curves: list[_Curve] = []
         self._data: LiveData | None = None
-        self.plot = TrendPlot(f"{prefix}_trend_plot", theme, self.point_at)
+        self.words = ""
+        self.view = view or TrendView()
+        self.view.changed.append(self._view_changed)
+        self.plot = TrendPlot(f"{prefix}_trend_plot", theme, self.view.point_at)
         self.plot.getViewBox().sigRangeChangedManually.connect(self._moved_by_hand)
-        self._build(prefix, theme)
+        self._build(prefix, leads=leads)
         self._make_curves()
 
-    def _build(self, prefix: str, theme: Theme) -> None:
+    def _build(self, prefix: str, *, leads: bool) -> None:
         self.choice = choice(
             f"{prefix}_trend_quantity",
             "Quantity of the trend",
@@ -87,27 +111,23 @@ class TrendPanel(PlotPanel):
         )
         self.choice.setCurrentIndex(self.choice.findData(self._name))
         self.choice.currentIndexChanged.connect(self._quantity_chosen)
-        self.modes = {
-            mode: self._mode_button(prefix, mode, text, spoken)
-            for mode, text, spoken in (
-                ("whole", "Who&le test", "Show the whole test"),
-                ("last", f"Last &{FOLLOWED}", f"Follow the last {FOLLOWED} cycles"),
-            )
-        }
-        self.values = ElidedLabel(f"{prefix}_trend_values", "Newest values of the trend")
-        caption = self._keyed("Tr&end of")
-        top = row(caption, self.choice, *self.modes.values(), (self.values, 1))
-        self.legend = LegendRow(f"{prefix}_trend_legend", theme)
-        column(top, self.legend, (self.plot, 1), on=self)
+        self.modes: dict[str, QPushButton] = {}
+        if leads:
+            self.modes = {
+                mode: self._mode_button(prefix, mode, text, spoken)
+                for mode, text, spoken in (
+                    (WHOLE, "Who&le test", "Show the whole test"),
+                    (LAST, f"Last &{grouped(FOLLOWED)}", f"Follow the last {FOLLOWED} cycles"),
+                )
+            }
+        self.title = detail(f"{prefix}_trend_title", "Unit, and where the values are read")
+        column(row(self.choice, (self.title, 1), *self.modes.values()), (self.plot, 1), on=self)
 
     def _mode_button(self, prefix: str, mode: str, text: str, spoken: str) -> QPushButton:
-        made = button(f"{prefix}_trend_{mode}", self._keyed(text), None, spoken, checkable=True)
-        made.setChecked(mode == self._mode)
-        made.clicked.connect(lambda: self._set_mode(mode))
+        made = button(f"{prefix}_trend_{mode}", text, None, spoken, checkable=True)
+        made.setChecked(mode == self.view.mode)
+        made.clicked.connect(lambda: self.view.show(mode))
         return made
-
-    def _keyed(self, text: str) -> str:
-        return text if self._access_keys else text.replace("&", "")
 
     @property
     def quantity(self) -> TrendQuantity:
@@ -118,38 +138,73 @@ class TrendPanel(PlotPanel):
         """Draw if rows, quantity or view have changed since the last time."""
         data = news.data
         if data is not self._data:
-            self._data = data
-            self._drawn = ()
-            self.plot.steady.forget()
+            if self._data is not None:
+                self.plot.start_afresh()
+                self.view.start_afresh()
+            self._data, self._drawn = data, ()
         if data.channels is not self._channels:
             self._offer(data.channels)
         self._place_view(data.rows, data.predictions)
-        view = tuple(self.plot.viewRange()[0])
-        token = (self._name, len(data.rows), len(data.predictions), view)
+        view: View = tuple(self.plot.viewRange()[0])
+        token = (self._name, len(data.rows), len(data.predictions), view, self.view.cursor,
+                 len(news.events), news.recipe is None)  # fmt: skip
         if token == self._drawn:
             return
         self._drawn = token
-        low, high = np.inf, -np.inf
-        texts = []
-        for line, predicted, curve in self._curves:
-            table = data.predictions if predicted else data.rows
-            x, y = visible(table, line.column, *view)
-            known = np.isfinite(y)
-            complete = bool(known.all())
-            curve.setData(x, y, connect="all" if complete else "finite")
-            if known.any():
-                low = min(low, float(np.nanmin(y)))
-                high = max(high, float(np.nanmax(y)))
-            value = self._value(table, line.column)
-            if np.isfinite(value):
-                model = "model " if predicted and self.quantity.measured else ""
-                if self._cursor is not None or not model:
-                    texts.append(f"{model}{line.text} {value:.4g}{self._doubt(table, line)}")
-        when = "Now" if self._cursor is None else f"At cycle {self._cursor:.0f}"
-        self.values.show_text(f"{when}: " + ", ".join(texts) if texts else "")
+        found = [(curve, self._draw(curve, data, view)) for curve in self._curves]
+        extremes = [one for _, one in found if np.isfinite(one.low)]
+        low = min((one.low for one in extremes), default=np.nan)
+        high = max((one.high for one in extremes), default=np.nan)
         self.plot.fit(low, high)
-        if not np.isfinite(low) and (self._mode != "free" or not len(data.rows)):
+        self._show_marks(news, found)
+        if not extremes and (self.view.mode in self.modes or not len(data.rows)):
             self.plot.empty(self._nothing(len(data.rows)))
+
+    def _draw(self, curve: _Curve, data: LiveData, view: View) -> Drawn:
+        """Draw a line with its band; return its points in the unit of the quantity."""
+        table = data.predictions if curve.predicted else data.rows
+        line, scale = curve.line, self.quantity.scale
+        found = drawn(table, line.column, data.rows, view, BUCKETS, scale)
+        complete = bool(np.isfinite(found.y).all())
+        curve.trace.setData(found.x, found.y, connect="all" if complete else "finite")
+        if curve.band is not None:
+            curve.band.setData(*banded(table, line.column, line.doubt, view, BAND_BUCKETS, scale))
+        return found
+
+    def _show_marks(self, news: News, found: list[tuple[_Curve, Drawn]]) -> None:
+        names, texts, spots = [], [], []
+        low, high = self.plot.viewRange()[1]
+        both = bool(self.quantity.predicted and self.quantity.measured)
+        for curve, one in found:
+            line, pen = curve.line, self._pen(curve.line, predicted=curve.predicted)
+            table = news.data.predictions if curve.predicted else news.data.rows
+            value = self.quantity.scale * self._value(table, line.column)
+            text = f"{line.text} {value:.4g}{self._doubt(table, line)}"
+            if np.isfinite(value):
+                if not (curve.predicted and both):
+                    names.append(CurveName(text, pen, value))
+                    texts.append(text)
+                elif self.view.cursor is not None:
+                    texts.append(f"model {text}")
+            if curve.predicted and both and line is self.quantity.predicted[0]:
+                last = one.y[-1] if len(one.y) else np.nan
+                if np.isfinite(last):
+                    names.append(CurveName("model ± U" if curve.band else "model", pen, last))
+            spots += [
+                Spot(*at, f"{at[1]:.4g} {self.quantity.unit}", FLAGGED)
+                for at in (one.above, one.under)
+                if at is not None and not low <= at[1] <= high
+            ]
+        columns = {line.column for line in (*self.quantity.measured, *self.quantity.predicted)}
+        limits = limit_lines(news, columns)
+        self.plot.show_marks(
+            names=tuple(names), limits=limits, moments=moments(news.events), spots=tuple(spots)
+        )
+        cursor = self.view.cursor
+        when = "Now" if cursor is None else f"At cycle {cursor:.0f}"
+        self.words = f"{when}: " + ", ".join(texts) if texts else ""
+        where = "" if cursor is None else f"at cycle {grouped(int(cursor))}"
+        self.title.show_text(", ".join(part for part in (self.quantity.unit, where) if part))
 
     def _nothing(self, revolutions: int) -> str:
         """Return why nothing is drawn."""
@@ -171,53 +226,37 @@ class TrendPanel(PlotPanel):
         self.choice.blockSignals(False)
         self._quantity_chosen()
 
-    def point_at(self, cycle: float | None) -> None:
-        """Read the values at a cycle; None: the newest again."""
-        self._cursor = None if cycle is None else float(round(cycle))
-        self.plot.show_cursor(self._cursor)
-        self._drawn = ()
-
     def _value(self, table: SeriesTable, column: str) -> float:
-        if self._cursor is None or not len(table):
+        cursor = self.view.cursor
+        if cursor is None or not len(table):
             return table.last(column)
-        place = int(np.searchsorted(table.revolutions, self._cursor))
-        if place >= len(table) or table.revolutions[place] != self._cursor:
+        place = int(np.searchsorted(table.revolutions, cursor))
+        if place >= len(table) or table.revolutions[place] != cursor:
             return float("nan")
         return float(table.series(column).values[place])
 
     def _doubt(self, table: SeriesTable, line: TrendLine) -> str:
-        doubt = self._value(table, line.doubt) if line.doubt else float("nan")
+        doubt = self.quantity.scale * self._value(table, line.doubt) if line.doubt else np.nan
         age_s = self._value(table, line.age) if line.age else float("nan")
         old = f", {duration(age_s)} old" if np.isfinite(age_s) else ""
-        return f" ± {doubt:.2g} (k = 2)" if np.isfinite(doubt) else old
+        return f" ± {doubt:.2g}" if np.isfinite(doubt) else old
 
     def _place_view(self, rows: SeriesTable, predictions: SeriesTable) -> None:
-        if self._mode == "free":
-            return
-        known = rows.revolutions if len(rows) else predictions.revolutions
-        if len(known) == 0:
-            return
-        first, last = float(known[0]), float(known[-1])
-        if self._mode == "last":
-            step = FOLLOWED / 10
-            high = step * np.ceil((last + 1) / step)
-            wanted = (high - FOLLOWED, high)
-        else:
-            step = nice_step(max(last - first, 10.0), 10)
-            wanted = (first, first + step * np.ceil((last - first + 1) / step))
-        shown = self.plot.viewRange()[0]
-        if abs(shown[0] - wanted[0]) > 1e-6 or abs(shown[1] - wanted[1]) > 1e-6:
+        wanted = self.view.range_of(rows.revolutions if len(rows) else predictions.revolutions)
+        if wanted is not None and not np.allclose(self.plot.viewRange()[0], wanted, atol=1e-6):
             self.plot.setXRange(*wanted, padding=0.0)
 
     def _moved_by_hand(self) -> None:
-        self._set_mode("free")
+        self.view.move(*self.plot.viewRange()[0])
 
-    def _set_mode(self, mode: str) -> None:
-        self._mode = mode
+    def _view_changed(self) -> None:
+        """Follow the view that the panels of a page share."""
         for name, one in self.modes.items():
-            one.setChecked(name == mode)
-        self.plot.steady.forget()
+            one.setChecked(name == self.view.mode)
+        self.plot.show_cursor(self.view.cursor)
         self._drawn = ()
+        if self._data is not None:
+            self._place_view(self._data.rows, self._data.predictions)
 
     def _quantity_chosen(self) -> None:
         self._name = str(self.choice.currentData())
@@ -225,35 +264,22 @@ class TrendPanel(PlotPanel):
         self._make_curves()
 
     def _make_curves(self) -> None:
-        for _, _, curve in self._curves:
-            self.plot.take_out(curve)
+        for one in self._curves:
+            self.plot.take_out(one.trace)
+            if one.band is not None:
+                self.plot.take_out(one.band)
         lines = [(line, False) for line in self.quantity.measured]
         lines += [(line, True) for line in self.quantity.predicted]
-        self._curves = [
-            (line, predicted, self.plot.curve(self._pen(line, predicted)))
-            for line, predicted in lines
-        ]
+        self._curves = []
+        for line, predicted in lines:
+            pen = self._pen(line, predicted=predicted)
+            # Measured lines of a quantity that is predicted, too, have no uncertainty of their own.
+            shaded = line.doubt and (predicted or not self.quantity.predicted)
+            band = self.plot.shade(pen) if shaded else None
+            self._curves.append(_Curve(line, predicted, self.plot.curve(pen), band))
+        self.plot.start_afresh()
         self.plot.steady = SteadyRange(self.quantity.minimum_span)
-        self.plot.label("left", self.quantity.axis)
-        self._show_legend()
 
-    def _pen(self, line: TrendLine, predicted: bool) -> LinePen:
+    def _pen(self, line: TrendLine, *, predicted: bool) -> LinePen:
         model = line.role == "model" or (predicted and self.quantity.measured)
         return MODEL if model else LinePen(line.role)
-
-    def _show_legend(self) -> None:
-        both = bool(self.quantity.predicted and self.quantity.measured)
-        entries = [
-            (line.text, self._pen(line, predicted))
-            for line, predicted, _ in self._curves
-            if not (predicted and both)
-        ]
-        self.legend.show_entries([*entries, ("model", MODEL)] if both else entries)
-
-
-def visible(table: SeriesTable, column: str, low: float, high: float) -> tuple[Floats, Floats]:
-    """Return the points to draw of one series between two revolutions, one row beyond each end."""
-    revolutions = table.revolutions
-    start = int(np.searchsorted(revolutions, low)) - 1
-    stop = int(np.searchsorted(revolutions, high, side="right")) + 1
-    return polyline(revolutions, table.series(column).envelope(max(start, 0), stop, BUCKETS))

@@ -9,22 +9,24 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtGui import QColor
 
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.profiles import ANGLES_DEG as RECORDED_DEG
 from rigapp.gui.data.profiles import ShownProfile
+from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.plots.palette import MODEL_CURVE, LinePen
-from rigapp.gui.plots.plotting import LegendRow, PlotPanel, QuietPlot, clear
-from rigapp.gui.widgets.build import column
+from rigapp.gui.plots.curves import clear
+from rigapp.gui.plots.marks import CurveName
+from rigapp.gui.plots.palette import MODEL, LinePen
+from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, detail, heading
+from rigapp.gui.widgets.build import column, row
 
 Floats = NDArray[np.float64]
 
 NO_DEPTH = "No depth of wear known yet: the worn profile of the bushing is drawn here."
+MEASURED = LinePen("first")
 ANGLES_DEG = np.linspace(-180.0, 180.0, 721)
 
 
@@ -51,30 +53,18 @@ class WearProfilePanel(PlotPanel):
         super().__init__(f"{prefix}_profile_panel", "Worn profile of the bushing")
         self._drawn: tuple[object, ...] | None = None
         self.plot = QuietPlot(f"{prefix}_profile_plot", "Worn profile of the bushing", theme)
-        self.plot.label("left", "Depth (mm)")
-        self.plot.label("bottom", "Angle from the contact point (deg), follower frame")
+        self.plot.label("bottom", "Angle from the contact point, follower frame")
         self.plot.setXRange(-180.0, 180.0, padding=0.0)
-        ticks = [(float(at), str(at)) for at in range(-180, 181, 90)]
+        ticks = [(float(at), f"{at}°".replace("-", "−")) for at in range(-180, 181, 90)]
         self.plot.getAxis("bottom").setTicks([ticks])
-        for at in (-90.0, 0.0, 90.0):
-            self.plot.guide(at, horizontal=False)
-        self._lower, self._upper = (self.plot.curve(LinePen("band")) for _ in range(2))
-        self._band = pg.FillBetweenItem(self._lower, self._upper)
-        self._band.setZValue(-5)
-        self.plot.addItem(self._band)
-        self._measured = self.plot.curve(LinePen("first"))
-        self._model = self.plot.curve(MODEL_CURVE)
-        self.plot.steady = SteadyRange(0.002)
-        self.legend = LegendRow(f"{prefix}_profile_legend", theme)
-        column(self.legend, (self.plot, 1), on=self)
-        self._band.setBrush(QColor(theme.band))
+        self._band = self.plot.shade(MEASURED)
+        self._measured = self.plot.curve(MEASURED)
+        self._model = self.plot.curve(MODEL)
+        self.plot.steady = SteadyRange(2.0)
+        self.title = detail(f"{prefix}_profile_title", "Depths, and what of the bushing was seen")
+        column(row(heading("Worn profile"), (self.title, 1)), (self.plot, 1), on=self)
         self._show_entries("measured: not known", "model: not known", "")
         self.plot.empty(NO_DEPTH)
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        super().dress(theme)
-        self._band.setBrush(QColor(theme.band))
 
     def show_news(self, news: News) -> None:
         """Draw the newest recorded profile, or what follows from the newest depths."""
@@ -95,13 +85,13 @@ class WearProfilePanel(PlotPanel):
             if math.isfinite(depth):
                 sunk = max(depth, 0.0)
                 profile = worn_profile(sunk, joint.pin_radius_mm, joint.bushing_radius_mm)
-                curve.setData(ANGLES_DEG, profile)
+                curve.setData(ANGLES_DEG, UM_PER_MM * profile)
                 deepest = np.fmax(deepest, depth)
             else:
                 clear(curve)
         if math.isnan(deepest):
             self.plot.empty(NO_DEPTH)
-        self.plot.fit(0.0, deepest)
+        self.plot.fit(0.0, UM_PER_MM * deepest)
         self._show_entries(
             _depth("measured", measured),
             _depth("model", predicted),
@@ -113,37 +103,46 @@ class WearProfilePanel(PlotPanel):
             return
         self._drawn = (profile,)
         seen = np.isfinite(profile.measured)
-        self._measured.setData(RECORDED_DEG, profile.measured, connect="finite")
-        self._model.setData(RECORDED_DEG, profile.predicted, connect="finite")
+        self._measured.setData(RECORDED_DEG, UM_PER_MM * profile.measured, connect="finite")
+        self._model.setData(RECORDED_DEG, UM_PER_MM * profile.predicted, connect="finite")
         self._draw_band(profile)
-        self.plot.fit(0.0, profile.deepest)
+        self.plot.fit(0.0, UM_PER_MM * profile.deepest)
         if seen.any():
             place = int(np.nanargmax(profile.measured))
-            depth = f"{profile.measured[place]:.4f} ± {profile.uncertainty[place]:.4f} mm (k = 2)"
+            most = UM_PER_MM * profile.measured[place]
+            depth = f"{most:.1f} ± {UM_PER_MM * profile.uncertainty[place]:.1f}"
             extent = RECORDED_DEG[seen]
             measured = f"measured {depth}"
-            words = f"seen {extent[0]:.0f}° to {extent[-1]:.0f}°, revolution {profile.revolution}"
+            words = f"seen {extent[0]:.0f}° to {extent[-1]:.0f}°, cycle {profile.revolution}"
         else:
-            measured, words = f"measured: not known yet, revolution {profile.revolution}", ""
+            measured, words = f"measured: not known yet, cycle {profile.revolution}", ""
         deepest = np.nanmax(profile.predicted, initial=-1.0)
-        model = f"model {deepest:.4f} mm" if deepest >= 0.0 else "model: not known"
+        model = f"model {UM_PER_MM * deepest:.1f}" if deepest >= 0.0 else "model: not known"
         self._show_entries(measured, model, words)
 
     def _draw_band(self, profile: ShownProfile | None) -> None:
         if profile is None or not np.isfinite(profile.measured).any():
-            clear(self._lower, self._upper)
+            clear(self._band)
             return
         seen = np.isfinite(profile.measured)
-        angle, depth = RECORDED_DEG[seen], profile.measured[seen]
-        self._lower.setData(angle, np.maximum(depth - profile.uncertainty[seen], 0.0))
-        self._upper.setData(angle, depth + profile.uncertainty[seen])
+        angle, depth = RECORDED_DEG[seen], UM_PER_MM * profile.measured[seen]
+        doubt = UM_PER_MM * profile.uncertainty[seen]
+        self._band.setData(angle, np.maximum(depth - doubt, 0.0), depth + doubt)
 
     def _show_entries(self, measured: str, model: str, words: str) -> None:
-        entries = [(measured, LinePen("first")), (model, MODEL_CURVE)]
-        if words:
-            entries.append((words, LinePen("base")))
-        self.legend.show_entries(entries)
+        """Name both curves, where they are deepest, and say what was seen."""
+        names = [
+            CurveName(text, pen, np.nanmax(curve.getData()[1], initial=0.0))
+            for text, pen, curve in (
+                (measured, MEASURED, self._measured),
+                (model, MODEL, self._model),
+            )
+            if "known" not in text
+        ]
+        self.plot.show_marks(names=tuple(names))
+        unknown = [text for text in (measured, model) if "known" in text]
+        self.title.show_text(", ".join(("µm", *unknown, *filter(None, (words,)))))
 
 
 def _depth(name: str, depth: float) -> str:
-    return f"{name} {depth:.4f} mm" if math.isfinite(depth) else f"{name}: not known"
+    return f"{name} {UM_PER_MM * depth:.1f}" if math.isfinite(depth) else f"{name}: not known"

@@ -1,0 +1,36 @@
+"""Moments of a test that stand at its trends: notes, and alarms when they were raised."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from rigapp.schema.loglines import alarm_change, severity_of
+from rigapp.schema.messages import Event, Severity
+
+MOST = 200
+"""Moments that are kept: more lines than this, and none can be told from the next."""
+
+
+@dataclass(frozen=True, slots=True)
+class MarkedMoment:
+    """What happened at a revolution; severity: of an alarm, None of a note."""
+
+    revolution: int
+    words: str
+    severity: Severity | None = None
+
+
+def moments(events: Iterable[Event]) -> tuple[MarkedMoment, ...]:
+    """Return the newest moments of a log, in its order; an alarm that comes again counts once."""
+    found: dict[tuple[int, str], MarkedMoment] = {}
+    for event in events:
+        change = alarm_change(event)
+        if change is not None and change.what == "raised":
+            one = MarkedMoment(event.revolution, change.title, severity_of(event))
+        elif event.kind == "note":
+            one = MarkedMoment(event.revolution, event.text)
+        else:
+            continue
+        found.setdefault((one.revolution, one.words), one)
+    return tuple(found.values())[-MOST:]

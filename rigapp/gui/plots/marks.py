@@ -1,0 +1,308 @@
+"""What stands on a plot beside its curves: grid, limits, moments, spots, names at the curves.
+
+All of it is painted straight from plain records, since an item of the scene for each would cost
+more than the curves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics, QPainter, QPolygonF
+
+from rigapp.gui.data.moments import MarkedMoment
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import CAPTION_PT, STEP, Theme
+from rigapp.gui.plots.palette import LinePen, line_pen
+from rigapp.schema.messages import Severity
+
+NEAREST = 1e-9
+"""Of a range: what is less wide is none."""
+GROUND = 190
+"""Opacity of the ground below words, of 255: they are read, and a curve there is still seen."""
+MOST_NAME = 24
+"""Characters of the words at a moment; its whole text stands in the log."""
+
+
+@dataclass(frozen=True, slots=True)
+class CurveName:
+    """The name of a curve, at the right of it, and the value at which the curve ends."""
+
+    text: str
+    pen: LinePen
+    at: float
+
+
+@dataclass(frozen=True, slots=True)
+class LimitLine:
+    """A limit of what is drawn; below: the forbidden side is below it."""
+
+    value: float
+    words: str
+    below: bool = False
+    passed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """A point that is worth its words; beyond the range it stands as a caret at the edge."""
+
+    x: float
+    y: float
+    text: str
+    pen: LinePen
+
+
+@dataclass(frozen=True, slots=True)
+class Marks:
+    """Everything that stands on a plot beside its curves."""
+
+    names: tuple[CurveName, ...] = ()
+    limits: tuple[LimitLine, ...] = ()
+    moments: tuple[MarkedMoment, ...] = ()
+    spots: tuple[Spot, ...] = ()
+
+    @property
+    def words(self) -> str:
+        """Return all of it for a screen reader."""
+        parts = [one.text for one in self.names] + [one.text for one in self.spots]
+        return ", ".join((*parts, *(one.words for one in self.limits)))
+
+
+@dataclass(frozen=True, slots=True)
+class PlotFrame:
+    """Where values are on the screen: the rectangle of the curves and the ranges of both axes."""
+
+    rect: QRectF
+    x_range: tuple[float, float]
+    y_range: tuple[float, float]
+
+    def x(self, value: float) -> float:
+        """Return the place of a value across."""
+        low, high = self.x_range
+        return self.rect.left() + self.rect.width() * (value - low) / max(high - low, NEAREST)
+
+    def y(self, value: float) -> float:
+        """Return the place of a value from above."""
+        low, high = self.y_range
+        return self.rect.bottom() - self.rect.height() * (value - low) / max(high - low, NEAREST)
+
+
+def spread(wanted: Sequence[float], room: float, low: float, high: float) -> list[float]:
+    """Return places near the wanted ones, in their order, that are ``room`` apart in low..high.
+
+    Where there is too little room for all, they are equally close from low on.
+    """
+    order = sorted(range(len(wanted)), key=lambda one: wanted[one])
+    room = min(room, (high - low) / max(len(wanted) - 1, 1))
+    found = [0.0] * len(wanted)
+    last = low - room
+    for one in order:
+        last = found[one] = max(wanted[one], last + room)
+    last = high + room
+    for one in reversed(order):
+        last = found[one] = min(found[one], last - room)
+    return found
+
+
+@cache
+def small_font(*, strong: bool = False) -> tuple[QFont, QFontMetrics]:
+    """Return the font of what stands on a plot, and how large its letters are."""
+    weight = QFont.Weight.DemiBold if strong else QFont.Weight.Normal
+    font = sized(QFont(), CAPTION_PT, weight)
+    return font, QFontMetrics(font)
+
+
+def name_room(names: Sequence[CurveName]) -> int:
+    """Return the width that names need beside a plot, on the grid."""
+    metrics = small_font(strong=True)[1]
+    widest = max((metrics.horizontalAdvance(one.text) for one in names), default=0)
+    return -(-(widest + STEP) // (2 * STEP)) * 2 * STEP
+
+
+def paint_grid(
+    painter: QPainter, frame: PlotFrame, across: Sequence[float], up: Sequence[float], theme: Theme
+) -> None:
+    """Paint a calm line at every tick, a stronger one at zero."""
+    rect = frame.rect
+    for value in across:
+        painter.setPen(line_pen(theme.grid))
+        painter.drawLine(
+            QPointF(frame.x(value), rect.top()), QPointF(frame.x(value), rect.bottom())
+        )
+    for value in up:
+        painter.setPen(line_pen(theme.strong if abs(value) < NEAREST else theme.grid))
+        painter.drawLine(
+            QPointF(rect.left(), frame.y(value)), QPointF(rect.right(), frame.y(value))
+        )
+
+
+def paint_limits(
+    painter: QPainter, frame: PlotFrame, limits: Sequence[LimitLine], theme: Theme
+) -> None:
+    """Paint the limits within the range, their forbidden side hatched."""
+    low, high = frame.y_range
+    for one in limits:
+        if not low <= one.value <= high:
+            continue
+        colour = QColor(theme.critical if one.passed else theme.secondary)
+        hatch = QColor(theme.critical if one.passed else theme.strong)
+        edge = frame.rect.bottom() if one.below else frame.rect.top()
+        at = frame.y(one.value)
+        side = QRectF(
+            QPointF(frame.rect.left(), min(at, edge)), QPointF(frame.rect.right(), max(at, edge))
+        )
+        painter.fillRect(side, QBrush(hatch, Qt.BrushStyle.BDiagPattern))
+        painter.setPen(line_pen(colour.name()))
+        painter.drawLine(QPointF(side.left(), at), QPointF(side.right(), at))
+
+
+def paint_limit_words(
+    painter: QPainter,
+    frame: PlotFrame,
+    limits: Sequence[LimitLine],
+    theme: Theme,
+    taken: list[QRectF],
+) -> None:
+    """Write what happens at each limit in the range, and at the edges the next ones beyond it."""
+    low, high = frame.y_range
+    rect = frame.rect
+    font, metrics = small_font()
+    painter.setFont(font)
+    height = float(metrics.height())
+    for one in limits:
+        if low <= one.value <= high:
+            at = frame.y(one.value)
+            tops = (at - height, at) if one.below else (at, at - height)
+            text = f"◆ {one.words}" if one.passed else one.words
+            colour = theme.critical if one.passed else theme.secondary
+            _words(painter, frame, text, colour, _along(rect, metrics, text, tops), theme, taken)
+    above = min((one for one in limits if one.value > high), key=_value, default=None)
+    under = max((one for one in limits if one.value < low), key=_value, default=None)
+    for edge, caret, tops in (
+        (above, "⌃", (rect.top(), rect.top() + height)),
+        (under, "⌄", (rect.bottom() - height, rect.bottom() - 2 * height)),
+    ):
+        if edge is not None:
+            text = f"{edge.words} {caret}"
+            places = reversed(_along(rect, metrics, text, tops))
+            _words(painter, frame, text, theme.muted, places, theme, taken)
+
+
+def _value(one: LimitLine) -> float:
+    return one.value
+
+
+def _along(rect: QRectF, metrics: QFontMetrics, text: str, tops: Sequence[float]) -> list[QRectF]:
+    """Return where words may stand at heights: at the left, in the middle, at the right."""
+    width, height = float(metrics.horizontalAdvance(text)), float(metrics.height())
+    lefts = (rect.left() + STEP, rect.center().x() - width / 2, rect.right() - width - STEP)
+    return [QRectF(left, top, width, height) for left in lefts for top in tops]
+
+
+def _words(
+    painter: QPainter,
+    frame: PlotFrame,
+    text: str,
+    colour: str,
+    places: Iterable[QRectF],
+    theme: Theme,
+    taken: list[QRectF],
+) -> None:
+    """Write words at the first place that is free, on a ground through which curves still show."""
+    rect = frame.rect.adjusted(0, -1, 0, 1)
+    for place in places:
+        if rect.contains(place) and not any(place.intersects(one) for one in taken):
+            taken.append(place)
+            ground = QColor(theme.base)
+            ground.setAlpha(GROUND)
+            painter.fillRect(place, ground)
+            painter.setPen(QColor(colour))
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+            return
+
+
+def paint_names(
+    painter: QPainter, frame: PlotFrame, names: Sequence[CurveName], theme: Theme
+) -> None:
+    """Write the names of curves at the right of them, apart from each other."""
+    font, metrics = small_font(strong=True)
+    painter.setFont(font)
+    half = metrics.height() / 2.0
+    low, high = frame.rect.top() + half, frame.rect.bottom() - half
+    wanted = [min(max(frame.y(one.at), low), high) for one in names]
+    for one, at in zip(names, spread(wanted, metrics.height(), low, high), strict=True):
+        painter.setPen(one.pen.of(theme).color())
+        painter.drawText(QPointF(frame.rect.right() + STEP, at - half + metrics.ascent()), one.text)
+
+
+def paint_spots(
+    painter: QPainter, frame: PlotFrame, spots: Sequence[Spot], theme: Theme, taken: list[QRectF]
+) -> None:
+    """Paint spots with their words beside them; one beyond the range as a caret at the edge."""
+    font, metrics = small_font(strong=True)
+    painter.setFont(font)
+    rect, size = frame.rect, STEP / 2.0
+    for one in spots:
+        x, y = frame.x(one.x), frame.y(one.y)
+        if not rect.left() <= x <= rect.right():
+            continue
+        colour = one.pen.of(theme).color()
+        painter.setPen(colour)
+        over, under = y < rect.top(), y > rect.bottom()
+        y = min(max(y, rect.top() + size), rect.bottom() - size)
+        if over or under:
+            tip = y - size if over else y + size
+            wings = [QPointF(x + way * size, 2 * y - tip) for way in (-1, 1)]
+            painter.drawPolyline(QPolygonF([wings[0], QPointF(x, tip), wings[1]]))
+        else:
+            painter.setBrush(QColor(theme.base))
+            painter.drawEllipse(QPointF(x, y), size, size)
+        width, height = float(metrics.horizontalAdvance(one.text)), float(metrics.height())
+        places = [
+            QRectF(left, top, width, height)
+            for top in (y - size - height, y - size, y + size)
+            for left in (x + STEP, x - STEP - width)
+        ]
+        _words(painter, frame, one.text, colour.name(), places, theme, taken)
+
+
+def paint_moments(
+    painter: QPainter, frame: PlotFrame, moments: Sequence[MarkedMoment], theme: Theme
+) -> None:
+    """Paint a line at every moment, and in the lane above the plot its shape and its words."""
+    shown = [one for one in moments if frame.x_range[0] <= one.revolution <= frame.x_range[1]]
+    font, metrics = small_font()
+    painter.setFont(font)
+    middle = frame.rect.top() - metrics.height() / 2.0 - 2.0
+    free = frame.rect.right()
+    # From the right, so that the newest keep their words where not all have room.
+    for one in reversed(shown):
+        x = frame.x(one.revolution)
+        critical = one.severity is Severity.CRITICAL
+        painter.setPen(line_pen(theme.critical if critical else theme.muted, dotted=not critical))
+        painter.drawLine(QPointF(x, frame.rect.top()), QPointF(x, frame.rect.bottom()))
+        colour = QColor(theme.critical if critical else theme.secondary)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        painter.drawPolygon(_shape(one.severity, x, middle))
+        text = one.words if len(one.words) <= MOST_NAME else one.words[: MOST_NAME - 1] + "…"
+        if x + STEP + metrics.horizontalAdvance(text) <= free:
+            painter.setPen(colour)
+            top = middle - metrics.height() / 2.0
+            painter.drawText(QPointF(x + STEP, top + metrics.ascent()), text)
+        free = x - STEP
+
+
+def _shape(severity: Severity | None, x: float, y: float) -> QPolygonF:
+    """Return a flag for a note, a triangle for a warning, a diamond for what is critical."""
+    half = STEP / 2.0
+    corners = {
+        None: ((0, -1), (1.6, -0.4), (0, 0.2), (0, 1.2), (-0.3, 1.2), (-0.3, -1)),
+        Severity.WARNING: ((0, -1), (1, 1), (-1, 1)),
+        Severity.CRITICAL: ((0, -1.2), (1.2, 0), (0, 1.2), (-1.2, 0)),
+    }[severity]
+    return QPolygonF([QPointF(x + half * right, y + half * down) for right, down in corners])

@@ -1,0 +1,175 @@
+"""What plots show beside their curves, and what their axes follow."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rigapp.config.loading import parse_test
+from rigapp.gui.data.judged import EVERYTHING, banded, drawn
+from rigapp.gui.data.moments import moments
+from rigapp.gui.data.news import News
+from rigapp.gui.data.ranges import round_places
+from rigapp.gui.data.series import LiveData
+from rigapp.gui.data.texts import axis_number
+from rigapp.gui.look.tokens import DARK, LIGHT
+from rigapp.gui.plots.marks import spread
+from rigapp.gui.plots.overlay import OverlayPanel
+from rigapp.gui.plots.trend import TrendPanel
+from rigapp.gui.plots.trendview import TrendView
+from rigapp.schema.loglines import AlarmChange, alarm_line
+from rigapp.schema.messages import Event, Flag, Severity
+from tests.gui.conftest import ALARM, REVOLUTION_NAMES, make_snapshot
+
+QUICK = (Path(__file__).parents[2] / "examples" / "quick.toml").read_text(encoding="utf-8")
+RULES = (
+    '\n[[limits.rule]]\nquantity = "force_max"\nwarning_above = 98.0\n'
+    '\n[[limits.rule]]\nquantity = "force_min"\nwarning_below = 20.0\n'
+)
+RECIPE = parse_test(QUICK + RULES, "x")
+LOG = (
+    Event(1.8e9, 40, "note", "Ann", "oil added"),
+    alarm_line(1.8e9, 90, "x", ALARM, AlarmChange("raised", "Force is high")),
+    alarm_line(1.8e9, 90, "x", ALARM, AlarmChange("acknowledged", "Force is high")),
+    Event(1.8e9, 95, "command", "Ann", "pause"),
+)
+
+
+def tripped(count: int = 200, flags: Flag = Flag.SENSOR_FAULT) -> LiveData:
+    """Return a test whose revolution 150 is far off, and flagged."""
+    plain = make_snapshot(1, count)
+    rows = np.frombuffer(plain.rows).reshape(count, -1).copy()
+    rows[149, REVOLUTION_NAMES.index("force_max")] = 391.0
+    rows[149, REVOLUTION_NAMES.index("quality")] = int(flags)
+    data = LiveData()
+    data.take(msgspec.structs.replace(plain, rows=rows.tobytes()))
+    return data
+
+
+@pytest.mark.parametrize("buckets", [1000, 50])
+def test_a_flagged_revolution_does_not_range_the_axis(buckets: int) -> None:
+    data = tripped()
+    line = drawn(data.rows, "force_max", data.rows, EVERYTHING, buckets)
+    assert line.high < 100.0
+    assert line.above is not None
+    assert line.above[1] == 391.0
+    assert line.above[0] == pytest.approx(150.0, abs=len(data.rows) / buckets)
+    assert line.y.max() == 391.0, "it is drawn all the same"
+    unflagged = tripped(flags=Flag.GOOD)
+    assert drawn(unflagged.rows, "force_max", unflagged.rows, EVERYTHING, buckets).high == 391.0
+
+
+def test_where_every_revolution_is_flagged_all_of_them_range_the_axis() -> None:
+    data = tripped()
+    quality = np.full(len(data.rows), int(Flag.TIME_JUMP))
+    data.rows.series("quality").write(0, quality)
+    assert drawn(data.rows, "force_max", data.rows, EVERYTHING, 1000).high == 391.0
+
+
+def test_a_band_holds_every_value_with_its_uncertainty() -> None:
+    table = tripped().predictions
+    at, low, high = banded(table, "force_max", "force_uncertainty", EVERYTHING, 16)
+    values, half = (table.series(name).values for name in ("force_max", "force_uncertainty"))
+    for place, revolution in enumerate(table.revolutions):
+        bucket = int(np.searchsorted(at, revolution, side="right")) - 1
+        assert low[bucket] <= values[place] - half[place] + 1e-4
+        assert high[bucket] >= values[place] + half[place] - 1e-4
+
+
+@given(st.lists(st.floats(-50.0, 150.0), min_size=1, max_size=8))
+def test_names_stand_apart_in_the_order_of_their_curves(wanted: list[float]) -> None:
+    found = spread(wanted, 12.0, 0.0, 100.0)
+    assert all(-1e-6 <= one <= 100.0 + 1e-6 for one in found)
+    placed = sorted(found)
+    assert all(b - a >= 12.0 - 1e-6 for a, b in itertools.pairwise(placed))
+    order = sorted(range(len(wanted)), key=lambda one: wanted[one])
+    assert [found[one] for one in order] == placed
+
+
+@given(st.floats(-1e6, 1e6), st.floats(1e-3, 1e6))
+def test_an_axis_has_at_least_three_round_ticks_within_it(low: float, span: float) -> None:
+    step, places = round_places(low, low + span, 4)
+    assert 3 <= len(places) <= 11
+    assert all(low - 1e-6 * step <= one <= low + span + 1e-6 * step for one in places)
+
+
+def test_numbers_at_an_axis_are_grouped_with_a_true_minus() -> None:
+    texts = [axis_number(*one) for one in ((-1500.0, 500.0), (0.25, 0.05), (-0.0, 1.0))]
+    assert texts == ["−1\u2009500", "0.25", "0"]
+
+
+def test_notes_and_raised_alarms_stand_at_the_trends() -> None:
+    found = moments(LOG)
+    assert [(one.revolution, one.words, one.severity) for one in found] == [
+        (40, "oil added", None),
+        (90, "Force is high", Severity.WARNING),
+    ]
+
+
+def test_trends_show_limits_moments_and_the_value_that_is_off_the_axis(qtbot: Any) -> None:
+    panel = TrendPanel("x", LIGHT)
+    qtbot.addWidget(panel)
+    panel.show_news(News(data=tripped(), recipe=RECIPE, events=LOG))
+    marks = panel.plot.marks
+    words = [one.words for one in marks.limits]
+    assert words == ["drive off above 380 N", "warn above 98 N", "warn below 20 N"]
+    assert not any(one.passed for one in marks.limits), "by the newest revolution"
+    assert [one.words for one in marks.moments] == ["oil added", "Force is high"]
+    assert [one.text for one in marks.spots] == ["391 N"]
+    assert panel.plot.viewRange()[1][1] <= 120.0
+    assert "model ± U" in [one.text for one in marks.names]
+    for theme in (DARK, LIGHT):
+        panel.dress(theme)
+        panel.resize(460, 300)
+        assert not panel.grab().isNull()
+
+
+def test_trends_of_a_page_move_and_point_together_and_start_afresh(qtbot: Any) -> None:
+    view = TrendView()
+    panels = [
+        TrendPanel(name, LIGHT, what, view=view) for name, what in (("a", "force"), ("b", "wear"))
+    ]
+    news = News(data=tripped())
+    for panel in panels:
+        qtbot.addWidget(panel)
+        panel.show_news(news)
+    view.move(20.0, 60.0)
+    panels[0].view.point_at(33.4)
+    for panel in panels:
+        panel.show_news(news)
+        assert panel.plot.viewRange()[0] == [20.0, 60.0]
+        assert panel.plot.cursor_line.value() == 33.0
+        assert panel.words.startswith("At cycle 33: ")
+        assert not any(one.isChecked() for one in panel.modes.values())
+    for panel in panels:
+        panel.show_news(News(data=tripped(20 * 10)))
+        assert panel.plot.viewRange()[0][0] == 1.0
+        assert not panel.plot.cursor_line.isVisible()
+
+
+def test_the_force_is_shown_with_its_limits_and_over_a_frozen_revolution(qtbot: Any) -> None:
+    overlay = OverlayPanel("x", LIGHT)
+    qtbot.addWidget(overlay)
+    overlay.freeze.click()
+    assert not overlay.freeze.isChecked(), "there is nothing to freeze"
+    data = LiveData()
+    data.take(make_snapshot(1, 9))
+    overlay.show_news(News(data=data, recipe=RECIPE))
+    limits = {one.words: one.passed for one in overlay.plot.marks.limits}
+    assert limits == {"drive off above 380 N": False, "warn above 98 N": True}
+    overlay.freeze.click()
+    data.take(make_snapshot(10, 1))
+    overlay.show_news(News(data=data, recipe=RECIPE))
+    texts = [one.text for one in overlay.plot.marks.names]
+    assert texts == ["|F|", "along", "across", "model ± 0.94", "frozen 9"]
+    assert len(overlay._behind["frozen"]["force"].getData()[0]) > 100
+    overlay.show_news(News(data=LiveData()))
+    assert not overlay.freeze.isChecked()
+    assert overlay.plot.marks.names == ()
