@@ -151,7 +151,7 @@ def test_a_free_channel_is_drawn_in_the_trend_and_against_the_angle(
     assert [curves.choice.itemText(i) for i in range(2)] == ["Pin position", "Bushing temperature"]
     curves.choice.setCurrentIndex(1)
     curves.show_news(News(data=data))
-    drawn = curves._curves[0].getData()[1]
+    drawn = curves._curves[0].y
     assert drawn.min() == pytest.approx(30.0, abs=1e-3)
     assert drawn.max() == pytest.approx(32.0, abs=1e-3)
     assert curves.title.whole == "°C, mean 31.0"

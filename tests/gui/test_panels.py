@@ -262,7 +262,7 @@ def test_results_are_compared_and_replayed(
         return len(panel.compare.runs) == 2
 
     qtbot.waitUntil(compared, timeout=PATIENCE_MS)
-    x, y = panel.compare._curves[0].getData()
+    x, y = panel.compare._curves[0].x, panel.compare._curves[0].y
     assert len(x) == 300
     assert y[0] == pytest.approx(97.0, abs=2.0)
     for index in range(panel.compare.quantity.count()):
@@ -399,7 +399,7 @@ def test_the_profile_panel_shows_both_depths(qtbot: Any, qapp: Any, recorded: Pa
     qtbot.addWidget(panel)
     panel.show_news(News(data=history.data, recipe=history.recipe))
     predicted = history.data.predictions.last("wear_depth")
-    assert panel._model.getData()[1].max() == pytest.approx(1e3 * predicted)
+    assert panel._model.y.max() == pytest.approx(1e3 * predicted)
     assert f"model {1e3 * predicted:.1f}" in panel.plot.accessibleDescription()
     panel.dress(DARK)
 
@@ -527,7 +527,7 @@ def test_hold_keeps_the_picture_and_a_stored_revolution_is_compared(
 
     qtbot.waitUntil(compared, timeout=PATIENCE_MS)
     assert cycle.stored.value() == 40
-    assert len(cycle.overlay._behind["stored"]["force"].getData()[0]) > 100
+    assert len(cycle.overlay._behind["stored"]["force"].x) > 100
     cycle.show_stored.setChecked(False)
     window.draw_now()
     assert "stored" not in cycle.overlay.plot.accessibleDescription()
@@ -552,7 +552,7 @@ def test_every_trend_draws_what_it_names(
         trend.choice.setCurrentIndex(index)
         window.draw_now()
         assert trend._curves
-        assert all(len(one.trace.getData()[0]) > 0 for one in trend._curves)
+        assert all(len(one.trace.x) > 0 for one in trend._curves)
         if trend.choice.currentData() == "wear":
             assert "± 1.1" in trend.words
     trend.choice.setCurrentIndex(0)

@@ -169,7 +169,7 @@ def test_the_force_is_shown_with_its_limits_and_over_a_frozen_revolution(qtbot: 
     overlay.show_news(News(data=data, recipe=RECIPE))
     texts = [one.text for one in overlay.plot.marks.names]
     assert texts == ["|F|", "along", "across", "model ± 0.94", "frozen 9"]
-    assert len(overlay._behind["frozen"]["force"].getData()[0]) > 100
+    assert len(overlay._behind["frozen"]["force"].x) > 100
     overlay.show_news(News(data=LiveData()))
     assert not overlay.freeze.isChecked()
     assert overlay.plot.marks.names == ()

@@ -36,8 +36,8 @@ def test_the_uncertainty_stands_beside_the_prediction(overlay: OverlayPanel) -> 
     text = seen(overlay)
     assert "model ± 0.94" in text
     assert "faster" not in text
-    low, high = overlay._model_bands["force"].limits
-    assert high - low == pytest.approx(2 * 0.94)
+    band = overlay._model_bands["force"]
+    assert band.high - band.low == pytest.approx(2 * 0.94)
 
 
 def test_a_speed_that_is_not_followed_is_told_where_it_matters(overlay: OverlayPanel) -> None:
@@ -51,4 +51,4 @@ def test_a_file_of_before_says_nothing(overlay: OverlayPanel) -> None:
     text = seen(overlay, force_uncertainty=np.nan, unfollowed_acceleration=np.nan)
     assert "model" in text
     assert "±" not in text
-    assert len(overlay._model_bands["force"].limits[0]) == 0
+    assert len(overlay._model_bands["force"].low) == 0

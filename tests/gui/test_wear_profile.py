@@ -46,11 +46,11 @@ def test_the_panel_draws_only_what_the_pin_reached(qtbot: Any) -> None:
     data = LiveData()
     data.profile = shown_profile(profile_message(columns(20), 0))
     panel.show_news(News(data=data))
-    angle, depth = panel._measured.getData()
+    angle, depth = panel._measured.x, panel._measured.y
     assert np.isnan(depth[np.abs(angle) > 20.0]).all()
     assert depth[np.abs(angle) <= 20.0] == pytest.approx(20.0)
-    assert panel._band.limits[1] == pytest.approx(40.0)
-    assert len(panel._band.limits[1]) == 41
+    assert panel._band.high == pytest.approx(40.0)
+    assert len(panel._band.high) == 41
     assert "measured 20.0 ± 20.0" in panel.plot.accessibleDescription()
     words = panel.title.whole
     assert "cycle 20" in words

@@ -248,10 +248,13 @@ def test_the_residual_is_measured_minus_model(
     middle = slice(len(residual) // 2 - 50, len(residual) // 2 + 50)
     assert residual[middle].mean() == pytest.approx(1.0, abs=0.4)
     assert shown.measured["force"][middle].mean() == pytest.approx(97.0, abs=0.4)
-    drawn = window.tabs.panels["overview"]._raw_residual.getData()[1]
+    drawn = window.tabs.panels["overview"]._raw_residual.y
     assert drawn.max() == residual.max()
     assert drawn.min() == residual.min()
-    angle, means = window.tabs.panels["overview"]._residual["force"].getData()
+    angle, means = (
+        window.tabs.panels["overview"]._residual["force"].x,
+        window.tabs.panels["overview"]._residual["force"].y,
+    )
     assert means[abs(angle - 180.0) < 20.0].mean() == pytest.approx(1.0, abs=0.3)
 
 
@@ -436,7 +439,7 @@ def test_another_test_begins_with_empty_plots(
     attach()
     overlay = window.tabs.panels["overview"] if tab == 0 else window.tabs.panels["cycle"].overlay
     assert overlay.shown is None
-    assert len(overlay._measured["force"].getData()[0]) == 0
+    assert len(overlay._measured["force"].x) == 0
     assert overlay.plot.instead.startswith("No revolution measured yet")
     if tab == 1:
         item = window.tabs.panels["cycle"].values.item(0, 0)

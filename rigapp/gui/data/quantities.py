@@ -116,7 +116,8 @@ def _of_channel(channel: Channel) -> TrendQuantity:
         )
     predicted: tuple[TrendLine, ...] = ()
     if lines[0].column in _PREDICTED:
-        predicted = tuple(replace(line, doubt="force_uncertainty") for line in lines)
+        # The uncertainty that is kept is the largest of a revolution.
+        predicted = (replace(lines[0], doubt="force_uncertainty"), *lines[1:])
     return TrendQuantity(title_of(channel), axis_of(channel), span_of(channel), lines, predicted)
 
 

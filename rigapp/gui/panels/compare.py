@@ -153,7 +153,7 @@ class ComparePanel(PlotPanel):
             line = line_of(run.data, quantity, axis)
             pen = LinePen(colours[index])
             self.plot.draw_with(pen, curve)
-            curve.setData(line.x, line.y, connect="finite")
+            curve.setData(line.x, line.y)
             known = np.flatnonzero(np.isfinite(line.y))
             if not known.size:
                 continue

@@ -1,28 +1,101 @@
-"""Curves and bands of plots whose axes are never ranged by them, so that no bounds are computed."""
+"""Curves and bands of a plot, all painted by one item of its scene.
+
+An item for each would cost three times as much as what it paints: the scene asks every item where
+it is, several times a frame.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPolygonF
-
-from rigapp.gui.look.tokens import Theme
-from rigapp.gui.plots.palette import LinePen
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 Floats = NDArray[np.float64]
+Changed = Callable[[], None]
 
 SHADE = 48
 """Opacity of a band, of 255: two over each other, and a line below them, can still be told."""
+NOTHING: Floats = np.empty(0)
 
 
-class _InView:
-    """An item that is as large as what is seen of its plot, whatever its data are."""
+class Trace:
+    """A curve; NaN ends a piece of it."""
 
-    _seen = QRectF()
+    def __init__(self, changed: Changed) -> None:
+        self._changed = changed
+        self._pieces: list[QPolygonF] = []
+        self._pen = QPen()
+        self.x, self.y = NOTHING, NOTHING
+
+    def setPen(self, pen: QPen) -> None:
+        """Draw with a pen."""
+        self._pen = pen
+        self._changed()
+
+    def setData(self, x: Floats, y: NDArray[np.floating]) -> None:
+        """Draw points, (n,) each."""
+        self.x, self.y = np.asarray(x), np.asarray(y)
+        known = np.isfinite(self.y)
+        if known.all():
+            bounds = [(0, len(self.y))]
+        else:
+            edges = np.flatnonzero(np.diff(known, prepend=False, append=False))
+            bounds = list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+        self._pieces = [_polygon(self.x[a:b], self.y[a:b]) for a, b in bounds if b > a]
+        self._changed()
+
+    def paint(self, painter: QPainter) -> None:
+        """Paint the curve."""
+        if self._pieces:
+            painter.setPen(self._pen)
+            for piece in self._pieces:
+                painter.drawPolyline(piece)
+
+
+class ShadedBand:
+    """The area between a lower and an upper limit, in the colour of its curve."""
+
+    def __init__(self, changed: Changed) -> None:
+        self._changed = changed
+        self._polygon = QPolygonF()
+        self._colour = QColor()
+        self.low, self.high = NOTHING, NOTHING
+
+    def setPen(self, pen: QPen) -> None:
+        """Fill with the colour of a pen."""
+        self._colour = pen.color()
+        self._colour.setAlpha(SHADE)
+        self._changed()
+
+    def setData(self, x: Floats, low: Floats, high: Floats) -> None:
+        """Draw what is finite of arrays (n,)."""
+        known = np.isfinite(low) & np.isfinite(high)
+        at, self.low, self.high = x[known], low[known], high[known]
+        corners = np.concatenate((at, at[::-1])), np.concatenate((self.low, self.high[::-1]))
+        self._polygon = _polygon(*corners)
+        self._changed()
+
+    def paint(self, painter: QPainter) -> None:
+        """Fill the area."""
+        if not self._polygon.isEmpty():
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(self._colour)
+            painter.drawPolygon(self._polygon)
+
+
+class Canvas(pg.GraphicsObject):  # type: ignore[misc]
+    """The one item that paints the curves of a plot, bands first; it ranges no axis."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._seen = QRectF()
+        self.bands: list[ShadedBand] = []
+        self.traces: list[Trace] = []
 
     def boundingRect(self) -> QRectF:
         """Return the visible part of the plot."""
@@ -30,67 +103,33 @@ class _InView:
 
     def viewTransformChanged(self) -> None:
         """Take the new visible part."""
-        view = self.getViewBox()  # type: ignore[attr-defined]
-        self.prepareGeometryChange()  # type: ignore[attr-defined]
+        view = self.getViewBox()
+        self.prepareGeometryChange()
         self._seen = QRectF() if view is None else view.viewRect()
 
     def dataBounds(self, axis: int, *_: Any, **__: Any) -> tuple[None, None]:
         """Return nothing: what is drawn ranges no axis."""
         return None, None
 
-
-class Trace(_InView, pg.PlotCurveItem):  # type: ignore[misc]
-    """A curve of finite points; NaN ends a piece where it is told ``connect="finite"``."""
-
-    def __init__(self) -> None:
-        super().__init__(skipFiniteCheck=True)
-
-    def informViewBoundsChanged(self) -> None:
-        """Tell nobody: no axis follows the data."""
-
-    def pixelPadding(self) -> float:
-        """Return no room beyond the visible part."""
-        return 0.0
-
-
-class ShadedBand(_InView, pg.GraphicsObject):  # type: ignore[misc]
-    """The area between a lower and an upper limit, in the colour of its curve."""
-
-    def __init__(self, pen: LinePen) -> None:
-        super().__init__()
-        self._pen = pen
-        self._polygon = QPolygonF()
-        self.limits: tuple[Floats, Floats] = (np.empty(0), np.empty(0))
-        self._colour = QColor()
-        self.setZValue(-5)
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self._colour = self._pen.of(theme).color()
-        self._colour.setAlpha(SHADE)
-        self.update()
-
-    def setData(self, x: Floats, low: Floats, high: Floats) -> None:
-        """Draw what is finite of arrays (n,)."""
-        known = np.isfinite(low) & np.isfinite(high)
-        there, back = x[known], x[known][::-1]
-        self.limits = low[known], high[known]
-        self._polygon = QPolygonF()
-        if there.size:
-            self._polygon = pg.functions.arrayToQPolygonF(
-                np.concatenate((there, back)), np.concatenate((low[known], high[known][::-1]))
-            )
-        self.update()
-
     def paint(self, painter: QPainter, *_: Any) -> None:
-        """Fill the area."""
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(self._colour)
-        painter.drawPolygon(self._polygon)
+        """Paint all of it."""
+        for band in self.bands:
+            band.paint(painter)
+        for trace in self.traces:
+            trace.paint(painter)
+
+
+def _polygon(x: Floats, y: NDArray[np.floating]) -> QPolygonF:
+    """Return points as a polygon; a single one is a dot, which is a line to itself."""
+    if len(x) == 0:
+        return QPolygonF()
+    if len(x) == 1:
+        x, y = np.repeat(x, 2), np.repeat(y, 2)
+    made: QPolygonF = pg.functions.arrayToQPolygonF(x, y)
+    return made
 
 
 def clear(*items: Trace | ShadedBand) -> None:
     """Draw nothing with curves and bands."""
-    nothing = np.empty(0)
     for item in items:
-        item.setData(*(nothing,) * (3 if isinstance(item, ShadedBand) else 2))
+        item.setData(*(NOTHING,) * (3 if isinstance(item, ShadedBand) else 2))

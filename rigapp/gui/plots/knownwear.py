@@ -75,7 +75,7 @@ class DepthBandPanel(PlotPanel):
             highest = max(highest, float(np.nanmax(shown.high, initial=0.0)))
             names.append(CurveName(f"from {grouped(shown.after)} on", pen, float(shown.median[-1])))
         line = drawn(predictions, DEPTH, news.data.rows, EVERYTHING, BUCKETS, UM_PER_MM)
-        self._measured.setData(line.x, line.y, connect="finite")
+        self._measured.setData(line.x, line.y)
         seen = np.flatnonzero(np.isfinite(line.y))
         if not seen.size:
             self.plot.empty(waiting)

@@ -19,10 +19,10 @@ from rigapp.gui.look.tokens import CAPTION_PT, STEP, Theme
 from rigapp.gui.plots.palette import LinePen, line_pen
 from rigapp.schema.messages import Severity
 
+Tick = tuple[float, str]
+"""A place on an axis, and what stands there."""
 NEAREST = 1e-9
 """Of a range: what is less wide is none."""
-GROUND = 190
-"""Opacity of the ground below words, of 255: they are read, and a curve there is still seen."""
 MOST_NAME = 24
 """Characters of the words at a moment; its whole text stands in the log."""
 
@@ -123,21 +123,47 @@ def name_room(names: Sequence[CurveName]) -> int:
     return -(-(widest + STEP) // (2 * STEP)) * 2 * STEP
 
 
-def paint_grid(
-    painter: QPainter, frame: PlotFrame, across: Sequence[float], up: Sequence[float], theme: Theme
+def paint_axes(
+    painter: QPainter, frame: PlotFrame, across: Sequence[Tick], up: Sequence[Tick], theme: Theme
 ) -> None:
-    """Paint a calm line at every tick, a stronger one at zero."""
+    """Paint a calm line at every tick, a stronger one at zero, and what stands at the ticks."""
     rect = frame.rect
-    for value in across:
+    font, metrics = small_font()
+    painter.setFont(font)
+    half, row = metrics.height() / 2.0, float(metrics.height())
+    for value, text in across:
+        x = frame.x(value)
         painter.setPen(line_pen(theme.grid))
-        painter.drawLine(
-            QPointF(frame.x(value), rect.top()), QPointF(frame.x(value), rect.bottom())
-        )
-    for value in up:
+        painter.drawLine(QPointF(x, rect.top()), QPointF(x, rect.bottom()))
+        painter.setPen(QColor(theme.muted))
+        width = metrics.horizontalAdvance(text)
+        place = QRectF(x - width / 2.0, rect.bottom() + STEP // 2, width, row)
+        painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+    for value, text in up:
+        y = frame.y(value)
         painter.setPen(line_pen(theme.strong if abs(value) < NEAREST else theme.grid))
-        painter.drawLine(
-            QPointF(rect.left(), frame.y(value)), QPointF(rect.right(), frame.y(value))
-        )
+        painter.drawLine(QPointF(rect.left(), y), QPointF(rect.right(), y))
+        painter.setPen(QColor(theme.muted))
+        place = QRectF(0.0, y - half, rect.left() - STEP // 2, row)
+        painter.drawText(place, Qt.AlignmentFlag.AlignRight, text)
+    painter.setPen(line_pen(theme.strong))
+    painter.drawLine(rect.bottomLeft(), rect.bottomRight())
+
+
+def paint_captions(painter: QPainter, frame: PlotFrame, across: str, up: str, theme: Theme) -> None:
+    """Write what is drawn along the axes: below the ticks, and turned at the left of them."""
+    rect = frame.rect
+    font, metrics = small_font()
+    painter.setFont(font)
+    painter.setPen(QColor(theme.muted))
+    row = metrics.height()
+    place = QRectF(rect.left(), rect.bottom() + row + STEP, rect.width(), row)
+    painter.drawText(place, Qt.AlignmentFlag.AlignCenter, across)
+    painter.save()
+    painter.translate(0.0, rect.bottom())
+    painter.rotate(-90.0)
+    painter.drawText(QRectF(0.0, 0.0, rect.height(), row), Qt.AlignmentFlag.AlignCenter, up)
+    painter.restore()
 
 
 def paint_limits(
@@ -179,7 +205,7 @@ def paint_limit_words(
             tops = (at - height, at) if one.below else (at, at - height)
             text = f"◆ {one.words}" if one.passed else one.words
             colour = theme.critical if one.passed else theme.secondary
-            _words(painter, frame, text, colour, _along(rect, metrics, text, tops), theme, taken)
+            _words(painter, frame, text, colour, _along(rect, metrics, text, tops), taken)
     above = min((one for one in limits if one.value > high), key=_value, default=None)
     under = max((one for one in limits if one.value < low), key=_value, default=None)
     for edge, caret, tops in (
@@ -189,7 +215,7 @@ def paint_limit_words(
         if edge is not None:
             text = f"{edge.words} {caret}"
             places = reversed(_along(rect, metrics, text, tops))
-            _words(painter, frame, text, theme.muted, places, theme, taken)
+            _words(painter, frame, text, theme.muted, places, taken)
 
 
 def _value(one: LimitLine) -> float:
@@ -209,17 +235,13 @@ def _words(
     text: str,
     colour: str,
     places: Iterable[QRectF],
-    theme: Theme,
     taken: list[QRectF],
 ) -> None:
-    """Write words at the first place that is free, on a ground through which curves still show."""
+    """Write words at the first place that is free."""
     rect = frame.rect.adjusted(0, -1, 0, 1)
     for place in places:
         if rect.contains(place) and not any(place.intersects(one) for one in taken):
             taken.append(place)
-            ground = QColor(theme.base)
-            ground.setAlpha(GROUND)
-            painter.fillRect(place, ground)
             painter.setPen(QColor(colour))
             painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
             return
@@ -267,7 +289,7 @@ def paint_spots(
             for top in (y - size - height, y - size, y + size)
             for left in (x + STEP, x - STEP - width)
         ]
-        _words(painter, frame, one.text, colour.name(), places, theme, taken)
+        _words(painter, frame, one.text, colour.name(), places, taken)
 
 
 def paint_moments(

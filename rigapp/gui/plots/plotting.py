@@ -16,19 +16,20 @@ from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, GAP, STEP, Theme
 from rigapp.gui.plots.axes import QuietAxis
-from rigapp.gui.plots.curves import ShadedBand, Trace
+from rigapp.gui.plots.curves import Canvas, ShadedBand, Trace
 from rigapp.gui.plots.marks import (
     Marks,
     PlotFrame,
     name_room,
-    paint_grid,
+    paint_axes,
+    paint_captions,
     paint_limit_words,
     paint_limits,
     paint_moments,
     paint_names,
     paint_spots,
 )
-from rigapp.gui.plots.palette import LinePen, line_pen
+from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.widgets.build import named
 from rigapp.gui.widgets.labels import ElidedLabel
 
@@ -52,7 +53,9 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.setMinimumSize(QSize(120, 60))
         self._axes = axes
         self._pens: dict[Any, LinePen] = {}
-        self._bands: list[ShadedBand] = []
+        self._canvas = Canvas()
+        self.addItem(self._canvas)
+        self._taken: list[QRectF] = []
         self._marks = Marks()
         self._room = 2 * STEP
         self._top = QFontMetrics(self.font()).height() if lane else STEP
@@ -62,7 +65,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._instead.setWordWrap(True)
         self._instead.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._instead.hide()
-        # The background is painted once and kept until something on it moves.
+        # What lies behind the curves is painted once, and kept until something of it moves.
         for moved in (self.getViewBox().sigRangeChanged, self.getViewBox().sigResized):
             moved.connect(self._repaint)
         self._give_room()
@@ -73,17 +76,15 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.theme = theme
         self.setBackground(theme.base)
         self._instead.setStyleSheet(f"color: {theme.muted}; border: 1px dashed {theme.border}")
-        for side, axis in self._axes.items():
-            axis.setPen(line_pen(theme.strong) if side == "bottom" else pg.mkPen(None))
-            axis.setTextPen(theme.muted)
         for item, pen in self._pens.items():
             item.setPen(pen.of(theme))
-        for band in self._bands:
-            band.dress(theme)
 
     def label(self, side: str, text: str) -> None:
         """Write an axis label; the unit is part of the text."""
-        self._axes[side].caption(text)
+        axis = self._axes[side]
+        if text != axis.text:
+            axis.caption(text)
+            self._repaint()
 
     @property
     def instead(self) -> str:
@@ -108,17 +109,16 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
 
     def curve(self, pen: LinePen) -> Trace:
         """Add an empty curve for data known to be finite."""
-        item = Trace()
-        self.addItem(item)
+        item = Trace(self._canvas.update)
+        self._canvas.traces.append(item)
         self.draw_with(pen, item)
         return item
 
     def shade(self, pen: LinePen) -> ShadedBand:
         """Add an empty band, in the colour of a curve, behind the curves."""
-        item = ShadedBand(pen)
-        self._bands.append(item)
-        self.addItem(item, ignoreBounds=True)
-        item.dress(self.theme)
+        item = ShadedBand(self._canvas.update)
+        self._canvas.bands.append(item)
+        self.draw_with(pen, item)
         return item
 
     def draw_with(self, pen: LinePen, *items: Any) -> None:
@@ -129,11 +129,10 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
 
     def take_out(self, item: Trace | ShadedBand) -> None:
         """Remove a curve or a band."""
-        if isinstance(item, ShadedBand):
-            self._bands.remove(item)
-        else:
-            del self._pens[item]
-        self.removeItem(item)
+        del self._pens[item]
+        kept: list[Any] = self._canvas.traces if isinstance(item, Trace) else self._canvas.bands
+        kept.remove(item)
+        self._canvas.update()
 
     def fit(self, low: float, high: float) -> None:
         """Show values from low to high, by steps that keep still; nothing new when they are NaN."""
@@ -145,16 +144,18 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     def show_marks(self, **parts: Any) -> None:
         """Show names, limits, moments or spots (see ``Marks``); the others stay."""
         marks = replace(self._marks, **parts)
-        if marks == self._marks:
+        before, self._marks = self._marks, marks
+        if marks == before:
             return
-        self._marks = marks
         if not self.instead:
             self.setAccessibleDescription(marks.words)
         needed = name_room(marks.names)
         if needed > self._room:
             self._room = needed
             self._give_room()
-        self._repaint()
+        if (marks.limits, marks.moments) != (before.limits, before.moments):
+            self._repaint()
+        self.viewport().update()
 
     @property
     def marks(self) -> Marks:
@@ -172,10 +173,18 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         """Paint what lies behind the curves."""
         super().drawBackground(painter, rect)
         if not self.instead:
-            frame = self._frame()
-            across, up = (self._axes[side].places() for side in ("bottom", "left"))
-            paint_grid(painter, frame, across, up, self.theme)
-            paint_limits(painter, frame, self._marks.limits, self.theme)
+            frame, marks = self._frame(), self._marks
+            bottom, left = self._axes["bottom"], self._axes["left"]
+            shown = (
+                bottom.ticks() if bottom.height() > STEP else [(at, "") for at, _ in bottom.ticks()]
+            )
+            paint_axes(painter, frame, shown, left.ticks(), self.theme)
+            paint_captions(painter, frame, bottom.text, left.text, self.theme)
+            self._taken = []
+            paint_limits(painter, frame, marks.limits, self.theme)
+            paint_limit_words(painter, frame, marks.limits, self.theme, self._taken)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            paint_moments(painter, frame, marks.moments, self.theme)
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
         """Paint what lies before the curves."""
@@ -183,10 +192,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             return
         frame, marks = self._frame(), self._marks
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        taken: list[QRectF] = []
-        paint_moments(painter, frame, marks.moments, self.theme)
-        paint_spots(painter, frame, marks.spots, self.theme, taken)
-        paint_limit_words(painter, frame, marks.limits, self.theme, taken)
+        paint_spots(painter, frame, marks.spots, self.theme, list(self._taken))
         paint_names(painter, frame, marks.names, self.theme)
 
     def _repaint(self, *_: object) -> None:
@@ -214,11 +220,9 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.setXRange(0.0, 360.0, padding=0.0)
         axis = self._axes["bottom"]
         axis.setTicks([[(float(at), f"{at}°") for at in QUARTERS]])
-        axis.setStyle(hideOverlappingLabels=False)
         if label:
             self.label("bottom", "Crank angle")
         else:
-            axis.setStyle(showValues=False)
             axis.setHeight(STEP)
 
 

@@ -165,8 +165,7 @@ class TrendPanel(PlotPanel):
         table = data.predictions if curve.predicted else data.rows
         line, scale = curve.line, self.quantity.scale
         found = drawn(table, line.column, data.rows, view, BUCKETS, scale)
-        complete = bool(np.isfinite(found.y).all())
-        curve.trace.setData(found.x, found.y, connect="all" if complete else "finite")
+        curve.trace.setData(found.x, found.y)
         if curve.band is not None:
             curve.band.setData(*banded(table, line.column, line.doubt, view, BAND_BUCKETS, scale))
         return found

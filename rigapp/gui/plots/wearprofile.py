@@ -103,8 +103,8 @@ class WearProfilePanel(PlotPanel):
             return
         self._drawn = (profile,)
         seen = np.isfinite(profile.measured)
-        self._measured.setData(RECORDED_DEG, UM_PER_MM * profile.measured, connect="finite")
-        self._model.setData(RECORDED_DEG, UM_PER_MM * profile.predicted, connect="finite")
+        self._measured.setData(RECORDED_DEG, UM_PER_MM * profile.measured)
+        self._model.setData(RECORDED_DEG, UM_PER_MM * profile.predicted)
         self._draw_band(profile)
         self.plot.fit(0.0, UM_PER_MM * profile.deepest)
         if seen.any():
@@ -132,7 +132,7 @@ class WearProfilePanel(PlotPanel):
     def _show_entries(self, measured: str, model: str, words: str) -> None:
         """Name both curves, where they are deepest, and say what was seen."""
         names = [
-            CurveName(text, pen, np.nanmax(curve.getData()[1], initial=0.0))
+            CurveName(text, pen, np.nanmax(curve.y, initial=0.0))
             for text, pen, curve in (
                 (measured, MEASURED, self._measured),
                 (model, MODEL, self._model),
