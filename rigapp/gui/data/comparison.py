@@ -74,17 +74,15 @@ def binned(angle_deg: Floats, values: Floats, width_deg: float) -> tuple[Floats,
     return middles[filled], means.astype(np.float64)
 
 
-def values_at(shown: RevolutionCurves, angle_deg: float, first: str, second: str) -> str:
-    """Return measured and predicted values at a crank angle as one line with units."""
-    parts = []
-    for name, text in zip(CURVES, ("|F|", first, second), strict=True):
-        measured = _at(shown.angle_deg, shown.measured[name], angle_deg)
-        part = f"{text} {measured:.1f} N"
+def values_at(shown: RevolutionCurves, angle_deg: float) -> dict[str, tuple[float, float]]:
+    """Return per curve the measured and the predicted value at a crank angle (NaN: no model)."""
+    found = {}
+    for name in CURVES:
+        model = math.nan
         if shown.model is not None and shown.model_angle_deg is not None:
             model = _at(shown.model_angle_deg, shown.model[name], angle_deg)
-            part += f" (model {model:.1f} N, {measured - model:+.1f} N)"
-        parts.append(part)
-    return f"At {angle_deg:.1f} deg:  " + ",   ".join(parts)
+        found[name] = _at(shown.angle_deg, shown.measured[name], angle_deg), model
+    return found
 
 
 def statistics(shown: RevolutionCurves) -> list[tuple[str, list[float]]]:

@@ -261,6 +261,18 @@ def paint_names(
         painter.drawText(QPointF(frame.rect.right() + STEP, at - half + metrics.ascent()), one.text)
 
 
+def paint_cursor(painter: QPainter, frame: PlotFrame, at: float, text: str, theme: Theme) -> None:
+    """Write where the cursor is, at its foot."""
+    font, metrics = small_font(strong=True)
+    painter.setFont(font)
+    width, height = metrics.horizontalAdvance(text) + STEP, float(metrics.height())
+    left = min(frame.x(at), frame.rect.right() - width)
+    place = QRectF(left, frame.rect.bottom() - height, width, height)
+    painter.fillRect(place, QColor(theme.text))
+    painter.setPen(QColor(theme.base))
+    painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+
+
 def paint_spots(
     painter: QPainter, frame: PlotFrame, spots: Sequence[Spot], theme: Theme, taken: list[QRectF]
 ) -> None:

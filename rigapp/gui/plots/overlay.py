@@ -30,7 +30,14 @@ from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import limit_lines
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, PlotPanel, detail, heading
+from rigapp.gui.plots.plotting import (
+    NO_REVOLUTION,
+    CursorPlot,
+    NameRoom,
+    PlotPanel,
+    detail,
+    heading,
+)
 from rigapp.gui.widgets.build import button, choice, column, row
 
 RESIDUAL_BIN_DEG = 2.0
@@ -60,6 +67,10 @@ class AnglePlot(CursorPlot):
         else:
             self._pointed((at + sign * step) % 360.0)
 
+    def cursor_text(self, at: float) -> str:
+        """Return the angle of the cursor."""
+        return f"{at:.0f}°"
+
 
 class OverlayPanel(PlotPanel):
     """Draw the newest revolution and the model's, with a strip for their difference."""
@@ -84,11 +95,13 @@ class OverlayPanel(PlotPanel):
         self._build(prefix)
 
     def _make_plots(self, prefix: str, theme: Theme) -> None:
+        room = NameRoom()
         self.plot, self.residual_plot = (
-            AnglePlot(
-                f"{prefix}_{name}_plot", f"{spoken} against crank angle", theme, self.set_cursor
+            AnglePlot(f"{prefix}_{name}_plot", spoken, theme, self.set_cursor, room=room)
+            for name, spoken in (
+                ("force", "Joint force against crank angle"),
+                ("residual", "Measured minus model against crank angle"),
             )
-            for name, spoken in (("force", "Joint force"), ("residual", "Measured minus model"))
         )
         self.plot.show_crank_angle(label=False)
         self.plot.steady = SteadyRange(10.0)
@@ -223,6 +236,8 @@ class OverlayPanel(PlotPanel):
         self._cursor = None if angle_deg is None else angle_deg % 360.0
         for plot in (self.plot, self.residual_plot):
             plot.show_cursor(self._cursor)
+        if self.shown is not None:
+            self._show_words(self.shown)
         self._read_out()
 
     def _draw_model(self, shown: RevolutionCurves, buckets: int) -> None:
@@ -261,25 +276,7 @@ class OverlayPanel(PlotPanel):
         if shown.model_revolution not in (None, shown.measured_revolution):
             title += f", model {grouped(shown.model_revolution or 0)}"
         self.title.show_text(title + (", HELD" if self.held else ""))
-        texts = ("|F|", *COMPONENT_NAMES[self.frame])
-        names = [
-            CurveName(_short(text), pen, float(shown.measured[name][-1]))
-            for text, (name, pen) in zip(texts, PENS.items(), strict=True)
-        ]
-        if shown.model is not None:
-            word = "model" + (" (stale)" if self._stale else "")
-            names.append(
-                CurveName(
-                    _with_doubt(word, self._doubt.uncertainty_N),
-                    self._model_pen,
-                    float(shown.model[SIZE][-1]),
-                )
-            )
-        names += [
-            CurveName(f"{kind} {grouped(other.cycle.revolution)}", OTHER,
-                      float(other.cycle.channels[SIZE][-1]))
-            for kind, other in self._others.items()
-        ]  # fmt: skip
+        names = self._names(shown)
         place = int(np.argmax(shown.measured[SIZE]))
         angle, largest = float(shown.angle_deg[place]), float(shown.measured[SIZE][place])
         peak = Spot(angle, largest, f"{largest:.1f} N at {angle:.0f}°", PENS[SIZE])
@@ -288,12 +285,44 @@ class OverlayPanel(PlotPanel):
         if shown.residual is not None and math.isfinite(both):
             self.residual_plot.show_marks(names=(CurveName(f"± {both:.2g} N", MODEL, both),))
 
+    def _names(self, shown: RevolutionCurves) -> list[CurveName]:
+        """Return the names at the curves, with the values at the cursor where it stands."""
+        found = []
+        values = None if self._cursor is None else values_at(shown, self._cursor)
+        for (name, pen), text in zip(PENS.items(), self._words, strict=True):
+            read = "" if values is None else f" {values[name][0]:.1f}"
+            found.append(CurveName(text + read, pen, float(shown.measured[name][-1])))
+        if shown.model is not None:
+            text = "model (stale)" if self._stale else "model"
+            text += "" if values is None else f" {values[SIZE][1]:.1f}"
+            if math.isfinite(self._doubt.uncertainty_N):
+                text += f" ± {self._doubt.uncertainty_N:.2g}"
+            found.append(CurveName(text, self._model_pen, float(shown.model[SIZE][-1])))
+        for kind, other in self._others.items():
+            text = f"{kind} {grouped(other.cycle.revolution)}"
+            found.append(CurveName(text, OTHER, float(other.cycle.channels[SIZE][-1])))
+        return found
+
+    @property
+    def _words(self) -> tuple[str, ...]:
+        """Return what the curves are called; the frame stands above the plot."""
+        short = (
+            one.removesuffix(" crank").removesuffix(" follower")
+            for one in COMPONENT_NAMES[self.frame]
+        )
+        return ("|F|", *short)
+
     def _read_out(self) -> None:
+        """Say below the plot what is measured less what the model says, at the cursor."""
         text = "N, grey: every sample"
         if self._doubt.unfollowed:
             text = f"▲ {UNFOLLOWED}"
-        if self.shown is not None and self._cursor is not None:
-            text = values_at(self.shown, self._cursor, *COMPONENT_NAMES[self.frame])
+        elif self.shown is not None and self._cursor is not None and self.shown.model is not None:
+            values = values_at(self.shown, self._cursor)
+            text = f"N at {self._cursor:.1f}°: " + ", ".join(
+                f"{word} {measured - model:+.1f}".replace("-", "−")
+                for word, (measured, model) in zip(self._words, values.values(), strict=True)
+            )
         self.readout.show_text(text)
 
     def _freeze(self, wanted: bool) -> None:
@@ -318,12 +347,3 @@ class OverlayPanel(PlotPanel):
     @property
     def _model_pen(self) -> LinePen:
         return STALE_CURVE if self._stale else MODEL
-
-
-def _with_doubt(word: str, uncertainty_N: float) -> str:
-    return f"{word} ± {uncertainty_N:.2g}" if math.isfinite(uncertainty_N) else word
-
-
-def _short(component: str) -> str:
-    """Return the name of a component without its frame, which stands above the plot."""
-    return component.removesuffix(" crank").removesuffix(" follower")

@@ -13,6 +13,7 @@ from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QPainter, QResizeEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.data.texts import grouped
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, GAP, STEP, Theme
 from rigapp.gui.plots.axes import QuietAxis
@@ -23,6 +24,7 @@ from rigapp.gui.plots.marks import (
     name_room,
     paint_axes,
     paint_captions,
+    paint_cursor,
     paint_limit_words,
     paint_limits,
     paint_moments,
@@ -33,15 +35,49 @@ from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.widgets.build import named
 from rigapp.gui.widgets.labels import ElidedLabel
 
+LEAST_ROOM = 2 * STEP
+"""Beside a plot without names: half of the last tick's text stands there."""
 QUARTERS = range(0, 361, 90)
 """Of a turn, degrees: where an axis of crank angles has its ticks."""
+
+
+class NameRoom:
+    """The width that the names of curves have beside plots which stand below each other."""
+
+    def __init__(self) -> None:
+        self.width = LEAST_ROOM
+        self.plots: list[QuietPlot] = []
+
+    def need(self, width: int) -> None:
+        """Give all of the plots the width that one of them needs; it never shrinks."""
+        if width > self.width:
+            self.width = width
+            self._tell()
+
+    def start_afresh(self) -> None:
+        """Begin with the least width: what is drawn next is of another test."""
+        if self.width != LEAST_ROOM:
+            self.width = LEAST_ROOM
+            self._tell()
+
+    def _tell(self) -> None:
+        for plot in self.plots:
+            plot.give_room()
 
 
 class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     """A plot without menus, buttons, automatic ranges or a legend; ``show_marks`` does the rest."""
 
-    def __init__(self, name: str, spoken: str, theme: Theme, *, lane: bool = False) -> None:
-        """Make a plot; lane: with room above it for the words of moments."""
+    def __init__(
+        self,
+        name: str,
+        spoken: str,
+        theme: Theme,
+        *,
+        lane: bool = False,
+        room: NameRoom | None = None,
+    ) -> None:
+        """Make a plot; lane: with room above it for the words of moments; room: a shared one."""
         axes = {side: QuietAxis(side) for side in ("left", "bottom")}
         super().__init__(background=theme.base, axisItems=axes)
         named(self, name, spoken)
@@ -57,7 +93,8 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self.addItem(self._canvas)
         self._taken: list[QRectF] = []
         self._marks = Marks()
-        self._room = 2 * STEP
+        self._room = room or NameRoom()
+        self._room.plots.append(self)
         self._top = QFontMetrics(self.font()).height() if lane else STEP
         self.steady = SteadyRange(1.0)
         self._instead = QLabel(self)
@@ -68,7 +105,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         # What lies behind the curves is painted once, and kept until something of it moves.
         for moved in (self.getViewBox().sigRangeChanged, self.getViewBox().sigResized):
             moved.connect(self._repaint)
-        self._give_room()
+        self.give_room()
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -149,10 +186,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             return
         if not self.instead:
             self.setAccessibleDescription(marks.words)
-        needed = name_room(marks.names)
-        if needed > self._room:
-            self._room = needed
-            self._give_room()
+        self._room.need(name_room(marks.names))
         if (marks.limits, marks.moments) != (before.limits, before.moments):
             self._repaint()
         self.viewport().update()
@@ -165,8 +199,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     def start_afresh(self) -> None:
         """Forget range, room and marks: what is drawn next is of another test."""
         self.steady.forget()
-        self._room = 2 * STEP
-        self._give_room()
+        self._room.start_afresh()
         self.show_marks(names=(), limits=(), moments=(), spots=())
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
@@ -204,8 +237,9 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         across, up = view.viewRange()
         return PlotFrame(view.sceneBoundingRect(), tuple(across), tuple(up))
 
-    def _give_room(self) -> None:
-        self.getPlotItem().layout.setContentsMargins(0, self._top, self._room, 0)
+    def give_room(self) -> None:
+        """Leave room for moments above the curves, and for names beside them."""
+        self.getPlotItem().layout.setContentsMargins(0, self._top, self._room.width, 0)
 
     def guide(self, at: float, *, horizontal: bool) -> pg.InfiniteLine:
         """Add a calm line where the grid has none."""
@@ -234,9 +268,16 @@ class CursorPlot(QuietPlot):
     """A plot with a cursor that a click puts somewhere and Esc takes away."""
 
     def __init__(
-        self, name: str, spoken: str, theme: Theme, pointed: Pointed, *, lane: bool = False
+        self,
+        name: str,
+        spoken: str,
+        theme: Theme,
+        pointed: Pointed,
+        *,
+        lane: bool = False,
+        room: NameRoom | None = None,
     ) -> None:
-        super().__init__(name, spoken, theme, lane=lane)
+        super().__init__(name, spoken, theme, lane=lane, room=room)
         self._pointed = pointed
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setToolTip("Click, or Tab to it and use ← →, to read values; Esc ends it.")
@@ -252,11 +293,23 @@ class CursorPlot(QuietPlot):
         else:
             super().keyPressEvent(event)
 
+    def cursor_text(self, at: float) -> str:
+        """Return what stands at the cursor."""
+        return grouped(round(at))
+
+    def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
+        """Paint what lies before the curves, and where the cursor is."""
+        super().drawForeground(painter, rect)
+        if self.cursor_line.isVisible() and not self.instead:
+            at = self.cursor_line.value()
+            paint_cursor(painter, self._frame(), at, self.cursor_text(at), self.theme)
+
     def show_cursor(self, at: float | None) -> None:
         """Put the cursor somewhere, or take it away."""
         self.cursor_line.setVisible(at is not None)
         if at is not None:
             self.cursor_line.setValue(at)
+        self.viewport().update()
 
     def _clicked(self, event: Any) -> None:
         view = self.getViewBox()

@@ -22,7 +22,14 @@ from rigapp.gui.plots.curves import ShadedBand, Trace
 from rigapp.gui.plots.limitlines import limit_lines
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import MODEL, LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, CursorPlot, PlotPanel, Pointed, detail
+from rigapp.gui.plots.plotting import (
+    NO_REVOLUTION,
+    CursorPlot,
+    NameRoom,
+    PlotPanel,
+    Pointed,
+    detail,
+)
 from rigapp.gui.plots.trendview import FOLLOWED, LAST, WHOLE, TrendView
 from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.schema.channels import BASE, ChannelTable
@@ -38,8 +45,8 @@ BAND_BUCKETS = 240
 class TrendPlot(CursorPlot):
     """A plot whose x axis can be moved and zoomed by mouse and by keys."""
 
-    def __init__(self, name: str, theme: Theme, pointed: Pointed) -> None:
-        super().__init__(name, "Statistics against cycle", theme, pointed, lane=True)
+    def __init__(self, name: str, theme: Theme, pointed: Pointed, room: NameRoom) -> None:
+        super().__init__(name, "Statistics against cycle", theme, pointed, lane=True, room=room)
         self.setMouseEnabled(x=True, y=False)
         self.label("bottom", "Cycle")
 
@@ -98,7 +105,7 @@ class TrendPanel(PlotPanel):
         self.words = ""
         self.view = view or TrendView()
         self.view.changed.append(self._view_changed)
-        self.plot = TrendPlot(f"{prefix}_trend_plot", theme, self.view.point_at)
+        self.plot = TrendPlot(f"{prefix}_trend_plot", theme, self.view.point_at, self.view.room)
         self.plot.getViewBox().sigRangeChangedManually.connect(self._moved_by_hand)
         self._build(prefix, leads=leads)
         self._make_curves()
@@ -120,7 +127,7 @@ class TrendPanel(PlotPanel):
                     (LAST, f"Last &{grouped(FOLLOWED)}", f"Follow the last {FOLLOWED} cycles"),
                 )
             }
-        self.title = detail(f"{prefix}_trend_title", "Unit, and where the values are read")
+        self.title = detail(f"{prefix}_trend_title", "Unit of the trend")
         column(row(self.choice, (self.title, 1), *self.modes.values()), (self.plot, 1), on=self)
 
     def _mode_button(self, prefix: str, mode: str, text: str, spoken: str) -> QPushButton:
@@ -202,8 +209,7 @@ class TrendPanel(PlotPanel):
         cursor = self.view.cursor
         when = "Now" if cursor is None else f"At cycle {cursor:.0f}"
         self.words = f"{when}: " + ", ".join(texts) if texts else ""
-        where = "" if cursor is None else f"at cycle {grouped(int(cursor))}"
-        self.title.show_text(", ".join(part for part in (self.quantity.unit, where) if part))
+        self.title.show_text(self.quantity.unit)
 
     def _nothing(self, revolutions: int) -> str:
         """Return why nothing is drawn."""

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.gui.data.ranges import nice_step
+from rigapp.gui.plots.plotting import NameRoom
 
 Floats = NDArray[np.float64]
 
@@ -25,6 +26,7 @@ class TrendView:
         self.mode = WHOLE
         self.cursor: float | None = None
         self.changed: list[Callable[[], None]] = []
+        self.room = NameRoom()
         self._free: tuple[float, float] = (0.0, 1.0)
 
     def show(self, mode: str) -> None:
