@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QVBoxLayout,
-    QWidget,
     QWizardPage,
 )
 
@@ -125,28 +124,19 @@ class PlanPage(QWizardPage):
             self.fields[one.name] = widget
             show_value(widget, found.get(one.name) or one.start)
             field(form, one.text, widget)
-            self._watch(one.name, widget)
+            for signal in ("textChanged", "valueChanged", "currentIndexChanged"):
+                if hasattr(widget, signal):
+                    getattr(widget, signal).connect(self._changed)
         filled(QVBoxLayout(self), (form, self.summary, None, self.problem))
         self.settings.editingFinished.connect(self.read_settings)
         live.looked.connect(self._propose)
         self.read_settings()
 
-    def _watch(self, name: str, widget: QWidget) -> None:
-        """Let the page follow a field; what is typed into it is not proposed any more."""
-
-        def changed(*_: Any) -> None:
-            if widget.hasFocus():
-                self._typed.add(name)
-            self._propose()
-            self.summarise()
-
-        if isinstance(widget, QComboBox):
-            widget.currentIndexChanged.connect(changed)
-            return
-        assert isinstance(widget, QLineEdit | QAbstractSpinBox)
-        for signal in ("textChanged", "valueChanged"):
-            if hasattr(widget, signal):
-                getattr(widget, signal).connect(changed)
+    def _changed(self) -> None:
+        """Follow a field; what is typed into it is not proposed any more."""
+        self._typed.update(name for name, one in self.fields.items() if one.hasFocus())
+        self._propose()
+        self.summarise()
 
     # --- what the fields say ---------------------------------------------------------------------
 
