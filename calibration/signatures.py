@@ -32,7 +32,10 @@ def new_key() -> tuple[bytes, bytes]:
         serialization.PrivateFormat.PKCS8,
         serialization.NoEncryption(),
     )
-    return private, _pem(key.public_key())
+    public = key.public_key().public_bytes(
+        serialization.Encoding.PEM, serialization.PublicFormat.SubjectPublicKeyInfo
+    )
+    return private, public
 
 
 def sign(record: Record, private: bytes) -> Signature:
@@ -74,12 +77,6 @@ def fingerprint(public_key: str) -> str:
     """Return the fingerprint of a raw public key (hexadecimal), in groups of eight."""
     digest = hashlib.sha256(bytes.fromhex(public_key)).hexdigest()[:FINGERPRINT]
     return " ".join(digest[i : i + 8] for i in range(0, FINGERPRINT, 8))
-
-
-def _pem(key: Ed25519PublicKey) -> bytes:
-    return key.public_bytes(
-        serialization.Encoding.PEM, serialization.PublicFormat.SubjectPublicKeyInfo
-    )
 
 
 def _message(record: Record) -> bytes:

@@ -16,6 +16,7 @@ import numpy as np
 from calibration.load_cell.daily import DailyCheck
 from calibration.taking.control_chart import Chart, ChartFinding, chart
 from rigapp.calibrating.journal import Journal
+from rigapp.calibrating.session import Rig
 from rigapp.config.errors import UnusableInput
 
 STORE = "daily-checks.jsonl"
@@ -69,10 +70,8 @@ class DailyHistory:
 
 def entry_of(
     check: DailyCheck,
+    rig: Rig,
     *,
-    rig: str,
-    simulated: bool,
-    operator: str,
     calibration: Mapping[str, Any],
     uncertainty_N: tuple[float, float] | None,
     source: str,
@@ -82,9 +81,9 @@ def entry_of(
     share = None if uncertainty_N is None else (uncertainty_N[0] + uncertainty_N[1] * weight)
     return {
         "time": round(time.time(), 3),
-        "rig": rig,
-        "simulated": simulated,
-        "operator": operator,
+        "rig": rig.name,
+        "simulated": rig.simulated,
+        "operator": rig.operator,
         "passed": check.passed,
         "sensitivity_ratio": check.sensitivity,
         "cross_talk_ratio": check.cross_talk,
@@ -101,7 +100,7 @@ def entry_of(
         "allowed_N": check.allowed,
         "weight_N": weight,
         "expanded_uncertainty_ratio": None if share is None else share / weight,
-        "calibration": _fingerprint(calibration),
+        "calibration": _digest(calibration)[:12],
         "source": source,
     }
 
@@ -180,10 +179,6 @@ def _verify(store: Path, events: Sequence[Mapping[str, Any]]) -> str:
 def _digest(body: Mapping[str, Any]) -> str:
     text = json.dumps(body, sort_keys=True, ensure_ascii=False, allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
-
-
-def _fingerprint(calibration: Mapping[str, Any]) -> str:
-    return _digest(calibration)[:12]
 
 
 def history_result(found: DailyHistory) -> dict[str, Any]:

@@ -268,9 +268,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             stated = with_records(read_rig(file)).rig.record.load_cell.uncertainty_N
         entry = entry_of(
             outcome.check,
-            rig=self.rig.name,
-            simulated=self.rig.simulated,
-            operator=self.rig.operator,
+            self.rig,
             calibration=in_use,
             uncertainty_N=stated,
             source=f"{self.journal.path.name}:{len(self.procedure.events)}",

@@ -141,7 +141,9 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
             position, um = 1e6 * taken.position, 1e6 * line.residual / line.slope
             curves[probe - 1] = (position, um)
             at, last = int(np.abs(um).argmax()), float(um[-1])
-            worst = max(worst, (float(um[at]), float(position[at]), probe), key=_size)
+            worst = max(
+                worst, (float(um[at]), float(position[at]), probe), key=lambda one: abs(one[0])
+            )
         if not worst[2]:
             words = "Residuals are shown from the third position on."
             return ResidualsSoFar(NO_CURVES, (-reach, reach), LEAST_REACH_UM, words)
@@ -189,7 +191,3 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
             self.given.probe, nominal_sensitivity_um_per_V=1e6 * nominal
         )
         return msgspec.structs.replace(self.given, probe=probe)
-
-
-def _size(place: tuple[float, float, int]) -> float:
-    return abs(place[0])

@@ -13,6 +13,7 @@ from calibration.load_cell.daily import DailyCheck, daily_check
 from calibration.load_cell.readings import LoadCellReadings
 from calibration.load_cell.weights import pin_force, weight_force
 from rigapp.calibrating.daily_history import append_check, entry_of, read_history, verdict_lines
+from rigapp.calibrating.session import Rig
 from rigapp.commands.calibrate import show_history
 from tests.calibration.simulated_cell import SETTINGS
 
@@ -41,7 +42,7 @@ def checked(
 
 def entry(check: DailyCheck, number: int) -> dict:
     return entry_of(
-        check, rig="Rig", simulated=True, operator="E. Sample", calibration={"matrix": [1]},
+        check, Rig("Rig", True, "E. Sample"), calibration={"matrix": [1]},
         uncertainty_N=(0.2, 0.001), source=f"journal-{number}",
     )  # fmt: skip
 
