@@ -23,6 +23,7 @@ from drivers.roboclaw.protocol import (
 )
 
 TRIES: Final = 3  # one disturbed packet must not stop a test; three in a row are a fault
+FIRST_TRIES: Final = 10  # nothing turns yet, and a busy computer may be late
 QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive forgets a packet
 LONGEST_REPLY: Final = 58  # bytes, of command 73
 BITS_PER_BYTE: Final = 10
@@ -77,12 +78,12 @@ class Link:
         return self._repeat(command, exchange, tries)
 
     def version(self) -> str:
-        """Return the firmware text; errors as ``read``."""
+        """Return the firmware text, the first that a drive is asked for; errors as ``read``."""
 
         def exchange() -> str | Rejected:
             return parse_version(self.address, self._ask(Command.VERSION))
 
-        return self._repeat(Command.VERSION, exchange, TRIES)
+        return self._repeat(Command.VERSION, exchange, FIRST_TRIES)
 
     def write(
         self,

@@ -262,7 +262,7 @@ def test_a_watchdog_that_does_not_hold_is_refused(drive_rig: Any, request_for: A
 def test_a_port_without_an_answer_is_named(wire: Any) -> None:
     silent = wire(lambda data, now_s: b"")
     drive = RoboClaw("drive", silent.port, {"reply_timeout_ms": 20.0})
-    with pytest.raises(ConnectionFailed, match=r"no RoboClaw answers at address 128.*3 tries"):
+    with pytest.raises(ConnectionFailed, match=r"no RoboClaw answers at address 128.*10 tries"):
         drive.open()
     with pytest.raises(DeviceLost):
         drive.status()
