@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from drivers.api import DriveRequest, SettingRefused, SettingSpec
+from drivers.api import DriveRequest, Line, Named, SettingRefused, SettingSpec
 
 _log = logging.getLogger(__name__)
 
@@ -32,8 +32,7 @@ def torque_Nm(current_A: float, settings: Mapping[str, Any]) -> float:
 
 
 def refuse_request(
-    device: str,
-    port: str,
+    who: Named | Line,
     request: DriveRequest,
     settings: Mapping[str, Any],
     check: Callable[[DriveRequest], None],
@@ -59,43 +58,39 @@ def refuse_request(
             return
         except ValueError as error:
             refusal = str(error)
-    raise SettingRefused(device, port, refusal)
+    raise SettingRefused.at(who, refusal)
 
 
-def refuse_speed(device: str, port: str, speed_rev_per_s: float, request: DriveRequest) -> None:
+def refuse_speed(who: Named | Line, speed_rev_per_s: float, request: DriveRequest) -> None:
     """Raise SettingRefused for a speed that is none, or above the rig's maximum."""
     limit = request.maximum_speed_rev_per_s
     if not math.isfinite(speed_rev_per_s):
-        raise SettingRefused(device, port, f"a speed of {speed_rev_per_s} is not a number.")
+        raise SettingRefused.at(who, f"a speed of {speed_rev_per_s} is not a number.")
     if abs(speed_rev_per_s) > limit * (1 + _ROUNDING):
-        raise SettingRefused(
-            device,
-            port,
-            f"{speed_rev_per_s * 60:.1f} rpm is above the rig's maximum of {limit * 60:.1f} rpm.",
+        words = (
+            f"{speed_rev_per_s * 60:.1f} rpm is above the rig's maximum of {limit * 60:.1f} rpm."
         )
+        raise SettingRefused.at(who, words)
 
 
 def whole_ramp(
-    device: str, port: str, acceleration_rev_per_s2: float, step_rev_per_s2: float, most: int
+    who: Named | Line, acceleration_rev_per_s2: float, step_rev_per_s2: float, most: int
 ) -> int:
     """Return an acceleration in the drive's steps, 1 to ``most``; raise SettingRefused for none."""
     ramp = acceleration_rev_per_s2 / step_rev_per_s2
     if not (math.isfinite(ramp) and ramp > 0):
-        raise SettingRefused(
-            device,
-            port,
-            f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible.",
-        )
+        words = f"an acceleration of {acceleration_rev_per_s2:g} rev/s2 is not possible."
+        raise SettingRefused.at(who, words)
     return min(max(1, round(ramp)), most)
 
 
-def note_survived_silence(device: str, port: str, silence_s: float, watchdog_s: float) -> None:
+def note_survived_silence(who: Named, silence_s: float, watchdog_s: float) -> None:
     """Log that this computer was late, but by its own word the drive has not stopped."""
     _log.warning(
         "%s on %s: nothing was sent to it for %.2f s, and its watchdog of %.2f s has not fired; "
         "test the watchdog if this computer was not busy",
-        device,
-        port,
+        who.name,
+        who.port,
         silence_s,
         watchdog_s,
     )

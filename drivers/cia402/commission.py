@@ -93,7 +93,7 @@ class Commissioning:
     def run(self, request: DriveRequest) -> Setup:
         """Set the drive up; raise SettingRefused, ReplyTimeout, DeviceLost."""
         node = self._node
-        refuse_request(node.device, node.port, request, self._settings, check_watchdog)
+        refuse_request(node, request, self._settings, check_watchdog)
         node.stop_beating()
         node.write(0x6040, Control.DISABLE_VOLTAGE)
         node.write(0x60FF, 0)

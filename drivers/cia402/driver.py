@@ -157,9 +157,7 @@ class Cia402Drive:
         with self._lock:
             node, setup = self._open_node(), self._configured()
             target = self._steps(speed_rev_per_s, setup)
-            ramp = whole_ramp(
-                self.name, self.port, acceleration_rev_per_s2, setup.acceleration_unit, _INT32
-            )
+            ramp = whole_ramp(self, acceleration_rev_per_s2, setup.acceleration_unit, _INT32)
             self._judge_restart(setup)
             self._judge_silence(node, setup)
             control = DriveControl(node)
@@ -178,7 +176,7 @@ class Cia402Drive:
             node.write(0x6040, Control.ENABLE)
 
     def _steps(self, speed_rev_per_s: float, setup: Setup) -> int:
-        refuse_speed(self.name, self.port, speed_rev_per_s, setup.request)
+        refuse_speed(self, speed_rev_per_s, setup.request)
         steps = round(setup.request.direction * speed_rev_per_s / setup.velocity_unit)
         if abs(steps) > _INT32:
             raise self._refused(f"{speed_rev_per_s * 60:.1f} rpm does not fit into object 60FF.")
@@ -296,7 +294,7 @@ class Cia402Drive:
         if self._target is None or silence_s <= setup.watchdog_s:
             return
         if DriveControl(node).state() is State.ENABLED:
-            note_survived_silence(self.name, self.port, silence_s, setup.watchdog_s)
+            note_survived_silence(self, silence_s, setup.watchdog_s)
             return
         self._target = None
         self._trip = WATCHDOG.format(silence_s)

@@ -113,7 +113,7 @@ class RoboClaw:
         with self._lock:
             link = self._link()
             self._setup = None
-            refuse_request(self.name, self.port, request, self._settings, check_watchdog)
+            refuse_request(self, request, self._settings, check_watchdog)
             self._off(link)
             combined = self._settings["combined_status"] == "auto"
             setup = commission(link, request, self._motor, combined)
@@ -155,9 +155,7 @@ class RoboClaw:
             link, setup = self._link(), self._configured()
             speed = self._counts_per_s(speed_rev_per_s, setup)
             step = 1.0 / setup.request.counts_per_crank_revolution
-            acceleration = whole_ramp(
-                self.name, self.port, acceleration_rev_per_s2, step, _MAXIMUM_ACCELERATION
-            )
+            acceleration = whole_ramp(self, acceleration_rev_per_s2, step, _MAXIMUM_ACCELERATION)
             command = Command.RAMP_SPEED_M1 + self._motor - 1
             self._judge_silence(link, setup)
             if speed and self._silence_s:
@@ -177,7 +175,7 @@ class RoboClaw:
 
     def _counts_per_s(self, speed_rev_per_s: float, setup: Setup) -> int:
         request = setup.request
-        refuse_speed(self.name, self.port, speed_rev_per_s, request)
+        refuse_speed(self, speed_rev_per_s, request)
         speed = round(request.direction * speed_rev_per_s * request.counts_per_crank_revolution)
         if abs(speed) > min(setup.qpps, _MAXIMUM_SPEED):
             raise self._refused(
@@ -323,7 +321,7 @@ class RoboClaw:
         if self._target is None or silence_s <= setup.watchdog_s:
             return
         if self._target == 0 or self._still_drives(link):
-            note_survived_silence(self.name, self.port, silence_s, setup.watchdog_s)
+            note_survived_silence(self, silence_s, setup.watchdog_s)
             return
         self._off(link)
         self._silence_s = silence_s

@@ -100,20 +100,10 @@ def plan_life(
         raise ModelError("force", 0.0, "without force or slip nothing wears", "N")
     half = expected_half_angle(ring, width, wear_coefficient, loads, cycles)
     window = min(1.4 * half + 0.15, np.pi)
+    given = (ring, width, wear_coefficient, law, loads_of, cycles, tolerance, single)
     while True:
         try:
-            return _planned(
-                ring,
-                width,
-                wear_coefficient,
-                law,
-                loads_of,
-                cycles,
-                tolerance,
-                single,
-                window,
-                alive,
-            )
+            return _planned(*given, window, alive)
         except ArcTooSmall:
             if window >= np.pi:
                 raise
