@@ -37,6 +37,9 @@ class Checked(enum.StrEnum):
     BLOCKS = "blocks"
 
 
+GOOD, ATTENTION, BLOCKS = Checked
+
+
 @dataclass(frozen=True, slots=True)
 class Check:
     """One line of the list: what, how it stands, what to do."""
@@ -91,9 +94,7 @@ def preflight(
     if records is not None:
         found += _of_records(records)
     if status is None:
-        found.append(
-            Check("Engine", Checked.BLOCKS, "not reachable", "Wait, or start rigapp again")
-        )
+        found.append(Check("Engine", BLOCKS, "not reachable", "Wait, or start rigapp again"))
         return found
     found += [*_of_engine(status), *_of_drive(status), *_of_channels(status, rig)]
     if test is not None:
@@ -105,17 +106,17 @@ def preflight(
 
 def blocked(checks: list[Check]) -> bool:
     """Tell whether any check forbids a start."""
-    return any(check.verdict is Checked.BLOCKS for check in checks)
+    return any(check.verdict is BLOCKS for check in checks)
 
 
 def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
     if test is None:
-        yield Check("Test", Checked.BLOCKS, "not usable yet", "See the sentence above the form")
+        yield Check("Test", BLOCKS, "not usable yet", "See the sentence above the form")
         return
     run = test.run
     hours = run.revolutions / run.speed_rpm / 60.0
     text = f"{run.revolutions:,} revolutions at {run.speed_rpm:g} rpm".replace(",", "\u2009")
-    yield Check("Test", Checked.GOOD, f"{text}, {hours:.3g} h")
+    yield Check("Test", GOOD, f"{text}, {hours:.3g} h")
     yield from _of_ends(test)
     if rig is not None:
         yield from _of_rig_limits(test, rig)
@@ -124,7 +125,7 @@ def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
         if not getattr(test.metadata, name):
             yield Check(
                 name.capitalize(),
-                Checked.ATTENTION,
+                ATTENTION,
                 "not named",
                 f"Write metadata.{name}, so that the file tells",
             )
@@ -133,44 +134,37 @@ def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
 def _of_ends(test: TestFile) -> Iterator[Check]:
     criteria = described(test.stop)
     if criteria:
-        yield Check("Ends early", Checked.GOOD, "at the first of: " + ", ".join(criteria))
+        yield Check("Ends early", GOOD, "at the first of: " + ", ".join(criteria))
 
 
 def _of_rig_limits(test: TestFile, rig: RigFile) -> Iterator[Check]:
     speed, fastest = test.run.speed_rpm, rig.spindle.maximum_speed_rpm
     if speed > fastest:
         text = f"{speed:g} rpm, the rig allows {fastest:g} rpm"
-        yield Check("Speed", Checked.BLOCKS, text, "Lower run.speed_rpm")
+        yield Check("Speed", BLOCKS, text, "Lower run.speed_rpm")
     else:
-        yield Check("Speed", Checked.GOOD, f"{speed:g} rpm of {fastest:g} rpm that the rig allows")
+        yield Check("Speed", GOOD, f"{speed:g} rpm of {fastest:g} rpm that the rig allows")
     overload, full = test.limits.overload_N, rig.load_cell.full_scale_N
     text = f"drive off above {overload:g} N, full scale of the cell {full:g} N"
-    matrix = rig.load_cell.matrix_N_per_mV_per_V
-    if matrix[0][0] * matrix[1][1] == matrix[0][1] * matrix[1][0]:
-        yield Check(
-            "Load cell",
-            Checked.BLOCKS,
-            "its matrix cannot be inverted",
-            "Calibrate the cell, or correct load_cell.matrix_N_per_mV_per_V",
-        )
+    (a, b), (c, d) = rig.load_cell.matrix_N_per_mV_per_V
+    if a * d == b * c:
+        action = "Calibrate the cell, or correct load_cell.matrix_N_per_mV_per_V"
+        yield Check("Load cell", BLOCKS, "its matrix cannot be inverted", action)
     elif overload > load_cell_reach_N(rig):
         text = f"{overload:g} N can never be seen: the inputs are full before"
-        yield Check("Overload", Checked.BLOCKS, text, "Lower limits.overload_N")
+        yield Check("Overload", BLOCKS, text, "Lower limits.overload_N")
     elif overload > full:
         action = "Lower limits.overload_N to what the cell may carry"
-        yield Check("Overload", Checked.ATTENTION, text, action)
+        yield Check("Overload", ATTENTION, text, action)
     else:
-        yield Check("Overload", Checked.GOOD, text)
-    if not all(math.isfinite(value) and value for value in rig.probes.sensitivity_um_per_V):
-        text = "a sensitivity of 0 cannot be used"
-        yield Check("Probes", Checked.BLOCKS, text, "Correct probes.sensitivity_um_per_V")
+        yield Check("Overload", GOOD, text)
 
 
 def _of_rules(test: TestFile) -> Iterator[Check]:
     rules = len(test.limits.rule)
     yield Check(
         "Limits",
-        Checked.GOOD if rules else Checked.ATTENTION,
+        GOOD if rules else ATTENTION,
         f"{rules} of this test, beside overload, overspeed and stale data",
         "" if rules else "Add a limit that tells when the joint has changed",
     )
@@ -182,13 +176,13 @@ def _of_disk(disk: DiskFacts | None) -> Iterator[Check]:
     if disk is None:
         return
     if disk.problem:
-        yield Check("Disk", Checked.BLOCKS, disk.problem, "Choose a folder that can be written to")
+        yield Check("Disk", BLOCKS, disk.problem, "Choose a folder that can be written to")
         return
     text = f"{disk.needed_bytes / 1e6:.0f} MB needed, {disk.free_bytes / 1e9:.1f} GB free"
     missing = disk.needed_bytes + SPACE_MARGIN - disk.free_bytes
     yield Check(
         "Disk",
-        Checked.BLOCKS if missing > 0 else Checked.GOOD,
+        BLOCKS if missing > 0 else GOOD,
         f"{text} in {disk.folder}",
         f"Free {missing / 1e6:.0f} MB or keep fewer whole cycles" if missing > 0 else "",
     )
@@ -198,20 +192,20 @@ def _of_records(records: RigRecords) -> Iterator[Check]:
     """Judge the calibration of each part: by a record, or by the rig file alone."""
     for name, why in records.blocking.items():
         action = "Calibrate, or give a reason in calibration_override of the rig file"
-        yield Check(f"Calibration of {_words(name)}", Checked.BLOCKS, why, action)
+        yield Check(f"Calibration of {_words(name)}", BLOCKS, why, action)
     for name, text in records.remarks.items():
         if name not in records.blocking:
-            yield Check(f"Calibration of {_words(name)}", Checked.ATTENTION, text)
+            yield Check(f"Calibration of {_words(name)}", ATTENTION, text)
     known = {*records.blocking, *records.remarks}
     for name in records.texts:
         if name not in known:
-            yield Check(f"Calibration of {_words(name)}", Checked.GOOD, "a record that is valid")
+            yield Check(f"Calibration of {_words(name)}", GOOD, "a record that is valid")
     recorded = {*known, *records.texts}
     for name, section in (("load_cell", "load_cell"), ("probes", "probe")):
         if not any(one.startswith(section) for one in recorded):
             yield Check(
                 f"Calibration of {_words(name)}",
-                Checked.ATTENTION,
+                ATTENTION,
                 "no record: the numbers of the rig file count",
                 "Calibrate for a known uncertainty",
             )
@@ -224,34 +218,34 @@ def _words(section: str) -> str:
 def _of_engine(status: Status) -> Iterator[Check]:
     state = status.state
     if state in (RunState.READY, RunState.STOPPED):
-        yield Check("State", Checked.GOOD, state.value)
+        yield Check("State", GOOD, state.value)
     elif state is RunState.IDLE:
-        yield Check("State", Checked.ATTENTION, "not connected", "Connect (F4); Start does it too")
+        yield Check("State", ATTENTION, "not connected", "Connect (F4); Start does it too")
     else:
-        yield Check("State", Checked.BLOCKS, state.value, "Wait until no test is under way")
+        yield Check("State", BLOCKS, state.value, "Wait until no test is under way")
     for device in status.devices:
         yield _of_device(device)
     critical = [a for a in status.alarms if a.severity is Severity.CRITICAL]
     others = [a for a in status.alarms if a.severity is not Severity.CRITICAL]
     if critical:
-        yield Check("Alarms", Checked.BLOCKS, critical[0].title, critical[0].action)
+        yield Check("Alarms", BLOCKS, critical[0].title, critical[0].action)
     elif others:
-        yield Check("Alarms", Checked.ATTENTION, others[0].title, others[0].action)
+        yield Check("Alarms", ATTENTION, others[0].title, others[0].action)
     else:
-        yield Check("Alarms", Checked.GOOD, "none")
+        yield Check("Alarms", GOOD, "none")
 
 
 def _of_device(device: DeviceView) -> Check:
     what = f"Device {device.name}"
     if device.connected:
         who = "; ".join(text for text in (device.identity or device.driver, device.wiring) if text)
-        verdict = Checked.ATTENTION if device.advice else Checked.GOOD
+        verdict = ATTENTION if device.advice else GOOD
         return Check(what, verdict, who, device.advice)
     action = f"Check cable and power of {device.port}, "
     why = device.last_error.rstrip(". ") or "not connected"
     if not device.needed:
-        return Check(what, Checked.ATTENTION, why, f"{action}or go on without its channels")
-    return Check(what, Checked.BLOCKS, why, f"{action}reconnect")
+        return Check(what, ATTENTION, why, f"{action}or go on without its channels")
+    return Check(what, BLOCKS, why, f"{action}reconnect")
 
 
 def _of_drive(status: Status) -> Iterator[Check]:
@@ -259,39 +253,39 @@ def _of_drive(status: Status) -> Iterator[Check]:
     if drive is None:
         return
     if drive.emergency_stop:
-        yield Check("Emergency stop", Checked.BLOCKS, "pressed", "Release it at the rig")
+        yield Check("Emergency stop", BLOCKS, "pressed", "Release it at the rig")
     else:
-        yield Check("Emergency stop", Checked.GOOD, "not pressed")
+        yield Check("Emergency stop", GOOD, "not pressed")
     if drive.faults:
-        yield Check("Drive", Checked.BLOCKS, ", ".join(drive.faults), "Reset the drive")
+        yield Check("Drive", BLOCKS, ", ".join(drive.faults), "Reset the drive")
     elif drive.warnings:
-        yield Check("Drive", Checked.ATTENTION, ", ".join(drive.warnings), "See the drive's manual")
+        yield Check("Drive", ATTENTION, ", ".join(drive.warnings), "See the drive's manual")
     else:
         text = f"{drive.supply_V:.1f} V, {drive.temperature_C:.0f} °C"
-        yield Check("Drive", Checked.GOOD, text)
+        yield Check("Drive", GOOD, text)
 
 
 def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
     if not status.channels:
         return
     if not math.isfinite(status.data_age_s) or status.data_age_s > STALE_S:
-        yield Check("Samples", Checked.BLOCKS, "none are coming", "Check the device, reconnect")
+        yield Check("Samples", BLOCKS, "none are coming", "Check the device, reconnect")
     else:
-        yield Check("Samples", Checked.GOOD, f"{status.data_age_s:.1f} s old")
+        yield Check("Samples", GOOD, f"{status.data_age_s:.1f} s old")
     ranges = {one.name: one for one in channel_table(rig).sampled} if rig is not None else {}
     for channel in status.channels:
         known = ranges.get(channel.name)
         if known is not None and abs(channel.raw) > NEAR_THE_END * known.signal_range:
             yield Check(
                 f"Channel {channel.name}",
-                Checked.BLOCKS if known.instrument else Checked.ATTENTION,
+                BLOCKS if known.instrument else ATTENTION,
                 f"{channel.raw:.3g} {channel.raw_unit} is at the end of the range",
                 "Check sensor and wiring, or adjust the probe",
             )
         elif channel.age_s is not None and math.isnan(channel.value):
             yield Check(
                 f"Channel {channel.name}",
-                Checked.ATTENTION,
+                ATTENTION,
                 f"no value for {channel.age_s:.0f} s",
                 "Check the device that tells it, or go on without",
             )
@@ -304,12 +298,12 @@ def _of_rate(test: TestFile, status: Status) -> Iterator[Check]:
     samples = rate * 60.0 / test.run.speed_rpm
     text = f"{samples:.0f} samples a revolution at {rate:g} Hz"
     if samples < FEWEST_SAMPLES:
-        yield Check("Sample rate", Checked.BLOCKS, text, "Raise the sample rate")
+        yield Check("Sample rate", BLOCKS, text, "Raise the sample rate")
     elif samples < FEW_SAMPLES:
         text += "; extremes will be missed"
-        yield Check("Sample rate", Checked.ATTENTION, text, "Raise the sample rate")
+        yield Check("Sample rate", ATTENTION, text, "Raise the sample rate")
     else:
-        yield Check("Sample rate", Checked.GOOD, text)
+        yield Check("Sample rate", GOOD, text)
 
 
 def _of_calibrations(status: Status) -> Iterator[Check]:
@@ -317,9 +311,9 @@ def _of_calibrations(status: Status) -> Iterator[Check]:
     if plain:
         yield Check(
             "Calibration",
-            Checked.ATTENTION,
+            ATTENTION,
             f"no record for {', '.join(plain)}: the numbers of the rig file count",
             "Calibrate for a known uncertainty",
         )
     elif status.channels:
-        yield Check("Calibration", Checked.GOOD, "a record for each channel")
+        yield Check("Calibration", GOOD, "a record for each channel")
