@@ -20,8 +20,3 @@ WORDS: Mapping[str, str] = {
     " damaged on its line is counted beside the device and is no warning",
 }
 """A word as the window shows it, and what it means."""
-
-
-def explained(word: str) -> str:
-    """Return a word with its meaning, the word alone where it needs none."""
-    return f"{word}: {WORDS[word]}" if word in WORDS else word

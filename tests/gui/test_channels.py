@@ -187,7 +187,8 @@ def test_a_limit_on_a_free_channel_is_offered_and_changed(
     panel.show_news(News(make_status(), data, recipe))
     asked: list[Any] = []
     panel.wanted.connect(lambda verb, arguments: asked.append((verb, arguments)))
-    panel.table.selectRow([row[0] for row in panel.table.texts()].index(name))
+    sentence = "Warn when maximum bushing temperature is above"
+    panel.table.selectRow([row[0] for row in panel.table.texts()].index(sentence))
     panel.value.setText("70")
     panel.reason.setText("hotter oil")
     panel.change.click()

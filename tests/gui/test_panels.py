@@ -20,7 +20,7 @@ from rigapp.gui.data.recording import load_history
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.look.tokens import DARK, LIGHT
-from rigapp.gui.panels.alarms import AlarmPanel
+from rigapp.gui.panels.alarms import AlarmGlance, AlarmJournal, AlarmPanel
 from rigapp.gui.panels.browser import BrowserPanel, list_tests
 from rigapp.gui.panels.compare import line_of
 from rigapp.gui.panels.devices import DevicePanel
@@ -31,7 +31,16 @@ from rigapp.gui.plots.wearprofile import ANGLES_DEG, WearProfilePanel, worn_prof
 from rigapp.gui.window.notice import NoticeBar
 from rigapp.gui.window.watchdog import STALL_S, Watchdog
 from rigapp.schema.loglines import newest_limits
-from rigapp.schema.messages import ChannelView, DeviceView, DriveView, Event, RunState, Status
+from rigapp.schema.messages import (
+    Alarm,
+    ChannelView,
+    DeviceView,
+    DriveView,
+    Event,
+    RunState,
+    Severity,
+    Status,
+)
 from rigapp.service.faults import fault_choices
 from rigapp.storage.reading.oldlog import translated
 
@@ -118,11 +127,9 @@ def test_limits_are_changed_with_a_reason_while_a_test_runs(
     panel.show_limits(RunState.READY, test, {})
     assert "No test is under way" in panel.problem.text()
     panel.show_limits(RunState.RUNNING, test, {})
-    assert ["force_max.critical_above", "200", "drive off"] in [
-        row[:3] for row in panel.table.texts()
-    ]
-    names = [row[0] for row in panel.table.texts()]
-    panel.table.selectRow(names.index("force_max.critical_above"))
+    sentence = "Switch the drive off when maximum |F| is above"
+    assert [sentence, "200 N"] in panel.table.texts()
+    panel.table.selectRow([row[0] for row in panel.table.texts()].index(sentence))
     assert panel.value.text() == "200"
     assert "present value" in panel.problem.text()
     panel.value.setText("lots")
@@ -132,7 +139,7 @@ def test_limits_are_changed_with_a_reason_while_a_test_runs(
     assert "outside -10000 to 10000 N" in panel.problem.text()
     assert not panel.change.isEnabled()
     panel.reason.clear()
-    panel.value.setText("180")
+    panel.value.setText("180,0")
     assert "reason" in panel.problem.text()
     assert not panel.change.isEnabled()
     panel.reason.setText("bearing is new")
@@ -146,7 +153,7 @@ def test_limits_are_changed_with_a_reason_while_a_test_runs(
     panel.show_limits(RunState.RUNNING, test, {"force_max.critical_above": 180.0})
     panel.show_limits(RunState.RUNNING, test, {}, 21_377)
     rows = panel.table.texts()
-    panel.table.selectRow([row[0] for row in rows].index("revolutions"))
+    panel.table.selectRow([row[0] for row in rows].index("Test complete after so many revolutions"))
     assert panel.value.text() == "21377"
     panel.reason.setText("the joint is still good")
     panel.value.setText("30000.5")
@@ -155,8 +162,8 @@ def test_limits_are_changed_with_a_reason_while_a_test_runs(
     panel.change.click()
     assert asked[-1] == ("extend", {"revolutions": 30_000, "reason": "the joint is still good"})
     panel.show_limits(RunState.RUNNING, test, {"force_max.critical_above": 180.0})
-    assert limits_of(test, {"overload_N": 300.0})["overload_N"] == (300.0, "drive off")
-    assert ["force_max.critical_above", "180"] in [row[:2] for row in panel.table.texts()]
+    assert limits_of(test, {"overload_N": 300.0})["overload_N"].value == 300.0
+    assert [sentence, "180 N"] in panel.table.texts()
 
 
 def test_changed_limits_are_read_from_the_log() -> None:
@@ -433,21 +440,76 @@ def test_a_new_engine_in_the_middle_of_a_test_is_told_until_understood(
     assert bar.away.isHidden()
 
 
-def test_alarms_fold_away_on_the_overview(qtbot: Any, qapp: Any, alarm: Any) -> None:
-    panel = AlarmPanel("x", LIGHT, compact=True)
+def critical(alarm: Alarm, key: str, at: float, **more: Any) -> Alarm:
+    """Return a critical alarm like another one."""
+    changes = {"key": key, "severity": Severity.CRITICAL, "title": key, "raised_at": at} | more
+    return msgspec.structs.replace(alarm, **changes)
+
+
+def test_alarms_stand_in_the_side_column_while_there_are_any(
+    qtbot: Any, qapp: Any, alarm: Any, asked: list[Any]
+) -> None:
+    glance = AlarmGlance()
+    qtbot.addWidget(glance)
+    collect(glance, asked)
+    assert glance.isHidden()
+    glance.show_alarms((alarm, critical(alarm, "overload", alarm.raised_at + 1.0)))
+    assert not glance.isHidden()
+    told, name_alone = glance.cards.cards
+    assert told.title.text() == "overload"
+    assert told.texts["action"].text() == alarm.action
+    assert not told.texts["action"].isHidden()
+    assert name_alone.texts["action"].isHidden()
+    glance.acknowledge.click()
+    assert asked == [("acknowledge", {"key": "overload"})]
+    glance.show_alarms(())
+    assert glance.isHidden()
+
+
+def test_the_newest_critical_alarm_is_chosen_and_all_are_acknowledged_at_once(
+    qtbot: Any, qapp: Any, alarm: Any, asked: list[Any]
+) -> None:
+    panel = AlarmPanel()
     qtbot.addWidget(panel)
+    collect(panel, asked)
+    first = critical(alarm, "first", alarm.raised_at, first_out=True)
+    panel.show_alarms((alarm, first))
+    assert panel.cards.chosen() == first
     panel.show()
-    assert not panel.table.isVisible()
-    panel.show_alarms((alarm,))
-    assert panel.table.isVisible()
-    panel.dress(DARK)
-    assert panel.table.isVisible()
-    panel.show_alarms(())
-    assert not panel.table.isVisible()
+    qtbot.mouseClick(panel.cards.cards[1], Qt.MouseButton.LeftButton)
+    assert panel.cards.chosen() == alarm
+    again = msgspec.structs.replace(first, active=False, state="latched")
+    panel.show_alarms((alarm, again))
+    assert panel.cards.chosen() == alarm  # what somebody chose stays
+    second = critical(alarm, "second", alarm.raised_at + 5.0)
+    panel.show_alarms((alarm, again, second))
+    assert panel.cards.chosen() == second
+    assert [card.title.text() for card in panel.cards.cards] == ["first", "second", alarm.title]
+    assert panel.cards.cards[1].property("chosen")
+    qtbot.keyClick(panel.cards, Qt.Key.Key_Up)
+    assert panel.cards.chosen() == again
+    panel.all.click()
+    assert asked == [("acknowledge", {})]
+    done = msgspec.structs.replace(alarm, acknowledged=True, state="acknowledged")
+    panel.show_alarms((done,))
+    assert not panel.all.isEnabled()
+    assert not panel.acknowledge.isEnabled()
+    assert panel.cards.cards[0].property("role") == "card"
+
+
+def test_the_journal_has_the_alarms_alone_newest_first(qtbot: Any, qapp: Any) -> None:
+    journal = AlarmJournal()
+    qtbot.addWidget(journal)
+    events = [
+        Event(1.8e9 + second, 7, kind, "engine", f"line {second}")
+        for second, kind in enumerate(("alarm", "note", "alarm"))
+    ]
+    journal.show_news(News(events=events))
+    assert [row[2] for row in journal.table.texts()] == ["line 2", "line 0"]
 
 
 def test_a_reset_is_offered_after_a_trip(qtbot: Any, qapp: Any, asked: list[Any]) -> None:
-    panel = AlarmPanel("x", LIGHT)
+    panel = AlarmPanel()
     qtbot.addWidget(panel)
     collect(panel, asked)
     panel.show_state(RunState.RUNNING)

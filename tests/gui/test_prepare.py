@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QLabel, QLineEdit
 
 from rigapp.calibrating.records_in_use import with_records
 from rigapp.config.loading import parse_test, read_rig, read_test
+from rigapp.gui.data.levels import LimitLevel, levels_of, rules_of
 from rigapp.gui.data.news import News
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.testfile.fields import (
@@ -25,7 +26,6 @@ from rigapp.gui.testfile.fields import (
     set_path,
     show_value,
 )
-from rigapp.gui.testfile.levels import LimitLevel, levels_of, rules_of
 from rigapp.gui.testfile.preflight import MARKS
 from rigapp.gui.testfile.prepare import PreparePanel
 from rigapp.gui.testfile.recipe import RecipePanel

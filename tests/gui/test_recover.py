@@ -85,9 +85,7 @@ def test_start_is_closed_with_the_next_step_as_its_reason(
     start = window.controls.buttons["start"]
     assert not start.isEnabled()
     assert "Reset: nothing moves." in start.toolTip()
-    assert window.tabs.panels[
-        "overview_alarms"
-    ].reset.isEnabled()  # in every state, while an alarm waits
+    assert window.tabs.panels["alarms"].reset.isEnabled()  # in every state, while an alarm waits
     engine.reply = Reply(ok=True)
     window.recover.button.click()
     engine.say(state=RunState.READY, recovery=GO_ON)

@@ -197,11 +197,11 @@ def test_alarms_show_cause_consequence_action_and_are_acknowledged(
 ) -> None:
     engine.say(count=5, alarms=(alarm,))
     attach()
-    table = window.tabs.panels["overview_alarms"].table
-    texts = [table.item(0, column).text() for column in range(table.columnCount())]
-    for text in (alarm.title, alarm.cause, alarm.consequence, alarm.action):
-        assert text in texts
-    window.tabs.panels["overview_alarms"].acknowledge.click()
+    card = window.side.alarms.cards.cards[0]
+    assert card.isVisible()
+    texts = [card.title.text(), *(label.text() for label in card.texts.values())]
+    assert texts == [alarm.title, alarm.cause, alarm.consequence, alarm.action]
+    window.side.alarms.acknowledge.click()
     assert wait_for_verb(window, engine, qtbot, "acknowledge") == {"key": alarm.key}
 
 
@@ -210,7 +210,8 @@ def test_shelving_needs_a_reason(
 ) -> None:
     engine.say(count=5, alarms=(alarm,))
     attach()
-    panel = window.tabs.panels["overview_alarms"]
+    window.tabs.setCurrentIndex(3)
+    panel = window.tabs.panels["alarms"]
     assert not panel.shelve.isEnabled()
     qtbot.keyClicks(panel.reason, "sensor is being changed")
     panel.shelve.click()
@@ -224,7 +225,7 @@ def test_an_acknowledged_alarm_stays_listed_after_a_critical_one(
     done = msgspec.structs.replace(alarm, key="old", acknowledged=True, state="acknowledged")
     engine.say(count=5, alarms=(done, alarm))
     attach()
-    assert [alarm.key for alarm in window.tabs.panels["alarms"]._alarms] == [alarm.key, "old"]
+    assert [alarm.key for alarm in window.tabs.panels["alarms"].cards.alarms] == [alarm.key, "old"]
 
 
 def test_only_what_can_be_seen_is_drawn(window: MainWindow, engine: Any, attach: Attach) -> None:

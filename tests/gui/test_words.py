@@ -8,8 +8,7 @@ from typing import Any
 import msgspec
 
 from rigapp.engine.judging.alarms import AlarmBook
-from rigapp.gui.look.tokens import LIGHT
-from rigapp.gui.panels.alarms import COLUMNS, AlarmPanel
+from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.schema.alarms import KINDS, because
 from rigapp.schema.words import WORDS
 
@@ -46,10 +45,9 @@ def test_every_state_of_an_alarm_is_in_the_table() -> None:
 
 
 def test_the_window_explains_a_word_where_it_stands(qtbot: Any, qapp: Any, alarm: Any) -> None:
-    panel = AlarmPanel("x", LIGHT)
+    panel = AlarmPanel()
     qtbot.addWidget(panel)
     panel.show_alarms((msgspec.structs.replace(alarm, state="latched", title="Drive warning"),))
-    for column in ("State", "Alarm"):
-        item = panel.table.item(0, COLUMNS.index(column))
-        assert item is not None
-        assert item.toolTip() == f"{item.text()}: {WORDS[item.text()]}"
+    card = panel.cards.cards[0]
+    for label in (card.state, card.title):
+        assert label.toolTip() == f"{label.text()}: {WORDS[label.text()]}"

@@ -25,6 +25,7 @@ from rigapp.gui.language.told import templates
 from rigapp.gui.language.words import Text
 from rigapp.schema.messages import RunState
 from rigapp.schema.verbs import VERBS
+from rigapp.schema.words import WORDS
 
 SOURCE: Final = Path(__file__).parents[1]
 CONTEXT: Final = "rigapp"
@@ -254,6 +255,7 @@ def texts_of(source: Path = SOURCE) -> Texts:
 def texts_of_tables() -> list[Text]:
     """Return what the engine says and the window shows, days and months."""
     words = [state.value for state in RunState] + [verb.replace("_", " ") for verb in VERBS]
+    words += [*WORDS, *WORDS.values()]
     return [*words, *templates(), *calendar.day_abbr, *calendar.month_abbr]
 
 

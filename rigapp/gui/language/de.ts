@@ -126,10 +126,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den gewählten Alarm quittieren</translation>
     </message>
     <message>
-        <source>Action</source>
-        <translation>Maßnahme</translation>
-    </message>
-    <message>
         <source>Add a limit</source>
         <translation>Grenze hinzufügen</translation>
     </message>
@@ -144,6 +140,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Against</source>
         <translation>Gegen</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
     </message>
     <message>
         <source>Alarms</source>
@@ -216,6 +216,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Ursache</translation>
     </message>
     <message>
         <source>Cause fa&amp;ult</source>
@@ -506,6 +510,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Dauer in Sekunden, leer: bis er beendet wird</translation>
     </message>
     <message>
+        <source>Effect</source>
+        <translation>Folge</translation>
+    </message>
+    <message>
         <source>Emergency stop</source>
         <translation>Not-Halt</translation>
     </message>
@@ -602,12 +610,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kraft und Winkel sind unbekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
+        <source>Journal</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Journal of the alarms</source>
+        <translation>Verlauf der Alarme</translation>
+    </message>
+    <message>
         <source>Δ model</source>
         <translation>Δ Modell</translation>
     </message>
     <message>
         <source>Fra&amp;me</source>
         <translation>&amp;Bezugssystem</translation>
+    </message>
+    <message>
+        <source>Acknowledge the alarm that is told in full</source>
+        <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
     </message>
     <message>
         <source>Frame of the force components</source>
@@ -858,10 +878,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Mai</translation>
     </message>
     <message>
-        <source>Meaning</source>
-        <translation>Bedeutung</translation>
-    </message>
-    <message>
         <source>Measured − model</source>
         <translation>Messung − Modell</translation>
     </message>
@@ -912,6 +928,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>No alarms</source>
         <translation>Keine Alarme</translation>
+    </message>
+    <message>
+        <source>No alarms.</source>
+        <translation>Keine Alarme.</translation>
     </message>
     <message>
         <source>No answer from {}</source>
@@ -1314,6 +1334,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Solldrehzahl nicht erreicht</translation>
     </message>
     <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
         <source>Shape of the state</source>
         <translation>Form des Zustands</translation>
     </message>
@@ -1348,6 +1372,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Since about revolution {since:.0f} the joint wears {how} than the revolutions before let expect. Of 100 tests of 21,377 revolutions without a change fewer than 1 is told this.</source>
         <translation>Etwa seit Umdrehung {since:.0f} verschleißt das Gelenk {how}, als die Umdrehungen davor erwarten lassen. Von 100 Versuchen mit 21 377 Umdrehungen ohne Änderung meldet dies weniger als einer.</translation>
+    </message>
+    <message>
+        <source>Since when</source>
+        <translation>Seit wann</translation>
     </message>
     <message>
         <source>Spee&amp;d</source>
@@ -1408,6 +1436,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>State of the alarm</source>
+        <translation>Zustand des Alarms</translation>
     </message>
     <message>
         <source>State of the comparison</source>
@@ -1490,6 +1522,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>So</translation>
     </message>
     <message>
+        <source>Switch the drive off when any |F| sample is above</source>
+        <translation>Antrieb aus, wenn irgendein Wert von |F| größer ist als</translation>
+    </message>
+    <message>
+        <source>Switch the drive off when the newest data are older than</source>
+        <translation>Antrieb aus, wenn die neuesten Daten älter sind als</translation>
+    </message>
+    <message>
+        <source>Switch the drive off when the speed is above</source>
+        <translation>Antrieb aus, wenn die Drehzahl größer ist als</translation>
+    </message>
+    <message>
         <source>THE SPINDLE MAY STILL TURN.</source>
         <translation>DIE SPINDEL DREHT SICH VIELLEICHT NOCH.</translation>
     </message>
@@ -1524,6 +1568,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Test &amp;file</source>
         <translation>Versuchs&amp;datei</translation>
+    </message>
+    <message>
+        <source>Test complete after so many revolutions</source>
+        <translation>Versuch vollständig nach so vielen Umdrehungen</translation>
     </message>
     <message>
         <source>Test file</source>
@@ -1730,6 +1778,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zeit</translation>
     </message>
     <message>
+        <source>To do</source>
+        <translation>Zu tun</translation>
+    </message>
+    <message>
         <source>Trends</source>
         <translation>Verläufe</translation>
     </message>
@@ -1838,6 +1890,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was dieser Eingang zeigt, kann falsch sein.</translation>
     </message>
     <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
         <source>Who is in command</source>
         <translation>Wer das Kommando hat</translation>
     </message>
@@ -1890,12 +1946,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Nullpunkt, mit Grund</translation>
     </message>
     <message>
+        <source>a critical alarm whose condition is over; it forbids a start until it is acknowledged and reset</source>
+        <translation>ein kritischer Alarm, dessen Bedingung vorbei ist; er verbietet einen Start, bis er quittiert und zurückgesetzt ist</translation>
+    </message>
+    <message>
         <source>a test</source>
         <translation>ein Versuch</translation>
     </message>
     <message>
+        <source>a warning whose condition is over before anybody has acknowledged it; acknowledging takes it off the list</source>
+        <translation>eine Warnung, deren Bedingung vorbei ist, bevor jemand sie quittiert hat; das Quittieren nimmt sie von der Liste</translation>
+    </message>
+    <message>
         <source>acknowledge</source>
         <translation>quittieren</translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation>quittiert</translation>
     </message>
     <message>
         <source>arrows</source>
@@ -1974,6 +2042,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Störung</translation>
     </message>
     <message>
+        <source>first</source>
+        <translation>zuerst</translation>
+    </message>
+    <message>
         <source>hand</source>
         <translation>Hand</translation>
     </message>
@@ -1982,12 +2054,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Anmeldung</translation>
     </message>
     <message>
+        <source>hidden for a limited time, with a reason; limits act all the same</source>
+        <translation>für begrenzte Zeit verborgen, mit einem Grund; Grenzen wirken trotzdem</translation>
+    </message>
+    <message>
         <source>idle</source>
         <translation>Ruhe</translation>
     </message>
     <message>
         <source>inject fault</source>
         <translation>Fehler auslösen</translation>
+    </message>
+    <message>
+        <source>latched</source>
+        <translation>gehalten</translation>
     </message>
     <message>
         <source>least margin {:.0f} %, {}</source>
@@ -2094,6 +2174,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuch fortsetzen</translation>
     </message>
     <message>
+        <source>returned</source>
+        <translation>zurückgekehrt</translation>
+    </message>
+    <message>
         <source>running</source>
         <translation>läuft</translation>
     </message>
@@ -2104,6 +2188,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>shelve</source>
         <translation>zurückstellen</translation>
+    </message>
+    <message>
+        <source>shelved</source>
+        <translation>zurückgestellt</translation>
     </message>
     <message>
         <source>shutdown</source>
@@ -2162,6 +2250,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kommando nehmen</translation>
     </message>
     <message>
+        <source>the condition holds, and nobody has acknowledged it</source>
+        <translation>die Bedingung gilt, und niemand hat sie quittiert</translation>
+    </message>
+    <message>
+        <source>the condition holds, and somebody has acknowledged it</source>
+        <translation>die Bedingung gilt, und jemand hat sie quittiert</translation>
+    </message>
+    <message>
+        <source>the critical alarm that came first since the last reset: look there first</source>
+        <translation>der kritische Alarm, der seit dem letzten Zurücksetzen zuerst kam: dort zuerst nachsehen</translation>
+    </message>
+    <message>
+        <source>the drive itself warns, as a rule of its supply, temperature or load; what is damaged on its line is counted beside the device and is no warning</source>
+        <translation>der Antrieb selbst warnt, meist vor seiner Versorgung, Temperatur oder Last; was auf seiner Leitung beschädigt wird, ist beim Gerät gezählt und keine Warnung</translation>
+    </message>
+    <message>
         <source>the end waits</source>
         <translation>das Ende wartet</translation>
     </message>
@@ -2172,6 +2276,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>triangle</source>
         <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>unacknowledged</source>
+        <translation>unquittiert</translation>
     </message>
     <message>
         <source>use records</source>
@@ -2306,6 +2414,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} sicher</translation>
     </message>
     <message>
+        <source>{}, cycle {}</source>
+        <translation>{}, Zyklus {}</translation>
+    </message>
+    <message>
         <source>{}, detail</source>
         <translation>{}, Einzelheit</translation>
     </message>
@@ -2340,6 +2452,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>|F| now</source>
         <translation>|F| jetzt</translation>
+    </message>
+    <message>
+        <source>▲ Warning</source>
+        <translation>▲ Warnung</translation>
+    </message>
+    <message>
+        <source>◆ Critical</source>
+        <translation>◆ Kritisch</translation>
     </message>
 </context>
 </TS>

@@ -110,6 +110,11 @@ QWidget[role="attention"] {
 QWidget[role="critical"] {
     background: $critical_tint; border: 2px solid $critical; border-radius: ${card}px;
 }
+QFrame[chosen="true"] { border: 3px solid $highlight; }
+QLabel[chip] { border-radius: 4px; padding: 1px 8px; font-weight: 600; }
+QLabel[chip="critical"] { background: $critical; color: $on_critical; }
+QLabel[chip="attention"] { background: $warning; color: $on_signal; }
+QLabel[chip="calm"] { background: $track; color: $text; }
 QPushButton[rank="step"] {
     border: 0; border-radius: 0; background: transparent; padding: 0; min-height: 54px;
 }

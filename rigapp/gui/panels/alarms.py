@@ -1,25 +1,53 @@
-"""The alarms: what is wrong, what it leads to, what to do; acknowledge and shelve."""
+"""The alarms as cards: what is wrong, what it leads to, what to do; acknowledge and shelve."""
 
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
+from functools import partial
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtGui import QFont, QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import GAP, STEP, VALUE_PT
 from rigapp.gui.panel import Host
 from rigapp.gui.panels.limits import LimitPanel
-from rigapp.gui.widgets.build import button, column, edit, named, row, split, whole_number
-from rigapp.gui.widgets.tables import Mark, PlainTable
-from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, RunState, Severity
-from rigapp.schema.words import explained
+from rigapp.gui.widgets.build import (
+    button,
+    column,
+    edit,
+    named,
+    prose,
+    row,
+    scrolling,
+    split,
+    tell,
+    whole_number,
+)
+from rigapp.gui.widgets.tables import PlainTable
+from rigapp.schema.loglines import ALARM
+from rigapp.schema.messages import NOTE_CHARACTERS, Alarm, Event, RunState, Severity
+from rigapp.schema.words import WORDS
 
-COLUMNS = ("", "State", "Alarm", "Cause", "Consequence", "What to do", "Since", "Cycle")
-MARKS = {Severity.WARNING: "▲ warning", Severity.CRITICAL: "◆ critical"}
-COMPACT_LINES = 7
-"""Height of the list on the overview, in lines of text: two alarms with their sentences."""
+MARKS: Final[dict[Severity, Text]] = {
+    Severity.WARNING: "▲ Warning",
+    Severity.CRITICAL: "◆ Critical",
+}
+LINES: Final[dict[str, Text]] = {
+    "cause": "Cause",
+    "consequence": "Effect",
+    "action": "To do",
+}
+"""Fields of an alarm that are told in full, as a card names them."""
+
+JOURNAL_LINES = 500
+"""Newest lines of the journal; all of them are in the log."""
 
 
 def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
@@ -35,45 +63,248 @@ def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
     )
 
 
+def newest_critical(alarms: Sequence[Alarm]) -> Alarm | None:
+    """Return the critical alarm that came last, of those that nobody has acknowledged first."""
+    critical = [one for one in alarms if one.severity is Severity.CRITICAL]
+    return max(critical, key=lambda one: (not one.acknowledged, one.raised_at), default=None)
+
+
+class AlarmCard(QFrame):
+    """One alarm: shape and word, name, since when, and all that is told of it."""
+
+    pressed = Signal()
+
+    def __init__(self, name: str, *, large: bool) -> None:
+        super().__init__()
+        named(self, name, "Alarm")
+        self._large = large
+        self.chip = named(QLabel(), f"{name}_chip", "Severity")
+        self.title = prose(f"{name}_title", "Alarm")
+        self.title.setProperty("role", "title")
+        if large:
+            self.title.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
+        self.state = named(QLabel(), f"{name}_state", "State of the alarm")
+        self.since = named(QLabel(), f"{name}_since", "Since when")
+        self.since.setProperty("role", "caption")
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(GAP)
+        grid.setVerticalSpacing(STEP // 2)
+        grid.setColumnStretch(1, 1)
+        self.texts: dict[str, QLabel] = {}
+        self.captions: list[QLabel] = []
+        for place, (key, caption) in enumerate(LINES.items()):
+            label = QLabel(tr(caption))
+            label.setProperty("role", "secondary")
+            self.captions.append(label)
+            self.texts[key] = prose(f"{name}_{key}", caption)
+            grid.addWidget(label, place, 0, Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(self.texts[key], place, 1)
+        self.texts["action"].setProperty("role", "title")
+        if large:
+            first = row(self.chip, (self.title, 1), self.state, self.since)
+            head = column(first)
+        else:
+            first = row(self.chip, None, self.since)
+            head = column(first, self.title, self.state)
+        first.setSpacing(GAP)
+        made = column(head, grid, on=self)
+        made.setContentsMargins(GAP, STEP, GAP, STEP)
+        made.setSpacing(STEP)
+
+    def show_alarm(self, alarm: Alarm, *, whole: bool, chosen: bool) -> None:
+        """Show an alarm, with all that is told of it or its name alone."""
+        severity = "critical" if alarm.severity is Severity.CRITICAL else "attention"
+        tell(self, "role", "card" if alarm.acknowledged else severity)
+        tell(self, "chosen", chosen)
+        tell(self.chip, "chip", "calm" if alarm.acknowledged else severity)
+        first = f", {tr('first')}" if alarm.first_out else ""
+        self.chip.setText(f"{tr(MARKS[alarm.severity])}{first}")
+        self.chip.setToolTip(_explained("first") if alarm.first_out else "")
+        self.title.setText(retold(alarm.title))
+        self.title.setToolTip(_explained(alarm.title))
+        self.state.setText(tr(alarm.state))
+        self.state.setToolTip(_explained(alarm.state))
+        stamp = time.strftime("%H:%M:%S", time.localtime(alarm.raised_at))
+        cycle = tr("{}, cycle {}", stamp, alarm.revolution)
+        self.since.setText(cycle if self._large else stamp)
+        self.since.setToolTip(cycle)
+        for key, label in self.texts.items():
+            label.setText(retold(getattr(alarm, key)))
+        for part in (*self.captions, *self.texts.values()):
+            part.setVisible(whole)
+        said = f"{tr(MARKS[alarm.severity])}: {retold(alarm.title)}, {tr(alarm.state)}"
+        self.setAccessibleName(said)
+        self.setAccessibleDescription(retold(alarm.action))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Choose it."""
+        self.pressed.emit()
+        super().mousePressEvent(event)
+
+
+def _explained(word: str) -> str:
+    """Return a word with its meaning, nothing where it needs none."""
+    return f"{tr(word)}: {tr(WORDS[word])}" if word in WORDS else ""
+
+
+class AlarmCards(QWidget):
+    """The alarms below each other; one of them is chosen, a new critical one by itself.
+
+    large: every card tells all, and the keys Up and Down choose; else only the chosen one does.
+    """
+
+    changed = Signal()
+
+    def __init__(self, prefix: str, *, large: bool) -> None:
+        super().__init__()
+        self._prefix, self._large = prefix, large
+        self._alarms: list[Alarm] = []
+        self._chosen = ""
+        named(self, f"{prefix}_alarm_cards", "List of alarms")
+        if large:
+            self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.cards: list[AlarmCard] = []
+        self.none = prose(f"{prefix}_no_alarms", "No alarms", "No alarms.")
+        self.none.setProperty("role", "secondary")
+        self._list = column(self.none, None, on=self)
+        self._list.setSpacing(STEP)
+
+    @property
+    def alarms(self) -> list[Alarm]:
+        """Return what is shown, in its order."""
+        return self._alarms
+
+    def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
+        """Show the alarms, keeping the choice unless a new critical one came."""
+        ordered = order(alarms)
+        if ordered == self._alarms:
+            return
+        known = {one.key for one in self._alarms}
+        newest = newest_critical([one for one in ordered if one.key not in known])
+        self._alarms = ordered
+        if newest is not None:
+            self._chosen = newest.key
+        elif self._chosen not in {one.key for one in ordered}:
+            first = newest_critical(ordered) or next(iter(ordered), None)
+            self._chosen = first.key if first is not None else ""
+        self._fill()
+
+    def chosen(self) -> Alarm | None:
+        """Return the chosen alarm."""
+        return next((one for one in self._alarms if one.key == self._chosen), None)
+
+    def choose(self, place: int) -> None:
+        """Choose a card."""
+        if 0 <= place < len(self._alarms):
+            self._chosen = self._alarms[place].key
+            self._fill()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Up and Down choose another card."""
+        step = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(Qt.Key(event.key()))
+        chosen = self.chosen()
+        if step is None or chosen is None:
+            super().keyPressEvent(event)
+        else:
+            self.choose(self._alarms.index(chosen) + step)
+
+    def _fill(self) -> None:
+        while len(self.cards) < len(self._alarms):
+            place = len(self.cards)
+            card = AlarmCard(f"{self._prefix}_alarm_{place + 1}", large=self._large)
+            card.pressed.connect(partial(self.choose, place))
+            self.cards.append(card)
+            self._list.insertWidget(self._list.count() - 1, card)
+        for card, alarm in zip(self.cards, self._alarms, strict=False):
+            chosen = alarm.key == self._chosen
+            card.show_alarm(alarm, whole=self._large or chosen, chosen=self._large and chosen)
+        for place, card in enumerate(self.cards):
+            card.setVisible(place < len(self._alarms))
+        self.none.setVisible(not self._alarms)
+        self.changed.emit()
+
+
+def waiting(alarms: Sequence[Alarm]) -> bool:
+    """Tell whether any alarm waits to be acknowledged."""
+    return any(not one.acknowledged for one in alarms)
+
+
+class AlarmGlance(QFrame):
+    """The alarms in the side column, hidden while there is none; emits (verb, arguments)."""
+
+    wanted = Signal(str, dict)
+
+    def __init__(self) -> None:
+        super().__init__()
+        named(self, "alarm_glance", "Alarms").setProperty("role", "card")
+        self.title = named(QLabel(tr("Alarms")), "alarm_glance_title", "Alarms")
+        self.title.setProperty("role", "title")
+        self.cards = AlarmCards("glance", large=False)
+        self.acknowledge = button(
+            "glance_acknowledge",
+            "Ac&knowledge",
+            self._acknowledge,
+            "Acknowledge the alarm that is told in full",
+        )
+        self.cards.changed.connect(self._enable)
+        made = column(row(self.title, None, self.acknowledge), self.cards, on=self)
+        made.setContentsMargins(STEP, STEP, STEP, STEP)
+        made.setSpacing(STEP)
+        self.hide()
+
+    def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
+        """Show the alarms."""
+        self.cards.show_alarms(alarms)
+        used = bool(self.cards.alarms)
+        if self.isHidden() == used:
+            self.setVisible(used)
+
+    def _enable(self) -> None:
+        alarm = self.cards.chosen()
+        self.acknowledge.setEnabled(alarm is not None and not alarm.acknowledged)
+
+    def _acknowledge(self) -> None:
+        alarm = self.cards.chosen()
+        if alarm is not None:
+            self.wanted.emit("acknowledge", {"key": alarm.key})
+
+
 class AlarmPanel(QWidget):
-    """List the alarms; emits requests as (verb, arguments)."""
+    """Show the alarms large, with all that may be done; emits requests as (verb, arguments)."""
 
     wanted = Signal(str, dict)
     takes = Takes.STATUS
 
-    def __init__(self, prefix: str, theme: Theme, *, compact: bool = False) -> None:
-        """Make the panel; compact: it takes one line while there is no alarm."""
+    def __init__(self) -> None:
         super().__init__()
-        self._theme = theme
-        self._compact = compact
-        self._alarms: list[Alarm] = []
-        named(self, f"{prefix}_alarm_panel", "Alarms")
-        self.table = PlainTable(
-            f"{prefix}_alarm_table", "List of alarms", COLUMNS, marked=0, stretch=(2, 3, 4, 5)
+        named(self, "alarm_panel", "Alarms")
+        self.cards = AlarmCards("all", large=True)
+        self.cards.changed.connect(self._enable)
+        area = scrolling("alarm_area", "List of alarms", self.cards)
+        self.all = button(
+            "acknowledge_all",
+            "Acknowledge all",
+            lambda: self.wanted.emit("acknowledge", {}),
+            rank="primary",
         )
-        self.table.itemSelectionChanged.connect(self._enable)
-        self.empty = named(QLabel("No alarms."), f"{prefix}_no_alarms", "No alarms")
         self.acknowledge = button(
-            f"{prefix}_acknowledge",
-            "Ac&knowledge",
-            self._acknowledge,
-            "Acknowledge the chosen alarm",
+            "acknowledge", "Acknowledge", self._acknowledge, "Acknowledge the chosen alarm"
         )
         self.reason = edit(
-            f"{prefix}_shelve_reason",
+            "shelve_reason",
             "Reason for shelving",
             self._enable,
             hint="reason for shelving",
             most=NOTE_CHARACTERS,
         )
-        self.minutes = whole_number(f"{prefix}_shelve_minutes", "Minutes of shelving", 1, 480)
+        self.minutes = whole_number("shelve_minutes", "Minutes of shelving", 1, 480)
         self.minutes.setValue(15)
         self.minutes.setSuffix(" min")
         self.shelve = button(
-            f"{prefix}_shelve", "S&helve", self._shelve, "Shelve the chosen alarm", guarded=True
+            "shelve", "S&helve", self._shelve, "Shelve the chosen alarm", guarded=True
         )
         self.reset = button(
-            f"{prefix}_reset",
+            "reset",
             "Reset after trip",
             lambda: self.wanted.emit("reset", {}),
             "Reset after a trip",
@@ -82,25 +313,10 @@ class AlarmPanel(QWidget):
             " acknowledged and its cause gone. Nothing moves.",
         )
         tools = row(
-            (self.empty, 1),
-            self.reset,
-            self.acknowledge,
-            (self.reason, 1),
-            self.minutes,
-            self.shelve,
+            self.all, self.acknowledge, self.reset, (self.reason, 1), self.minutes, self.shelve
         )
-        column((self.table, 1), tools, on=self)
-        self.dress(theme)
+        column((area, 1), tools, on=self).setSpacing(STEP)
         self._enable()
-
-    def dress(self, theme: Theme) -> None:
-        """Take a theme."""
-        self._theme = theme
-        self.table.setStyleSheet(
-            f"QTableWidget::item:selected {{ background: {theme.band}; color: {theme.text}; }}"
-        )
-        self._fill()
-        self._fold()
 
     def show_news(self, news: News) -> None:
         """Show the alarms of a status."""
@@ -110,78 +326,26 @@ class AlarmPanel(QWidget):
 
     def show_state(self, state: RunState | None) -> None:
         """Offer the reset after a trip, and whenever an alarm waits for it."""
-        latched = any(one.severity is Severity.CRITICAL for one in self._alarms)
+        latched = any(one.severity is Severity.CRITICAL for one in self.cards.alarms)
         self.reset.setEnabled(latched or state in (RunState.FAULT, RunState.STOPPED))
 
     def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
-        """Show the alarms, keeping the selection; nothing is done when they are unchanged."""
-        ordered = order(alarms)
-        if ordered == self._alarms:
-            return
-        chosen = self.chosen()
-        self._alarms = ordered
-        self._fill()
-        keys = [alarm.key for alarm in ordered]
-        if ordered:
-            known = chosen is not None and chosen.key in keys
-            self.table.selectRow(keys.index(chosen.key) if known and chosen is not None else 0)
-        self.empty.setText("" if ordered else "No alarms.")
-        self._fold()
-        self._enable()
-
-    def chosen(self) -> Alarm | None:
-        """Return the chosen alarm."""
-        at = self.table.chosen()
-        return self._alarms[at] if at is not None and at < len(self._alarms) else None
-
-    def _fill(self) -> None:
-        rows = [
-            (
-                MARKS[alarm.severity] + (", first" if alarm.first_out else ""),
-                alarm.state,
-                alarm.title,
-                alarm.cause,
-                alarm.consequence,
-                alarm.action,
-                time.strftime("%H:%M:%S", time.localtime(alarm.raised_at)),
-                str(alarm.revolution),
-            )
-            for alarm in self._alarms
-        ]
-        self.table.show_rows(rows, [self._mark(alarm) for alarm in self._alarms], _tip)
-
-    def _mark(self, alarm: Alarm) -> Mark:
-        if alarm.acknowledged:
-            return None
-        return self._theme.mark(critical=alarm.severity is Severity.CRITICAL)
-
-    def _fold(self) -> None:
-        if not self._compact:
-            return
-        used = bool(self._alarms)
-        for widget in (
-            self.table,
-            self.acknowledge,
-            self.reason,
-            self.minutes,
-            self.shelve,
-            self.reset,
-        ):
-            widget.setVisible(used)
-        self.table.setFixedHeight(COMPACT_LINES * self.fontMetrics().height())
+        """Show the alarms."""
+        self.cards.show_alarms(alarms)
 
     def _enable(self) -> None:
-        alarm = self.chosen()
+        alarm = self.cards.chosen()
+        self.all.setEnabled(waiting(self.cards.alarms))
         self.acknowledge.setEnabled(alarm is not None and not alarm.acknowledged)
         self.shelve.setEnabled(alarm is not None and bool(self.reason.text().strip()))
 
     def _acknowledge(self) -> None:
-        alarm = self.chosen()
+        alarm = self.cards.chosen()
         if alarm is not None:
             self.wanted.emit("acknowledge", {"key": alarm.key})
 
     def _shelve(self) -> None:
-        alarm = self.chosen()
+        alarm = self.cards.chosen()
         if alarm is None:
             return
         self.minutes.interpretText()
@@ -190,14 +354,50 @@ class AlarmPanel(QWidget):
         self.wanted.emit("shelve", {"key": alarm.key, "reason": reason, "minutes": minutes})
 
 
-def _tip(text: str) -> str:
-    return explained("first" if text.endswith(", first") else text)
+class AlarmJournal(QFrame):
+    """What happened to the alarms of the test, newest first."""
+
+    takes = Takes.HISTORY | Takes.LOG
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._events: Sequence[Event] = ()
+        named(self, "alarm_journal", "Journal of the alarms").setProperty("role", "card")
+        title = QLabel(tr("Journal"))
+        title.setProperty("role", "title")
+        self.table = PlainTable(
+            "journal_table", "Journal of the alarms", ("Time", "Cycle", "What happened", "Who")
+        )
+        self.table.horizontalHeader().setStretchLastSection(True)
+        made = column(title, (self.table, 1), on=self)
+        made.setContentsMargins(GAP, STEP, GAP, GAP)
+        made.setSpacing(STEP)
+
+    def show_news(self, news: News) -> None:
+        """Show the journal as the log was read last."""
+        if news.events is self._events:
+            return
+        self._events = news.events
+        lines = [one for one in reversed(news.events) if one.kind == ALARM][:JOURNAL_LINES]
+        self.table.show_rows(
+            [
+                (
+                    time.strftime("%d %b %H:%M:%S", time.localtime(one.time)),
+                    str(one.revolution),
+                    one.text,
+                    one.source,
+                )
+                for one in lines
+            ]
+        )
 
 
 def alarm_page(host: Host) -> QWidget:
-    """Make the page of alarms and limits."""
-    alarms = host.add("alarms", AlarmPanel("all", host.theme))
+    """Make the page of alarms, their journal and the limits."""
+    alarms = host.add("alarms", AlarmPanel())
     limits = host.add("limits", LimitPanel())
+    journal = host.add("journal", AlarmJournal())
     for panel in (alarms, limits):
         panel.wanted.connect(host.ask)
-    return split("alarm_split", Qt.Orientation.Vertical, [400, 300], alarms, limits)
+    below = split("alarm_below", Qt.Orientation.Horizontal, [460, 460], journal, limits)
+    return split("alarm_split", Qt.Orientation.Vertical, [400, 300], alarms, below)

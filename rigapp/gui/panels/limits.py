@@ -3,46 +3,65 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Final
 
+import msgspec
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGroupBox, QLabel, QVBoxLayout
+from PySide6.QtWidgets import QGroupBox, QVBoxLayout
 
 from rigapp.config.ranges import refusal
 from rigapp.config.recipe import TestFile
-from rigapp.config.rules import ALWAYS, BOUNDS, limit_refusal
+from rigapp.config.rules import ALWAYS, limit_refusal
+from rigapp.gui.data.levels import levels_of, unit_of_quantity
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.widgets.build import button, edit, filled, named, row
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.widgets.build import button, edit, filled, named, prose, row
+from rigapp.gui.widgets.numbers import number
 from rigapp.gui.widgets.tables import PlainTable
-from rigapp.schema.channels import BASE
+from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.schema.loglines import newest_limits
 from rigapp.schema.messages import NOTE_CHARACTERS, RunState
 from rigapp.schema.states import ACTIVE
 
 REVOLUTIONS = "revolutions"
-WORDS = {
-    REVOLUTIONS: "the test ends after so many, more or fewer than planned",
-    "overload_N": "overload: drive off above (N)",
-    "overspeed_rpm": "overspeed: drive off above (rpm)",
-    "stale_data_s": "no samples: drive off after (s)",
+WORDS: Final[dict[str, tuple[Text, str]]] = {
+    REVOLUTIONS: ("Test complete after so many revolutions", ""),
+    "overload_N": ("Switch the drive off when any |F| sample is above", "N"),
+    "overspeed_rpm": ("Switch the drive off when the speed is above", "rpm"),
+    "stale_data_s": ("Switch the drive off when the newest data are older than", "s"),
 }
+"""What is always there, in words, and its unit."""
 
 
-def limits_of(test: TestFile | None, changed: Mapping[str, float]) -> dict[str, tuple[float, str]]:
-    """Return every limit by its name: present value and what happens, changes applied."""
+@dataclass(frozen=True, slots=True)
+class ShownLimit:
+    """A limit by its words, its present value and unit."""
+
+    words: str
+    value: float
+    unit: str = ""
+
+
+def limits_of(
+    test: TestFile | None, changed: Mapping[str, float], table: ChannelTable = BASE
+) -> dict[str, ShownLimit]:
+    """Return every limit by its name, changes applied."""
     if test is None:
         return {}
-    found: dict[str, tuple[float, str]] = {}
-    for name in ALWAYS:
-        found[name] = (float(getattr(test.limits, name)), "drive off")
-    for rule in test.limits.rule:
-        for level in reversed(BOUNDS):
-            value = getattr(rule, level)
-            if value is not None:
-                critical = level.startswith("critical")
-                wanted = rule.action_critical if critical else rule.action_warning
-                found[f"{rule.quantity}.{level}"] = (value, wanted.replace("_", " "))
+    found = {
+        name: ShownLimit(tr(WORDS[name][0]), float(getattr(test.limits, name)), WORDS[name][1])
+        for name in ALWAYS
+    }
+    for level in levels_of([msgspec.to_builtins(rule) for rule in test.limits.rule]):
+        if level.value is not None:
+            unit = unit_of_quantity(level.quantity, table)
+            found[f"{level.quantity}.{level.bound}"] = ShownLimit(
+                level.condition(table), level.value, unit
+            )
     for name, value in changed.items():
-        found[name] = (value, found.get(name, (0.0, "as in the test"))[1])
+        known = found.get(name, ShownLimit(name.replace("_", " "), value))
+        found[name] = replace(known, value=value)
     return found
 
 
@@ -54,11 +73,11 @@ class LimitPanel(QGroupBox):
 
     def __init__(self) -> None:
         super().__init__("Limits of the running test")
-        self._shown: dict[str, tuple[float, str]] = {}
+        self._shown: dict[str, ShownLimit] = {}
         self._active = False
         self._channels = BASE
         named(self, "limit_panel", "Limits of the running test")
-        self.table = PlainTable("limit_table", "Limits", ("Limit", "Now", "Action", "Meaning"))
+        self.table = PlainTable("limit_table", "Limits", ("Limit", "Now"), stretch=(0,))
         self.table.itemSelectionChanged.connect(self._chosen)
         self.value = edit("limit_value", "New value of the chosen limit", self._enable)
         self.reason = edit(
@@ -71,9 +90,9 @@ class LimitPanel(QGroupBox):
         self.change = button(
             "limit_change", "Chan&ge limit", self._change, "Change the chosen limit", guarded=True
         )
-        self.problem = named(QLabel(), "limit_problem", "Why the limit cannot be changed")
-        tools = row("New value", (self.value, 1), (self.reason, 3), self.change, (self.problem, 2))
-        filled(QVBoxLayout(self), ((self.table, 1), tools))
+        self.problem = prose("limit_problem", "Why the limit cannot be changed")
+        first = row("New value", (self.value, 1), self.change)
+        filled(QVBoxLayout(self), ((self.table, 1), first, self.reason, self.problem))
         self._enable()
 
     def show_news(self, news: News) -> None:
@@ -92,15 +111,15 @@ class LimitPanel(QGroupBox):
     ) -> None:
         """Show the limits as they are now; planned: revolutions of the complete test."""
         self._active = state in ACTIVE
-        limits = limits_of(test, changed)
+        limits = limits_of(test, changed, self._channels)
         if planned > 0:
-            limits[REVOLUTIONS] = (float(planned), "test complete")
+            limits[REVOLUTIONS] = ShownLimit(tr(WORDS[REVOLUTIONS][0]), float(planned))
         if limits != self._shown:
             self._shown = limits
             self.table.show_rows(
                 [
-                    (name, _number(value), action, WORDS.get(name, name.replace("_", " ")))
-                    for name, (value, action) in limits.items()
+                    (one.words, f"{_number(one.value)} {one.unit}".rstrip())
+                    for one in limits.values()
                 ]
             )
         self._enable()
@@ -112,15 +131,15 @@ class LimitPanel(QGroupBox):
     def _chosen(self) -> None:
         name = self._name()
         if name is not None:
-            self.value.setText(_number(self._shown[name][0]))
+            self.value.setText(_number(self._shown[name].value))
         self._enable()
 
     def _number(self) -> float | None:
         try:
-            number = float(self.value.text())
+            typed = number(self.value.text())
         except ValueError:
             return None
-        return int(number) if number.is_integer() else number
+        return int(typed) if typed.is_integer() else typed
 
     def _enable(self) -> None:
         name, number = self._name(), self._number()
@@ -130,7 +149,7 @@ class LimitPanel(QGroupBox):
             problem = "Choose a limit."
         elif number is None:
             problem = "The new value is not a number."
-        elif number == self._shown[name][0]:
+        elif number == self._shown[name].value:
             problem = "This is the present value."
         elif not self.reason.text().strip():
             problem = "Give the reason."

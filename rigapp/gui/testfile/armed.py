@@ -12,8 +12,7 @@ from rigapp.config.loading import judged_test
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_tree
-from rigapp.gui.testfile.fields import in_form_words
-from rigapp.gui.testfile.levels import differences
+from rigapp.gui.testfile.fields import differences, in_form_words
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,8 +14,10 @@ import msgspec
 
 from rigapp.config.ranges import Key, keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
+from rigapp.gui.data.levels import levels_of
 from rigapp.gui.data.texts import unit_text
 from rigapp.gui.widgets.numbers import number, whole
+from rigapp.schema.channels import BASE
 from rigapp.schema.units import stem_of
 
 HIDDEN = ("schema", "model.schema", "limits.rule")
@@ -157,6 +159,28 @@ def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
         if old != new:
             lines.append(f"{path}: {_word(old)} → {_word(new)}")
     return lines
+
+
+def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
+    """Return what differs between two tests, a line a key; limits as sentences."""
+    rule = "limits.rule"
+    lines = [one for one in changes(before, after) if not one.startswith(rule)]
+    old, new = (
+        [one.sentence(BASE) for one in levels_of(rules_in(get_path(tree, rule)))]
+        for tree in (before, after)
+    )
+    lines += [f"new limit: {one}" for one in new if one not in old]
+    lines += [f"limit gone: {one}" for one in old if one not in new]
+    return lines or (["the order of the limits"] if _other_rules(before, after) else [])
+
+
+def _other_rules(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
+    return any(one.startswith("limits.rule") for one in changes(before, after))
+
+
+def rules_in(value: Any) -> list[dict[str, Any]]:
+    """Return what a file has as rules; nothing where it has something else."""
+    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
 
 
 def in_form_words(sentence: str) -> str:

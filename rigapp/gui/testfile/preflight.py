@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
-from rigapp.gui.widgets.build import column, named, prose, row, tell
+from rigapp.gui.widgets.build import column, named, prose, row, scrolling, tell
 from rigapp.service.preflight import Check, Checked
 
 MARKS = {Checked.GOOD: "✓", Checked.ATTENTION: "▲", Checked.BLOCKS: "◆"}
@@ -67,14 +67,7 @@ class PreflightPanel(QFrame):
         inside = QWidget()
         self._list = column(None, on=inside)
         self._list.setSpacing(STEP // 2)
-        area = named(QScrollArea(), "preflight_area", "List of checks")
-        area.setWidgetResizable(True)
-        area.setFrameShape(QScrollArea.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(inside)
-        area.viewport().setAutoFillBackground(False)
-        inside.setAutoFillBackground(False)
-        area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        area = scrolling("preflight_area", "List of checks", inside)
         made = column(self.title, self.count, (area, 1), on=self)
         made.setContentsMargins(GAP, MARGIN, STEP, GAP)
         made.setSpacing(STEP // 2)

@@ -15,7 +15,6 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QFileDialog,
     QFrame,
-    QScrollArea,
     QSizePolicy,
     QStackedWidget,
     QWidget,
@@ -28,19 +27,20 @@ from rigapp.config.writing import whole_file
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.testfile.armed import ArmedTest, read_armed
 from rigapp.gui.testfile.fields import (
+    differences,
     fields_named,
     form_fields,
     get_path,
     in_form_words,
+    rules_in,
     set_path,
 )
 from rigapp.gui.testfile.form import FieldForm, page_of
-from rigapp.gui.testfile.levels import differences, rules_in
 from rigapp.gui.testfile.rules import LimitSentences
 from rigapp.gui.testfile.steps import MODEL, STEPS, StepBar
 from rigapp.gui.testfile.tomltext import edited
 from rigapp.gui.testfile.unsaved import UnsavedBar
-from rigapp.gui.widgets.build import button, column, named, prose, row, tell
+from rigapp.gui.widgets.build import button, column, named, prose, row, scrolling, tell
 from rigapp.gui.widgets.labels import ElidedLabel
 
 NO_FILE = "New test, not saved yet"
@@ -370,13 +370,8 @@ class RecipePanel(QWidget):
         return dialog
 
 
-def _scrolling(page: QWidget, title: str) -> QScrollArea:
-    area = named(QScrollArea(), f"step_area_{title.lower()}", f"Step {title}")
-    area.setWidgetResizable(True)
-    area.setFrameShape(QScrollArea.Shape.NoFrame)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    area.setWidget(page)
-    return area
+def _scrolling(page: QWidget, title: str) -> QWidget:
+    return scrolling(f"step_area_{title.lower()}", title, page)
 
 
 def _explicit(tree: dict[str, Any], file: dict[str, Any]) -> dict[str, Any]:

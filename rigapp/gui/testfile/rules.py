@@ -12,10 +12,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QFrame, QGroupBox, QLabel, QLineEdit, QVBoxLayout
 
 from rigapp.config.recipe import LimitsSection
-from rigapp.gui.data.news import News
-from rigapp.gui.look.tokens import STEP
-from rigapp.gui.testfile.fields import show_value
-from rigapp.gui.testfile.levels import (
+from rigapp.gui.data.levels import (
     ACTIONS,
     OTHER_ACTIONS,
     LimitLevel,
@@ -26,6 +23,9 @@ from rigapp.gui.testfile.levels import (
     rules_of,
     unit_of_quantity,
 )
+from rigapp.gui.data.news import News
+from rigapp.gui.look.tokens import STEP
+from rigapp.gui.testfile.fields import show_value
 from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, row, tell
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.schema.channels import BASE, ChannelTable

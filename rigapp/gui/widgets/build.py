@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QLayout,
     QLineEdit,
     QPushButton,
+    QScrollArea,
     QSizePolicy,
     QSpinBox,
     QSplitter,
@@ -176,6 +177,19 @@ def page(*items: Item | tuple[Item, int]) -> QWidget:
     made = QWidget()
     column(*items, on=made)
     return made
+
+
+def scrolling(name: str, spoken: Text, inside: QWidget) -> QScrollArea:
+    """Return what scrolls up and down only, and takes what height there is."""
+    area = named(QScrollArea(), name, spoken)
+    area.setWidgetResizable(True)
+    area.setFrameShape(QScrollArea.Shape.NoFrame)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+    area.setWidget(inside)
+    area.viewport().setAutoFillBackground(False)
+    inside.setAutoFillBackground(False)
+    return area
 
 
 def split(

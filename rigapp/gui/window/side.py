@@ -17,6 +17,7 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.gui.panels.alarms import AlarmGlance
 from rigapp.gui.widgets.build import column, named
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.window.headline import Level, TileText, data_age
@@ -229,7 +230,8 @@ class SideColumn(QScrollArea):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidgetResizable(True)
         held = QWidget()
-        column(self.live, recover, self.limits, None, on=held).setSpacing(GAP)
+        self.alarms = AlarmGlance()
+        column(self.live, recover, self.alarms, self.limits, None, on=held).setSpacing(GAP)
         self.setWidget(held)
         self.make_room(NARROW_WINDOW, tight=False)
 
@@ -246,6 +248,8 @@ class SideColumn(QScrollArea):
     def show_news(self, news: News) -> None:
         """Show what is newest; limits give way to the recovery."""
         self.live.show_news(news)
+        if news.status is not None:
+            self.alarms.show_alarms(news.status.alarms)
         wanted = self.recover.isHidden()
         if self.limits.isVisibleTo(self) != wanted:
             self.limits.setVisible(wanted)

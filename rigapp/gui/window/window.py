@@ -445,6 +445,7 @@ class MainWindow(QMainWindow):
         self.controls.start_wanted.connect(self.start_bar.open)
         self.start_bar.started.connect(self.controls.start_test)
         self.recover.wanted.connect(self.controls.send)
+        self.side.alarms.wanted.connect(self.controls.send)
         self.recover.start_wanted.connect(self.start_bar.open)
         self.controls.answered.connect(self.recover.answered)
         self.close_bar.leave.connect(self._leave)

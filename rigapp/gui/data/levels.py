@@ -17,7 +17,6 @@ from rigapp.config.recipe import LimitRule, LimitsSection
 from rigapp.config.rules import BOUNDS, quantities, rule_faults
 from rigapp.gui.data.channels import SIZE, title_of, words
 from rigapp.gui.data.texts import unit_text
-from rigapp.gui.testfile.fields import changes, get_path, show_value
 from rigapp.schema.channels import BASE, ChannelTable
 
 DEFAULT_ACTIONS: Final = {"warning": "warn", "critical": "stop"}
@@ -83,14 +82,21 @@ class LimitLevel:
         """Return the key of the level."""
         return f"{self.severity}_{self.side}"
 
+    def condition(self, table: ChannelTable) -> str:
+        """Return what happens when, without the value: Warn when maximum |F| is above."""
+        action = action_text(self.severity, self.action)
+        return f"{action} when {quantity_text(self.quantity, table)} is {self.side}"
+
     def sentence(self, table: ChannelTable) -> str:
         """Return it as one reads it: Warn when maximum |F| is above 95 N in 3 revolutions."""
-        action = action_text(self.severity, self.action)
         times = f"{self.revolutions} revolution" + ("s" if self.revolutions != 1 else "")
-        value = f"{show_value(self.value)} {unit_of_quantity(self.quantity, table)}".rstrip()
-        what = quantity_text(self.quantity, table)
-        back = f", ends {show_value(self.hysteresis)} inside" if self.hysteresis else ""
-        return f"{action} when {what} is {self.side} {value} in {times}{back}"
+        value = f"{_shown(self.value)} {unit_of_quantity(self.quantity, table)}".rstrip()
+        back = f", ends {_shown(self.hysteresis)} inside" if self.hysteresis else ""
+        return f"{self.condition(table)} {value} in {times}{back}"
+
+
+def _shown(value: Any) -> str:
+    return f"{value:.10g}" if isinstance(value, int | float) else str(value)
 
 
 def action_text(severity: str, action: str) -> str:
@@ -210,28 +216,6 @@ def _write(rule: dict[str, Any], one: LimitLevel) -> None:
     key = f"action_{one.severity}"
     if one.action != rule.get(key, DEFAULT_ACTIONS[one.severity]):
         rule[key] = one.action
-
-
-def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
-    """Return what differs between two tests, a line a key; limits as sentences."""
-    rule = "limits.rule"
-    lines = [one for one in changes(before, after) if not one.startswith(rule)]
-    old, new = (
-        [one.sentence(BASE) for one in levels_of(rules_in(get_path(tree, rule)))]
-        for tree in (before, after)
-    )
-    lines += [f"new limit: {one}" for one in new if one not in old]
-    lines += [f"limit gone: {one}" for one in old if one not in new]
-    return lines or (["the order of the limits"] if _other_rules(before, after) else [])
-
-
-def _other_rules(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
-    return any(one.startswith("limits.rule") for one in changes(before, after))
-
-
-def rules_in(value: Any) -> list[dict[str, Any]]:
-    """Return what a file has as rules; nothing where it has something else."""
-    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
 
 
 def faults_of(rule: Mapping[str, Any], table: ChannelTable | None) -> list[str]:
