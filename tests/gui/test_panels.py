@@ -23,7 +23,7 @@ from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.alarms import AlarmGlance, AlarmJournal, AlarmPanel
 from rigapp.gui.panels.browser import BrowserPanel, list_tests
 from rigapp.gui.panels.compare import line_of
-from rigapp.gui.panels.devices import DevicePanel
+from rigapp.gui.panels.devices import DeviceCard, DevicePanel
 from rigapp.gui.panels.faults import FaultPanel
 from rigapp.gui.panels.limits import LimitPanel, limits_of
 from rigapp.gui.panels.logbook import LogPanel
@@ -69,25 +69,60 @@ def collect(panel: Any, asked: list[tuple[str, dict[str, Any]]]) -> None:
     panel.wanted.connect(lambda verb, arguments: asked.append((verb, arguments)))
 
 
-def test_devices_and_channels_show_raw_and_scaled_values(
+def test_a_device_card_tells_link_and_warnings_apart_and_counts_under_details(
+    qtbot: Any, qapp: Any, make_status: MakeStatus
+) -> None:
+    now = [0.0]
+    panel = DevicePanel(LIGHT, Watchdog(), clock=lambda: now[0])
+    qtbot.addWidget(panel)
+
+    def show(device: DeviceView) -> DeviceCard:
+        status = make_status()
+        devices = (device, *status.devices[1:])
+        panel.show_news(News(msgspec.structs.replace(status, devices=devices), silence_s=0.2))
+        return panel.cards["daq"]
+
+    counters = {"bytes_received": 4096, "crc_errors": 2, "retries": 0}
+    daq = DeviceView("daq", "gsv8", "COM3", True, "GSV-8", 960.0, 12, 3, "", counters)
+    card = show(daq)
+    assert card.chip.text() == "✓ Good"
+    assert card.link.text() == "good now; 12 samples lost, 3 errors before, 960 samples/s"
+    assert card.warnings.text() == "no warning"
+    assert card.details.isHidden()
+    card.more.click()
+    assert not card.details.isHidden()
+    assert card.details.text().splitlines() == [
+        "samples lost: 12", "errors: 3", "bytes received: 4\u2009096", "CRC errors: 2",
+        "retries: 0",
+    ]  # fmt: skip
+    now[0] = 10.0
+    card = show(msgspec.structs.replace(daq, lost_samples=20))
+    assert card.chip.text() == "▲ Attention"
+    assert "disturbed: 8 samples lost, 0 errors in the last minute" in card.link.text()
+    now[0] = 80.0
+    card = show(msgspec.structs.replace(daq, lost_samples=20, advice="Its fan stands still"))
+    assert card.link.text().startswith("good now")
+    assert card.chip.text() == "▲ Attention"
+    assert card.warnings.text() == "Its fan stands still"
+    error = "no reply within 0.5 s"
+    card = show(msgspec.structs.replace(daq, connected=False, last_error=error))
+    assert card.chip.text() == "◆ Not connected"
+    assert card.chip.property("chip") == "critical"
+    assert card.link.text() == error
+
+
+def test_channels_show_signal_value_and_what_is_positive(
     qtbot: Any, qapp: Any, make_status: MakeStatus
 ) -> None:
     panel = DevicePanel(LIGHT, Watchdog())
     qtbot.addWidget(panel)
-    counters = {"bytes_received": 4096, "crc_errors": 2, "retries": 0}
-    error = "no reply within 0.5 s"
-    lost = DeviceView("daq", "gsv8", "COM3", False, "", 960.0, 12, 3, error, counters)
     status = make_status()
-    status = msgspec.structs.replace(status, devices=(lost, *status.devices[1:]))
-    panel.show_news(News(status, silence_s=0.2))
-    devices = panel.devices.texts()
-    assert devices[0][1] == "▲ not connected"
-    assert devices[0][5:8] == ["12", "3", error]
-    assert devices[0][8] == "bytes received 4096, CRC errors 2, retries 0"
-    assert devices[1][8] == "–"
+    panel.show_news(News(status))
     channels = {row[0]: row[1:] for row in panel.channels.texts()}
-    assert channels["force_1"] == ["-0.431 mV/V", "-86.20 N", "±2 N", "rig file"]
+    assert channels["force_1"][:4] == ["-0.431 mV/V", "-86.20 N", "±2 N", "rig file"]
+    assert "away from the crank's centre" in channels["force_1"][4]
     assert channels["probe_1"][1:3] == ["121.00 µm", "not known"]
+    assert channels["probe_1"][4].endswith("towards the slider")
     assert ["Emergency stop", "not pressed"] in panel.drive.texts()
     stopped = DriveView(0, 0, 0, 48, 30, False, True, ("S3",), ())
     panel.show_news(News(msgspec.structs.replace(status, drive=stopped)))
@@ -105,13 +140,15 @@ def test_zero_needs_a_standing_crank_and_a_reason(
     panel.show_news(News(make_status()))
     panel.reason.setText("new specimen")
     assert not panel.zero.isEnabled()
+    assert not panel.cards["drive"].reconnect.isEnabled()
     panel.show_news(News(make_status(state=RunState.READY)))
     panel.zero.click()
-    panel.devices.selectRow(1)
+    panel.cards["drive"].reconnect.click()
     panel.reconnect.click()
     assert asked == [
         ("zero", {"what": ["load_cell"], "reason": "new specimen"}),
         ("reconnect", {"device": "drive"}),
+        ("reconnect", {}),
     ]
     assert not panel.zero.isEnabled()
 
@@ -323,7 +360,7 @@ def test_an_interrupted_test_can_be_gone_on_with(
     assert asked == [("resume_file", {"file": str(recorded)})]
 
 
-def test_faults_of_the_simulated_rig_are_caused_and_ended(
+def test_faults_of_the_simulated_rig_are_found_caused_and_ended(
     qtbot: Any, qapp: Any, make_status: MakeStatus, worker: TaskWorker, asked: list[Any]
 ) -> None:
     panel = FaultPanel(worker)
@@ -331,41 +368,57 @@ def test_faults_of_the_simulated_rig_are_caused_and_ended(
     collect(panel, asked)
     panel.cause.click()
     assert asked == []
-
-    def offered() -> bool:
-        panel.show_news(News(make_status()))
-        worker.deliver()
-        return panel.kind.count() > 10
-
-    qtbot.waitUntil(offered, timeout=PATIENCE_MS)
-    assert panel.kind.currentText() == panel.kind.itemText(0)  # not what is shown before
-    panel.kind.setCurrentIndex(panel.kind.findText("signal: stuck value"))
     free = ChannelView("bushing_temperature", 0.21, "V", 21.0, "degC", "by its line", None)
     slow = ChannelView("room_temperature", 21.0, "degC", 21.0, "degC", "", None, 0.5)
-    channels = (*make_status().channels, free, slow)
-    panel.show_news(News(make_status(channels=channels)))
+    status = make_status(channels=(*make_status().channels, free, slow), simulated_speed=20.0)
+
+    def offered() -> bool:
+        panel.show_news(News(status))
+        worker.deliver()
+        return panel.list.rowCount() > 10
+
+    qtbot.waitUntil(offered, timeout=PATIENCE_MS)
+    assert panel.list.chosen() == 0
+    panel.search.setText("stuck value")
+    assert panel.list.texts() == [["signal", "stuck value"]]
     panel.channel.setCurrentText("bushing_temperature")
-    panel.show_news(News(make_status(channels=channels)))
+    panel.show_news(News(status))
     offered_now = [panel.channel.itemText(at) for at in range(panel.channel.count())]
     assert offered_now == ["force_1", "force_2", "probe_1", "probe_2", "bushing_temperature"]
+    assert panel.converted.text() == "= 40 s simulated, at × 20"
+    panel.cause.click()  # a signal lives by simulated time, a wire by the clock's
+    panel.seconds.setCurrentIndex(1)
     panel.cause.click()
-    panel.kind.setCurrentIndex(panel.kind.findText("drive: cable pull"))
+    panel.search.setText("cable DRIVE")
+    assert panel.list.texts() == [["drive", "cable pull"]]
+    assert not panel.channel.isEnabled()
+    panel.duration.setText("3,0")
+    assert panel.converted.text() == "= 0.15 s by the clock, at × 20"
+    panel.cause.click()
     panel.duration.setText("")
     panel.value.setText("3")
     panel.cause.click()
     panel.end.click()
+    stuck = {"kind": "stuck_value", "channel": "bushing_temperature"}
+    pulled = {"kind": "cable_pull", "device": "drive"}
     assert asked == [
-        (
-            "inject_fault",
-            {"kind": "stuck_value", "channel": "bushing_temperature", "duration_s": 2.0},
-        ),
-        ("inject_fault", {"kind": "cable_pull", "device": "drive", "value": 3.0}),
+        ("inject_fault", {**stuck, "duration_s": 40.0}),
+        ("inject_fault", {**stuck, "duration_s": 2.0}),
+        ("inject_fault", {**pulled, "duration_s": 0.15}),
+        ("inject_fault", {**pulled, "value": 3.0}),
         ("clear_fault", {"kind": "cable_pull"}),
     ]
     panel.value.setText("much")
     panel.cause.click()
     assert "must be a number" in panel.problem.text()
-    assert len(asked) == 3
+    panel.value.setText("")
+    panel.duration.setText("2")
+    panel.show_news(News(msgspec.structs.replace(status, simulated_speed=0.0)))
+    panel.cause.click()
+    assert "choose real seconds" in panel.problem.text()
+    panel.search.setText("no such fault")
+    assert not panel.cause.isEnabled()
+    assert len(asked) == 5
 
 
 def test_the_faults_of_each_device_are_its_own() -> None:

@@ -506,10 +506,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warnung des Antriebs</translation>
     </message>
     <message>
-        <source>Duration in seconds, empty: until ended</source>
-        <translation>Dauer in Sekunden, leer: bis er beendet wird</translation>
-    </message>
-    <message>
         <source>Effect</source>
         <translation>Folge</translation>
     </message>
@@ -618,6 +614,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verlauf der Alarme</translation>
     </message>
     <message>
+        <source>Reconnect all</source>
+        <translation>Alle neu verbinden</translation>
+    </message>
+    <message>
+        <source>Reconnect all devices</source>
+        <translation>Alle Geräte neu verbinden</translation>
+    </message>
+    <message>
+        <source>Reconnect this device</source>
+        <translation>Dieses Gerät neu verbinden</translation>
+    </message>
+    <message>
         <source>Δ model</source>
         <translation>Δ Modell</translation>
     </message>
@@ -626,8 +634,68 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Bezugssystem</translation>
     </message>
     <message>
+        <source>= {} s by the clock, at × {}</source>
+        <translation>= {} s nach der Uhr, bei × {}</translation>
+    </message>
+    <message>
+        <source>= {} s simulated, at × {}</source>
+        <translation>= {} s simuliert, bei × {}</translation>
+    </message>
+    <message>
         <source>Acknowledge the alarm that is told in full</source>
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Channel (signal faults)</source>
+        <translation>Kanal (Signalfehler)</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Driver, identity and port</source>
+        <translation>Treiber, Kennung und Anschluss</translation>
+    </message>
+    <message>
+        <source>Duration in the other seconds</source>
+        <translation>Dauer in den anderen Sekunden</translation>
+    </message>
+    <message>
+        <source>Duration, empty: until ended</source>
+        <translation>Dauer, leer: bis zum Beenden</translation>
+    </message>
+    <message>
+        <source>F on the follower, across the crank, counter-clockwise (the cell: the opposite)</source>
+        <translation>F auf die Koppel, quer zur Kurbel, gegen den Uhrzeigersinn (Aufnehmer: umgekehrt)</translation>
+    </message>
+    <message>
+        <source>F on the follower, away from the crank&apos;s centre (the cell feels the opposite)</source>
+        <translation>F auf die Koppel, weg von der Kurbelmitte (der Aufnehmer spürt das Umgekehrte)</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Find a fault</source>
+        <translation>Einen Fehler suchen</translation>
     </message>
     <message>
         <source>Frame of the force components</source>
@@ -672,6 +740,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Go to a revolution</source>
         <translation>Zu einer Umdrehung gehen</translation>
+    </message>
+    <message>
+        <source>Health of the device</source>
+        <translation>Zustand des Geräts</translation>
     </message>
     <message>
         <source>Help</source>
@@ -788,6 +860,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Lines of the log</source>
         <translation>Zeilen des Protokolls</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
     </message>
     <message>
         <source>List of alarms</source>
@@ -1090,6 +1166,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Meldung wegräumen</translation>
     </message>
     <message>
+        <source>Quality of the link</source>
+        <translation>Güte der Verbindung</translation>
+    </message>
+    <message>
         <source>Quantity of the trend</source>
         <translation>Größe des Verlaufs</translation>
     </message>
@@ -1138,6 +1218,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Bereit: Die Geräte sind verbunden. F5 startet einen Versuch.</translation>
     </message>
     <message>
+        <source>Real or simulated seconds</source>
+        <translation>Echte oder simulierte Sekunden</translation>
+    </message>
+    <message>
         <source>Reason for shelving</source>
         <translation>Grund des Zurückstellens</translation>
     </message>
@@ -1156,10 +1240,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Reconnect</source>
         <translation>Neu verbinden</translation>
-    </message>
-    <message>
-        <source>Reconnect the devices</source>
-        <translation>Die Geräte neu verbinden</translation>
     </message>
     <message>
         <source>Record to make</source>
@@ -1352,6 +1432,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Show only lines with this text</source>
         <translation>Nur Zeilen mit diesem Text zeigen</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
     </message>
     <message>
         <source>Silent</source>
@@ -1586,6 +1670,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuche (*.toml)</translation>
     </message>
     <message>
+        <source>The chosen fault</source>
+        <translation>Der gewählte Fehler</translation>
+    </message>
+    <message>
         <source>The crank angle is unknown, so the drive was switched off.</source>
         <translation>Der Kurbelwinkel ist unbekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
@@ -1638,6 +1726,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
+        <source>The duration</source>
+        <translation>Die Dauer</translation>
+    </message>
+    <message>
         <source>The encoder counted {revolutions:.1f} revolutions without its index pulse.</source>
         <translation>Der Drehgeber zählte {revolutions:.1f} Umdrehungen ohne Indexpuls.</translation>
     </message>
@@ -1648,6 +1740,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The engine&apos;s thread {} failed: {sentence}.</source>
         <translation>Der Teil {} der Steuerung ist ausgefallen: {sentence}.</translation>
+    </message>
+    <message>
+        <source>The faults of the simulated rig are not known: {}</source>
+        <translation>Die Fehler des simulierten Prüfstands sind nicht bekannt: {}</translation>
     </message>
     <message>
         <source>The force is not known, an overload would not be seen: the test was ended and the spindle stopped. The samples since then are flagged.</source>
@@ -1758,6 +1854,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Versuch wurde gestoppt.</translation>
     </message>
     <message>
+        <source>The value</source>
+        <translation>Der Wert</translation>
+    </message>
+    <message>
         <source>The {by} shows {speed_rpm:.1f} rpm; the limit is {limit_rpm:g} rpm.</source>
         <translation>{by} zeigt {speed_rpm:.1f} rpm; die Grenze ist {limit_rpm:g} rpm.</translation>
     </message>
@@ -1768,6 +1868,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>These faults happen in the simulated devices, on the wire or on the signals, not in the program: what you see is what a real fault would show.</source>
         <translation>Diese Fehler geschehen in den simulierten Geräten, auf der Leitung oder in den Signalen, nicht im Programm: Zu sehen ist, was ein wirklicher Fehler zeigen würde.</translation>
+    </message>
+    <message>
+        <source>This rig runs as fast as it can: choose {} for this fault.</source>
+        <translation>Dieser Prüfstand läuft so schnell er kann: für diesen Fehler {} wählen.</translation>
     </message>
     <message>
         <source>Thu</source>
@@ -1790,6 +1894,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Di</translation>
     </message>
     <message>
+        <source>Uncertainty</source>
+        <translation>Unsicherheit</translation>
+    </message>
+    <message>
         <source>Understood</source>
         <translation>Verstanden</translation>
     </message>
@@ -1798,12 +1906,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>NUR ZUSEHEN: {name} hat das Kommando über diesen Prüfstand. Stoppen und Alarme quittieren geht trotzdem.</translation>
     </message>
     <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
         <source>Value and limit</source>
         <translation>Wert und Grenze</translation>
     </message>
     <message>
         <source>Value of the fault, empty: its default</source>
         <translation>Wert des Fehlers, leer: der übliche</translation>
+    </message>
+    <message>
+        <source>Value, empty: default</source>
+        <translation>Wert, leer: Vorgabe</translation>
     </message>
     <message>
         <source>Values at the cursor</source>
@@ -1838,6 +1954,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warten: Die Spindel wird angehalten und die Datei abgeschlossen.</translation>
     </message>
     <message>
+        <source>Warnings of the device</source>
+        <translation>Warnungen des Geräts</translation>
+    </message>
+    <message>
         <source>Watch</source>
         <translation>Betrieb</translation>
     </message>
@@ -1866,6 +1986,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was vom Verschleiß bekannt ist</translation>
     </message>
     <message>
+        <source>What is positive</source>
+        <translation>Was positiv ist</translation>
+    </message>
+    <message>
         <source>What is started</source>
         <translation>Was gestartet wird</translation>
     </message>
@@ -1888,6 +2012,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What this input shows may be wrong.</source>
         <translation>Was dieser Eingang zeigt, kann falsch sein.</translation>
+    </message>
+    <message>
+        <source>What was counted on the line</source>
+        <translation>Was auf der Leitung gezählt wurde</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
     </message>
     <message>
         <source>Who</source>
@@ -2014,6 +2146,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Raute</translation>
     </message>
     <message>
+        <source>disturbed: {} samples lost, {} errors in the last minute</source>
+        <translation>gestört: {} Werte verloren, {} Fehler in der letzten Minute</translation>
+    </message>
+    <message>
         <source>done</source>
         <translation>getan</translation>
     </message>
@@ -2042,8 +2178,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Störung</translation>
     </message>
     <message>
+        <source>find, e.g. cable, spikes, daq</source>
+        <translation>suchen, z. B. cable, spikes, daq</translation>
+    </message>
+    <message>
         <source>first</source>
         <translation>zuerst</translation>
+    </message>
+    <message>
+        <source>good now; {} samples lost, {} errors before</source>
+        <translation>jetzt gut; vorher {} Werte verloren, {} Fehler</translation>
+    </message>
+    <message>
+        <source>good, nothing lost</source>
+        <translation>gut, nichts verloren</translation>
     </message>
     <message>
         <source>hand</source>
@@ -2102,6 +2250,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kein Versuch läuft</translation>
     </message>
     <message>
+        <source>no warning</source>
+        <translation>keine Warnung</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
     </message>
@@ -2140,6 +2296,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>ready</source>
         <translation>bereit</translation>
+    </message>
+    <message>
+        <source>real seconds</source>
+        <translation>echte Sekunden</translation>
     </message>
     <message>
         <source>reason for shelving</source>
@@ -2206,6 +2366,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>simuliert</translation>
     </message>
     <message>
+        <source>simulated seconds</source>
+        <translation>simulierte Sekunden</translation>
+    </message>
+    <message>
         <source>simulation state</source>
         <translation>Stand der Simulation</translation>
     </message>
@@ -2270,6 +2434,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>das Ende wartet</translation>
     </message>
     <message>
+        <source>the pin moves across the follower, counter-clockwise</source>
+        <translation>der Bolzen bewegt sich quer zur Koppel, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>the pin moves along the follower towards the slider</source>
+        <translation>der Bolzen bewegt sich längs der Koppel zum Schieber</translation>
+    </message>
+    <message>
         <source>to do</source>
         <translation>zu tun</translation>
     </message>
@@ -2280,6 +2452,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>unacknowledged</source>
         <translation>unquittiert</translation>
+    </message>
+    <message>
+        <source>until ended</source>
+        <translation>bis zum Beenden</translation>
     </message>
     <message>
         <source>use records</source>
@@ -2394,6 +2570,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} ausgefallen</translation>
     </message>
     <message>
+        <source>{} must be a number, not {}.</source>
+        <translation>{} muss eine Zahl sein, nicht {}.</translation>
+    </message>
+    <message>
         <source>{} of {}</source>
         <translation>{} von {}</translation>
     </message>
@@ -2426,6 +2606,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}, {} neu</translation>
     </message>
     <message>
+        <source>{}, {} samples/s</source>
+        <translation>{}, {} Werte/s</translation>
+    </message>
+    <message>
         <source>{}. Not now. {}</source>
         <translation>{}. Nicht jetzt. {}</translation>
     </message>
@@ -2454,12 +2638,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>|F| jetzt</translation>
     </message>
     <message>
+        <source>▲ Attention</source>
+        <translation>▲ Achtung</translation>
+    </message>
+    <message>
         <source>▲ Warning</source>
         <translation>▲ Warnung</translation>
     </message>
     <message>
         <source>◆ Critical</source>
         <translation>◆ Kritisch</translation>
+    </message>
+    <message>
+        <source>◆ Not connected</source>
+        <translation>◆ Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>✓ Good</source>
+        <translation>✓ Gut</translation>
     </message>
 </context>
 </TS>

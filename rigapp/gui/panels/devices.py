@@ -1,33 +1,170 @@
-"""Devices and channels as they are now: raw signal, scaled value, losses; reconnect, zero."""
+"""Devices as cards, channels with their signs, the drive; reconnect, zero."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import time
+from collections import deque
+from collections.abc import Callable
+from functools import partial
+from typing import Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGroupBox, QVBoxLayout, QWidget
+from PySide6.QtGui import QFont
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from rigapp.gui.data.channels import value_text
 from rigapp.gui.data.news import News, Takes
-from rigapp.gui.data.texts import duration, unit_text
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.data.texts import duration, grouped, unit_text
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panel import Host, StallCounter
-from rigapp.gui.widgets.build import button, edit, filled, named, row
-from rigapp.gui.widgets.tables import PlainTable
-from rigapp.schema.messages import ChannelView, RunState, Status
-
-DEVICE_HEADINGS = (
-    "Device",
-    "State",
-    "Port",
-    "Identity",
-    "Samples/s",
-    "Lost",
-    "Errors",
-    "Last error",
-    "Counted on the line",
+from rigapp.gui.widgets.build import (
+    button,
+    column,
+    edit,
+    filled,
+    named,
+    prose,
+    row,
+    scrolling,
+    tell,
 )
-CHANNEL_HEADINGS = ("Channel", "Raw signal", "Value", "Uncertainty", "Calibration")
+from rigapp.gui.widgets.tables import PlainTable
+from rigapp.schema.messages import ChannelView, DeviceView, RunState, Status
+
+CHANNEL_HEADINGS: Final[tuple[Text, ...]] = (
+    "Channel", "Signal", "Value", "Uncertainty", "Calibration", "What is positive",
+)  # fmt: skip
+SIGNS: Final[dict[str, Text]] = {
+    "force_1": "F on the follower, away from the crank's centre (the cell feels the opposite)",
+    "force_2": "F on the follower, across the crank, counter-clockwise (the cell: the opposite)",
+    "probe_1": "the pin moves along the follower towards the slider",
+    "probe_2": "the pin moves across the follower, counter-clockwise",
+}
+"""What a positive value means; see Signs and frames in rig.md."""
+
+LINK_WINDOW_S = 60.0
+"""Losses within it are told as of now: an operator looks again within a minute."""
+LINK_LOOKS = 256
+"""Looks at a link that are kept: two a second fill the window twice."""
+
+TABLE_HEIGHT = 26 * STEP
+CARDS_IN_A_ROW = 2
+
+
+class LinkWatch:
+    """Tell how good the link to a device is, from what was lost on it and when."""
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        self._clock = clock
+        self._looks: deque[tuple[float, int, int]] = deque(maxlen=LINK_LOOKS)
+
+    def look(self, device: DeviceView) -> tuple[str, bool]:
+        """Return the quality of the link in words, and whether it is disturbed now."""
+        now, lost, errors = self._clock(), device.lost_samples, device.errors
+        if self._looks and (lost, errors) < self._looks[-1][1:]:
+            self._looks.clear()  # counted anew since it was connected again
+        self._looks.append((now, lost, errors))
+        while self._looks[0][0] < now - LINK_WINDOW_S:
+            self._looks.popleft()
+        _, lost_before, errors_before = self._looks[0]
+        if lost > lost_before or errors > errors_before:
+            words = tr(
+                "disturbed: {} samples lost, {} errors in the last minute",
+                grouped(lost - lost_before),
+                grouped(errors - errors_before),
+            )
+            return words, True
+        if lost or errors:
+            return tr("good now; {} samples lost, {} errors before", grouped(lost), errors), False
+        return tr("good, nothing lost"), False
+
+
+class DeviceCard(QFrame):
+    """One device: health, link, warnings of its own; what was counted under Details."""
+
+    reconnect_wanted = Signal(str)
+
+    def __init__(self, device: str, clock: Callable[[], float]) -> None:
+        super().__init__()
+        self._link = LinkWatch(clock)
+        name = f"device_{device}"
+        named(self, name, device).setProperty("role", "card")
+        self.chip = named(QLabel(), f"{name}_health", "Health of the device")
+        self.title = named(QLabel(device), f"{name}_title", "Device")
+        self.title.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
+        self.identity = prose(f"{name}_identity", "Driver, identity and port")
+        self.identity.setProperty("role", "secondary")
+        self.link = prose(f"{name}_link", "Quality of the link")
+        self.warnings = prose(f"{name}_warnings", "Warnings of the device")
+        self.details = prose(f"{name}_details", "What was counted on the line")
+        self.details.setProperty("role", "caption")
+        self.details.hide()
+        self.more = button(
+            f"{name}_more", "Details", self.details.setVisible, checkable=True, rank="quiet"
+        )
+        self.reconnect = button(
+            f"{name}_reconnect",
+            "Reconnect",
+            partial(self.reconnect_wanted.emit, device),
+            "Reconnect this device",
+            guarded=True,
+        )
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(GAP)
+        grid.setColumnStretch(1, 1)
+        for place, (caption, label) in enumerate(
+            ((tr("Link"), self.link), (tr("Device"), self.warnings))
+        ):
+            grid.addWidget(QLabel(caption), place, 0)
+            grid.addWidget(label, place, 1)
+        head = row(self.chip, (self.title, 1), self.more, self.reconnect)
+        head.setSpacing(GAP)
+        made = column(head, self.identity, grid, self.details, on=self)
+        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        made.setSpacing(STEP)
+
+    def show_device(self, device: DeviceView) -> None:
+        """Show a device as it is now."""
+        link, disturbed = self._link.look(device)
+        health, word = _health(device, disturbed=disturbed)
+        tell(self.chip, "chip", health)
+        self.chip.setText(tr(word))
+        self.identity.setText(f"{device.identity or device.driver}, {device.port}")
+        if not device.connected:
+            link = device.last_error or tr("not connected")
+        elif device.sample_rate_Hz:
+            link = tr("{}, {} samples/s", link, f"{device.sample_rate_Hz:g}")
+        tell(self.link, "role", "caution" if disturbed or not device.connected else "")
+        self.link.setText(link)
+        self.warnings.setText(device.advice or tr("no warning"))
+        self.details.setText(counted(device))
+        self.setAccessibleDescription(f"{tr(word)}, {link}")
+
+
+def _health(device: DeviceView, *, disturbed: bool) -> tuple[str, Text]:
+    """Return kind and words of the health of a device."""
+    if not device.connected:
+        lost: Text = "◆ Not connected"
+        return "critical" if device.needed else "attention", lost
+    if disturbed or device.advice:
+        look: Text = "▲ Attention"
+        return "attention", look
+    good: Text = "✓ Good"
+    return "calm", good
+
+
+def counted(device: DeviceView) -> str:
+    """Return everything that was counted of a device, a line each."""
+    counters = {
+        "samples lost": device.lost_samples,
+        "errors": device.errors,
+        **{name.replace("_", " ").replace("crc", "CRC"): n for name, n in device.counters.items()},
+    }
+    lines = [f"{name}: {grouped(count)}" for name, count in counters.items()]
+    more = (device.wiring, f"last error: {device.last_error}" if device.last_error else "")
+    return "\n".join([*lines, *filter(None, more)])
 
 
 class DevicePanel(QWidget):
@@ -37,23 +174,31 @@ class DevicePanel(QWidget):
 
     takes = Takes.HISTORY
 
-    def __init__(self, theme: Theme, watchdog: StallCounter) -> None:
+    def __init__(
+        self, theme: Theme, watchdog: StallCounter, clock: Callable[[], float] = time.monotonic
+    ) -> None:
         super().__init__()
         self._theme = theme
         self._watchdog = watchdog
+        self._clock = clock
+        self.cards: dict[str, DeviceCard] = {}
         named(self, "device_panel", "Devices and channels")
-        self.devices = PlainTable("device_table", "Devices", DEVICE_HEADINGS)
-        self.channels = PlainTable("channel_table", "Channels, live", CHANNEL_HEADINGS)
+        self.channels = PlainTable(
+            "channel_table", "Channels, live", CHANNEL_HEADINGS, stretch=(4, 5)
+        )
         self.drive = PlainTable("drive_table", "Drive", ("Drive", "Now"))
         self.health = PlainTable("health_table", "Engine and window", ("Engine and window", "Now"))
-        self.devices.itemSelectionChanged.connect(self._enable)
         self._build()
         self._state: RunState | None = None
         self._enable()
 
     def _build(self) -> None:
         self.reconnect = button(
-            "reconnect", "Reconnect", self._reconnect, "Reconnect the devices", guarded=True
+            "reconnect",
+            "Reconnect all",
+            lambda: self.wanted.emit("reconnect", {}),
+            "Reconnect all devices",
+            guarded=True,
         )
         self.reason = edit(
             "zero_reason",
@@ -71,12 +216,23 @@ class DevicePanel(QWidget):
             " Old and new zero are logged; the calibration is not touched.",
         )
         tools = row(self.reconnect, "Zero, with its reason", (self.reason, 1), self.zero)
-        boxes = (
-            (_boxed("Channels", self.channels), 3),
-            (_boxed("Drive", self.drive), 2),
-            (_boxed("Engine and window", self.health), 2),
+        self._cards = QGridLayout()
+        self._cards.setSpacing(GAP)
+        for side in range(CARDS_IN_A_ROW):
+            self._cards.setColumnStretch(side, 1)
+        inside = QWidget()
+        lower = row(
+            (_carded("Drive", self.drive), 1), (_carded("Engine and window", self.health), 1)
         )
-        filled(QVBoxLayout(self), ((self.devices, 2), tools, (row(*boxes), 4)))
+        lower.setSpacing(GAP)
+        made = filled(
+            QVBoxLayout(inside), (self._cards, tools, _carded("Channels", self.channels), lower)
+        )
+        made.setContentsMargins(0, 0, 0, 0)
+        made.setSpacing(GAP)
+        made.addStretch(1)
+        area = scrolling("device_area", "Devices and channels", inside)
+        column((area, 1), on=self)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -94,23 +250,16 @@ class DevicePanel(QWidget):
         self._enable()
 
     def _show_devices(self, status: Status) -> None:
-        rows = [
-            (
-                device.name,
-                "connected" if device.connected else "▲ not connected",
-                device.port,
-                f"{device.driver}: {device.identity}",
-                f"{device.sample_rate_Hz:g}" if device.sample_rate_Hz else "–",
-                str(device.lost_samples),
-                str(device.errors),
-                device.last_error,
-                _counted(device.counters),
-            )
-            for device in status.devices
-        ]
-        warning = self._theme.mark(critical=False)
-        marks = [None if device.connected else warning for device in status.devices]
-        self.devices.show_rows(rows, marks)
+        names = [device.name for device in status.devices]
+        for gone in self.cards.keys() - names:
+            self.cards.pop(gone).deleteLater()
+        for place, device in enumerate(status.devices):
+            if device.name not in self.cards:
+                card = DeviceCard(device.name, self._clock)
+                card.reconnect_wanted.connect(self._reconnect)
+                self.cards[device.name] = card
+                self._cards.addWidget(card, place // CARDS_IN_A_ROW, place % CARDS_IN_A_ROW)
+            self.cards[device.name].show_device(device)
 
     def _show_channels(self, status: Status) -> None:
         rows = [
@@ -120,8 +269,9 @@ class DevicePanel(QWidget):
                 _value(channel),
                 f"±{channel.uncertainty:.3g} {unit_text(channel.unit)}"
                 if channel.uncertainty
-                else "not known",
+                else tr("not known"),
                 channel.calibration,
+                tr(SIGNS.get(channel.name, "")),
             )
             for channel in status.channels
         ]
@@ -167,12 +317,11 @@ class DevicePanel(QWidget):
         standing = self._state in (RunState.READY, RunState.STOPPED)
         self.zero.setEnabled(standing and bool(self.reason.text().strip()))
         known = self._state in (RunState.IDLE, RunState.READY, RunState.STOPPED, RunState.FAULT)
-        self.reconnect.setEnabled(known)
+        for one in (self.reconnect, *(card.reconnect for card in self.cards.values())):
+            one.setEnabled(known)
 
-    def _reconnect(self) -> None:
-        row = self.devices.currentRow()
-        item = self.devices.item(row, 0) if row >= 0 else None
-        self.wanted.emit("reconnect", {"device": item.text()} if item is not None else {})
+    def _reconnect(self, device: str) -> None:
+        self.wanted.emit("reconnect", {"device": device})
 
     def _zero(self) -> None:
         reason = self.reason.text().strip()
@@ -180,16 +329,17 @@ class DevicePanel(QWidget):
         self.wanted.emit("zero", {"what": ["load_cell"], "reason": reason})
 
 
-def _boxed(title: str, table: PlainTable) -> QGroupBox:
-    box = named(QGroupBox(title), f"box_{table.objectName()}", title)
-    QVBoxLayout(box).addWidget(table)
-    return box
-
-
-def _counted(counters: Mapping[str, int]) -> str:
-    """Return a driver's counters in words; a dash where it counts nothing."""
-    words = [f"{name.replace('_', ' ')} {count}" for name, count in counters.items()]
-    return ", ".join(words).replace("crc", "CRC") or "–"
+def _carded(title: Text, table: PlainTable) -> QFrame:
+    """Return a table on a card, as high as a handful of rows."""
+    card = named(QFrame(), f"box_{table.objectName()}", title)
+    card.setProperty("role", "card")
+    caption = QLabel(tr(title))
+    caption.setProperty("role", "title")
+    table.setMinimumHeight(TABLE_HEIGHT)
+    made = column(caption, table, on=card)
+    made.setContentsMargins(GAP, GAP, GAP, GAP)
+    made.setSpacing(STEP)
+    return card
 
 
 def _value(view: ChannelView) -> str:

@@ -1,23 +1,45 @@
-"""The fault list of the simulated rig: cause one, watch what the program makes of it, end it."""
+"""The fault list of the simulated rig: find one, cause it, watch what becomes of it, end it."""
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from typing import Any, Final
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFormLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QFrame, QVBoxLayout, QWidget
 
 from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.panel import Host
-from rigapp.gui.widgets.build import button, choice, edit, filled, named, prose
+from rigapp.gui.widgets.build import (
+    button,
+    choice,
+    column,
+    edit,
+    filled,
+    named,
+    prose,
+    row,
+)
+from rigapp.gui.widgets.numbers import number
+from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.channels import BASE
 from rigapp.service.faults import FaultChoice, fault_choices
 
+SIGNAL: Final = "signal"
+"""Where a fault of a signal is; its duration is simulated time, that of any other the clock's."""
+
+SECONDS: Final[tuple[tuple[Text, str], ...]] = (
+    ("real seconds", "real"),
+    ("simulated seconds", "simulated"),
+)
+
 
 class FaultPanel(QWidget):
-    """Choose a fault, cause it, end it."""
+    """Find a fault, cause it, end it."""
 
     wanted = Signal(str, dict)
     takes = Takes.HISTORY
@@ -27,44 +49,69 @@ class FaultPanel(QWidget):
         self._worker = worker
         self._devices: tuple[tuple[str, str], ...] | None = None
         self._choices: list[FaultChoice] = []
+        self._speed = math.nan
         named(self, "fault_panel", "Faults of the simulated rig")
-        self.kind = choice("fault_kind", "Fault", (), self._chosen)
-        self.kind.setMaxVisibleItems(30)
-        self.kind.setPlaceholderText("Looking for the faults of the devices …")
+        self.search = edit(
+            "fault_search", "Find a fault", self._show, hint="find, e.g. cable, spikes, daq"
+        )
+        self.search.setClearButtonEnabled(True)
+        self.found: list[FaultChoice] = []
+        self.list = PlainTable("fault_list", "Faults", ("Where", "Fault"), marked=0)
+        self.list.itemSelectionChanged.connect(self._chosen)
         self.channel = choice("fault_channel", "Channel of a signal fault", ())
-        self.duration = edit("fault_duration", "Duration in seconds, empty: until ended")
+        self.converted = prose("fault_converted", "Duration in the other seconds")
+        self.converted.setProperty("role", "caption")
+        self.seconds = choice("fault_seconds", "Real or simulated seconds", SECONDS)
+        self.duration = edit(
+            "fault_duration", "Duration, empty: until ended", self._convert, hint="until ended"
+        )
         self.duration.setText("2")
+        self.seconds.currentIndexChanged.connect(self._convert)
         self.value = edit("fault_value", "Value of the fault, empty: its default", hint="default")
         self.cause = button(
             "fault_cause", "Cause fa&ult", self._cause, "Cause the fault", guarded=True
         )
         self.end = button("fault_end", "&End fault", self._end, "End the fault", guarded=True)
-        self.problem = named(QLabel(), "fault_problem", "Why the fault cannot be caused")
-        inside = QWidget()
-        form = QFormLayout(inside)
-        for caption, field in (
-            ("Fault", self.kind),
-            ("Channel (signal faults)", self.channel),
-            ("Duration (s), empty: until ended", self.duration),
-            ("Value, empty: default", self.value),
-        ):
-            form.addRow(caption, field)
-        for widget in (self.cause, self.end, self.problem):
-            form.addRow(widget)
-        inside.setMaximumWidth(self.fontMetrics().horizontalAdvance("M") * 50)
+        self.problem = prose("fault_problem", "Why the fault cannot be caused")
+        self.problem.setProperty("role", "error")
+        self._build()
+        self._chosen()
+
+    def _build(self) -> None:
         note = prose(
             "fault_note",
             "What these faults are",
             "These faults happen in the simulated devices, on the wire or on the signals, not in"
             " the program: what you see is what a real fault would show.",
         )
-        filled(QVBoxLayout(self), (note, inside, None))
+        card = named(QFrame(), "fault_card", "The chosen fault")
+        card.setProperty("role", "card")
+        form = QFormLayout()
+        for caption, field in (
+            (tr("Channel (signal faults)"), self.channel),
+            (tr("Duration, empty: until ended"), row((self.duration, 1), self.seconds)),
+            ("", self.converted),
+            (tr("Value, empty: default"), self.value),
+        ):
+            form.addRow(caption, field)
+        form.addRow(row(self.cause, self.end, None))
+        form.addRow(self.problem)
+        made = column(note, form, None, on=card)
+        made.setContentsMargins(2 * STEP, GAP, 2 * STEP, GAP)
+        made.setSpacing(GAP)
+        left = filled(QVBoxLayout(), (self.search, (self.list, 1)))
+        whole = row((left, 1), (card, 1), on=self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(GAP)
 
     def show_news(self, news: News) -> None:
         """Offer the faults of the devices that are there, and the inputs of the rig."""
         status = news.status
         if status is None:
             return
+        if status.simulated_speed != self._speed:
+            self._speed = status.simulated_speed
+            self._convert()
         views = [one.name for one in status.channels if one.age_s is None and one.name != SIZE]
         self._offer_channels(views or [one.name for one in BASE.sampled])
         devices = tuple((device.name, device.driver) for device in status.devices)
@@ -74,16 +121,25 @@ class FaultPanel(QWidget):
         self._worker.submit(lambda: fault_choices(devices), self._offer, self._cannot)
 
     def _cannot(self, error: Exception) -> None:
-        self.problem.setText(f"The faults of the simulated rig are not known: {error}")
+        self.problem.setText(tr("The faults of the simulated rig are not known: {}", error))
 
     def _offer(self, choices: list[FaultChoice]) -> None:
         self._choices = choices
-        self.cause.setEnabled(bool(choices))
-        self.end.setEnabled(bool(choices))
-        self.kind.clear()
-        for one in self._choices:
-            self.kind.addItem(f"{one.where}: {one.kind.replace('_', ' ')}")
-        self.kind.setCurrentIndex(0 if choices else -1)
+        self._show()
+
+    def _show(self) -> None:
+        """List the faults that have every word that is looked for; what was chosen stays."""
+        chosen = self._choice()
+        words = self.search.text().lower().split()
+        self.found = [
+            one
+            for one in self._choices
+            if all(word in f"{one.where} {_words(one.kind)}".lower() for word in words)
+        ]
+        self.list.show_rows([(one.where, _words(one.kind)) for one in self.found])
+        if self.found:
+            self.list.selectRow(self.found.index(chosen) if chosen in self.found else 0)
+        self._chosen()
 
     def _offer_channels(self, names: list[str]) -> None:
         """Offer the channels with an input; what was chosen stays, where it is still there."""
@@ -95,39 +151,85 @@ class FaultPanel(QWidget):
         self.channel.setCurrentIndex(max(self.channel.findText(chosen), 0))
 
     def _choice(self) -> FaultChoice | None:
-        index = self.kind.currentIndex()
-        return self._choices[index] if 0 <= index < len(self._choices) else None
+        at = self.list.chosen()
+        return self.found[at] if at is not None and at < len(self.found) else None
 
     def _chosen(self) -> None:
-        choice = self._choice()
-        self.channel.setEnabled(choice is not None and choice.where == "signal")
+        chosen = self._choice()
+        self.channel.setEnabled(chosen is not None and chosen.where == SIGNAL)
+        self.cause.setEnabled(chosen is not None)
+        self.end.setEnabled(chosen is not None)
+
+    @property
+    def _runs_at(self) -> float | None:
+        """Return how many simulated seconds pass in a real one; None where nobody can tell."""
+        known = math.isfinite(self._speed) and self._speed > 0.0
+        return self._speed if known else None
+
+    def _convert(self) -> None:
+        """Tell the duration in the other seconds."""
+        speed, text = self._runs_at, ""
+        try:
+            seconds = number(self.duration.text())
+        except ValueError:
+            seconds = math.nan
+        if speed is not None and math.isfinite(seconds):
+            if self.seconds.currentData() == "simulated":
+                text = tr("= {} s by the clock, at × {}", f"{seconds / speed:.3g}", f"{speed:.3g}")
+            else:
+                text = tr("= {} s simulated, at × {}", f"{seconds * speed:.3g}", f"{speed:.3g}")
+        self.converted.setText(text)
+
+    def _seconds_for(self, fault: FaultChoice, seconds: float) -> float:
+        """Return a duration in the seconds that the fault lives by; raise ValueError."""
+        lives_by = "simulated" if fault.where == SIGNAL else "real"
+        if self.seconds.currentData() == lives_by:
+            return seconds
+        if self._runs_at is None:
+            named_so = next(text for text, which in SECONDS if which == lives_by)
+            raise ValueError(
+                tr("This rig runs as fast as it can: choose {} for this fault.", tr(named_so))
+            )
+        return seconds * self._runs_at if lives_by == "simulated" else seconds / self._runs_at
 
     def _cause(self) -> None:
-        choice = self._choice()
-        if choice is None:
-            self.problem.setText("No simulated device is connected.")
+        chosen = self._choice()
+        if chosen is None:
             return
-        arguments: dict[str, Any] = {"kind": choice.kind}
-        if choice.where == "signal":
+        arguments: dict[str, Any] = {"kind": chosen.kind}
+        if chosen.where == SIGNAL:
             arguments["channel"] = self.channel.currentText()
         else:
-            arguments["device"] = choice.where
-        for name, field in (("duration_s", self.duration), ("value", self.value)):
-            text = field.text().strip()
-            if not text:
-                continue
-            try:
-                arguments[name] = float(text)
-            except ValueError:
-                self.problem.setText(f"{name} must be a number, not {text!r}.")
-                return
+            arguments["device"] = chosen.where
+        try:
+            duration = self._number(self.duration.text(), tr("The duration"))
+            if duration is not None:
+                arguments["duration_s"] = self._seconds_for(chosen, duration)
+            value = self._number(self.value.text(), tr("The value"))
+        except ValueError as error:
+            self.problem.setText(str(error))
+            return
+        if value is not None:
+            arguments["value"] = value
         self.problem.setText("")
         self.wanted.emit("inject_fault", arguments)
 
+    def _number(self, text: str, what: str) -> float | None:
+        if not text.strip():
+            return None
+        try:
+            return number(text)
+        except ValueError:
+            raise ValueError(tr("{} must be a number, not {}.", what, repr(text))) from None
+
     def _end(self) -> None:
-        choice = self._choice()
-        if choice is not None:
-            self.wanted.emit("clear_fault", {"kind": choice.kind})
+        chosen = self._choice()
+        if chosen is not None:
+            self.wanted.emit("clear_fault", {"kind": chosen.kind})
+
+
+def _words(kind: str) -> str:
+    return kind.replace("_", " ")
 
 
 def fault_page(host: Host) -> QWidget:
