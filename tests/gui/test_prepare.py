@@ -134,6 +134,9 @@ def test_all_mistakes_are_shown_at_once_and_counted_at_their_steps(panel: Recipe
     shown = [one.words.whole for one in panel.steps.buttons[:6]]
     assert shown[1] == "2 mistakes"
     assert shown[2] == "1 mistake"
+    assert shown[0] == "PTFE bushing 1"
+    type_into(panel, "run.speed_rpm", "120")
+    assert "“Overspeed” = 90 is not above" in note_of(panel, "limits.overspeed_rpm")
     type_into(panel, "run.revolutions", "500")
     assert note_of(panel, "run.revolutions").startswith("1 to")
     type_into(panel, "model.pin.poissons_ratio", "2")

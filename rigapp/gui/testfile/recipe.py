@@ -6,7 +6,8 @@ the armed test (see ``armed``); what is typed is part of it once it is saved.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import copy
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, Final
 
@@ -63,6 +64,7 @@ class RecipePanel(QWidget):
         self._begun: dict[str, Any] = dict(EMPTY)
         self._text = ""
         self._now = 0
+        self._words = [""] * len(STEPS)
         self._checked = ("", 0)
         named(self, "recipe_panel", "Prepare a test")
         self.form = FieldForm(self._judge)
@@ -126,6 +128,7 @@ class RecipePanel(QWidget):
 
     def _arm(self, armed: ArmedTest | None) -> None:
         self.armed = armed
+        self._words = [""] * len(STEPS)
         self._judge()
         self.armed_changed.emit()
 
@@ -249,14 +252,23 @@ class RecipePanel(QWidget):
     def _judge(self) -> None:
         """Check the whole form; every mistake stands at its field, the verdict counts them."""
         tree, errors = self._read()
-        self.test, wrong = judged_test(tree)
-        others = self._place_faults(wrong, errors) if not errors else []
-        if self.test is not None and errors:
+        self.test, wrong = judged_test(tree if not errors else self._with_the_file_s(tree, errors))
+        others = self._place_faults(wrong, errors)
+        if errors:
             self.test = None
         self.rules.judge(self.test.limits if self.test is not None else None)
         self.form.show_errors(errors)
         self._show_steps(errors)
         self._show_verdict(errors, others, differences(self._tree, _explicit(tree, self._tree)))
+
+    def _with_the_file_s(self, tree: dict[str, Any], errors: Iterable[str]) -> dict[str, Any]:
+        """Return a test with the file's values where none can be read, to judge the others by."""
+        whole = copy.deepcopy(tree)
+        for path in errors:
+            given = get_path(self._tree, path)
+            if given is not None:
+                set_path(whole, path, given)
+        return whole
 
     def offer_checks(self, checks: QWidget | None) -> None:
         """Put the checks behind the last step; None takes them away again."""
@@ -279,9 +291,11 @@ class RecipePanel(QWidget):
         for fault in wrong:
             named_fields = [path for path in fields_named(fault) if path in self.form.editors]
             sentence = f"{in_form_words(fault).rstrip('.')}."
+            if any(path in errors for path in named_fields):
+                continue  # said already, or a consequence of what stands there
             if named_fields:
-                errors.setdefault(named_fields[0], sentence)
-            else:
+                errors[named_fields[0]] = sentence
+            elif not errors:
                 others.append(sentence)
         return others
 
@@ -293,7 +307,9 @@ class RecipePanel(QWidget):
             counts[place] += 1
             if place == MODEL and section not in STEPS[MODEL].sections:
                 self.unfold.setChecked(True)
-        texts = [one.words(self.test) if self.test is not None else "" for one in STEPS]
+        if self.test is not None:
+            self._words = [one.words(self.test) for one in STEPS]
+        texts = list(self._words)
         if self.rules.draft is not None:
             texts[[one.title for one in STEPS].index("Limits")] += ", 1 draft"
         told, blocking = self._checked
@@ -315,7 +331,8 @@ class RecipePanel(QWidget):
             self._say("Usable. Save it to arm it for a start.", good=True)
         else:
             draft = " One draft limit is not part of it." if self.rules.draft is not None else ""
-            told = f"Not saved: {'; '.join(differences)}." if differences else "As in the file."
+            more = f"; and {len(differences) - 1} more" if len(differences) > 1 else ""
+            told = f"Not saved: {differences[0]}{more}." if differences else "As in the file."
             self._say(f"Usable. {told}{draft}", good=True)
         usable = self.test is not None
         self.buttons["save"].setEnabled(usable and (self.armed is None or bool(differences)))
