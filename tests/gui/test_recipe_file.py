@@ -175,10 +175,11 @@ def test_a_start_means_the_file_and_shows_what_differs(
 ) -> None:
     path = tmp_path / "mine.toml"
     path.write_text((EXAMPLES / "quick.toml").read_text(encoding="utf-8"), encoding="utf-8")
-    engine.say(count=0, curves=False, state=RunState.READY, file="")
-    attach()
     recipe, card = window.tabs.prepare.recipe, window.start_bar
     recipe.open_file(path)
+    engine.say(count=0, curves=False, state=RunState.READY, file="", test="")
+    attach()
+    assert window.controls.test.whole == "mine.toml, armed"
     type_into(recipe, "run.speed_rpm", "45")
     window.controls.buttons["start"].click()
     assert "mine.toml is armed as it is saved" in card.told.text()

@@ -606,12 +606,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kraft und Winkel sind unbekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
+        <source>Free&amp;ze</source>
+        <translation>Fest&amp;halten</translation>
+    </message>
+    <message>
         <source>Journal</source>
         <translation>Verlauf</translation>
     </message>
     <message>
         <source>Journal of the alarms</source>
         <translation>Verlauf der Alarme</translation>
+    </message>
+    <message>
+        <source>Keep this revolution in grey behind the next ones</source>
+        <translation>Diese Umdrehung grau hinter den nächsten behalten</translation>
+    </message>
+    <message>
+        <source>Keep this revolution in grey behind the next ones.</source>
+        <translation>Diese Umdrehung grau hinter den nächsten behalten.</translation>
     </message>
     <message>
         <source>Reconnect all</source>
@@ -628,10 +640,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Δ model</source>
         <translation>Δ Modell</translation>
-    </message>
-    <message>
-        <source>Fra&amp;me</source>
-        <translation>&amp;Bezugssystem</translation>
     </message>
     <message>
         <source>= {} s by the clock, at × {}</source>
@@ -926,10 +934,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Drehzahl oder Last senken, oder notieren, dass dieser Versuch außerhalb des Bereichs seiner Werkstoffe lief.</translation>
     </message>
     <message>
-        <source>Lower strip: measured − model, grey every sample.  Click a plot, or Tab to it and use ← →, to read values.</source>
-        <translation>Unterer Streifen: Messung − Modell, grau jeder Messwert.  Ein Klick ins Bild, oder Tab und ← →, liest Werte.</translation>
-    </message>
-    <message>
         <source>Make room, or bring the folder back. Do not end the program before.</source>
         <translation>Platz schaffen oder den Ordner zurückbringen. Das Programm vorher nicht beenden.</translation>
     </message>
@@ -992,10 +996,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Newest values and limits</source>
         <translation>Neueste Werte und Grenzen</translation>
-    </message>
-    <message>
-        <source>Newest values of the trend</source>
-        <translation>Neueste Werte des Verlaufs</translation>
     </message>
     <message>
         <source>Next step</source>
@@ -1316,10 +1316,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Revolutions cannot be cut at the index, so the test was stopped.</source>
         <translation>Umdrehungen können nicht am Index getrennt werden; der Versuch wurde gestoppt.</translation>
-    </message>
-    <message>
-        <source>Revolutions shown</source>
-        <translation>Gezeigte Umdrehungen</translation>
     </message>
     <message>
         <source>Revolutions, 0: as in the test</source>
@@ -1920,10 +1916,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Value, empty: default</source>
         <translation>Wert, leer: Vorgabe</translation>
-    </message>
-    <message>
-        <source>Values at the cursor</source>
-        <translation>Werte am Cursor</translation>
     </message>
     <message>
         <source>Vector and other channels</source>
@@ -2594,6 +2586,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} sicher</translation>
     </message>
     <message>
+        <source>{}, armed</source>
+        <translation>{}, scharf</translation>
+    </message>
+    <message>
         <source>{}, cycle {}</source>
         <translation>{}, Zyklus {}</translation>
     </message>
@@ -2636,6 +2632,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>|F| now</source>
         <translation>|F| jetzt</translation>
+    </message>
+    <message>
+        <source>µm, to the planned end; bands 95 %</source>
+        <translation>µm, bis zum geplanten Ende; Bänder 95 %</translation>
     </message>
     <message>
         <source>▲ Attention</source>

@@ -109,6 +109,7 @@ class ControlRow(QFrame):
         self._send = send
         self._theme = theme
         self._asked_why = ""
+        self._armed = ""
         self._good = True
         self._tight = False
         self._state: RunState | None = None
@@ -204,8 +205,14 @@ class ControlRow(QFrame):
             self.buttons[command.verb].setEnabled(applies)
             self.buttons[command.verb].setToolTip(self._tip(command, applies, status))
 
+    def show_armed(self, name: str) -> None:
+        """Name the armed test where no test is under way; nothing where none is armed."""
+        self._armed = name
+
     def _show_identity(self, status: Status | None) -> None:
         test, line = identity(status) if status is not None else ("", "")
+        if status is not None and not status.test and self._armed:
+            test = tr("{}, armed", self._armed)
         self.test.show_text(test)
         self.line.show_text(line)
         # Pressing Start or Go on disables it: the other one may only come when it applies.

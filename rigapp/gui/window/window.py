@@ -438,11 +438,17 @@ class MainWindow(QMainWindow):
         self.rail.show_place(self.tabs.place)
         self.page_bar.show_pages(self.tabs.place, self.tabs.pages(), self.tabs.currentIndex())
 
+    def _name_armed(self) -> None:
+        path = self.tabs.prepare.recipe.path
+        self.controls.show_armed(path.name if path is not None else "")
+
     def _connect(self) -> None:
         self.rail.chosen.connect(self.tabs.show_place)
         self.page_bar.chosen.connect(self.tabs.setCurrentIndex)
         self.tabs.currentChanged.connect(self._show_place)
         self.controls.start_wanted.connect(self.start_bar.open)
+        self.tabs.prepare.recipe.armed_changed.connect(self._name_armed)
+        self._name_armed()
         self.start_bar.started.connect(self.controls.start_test)
         self.recover.wanted.connect(self.controls.send)
         self.side.alarms.wanted.connect(self.controls.send)
