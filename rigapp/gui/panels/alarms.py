@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Final
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QFont, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
@@ -280,7 +280,7 @@ class AlarmPanel(QWidget):
         named(self, "alarm_panel", "Alarms")
         self.cards = AlarmCards("all", large=True)
         self.cards.changed.connect(self._enable)
-        area = scrolling("alarm_area", "List of alarms", self.cards)
+        self.area = scrolling("alarm_area", "List of alarms", self.cards)
         self.all = button(
             "acknowledge_all",
             "Acknowledge all",
@@ -315,7 +315,7 @@ class AlarmPanel(QWidget):
         tools = row(
             self.all, self.acknowledge, self.reset, (self.reason, 1), self.minutes, self.shelve
         )
-        column((area, 1), tools, on=self).setSpacing(STEP)
+        column((self.area, 1), tools, on=self).setSpacing(STEP)
         self._enable()
 
     def show_news(self, news: News) -> None:
@@ -335,6 +335,10 @@ class AlarmPanel(QWidget):
 
     def _enable(self) -> None:
         alarm = self.cards.chosen()
+        if alarm is not None:
+            card = self.cards.cards[self.cards.alarms.index(alarm)]
+            # Once the cards are laid out.
+            QTimer.singleShot(0, card, partial(self.area.ensureWidgetVisible, card))
         self.all.setEnabled(waiting(self.cards.alarms))
         self.acknowledge.setEnabled(alarm is not None and not alarm.acknowledged)
         self.shelve.setEnabled(alarm is not None and bool(self.reason.text().strip()))
