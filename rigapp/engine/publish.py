@@ -94,6 +94,11 @@ class Subscription:
             self._prediction = prediction
             self._profile = profile or self._profile
 
+    @property
+    def waits(self) -> bool:
+        """Tell whether a revolution or its prediction waits to be taken."""
+        return self._cycle is not None or self._prediction is not None
+
     def take(self, status: Callable[[], Status]) -> Snapshot:
         """Return what is new since the last call, and forget it.
 

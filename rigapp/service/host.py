@@ -148,6 +148,7 @@ class EngineHost:
             keys,
             on_failure=self.engine.service_failed,
             on_viewers=self._note_viewers,
+            waits=lambda: self._subscription.waits,
         )
 
     def _note_viewers(self, watched: bool) -> None:

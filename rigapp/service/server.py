@@ -10,6 +10,7 @@ With keys, a viewer whose key is not authorised reaches neither.
 
 from __future__ import annotations
 
+import math
 import queue
 import threading
 import time
@@ -30,7 +31,10 @@ from rigapp.service.security import KeyCheck
 SNAPSHOT_QUEUE = 4  # a viewer that lags wants the newest
 EVERY_SNAPSHOT = b""
 """What a viewer subscribes to."""
-PUBLISH_PERIOD_S = 0.05  # a revolution is to be on the screen 100 ms after its end
+PUBLISH_PERIOD_S = 0.05  # as smoothly do live values move, to an eye
+HASTE_S = 0.1
+"""In so long, two snapshots are sent out of their turn: of a revolution that has just ended, and of
+its prediction. A real rig turns more slowly; one that is simulated faster waits for its turn."""
 POLL_MS = 10  # so late may a request be seen
 CLOSE_S = 5.0  # answering what is under way; a handler that takes longer is left behind
 LINGER_MS = 200  # so long may the last snapshot take to leave
@@ -58,17 +62,20 @@ class Server:
         keys: Path | None = None,
         on_failure: Callable[[str], None] = lambda sentence: None,
         on_viewers: Callable[[bool], None] = lambda watched: None,
+        waits: Callable[[], bool] = lambda: False,
     ) -> None:
         """Bind at once, so that the addresses are known; ``start`` begins to serve.
 
         on_failure: told in the serving thread that viewers get no snapshots, or nothing at all.
         on_viewers: told when the first viewer comes and when the last one has gone.
+        waits: tells whether there is something that viewers are to have at once.
         keys: the folder with the keys, when viewers must show theirs. Raises UnusableInput
         when an address cannot be had.
         """
         self._handler = handler
         self._on_failure = on_failure
         self._on_viewers = on_viewers
+        self._waits = waits
         self._told = False
         self._snapshots = snapshots
         self._context = zmq.Context()
@@ -132,7 +139,7 @@ class Server:
             poller = zmq.Poller()
             poller.register(self._router, zmq.POLLIN)
             poller.register(self._publisher, zmq.POLLIN)
-            clock = _Period(PUBLISH_PERIOD_S)
+            clock, haste = _Period(PUBLISH_PERIOD_S), _Haste(HASTE_S)
             while not self._stop.is_set():
                 ready = dict(poller.poll(POLL_MS))
                 if self._router in ready:
@@ -140,7 +147,7 @@ class Server:
                 if self._publisher in ready:
                     self._hear_viewers(self._publisher.recv())
                 self._send_replies()
-                if clock.due():
+                if clock.due() or (self._waits() and haste.allowed(time.monotonic())):
                     self._publish()
             self._publish()
             self._send_replies()
@@ -230,4 +237,19 @@ class _Period:
         if now < self._next:
             return False
         self._next = max(self._next + self._seconds, now)
+        return True
+
+
+class _Haste:
+    """Allow something twice in a time."""
+
+    def __init__(self, seconds: float) -> None:
+        self._seconds = seconds
+        self._last = self._before = -math.inf
+
+    def allowed(self, now: float) -> bool:
+        """Return True if it may happen now, and take note that it does; now: s of any clock."""
+        if now - self._before < self._seconds:
+            return False
+        self._before, self._last = self._last, now
         return True

@@ -15,7 +15,8 @@ from rigapp.gui.data.connection import (
     ConnectionState,
     EngineConnection,
 )
-from rigapp.schema.messages import Reply
+from rigapp.gui.window.window import IDLE_LOOK_MS, LOOK_MS
+from rigapp.schema.messages import Reply, RunState
 
 
 class Clock:
@@ -198,3 +199,12 @@ def test_a_lost_client_is_closed_only_when_no_request_uses_it(
     engine.answering.set()
     pump_until(lambda: client.closed)
     assert len(replies) == 1
+
+
+def test_the_window_looks_often_during_a_test_and_seldom_without_one(
+    window: Any, engine: Any, attach: Any
+) -> None:
+    for state, every_ms in ((RunState.RUNNING, LOOK_MS), (RunState.READY, IDLE_LOOK_MS)):
+        engine.say(count=3, state=state)
+        attach()
+        assert window._timer.interval() == every_ms

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rigapp.config.loading import parse_test
-from rigapp.gui.data.judged import EVERYTHING, banded, drawn
+from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, banded, drawn
 from rigapp.gui.data.moments import moments
 from rigapp.gui.data.news import News
 from rigapp.gui.data.ranges import round_places
@@ -53,24 +53,30 @@ def tripped(count: int = 200, flags: Flag = Flag.SENSOR_FAULT) -> LiveData:
     return data
 
 
+def largest(data: LiveData, buckets: int) -> Drawn:
+    """Return what is drawn of the largest force."""
+    flagged = Flagged(data.rows, EVERYTHING, buckets)
+    return drawn(data.rows, "force_max", flagged, EVERYTHING, buckets)
+
+
 @pytest.mark.parametrize("buckets", [1000, 50])
 def test_a_flagged_revolution_does_not_range_the_axis(buckets: int) -> None:
     data = tripped()
-    line = drawn(data.rows, "force_max", data.rows, EVERYTHING, buckets)
+    line = largest(data, buckets)
     assert line.high < 100.0
     assert line.above is not None
     assert line.above[1] == 391.0
     assert line.above[0] == pytest.approx(150.0, abs=len(data.rows) / buckets)
     assert line.y.max() == 391.0, "it is drawn all the same"
     unflagged = tripped(flags=Flag.GOOD)
-    assert drawn(unflagged.rows, "force_max", unflagged.rows, EVERYTHING, buckets).high == 391.0
+    assert largest(unflagged, buckets).high == 391.0
 
 
 def test_where_every_revolution_is_flagged_all_of_them_range_the_axis() -> None:
     data = tripped()
     quality = np.full(len(data.rows), int(Flag.TIME_JUMP))
     data.rows.series("quality").write(0, quality)
-    assert drawn(data.rows, "force_max", data.rows, EVERYTHING, 1000).high == 391.0
+    assert largest(data, 1000).high == 391.0
 
 
 def test_a_band_holds_every_value_with_its_uncertainty() -> None:

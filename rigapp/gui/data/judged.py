@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rigapp.gui.data.pyramid import Envelope, polyline
+from rigapp.gui.data.pyramid import polyline
 from rigapp.gui.data.series import SeriesTable
 
 Floats = NDArray[np.float64]
@@ -34,13 +34,33 @@ class Drawn:
     under: tuple[float, float] | None = None
 
 
+class Flagged:
+    """Tell which buckets of a view hold a flagged revolution; computed once for all its lines."""
+
+    def __init__(self, rows: SeriesTable, view: View, buckets: int) -> None:
+        self._starts: Floats = np.empty(0)
+        if QUALITY in rows.names and len(rows):
+            flags = rows.series(QUALITY).envelope(*rows_in_view(rows, view), buckets)
+            self._starts = rows.revolutions[flags.first]
+            # Not known (NaN) is not flagged: files of before have no such column.
+            self._flagged = flags.high > 0.0
+
+    def at(self, revolutions: Floats) -> NDArray[np.bool_]:
+        """Tell of buckets that begin at revolutions, (n,) each."""
+        if not len(self._starts) or not self._flagged.any():
+            return np.zeros(len(revolutions), dtype=bool)
+        if np.array_equal(revolutions, self._starts):
+            return self._flagged
+        place = np.searchsorted(self._starts, revolutions, side="right") - 1
+        return self._flagged[np.maximum(place, 0)]
+
+
 def drawn(
-    table: SeriesTable, column: str, rows: SeriesTable, view: View, buckets: int, scale: float = 1.0
+    table: SeriesTable, column: str, flagged: Flagged, view: View, buckets: int, scale: float = 1.0
 ) -> Drawn:
     """Return ``scale`` times a series in a view, in at most about ``buckets`` buckets.
 
-    rows: say by their quality which revolutions are flagged. A bucket with such a one does not
-    range the axis, unless every bucket has one.
+    A bucket with a flagged revolution does not range the axis, unless every bucket has one.
     """
     start, stop = rows_in_view(table, view)
     envelope = table.series(column).envelope(start, stop, buckets)
@@ -50,18 +70,18 @@ def drawn(
     if not known.any():
         return Drawn(x, y)
     at = table.revolutions[envelope.first]
-    unflagged = known & ~_flagged(rows, view, buckets, at)
+    unflagged = known & ~flagged.at(at)
     fine = unflagged if unflagged.any() else known
-    lows, highs = (scale * one.astype(np.float64) for one in (envelope.low, envelope.high))
-    low, high = float(lows[fine].min()), float(highs[fine].max())
-    least, most = int(np.nanargmin(lows)), int(np.nanargmax(highs))
+    low, high = scale * float(envelope.low[fine].min()), scale * float(envelope.high[fine].max())
+    least, most = int(np.nanargmin(envelope.low)), int(np.nanargmax(envelope.high))
+    lowest, highest = scale * float(envelope.low[least]), scale * float(envelope.high[most])
     return Drawn(
         x,
         y,
         low,
         high,
-        (float(at[most]), float(highs[most])) if highs[most] > high else None,
-        (float(at[least]), float(lows[least])) if lows[least] < low else None,
+        (float(at[most]), highest) if highest > high else None,
+        (float(at[least]), lowest) if lowest < low else None,
     )
 
 
@@ -81,13 +101,3 @@ def rows_in_view(table: SeriesTable, view: View) -> tuple[int, int]:
     """Return the rows between two revolutions, one more at each end."""
     start = int(np.searchsorted(table.revolutions, view[0])) - 1
     return max(start, 0), int(np.searchsorted(table.revolutions, view[1], side="right")) + 1
-
-
-def _flagged(rows: SeriesTable, view: View, buckets: int, at: Floats) -> NDArray[np.bool_]:
-    """Tell of buckets that begin at revolutions whether one of their rows is flagged."""
-    if QUALITY not in rows.names or not len(rows):
-        return np.zeros(len(at), dtype=bool)
-    flags: Envelope = rows.series(QUALITY).envelope(*rows_in_view(rows, view), buckets)
-    place = np.searchsorted(rows.revolutions[flags.first], at, side="right") - 1
-    # Not known (NaN) is not flagged: files of before have no such column.
-    return np.asarray(flags.high > 0.0)[np.maximum(place, 0)]

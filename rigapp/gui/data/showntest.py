@@ -48,6 +48,7 @@ class ShownTest:
         self._clock = clock
         self._worker = TaskWorker("gui-history", bound=8)
         self._file: str | None = None
+        self._path: Path | None = None
         self._started_at = 0.0
         self._held: deque[Snapshot] | None = None
         self._attempts = 0
@@ -68,7 +69,7 @@ class ShownTest:
     @property
     def path(self) -> Path | None:
         """Return the file of the present test."""
-        return Path(self._file) if self._file else None
+        return self._path
 
     def take(self, snapshot: Snapshot) -> bool:
         """Take a snapshot; return whether it belongs to another test than the last one."""
@@ -134,6 +135,7 @@ class ShownTest:
 
     def _begin(self, status: Status) -> None:
         self._file, self._started_at = status.file, status.started_at
+        self._path = Path(status.file) if status.file else None
         self._held = None
         self._attempts = 0
         self._again_at = self._clock() if status.file else None

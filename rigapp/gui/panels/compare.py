@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rigapp.gui.data.judged import EVERYTHING, Drawn, drawn
+from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, drawn
 from rigapp.gui.data.quantities import compared_columns, scale_of
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredTest, load_history
@@ -49,7 +49,14 @@ def line_of(data: LiveData, quantity: str, axis: str) -> Drawn:
     table = data.rows if quantity in data.rows.names else data.predictions
     if quantity not in table.names:
         return NOTHING
-    line = drawn(table, quantity, data.rows, EVERYTHING, BUCKETS, scale_of(quantity))
+    line = drawn(
+        table,
+        quantity,
+        Flagged(data.rows, EVERYTHING, BUCKETS),
+        EVERYTHING,
+        BUCKETS,
+        scale_of(quantity),
+    )
     if axis == CYCLE or not len(data.predictions):
         return line
     depth = data.predictions.series(axis).values

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rigapp.gui.data.judged import EVERYTHING, drawn
+from rigapp.gui.data.judged import EVERYTHING, Flagged, drawn
 from rigapp.gui.data.knownwear import COEFFICIENT, UNIT, Floats, KnownWear
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
@@ -74,7 +74,8 @@ class DepthBandPanel(PlotPanel):
             band.draw(shown.revolution, shown.low, shown.median, shown.high)
             highest = max(highest, float(np.nanmax(shown.high, initial=0.0)))
             names.append(CurveName(f"from {grouped(shown.after)} on", pen, float(shown.median[-1])))
-        line = drawn(predictions, DEPTH, news.data.rows, EVERYTHING, BUCKETS, UM_PER_MM)
+        flagged = Flagged(news.data.rows, EVERYTHING, BUCKETS)
+        line = drawn(predictions, DEPTH, flagged, EVERYTHING, BUCKETS, UM_PER_MM)
         self._measured.setData(line.x, line.y)
         seen = np.flatnonzero(np.isfinite(line.y))
         if not seen.size:

@@ -23,6 +23,8 @@ Tick = tuple[float, str]
 """A place on an axis, and what stands there."""
 NEAREST = 1e-9
 """Of a range: what is less wide is none."""
+GROUND = 200
+"""Opacity of what lies below the words of a spot, of 255: a curve there is still seen."""
 MOST_NAME = 24
 """Characters of the words at a moment; its whole text stands in the log."""
 
@@ -236,12 +238,15 @@ def _words(
     colour: str,
     places: Iterable[QRectF],
     taken: list[QRectF],
+    ground: QColor | None = None,
 ) -> None:
-    """Write words at the first place that is free."""
+    """Write words at the first place that is free; ground: laid below them, over the curves."""
     rect = frame.rect.adjusted(0, -1, 0, 1)
     for place in places:
         if rect.contains(place) and not any(place.intersects(one) for one in taken):
             taken.append(place)
+            if ground is not None:
+                painter.fillRect(place, ground)
             painter.setPen(QColor(colour))
             painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
             return
@@ -301,7 +306,9 @@ def paint_spots(
             for top in (y - size - height, y - size, y + size)
             for left in (x + STEP, x - STEP - width)
         ]
-        _words(painter, frame, one.text, colour.name(), places, taken)
+        ground = QColor(theme.base)
+        ground.setAlpha(GROUND)
+        _words(painter, frame, one.text, colour.name(), places, taken, ground)
 
 
 def paint_moments(

@@ -319,7 +319,7 @@ class OverlayPanel(PlotPanel):
             text = f"▲ {UNFOLLOWED}"
         elif self.shown is not None and self._cursor is not None and self.shown.model is not None:
             values = values_at(self.shown, self._cursor)
-            text = f"N at {self._cursor:.1f}°: " + ", ".join(
+            text = "N: " + ", ".join(
                 f"{word} {measured - model:+.1f}".replace("-", "−")
                 for word, (measured, model) in zip(self._words, values.values(), strict=True)
             )

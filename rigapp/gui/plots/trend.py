@@ -10,7 +10,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton
 
 from rigapp.gui.data.channels import SIZE
-from rigapp.gui.data.judged import Drawn, View, banded, drawn
+from rigapp.gui.data.judged import Drawn, Flagged, View, banded, drawn
 from rigapp.gui.data.moments import moments
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantities
@@ -35,7 +35,7 @@ from rigapp.gui.widgets.build import button, choice, column, row
 from rigapp.schema.channels import BASE, ChannelTable
 
 BUCKETS = 1200
-"""Points of a line across: about one for each pixel of a plot on a wide screen."""
+"""Points of a line across, at most: about one for each pixel of a plot on a wide screen."""
 FLAGGED = LinePen("muted")
 """How the value of a revolution is written that does not range the axis."""
 BAND_BUCKETS = 240
@@ -158,7 +158,9 @@ class TrendPanel(PlotPanel):
         if token == self._drawn:
             return
         self._drawn = token
-        found = [(curve, self._draw(curve, data, view)) for curve in self._curves]
+        buckets = min(max(self.plot.width(), 200), BUCKETS)
+        flagged = Flagged(data.rows, view, buckets)
+        found = [(curve, self._draw(curve, data, view, flagged, buckets)) for curve in self._curves]
         extremes = [one for _, one in found if np.isfinite(one.low)]
         low = min((one.low for one in extremes), default=np.nan)
         high = max((one.high for one in extremes), default=np.nan)
@@ -167,11 +169,13 @@ class TrendPanel(PlotPanel):
         if not extremes and (self.view.mode in self.modes or not len(data.rows)):
             self.plot.empty(self._nothing(len(data.rows)))
 
-    def _draw(self, curve: _Curve, data: LiveData, view: View) -> Drawn:
+    def _draw(
+        self, curve: _Curve, data: LiveData, view: View, flagged: Flagged, buckets: int
+    ) -> Drawn:
         """Draw a line with its band; return its points in the unit of the quantity."""
         table = data.predictions if curve.predicted else data.rows
         line, scale = curve.line, self.quantity.scale
-        found = drawn(table, line.column, data.rows, view, BUCKETS, scale)
+        found = drawn(table, line.column, flagged, view, buckets, scale)
         curve.trace.setData(found.x, found.y)
         if curve.band is not None:
             curve.band.setData(*banded(table, line.column, line.doubt, view, BAND_BUCKETS, scale))
@@ -248,7 +252,8 @@ class TrendPanel(PlotPanel):
 
     def _place_view(self, rows: SeriesTable, predictions: SeriesTable) -> None:
         wanted = self.view.range_of(rows.revolutions if len(rows) else predictions.revolutions)
-        if wanted is not None and not np.allclose(self.plot.viewRange()[0], wanted, atol=1e-6):
+        shown = self.plot.viewRange()[0]
+        if wanted is not None and max(abs(wanted[side] - shown[side]) for side in (0, 1)) > 1e-6:
             self.plot.setXRange(*wanted, padding=0.0)
 
     def _moved_by_hand(self) -> None:
