@@ -52,14 +52,16 @@ if TYPE_CHECKING:
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
 
-LOOK_MS, IDLE_LOOK_MS = 10, 100
+LOOK_MS, IDLE_LOOK_MS = 10, 250
 """Between two looks for news during a test, and without one: a revolution shall be on the screen
 70 ms after its end, and a window that waits shall cost next to nothing."""
 
 STATE_EVERY = 10
 """Looks between two at the state bar when there are no news: its ages grow all the same."""
 
-PART_MS = 25
+PART_MS, IDLE_PART_MS = 25, 50
+"""Between two parts of a slow drawing, during a test and without one."""
+
 FAST_EVERY = 4
 """Parts of a slow drawing between two looks at the newest revolution, for what was chosen there."""
 
@@ -347,9 +349,13 @@ class MainWindow(QMainWindow):
 
     def _take(self, snapshot: Snapshot) -> None:
         status = snapshot.status
-        every_ms = LOOK_MS if status.state in ACTIVE or self._start_wanted else IDLE_LOOK_MS
-        if self._timer.interval() != every_ms:
-            self._timer.setInterval(every_ms)
+        busy = status.state in ACTIVE or self._start_wanted is not None
+        for timer, every_ms in (
+            (self._timer, LOOK_MS if busy else IDLE_LOOK_MS),
+            (self._part_timer, PART_MS if busy else IDLE_PART_MS),
+        ):
+            if timer.interval() != every_ms:
+                timer.setInterval(every_ms)
         self.recover.take_status(None if self._connection.is_replay else status)
         self.notice.take_status(status)
         self._test.take(snapshot)
