@@ -106,7 +106,7 @@ class NarrowingPanel(PlotPanel):
         self.plot.label("bottom", "Cycle, by decades")
         self.band = ShadedCurve(self.plot, MEASURED)
         self.title = detail("wear_narrowing_title", "Unit, and what the band is")
-        self.title.show_text(f"10⁻⁶ {UNIT}, median and 95 % limits")
+        self.title.show_text(f"10⁻⁶ {UNIT}; band 95 %")
         column(row(heading("Wear coefficient"), (self.title, 1)), (self.plot, 1), on=self)
         self.plot.empty(f"{NO_REVOLUTION}: what is known of the wear coefficient is drawn here.")
 
