@@ -205,9 +205,7 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
     tried = list(patterns(evidence, cells))
     columns = np.column_stack([one.column for one in tried])
     least = np.array([one.least for one in tried])
-    # A display that repeats itself rounds a load and its opposite alike, so that fewer tell of a
-    # load; what changes from run to run it blurs only where it repeats nearly always.
-    fewer = np.array([1.0 + cells.repeats ** (2 if one.bridges else 1) for one in tried])
+    fewer = np.array([_fewer(one, cells.repeats) for one in tried])
     weights, found = np.ones(len(cells.run)), None
     for _ in range(ROUNDS):
         left, degrees = _left(evidence, cells, Terms(), columns, weights)
@@ -220,7 +218,8 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
         if degrees < FEWEST_DEGREES or not told.any():
             return None
         best = int(np.argmax(np.where(told, np.abs(sizes) / sigmas, 0.0)))
-        limit = float(stats.t.isf(FALSE_ALARMS / 2.0 / np.count_nonzero(told), degrees - 1))
+        free = (degrees - 1) / float(fewer[best])
+        limit = float(stats.t.isf(FALSE_ALARMS / 2.0 / np.count_nonzero(told), free))
         size, sigma = float(sizes[best]), float(sigmas[best])
         sure = abs(size) > max(limit * sigma, tried[best].least)
         found = Found(tried[best], size, sure)
@@ -228,6 +227,17 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
     if found is not None and found.sure and evidence.found.terms.quadratic:
         return replace(found, sure=not _bends(evidence, cells, weights, float(rest[best]), degrees))
     return found
+
+
+def _fewer(pattern: Pattern, repeats: float) -> float:
+    """Return how many cells tell no more than one, by the share of readings that repeat.
+
+    A display that repeats itself rounds a load and its opposite alike, so that fewer tell of a
+    load, and both bridges alike where it repeats nearly always; what changes from run to run it
+    blurs only there.
+    """
+    often = 1.0 + repeats**2
+    return often if pattern.bridges else (1.0 + repeats) * often
 
 
 def _bends(evidence: Evidence, cells: Averages, weights: Array, rest: float, degrees: int) -> bool:

@@ -33,7 +33,7 @@ def test_live_roll_makes_a_record_and_its_file_makes_it_again(
             rig,
             recorded,
             to,
-            settings=None,
+            settings=EXAMPLES / "calibration" / "run_out.toml",
             test=tmp_path / "patient.toml",
             rpm="10",
             revolutions=5,
@@ -50,6 +50,7 @@ def test_live_roll_makes_a_record_and_its_file_makes_it_again(
     assert [one["code"] for one in result["problems"]] == ["few_revolutions"]
     record = unseal((tmp_path / "map.json").read_bytes())
     assert record.kind == "run-out map"
+    assert record.content["settings"]["pin"] == {"name": "Pin 7"}
     kept = record.content["taken"]["files"][0]
     assert kept["speed_rpm"] == pytest.approx(10.0, abs=0.2)
     roll = tmp_path / "map.roll-10rpm.h5"

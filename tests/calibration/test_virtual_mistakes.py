@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from itertools import product
 
+import numpy as np
 import pytest
 
 from tests.calibration.virtual_mistakes import (
     KINDS,
     MISTAKES,
+    blocking,
     can_be_told,
     outcomes,
     refusals,
     rightly_named,
+    take,
 )
 
 ALL = [name for name in KINDS if name.endswith("all")]
@@ -23,6 +26,13 @@ SHORT = [pair for pair in PAIRS if pair[1] in ("4 angles, coarse, all", "8 angle
 @pytest.mark.parametrize("name", KINDS)
 def test_good_calibrations_are_accepted(name: str) -> None:
     assert refusals(KINDS[name], 2, 1) == {}
+
+
+def test_a_display_that_rounds_alike_at_every_angle_makes_no_wrong_piece() -> None:
+    # A coarse display without noise, a zero that drifts: the steps are the same at all four angles.
+    kind = KINDS["4 angles, quiet coarse, drift"]
+    for number in (14, 31, 164, 183):
+        assert blocking(take(kind, np.random.default_rng((11, number))).readings) == ()
 
 
 @pytest.mark.parametrize(("mistake", "name"), SHORT)
