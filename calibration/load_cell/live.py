@@ -29,7 +29,7 @@ NOISE_SHARE = 0.6
 SLOPE_SHARE = 0.05
 """Part of the resolution by which a steady signal may change in a second: creep is slower."""
 FELT_SHARE = 0.3
-"""Of what hangs must be felt before the plugs are judged: else it does not hang yet."""
+"""Of what hangs must be felt before plugs and the time under it count: else it does not hang."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -63,7 +63,11 @@ def assess_load(
             spread=resolution * (SPREAD_SHARE + NOISE_SHARE * window.noise_share) * per_newton,
             slope=resolution * SLOPE_SHARE * per_newton,
             first=_first(window),
-            set_up=lambda found: _stands(window, step) or _plugs(window, step, found.mean),
+            set_up=lambda found: (
+                _stands(window, step)
+                or _hangs(window, step, found.mean)
+                or _plugs(window, step, found.mean)
+            ),
             felt=window.force,
         ),
     )
@@ -89,6 +93,15 @@ def _stands(window: LoadCellWindow, step: Step) -> Judgement | None:
     if step.kind is StepKind.SET_UP:
         return SignalState.STEADY, f"the pin stands at {math.degrees(window.angle):.1f} degrees"
     return None
+
+
+def _hangs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:
+    """Judge whether the load is there from which on the time of a series counts."""
+    if step.kind is not StepKind.PRELOAD or not step.series:
+        return None
+    if window.force(signal) > FELT_SHARE * step.value * STANDARD_GRAVITY:
+        return None
+    return SignalState.WAITING, f"the {step.value:g} kg do not hang yet"
 
 
 def _plugs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:

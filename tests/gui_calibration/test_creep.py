@@ -179,8 +179,15 @@ def test_window_reads_it_by_itself_and_tells_what_is_left(
     live.open(given, tmp_path / "c.journal", None)
     words: set[str] = set()
     live.looked.connect(lambda: words.add(live.readiness.words if live.readiness else ""))
+    weight, rig.force = rig.force, 0.0
     for _ in range(3):
         live.tick()
+    # The time does not begin before the load hangs.
+    assert live.readiness is not None
+    assert live.readiness.words == "the 40 kg do not hang yet"
+    assert not live.take()
+    rig.force = weight
+    live.tick()
     assert live.take()
     assert len(live.session.procedure.taken) == 44
     for _ in range(90):

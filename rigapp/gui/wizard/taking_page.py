@@ -34,6 +34,7 @@ from rigapp.gui.wizard.parts import (
 
 RECORD = "&Record"
 LEAVE_OUT = "Lea&ve the creep out"
+LOADED = "The &load hangs still"
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,6 +133,8 @@ class TakingPage(QWizardPage):
             self.shown.setEnabled(procedure.step.kind is StepKind.READING)
         self.left.setText(procedure.progress[:1].upper() + procedure.progress[1:])
         button = self._words.buttons.get(procedure.step.kind, RECORD)
+        if procedure.step.kind is StepKind.PRELOAD and procedure.step.optional:
+            button = LOADED
         self.record.setText(button)
         self.record.setAccessibleName(button.replace("&", ""))
 
