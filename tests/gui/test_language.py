@@ -26,7 +26,7 @@ from rigapp.gui.window.window import MainWindow
 from rigapp.schema.alarms import because, exceeded
 from rigapp.schema.messages import Alarm, RunState, Severity
 
-CONVERTED = ("window/", "widgets/", "language/", "look/", "panel.py")
+CONVERTED = ("window/", "widgets/", "wizard/", "language/", "look/", "panel.py")
 """Rooms all of whose texts are in the catalogue."""
 
 TRANSLATED = sorted(LANGUAGES.keys() - {ENGLISH})

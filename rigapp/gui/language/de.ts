@@ -646,16 +646,194 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>= {} s nach der Uhr, bei × {}</translation>
     </message>
     <message>
+        <source>
+9.81 m/s² is a rounded value, up to 0.3 % off: write the gravity of this place, or name a settings file with latitude and height.</source>
+        <translation>
+9.81 m/s² ist ein gerundeter Wert, bis zu 0.3 % falsch: die Fallbeschleunigung dieses Orts eintragen oder eine Einstellungsdatei mit Breite und Höhe nennen.</translation>
+    </message>
+    <message>
+        <source> Each page is marked {}.</source>
+        <translation> Jede Seite ist mit {} gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source> It was made on a simulated rig, for practice.</source>
+        <translation> Er entstand zur Übung an einem simulierten Prüfstand.</translation>
+    </message>
+    <message>
+        <source> With both probes the stage moves along the follower first, then across it.</source>
+        <translation> Bei beiden Wegsensoren fährt der Tisch erst längs, dann quer zur Schwinge.</translation>
+    </message>
+    <message>
+        <source> With one speed only, what inertia adds to the run-out is not known.</source>
+        <translation> Mit nur einer Drehzahl ist nicht bekannt, was die Trägheit zum Rundlauf beiträgt.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Begin or take up</source>
+        <translation>&amp;Beginnen oder fortsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Both probes</source>
+        <translation>&amp;Beide Wegsensoren</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>&amp;Kalibrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Do this step</source>
+        <translation>&amp;Diesen Schritt tun</translation>
+    </message>
+    <message>
+        <source>&amp;Encoder shows</source>
+        <translation>&amp;Drehgeber zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the first angle</source>
+        <translation>Den ersten Winkel &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Hanger</source>
+        <translation>&amp;Gehänge</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this angle; I turn the level end for end</source>
+        <translation>Diesen Winkel &amp;behalten; ich drehe die Wasserwaage um</translation>
+    </message>
+    <message>
+        <source>&amp;Load cell</source>
+        <translation>&amp;Kraftsensor</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Operator</source>
+        <translation>&amp;Bediener</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Plan</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Aufnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Run-out of the pin</source>
+        <translation>&amp;Rundlauf des Bolzens</translation>
+    </message>
+    <message>
+        <source>&amp;Settings file</source>
+        <translation>&amp;Einstellungsdatei</translation>
+    </message>
+    <message>
+        <source>&amp;Take the encoder&apos;s angle as it is now</source>
+        <translation>Den Winkel des Drehgebers nehmen, wie er &amp;jetzt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Test file</source>
+        <translation>&amp;Versuchsdatei</translation>
+    </message>
+    <message>
+        <source>&amp;Yes, write it</source>
+        <translation>&amp;Ja, eintragen</translation>
+    </message>
+    <message>
+        <source>0.2 degrees of a common angle error turn every force by as much, and no reading shows it. Only a level does.</source>
+        <translation>Ein gemeinsamer Winkelfehler von 0.2 Grad dreht jede Kraft um ebenso viel, und keine Messung zeigt ihn. Nur eine Wasserwaage tut es.</translation>
+    </message>
+    <message>
         <source>= {} s simulated, at × {}</source>
         <translation>= {} s simuliert, bei × {}</translation>
+    </message>
+    <message>
+        <source>A micrometer moves the target in equal steps, up and down; the voltage is read at each step. Every reading is saved at once: close at any time and take it up again.</source>
+        <translation>Eine Messschraube verschiebt das Ziel in gleichen Schritten auf und ab; bei jedem wird die Spannung gelesen. Jede Messung ist sofort gespeichert: jederzeit schließen und später fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Angenommen</translation>
     </message>
     <message>
         <source>Acknowledge the alarm that is told in full</source>
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
     </message>
     <message>
+        <source>All rolls are recorded.</source>
+        <translation>Alle Umläufe sind aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>All steps are done.</source>
+        <translation>Alle Schritte sind getan.</translation>
+    </message>
+    <message>
+        <source>Angle (deg)</source>
+        <translation>Winkel (deg)</translation>
+    </message>
+    <message>
+        <source>Angle of the encoder now</source>
+        <translation>Winkel des Drehgebers jetzt</translation>
+    </message>
+    <message>
+        <source>Angle reference</source>
+        <translation>Winkelbezug</translation>
+    </message>
+    <message>
+        <source>Angle that the encoder shows</source>
+        <translation>Winkel, den der Drehgeber zeigt</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Begin &amp;readings</source>
+        <translation>&amp;Messungen beginnen</translation>
+    </message>
+    <message>
+        <source>Begin a new calibration</source>
+        <translation>Eine neue Kalibrierung beginnen</translation>
+    </message>
+    <message>
+        <source>Begin readings</source>
+        <translation>Messungen beginnen</translation>
+    </message>
+    <message>
+        <source>Both probes, and how they stand to each other</source>
+        <translation>Beide Wegsensoren, und wie sie zueinander stehen</translation>
+    </message>
+    <message>
+        <source>Calculating …</source>
+        <translation>Wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Calibrate {} – rigapp</source>
+        <translation>{} kalibrieren – rigapp</translation>
+    </message>
+    <message>
+        <source>Calibrate – rigapp</source>
+        <translation>Kalibrieren – rigapp</translation>
+    </message>
+    <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Calibration of {}</source>
+        <translation>Kalibrierung: {}</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Kalibrierschein</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -670,12 +848,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kanäle</translation>
     </message>
     <message>
+        <source>Choose a settings file</source>
+        <translation>Eine Einstellungsdatei wählen</translation>
+    </message>
+    <message>
+        <source>Choose settings</source>
+        <translation>Einstellungen wählen</translation>
+    </message>
+    <message>
+        <source>Close; all readings are kept</source>
+        <translation>Schließen; alle Messungen bleiben erhalten</translation>
+    </message>
+    <message>
+        <source>Crank angle (degrees)</source>
+        <translation>Kurbelwinkel (Grad)</translation>
+    </message>
+    <message>
+        <source>Daily check: one weight at 4 pin angles</source>
+        <translation>Tägliche Prüfung: ein Gewicht bei 4 Bolzenwinkeln</translation>
+    </message>
+    <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
     </message>
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Do and record all further steps</source>
+        <translation>Alle weiteren Schritte tun und aufnehmen</translation>
     </message>
     <message>
         <source>Driver, identity and port</source>
@@ -690,6 +892,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Dauer, leer: bis zum Beenden</translation>
     </message>
     <message>
+        <source>Each roll is a test with all guards, and a file of its own. You can close the wizard: the roll under way goes on to its end, and the map can be taken up again.</source>
+        <translation>Jeder Umlauf ist ein Versuch mit allen Wächtern und einer eigenen Datei. Der Assistent kann geschlossen werden: Der laufende Umlauf geht zu Ende, und die Karte kann später fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Every reading is saved at once. You can close the wizard at any time and take the calibration up again.</source>
+        <translation>Jede Messung ist sofort gespeichert. Der Assistent kann jederzeit geschlossen und die Kalibrierung später fortgesetzt werden.</translation>
+    </message>
+    <message>
         <source>F on the follower, across the crank, counter-clockwise (the cell: the opposite)</source>
         <translation>F auf die Koppel, quer zur Kurbel, gegen den Uhrzeigersinn (Aufnehmer: umgekehrt)</translation>
     </message>
@@ -702,8 +912,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fehler</translation>
     </message>
     <message>
+        <source>Felt / applied force</source>
+        <translation>Gefühlte / aufgebrachte Kraft</translation>
+    </message>
+    <message>
         <source>Find a fault</source>
         <translation>Einen Fehler suchen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>First {:+.2f} degrees, now {:+.2f} degrees with the level turned: mean {:+.2f} +- {:.3f} degrees; the level itself is off by {:+.2f} degrees.</source>
+        <translation>Zuerst {:+.2f} Grad, jetzt {:+.2f} Grad mit umgedrehter Wasserwaage: Mittel {:+.2f} +- {:.3f} Grad; die Wasserwaage selbst weicht um {:+.2f} Grad ab.</translation>
+    </message>
+    <message>
+        <source>Fourier orders of the map</source>
+        <translation>Fourier-Ordnungen der Karte</translation>
     </message>
     <message>
         <source>Frame of the force components</source>
@@ -716,6 +942,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>From the start</source>
         <translation>Von Anfang an</translation>
+    </message>
+    <message>
+        <source>From − to + th&amp;is position</source>
+        <translation>Von − bis + d&amp;iese Position</translation>
+    </message>
+    <message>
+        <source>Full: 12 pin angles, 10 loads up and down</source>
+        <translation>Voll: 12 Bolzenwinkel, 10 Lasten auf und ab</translation>
+    </message>
+    <message>
+        <source>Full: 30 revolutions at each speed</source>
+        <translation>Voll: 30 Umdrehungen bei jeder Drehzahl</translation>
+    </message>
+    <message>
+        <source>Full: three times up and down</source>
+        <translation>Voll: dreimal auf und ab</translation>
     </message>
     <message>
         <source>Go a&amp;head</source>
@@ -766,6 +1008,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Das Bild festhalten</translation>
     </message>
     <message>
+        <source>How far it is</source>
+        <translation>Wie weit es ist</translation>
+    </message>
+    <message>
         <source>How many checks are good</source>
         <translation>Wie viele Prüfungen gut sind</translation>
     </message>
@@ -798,6 +1044,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Interner Fehler</translation>
     </message>
     <message>
+        <source>Is the follower on the pin, the bushing unworn, every hand away? Then begin.</source>
+        <translation>Ist die Schwinge auf dem Bolzen, die Buchse neu, keine Hand in der Nähe? Dann beginnen.</translation>
+    </message>
+    <message>
         <source>Is the test usable?</source>
         <translation>Ist der Versuch brauchbar?</translation>
     </message>
@@ -822,16 +1072,40 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Abstand zur Kurbel halten; Haltemoment des Antriebs und Feder prüfen.</translation>
     </message>
     <message>
+        <source>Keep this angle and turn the level end for end</source>
+        <translation>Diesen Winkel behalten und die Wasserwaage umdrehen</translation>
+    </message>
+    <message>
         <source>Keys</source>
         <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Largest position</source>
+        <translation>Größte Position</translation>
+    </message>
+    <message>
+        <source>Lay the level on the flat of the crank and turn the crank until the bubble is in the middle. The encoder should show 0 degrees, or 360. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error.</source>
+        <translation>Die Wasserwaage auf die Fläche der Kurbel legen und die Kurbel drehen, bis die Blase in der Mitte ist. Der Drehgeber sollte 0 Grad zeigen, oder 360. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler.</translation>
+    </message>
+    <message>
+        <source>Lea&amp;ve the creep out</source>
+        <translation>Das Kriechen aus&amp;lassen</translation>
     </message>
     <message>
         <source>Leave the file of a running test alone. Look where it is now before you copy it.</source>
         <translation>Die Datei eines laufenden Versuchs in Ruhe lassen. Vor dem Kopieren nachsehen, wo sie jetzt ist.</translation>
     </message>
     <message>
+        <source>Leave the rig file as it is</source>
+        <translation>Die Prüfstandsdatei lassen, wie sie ist</translation>
+    </message>
+    <message>
         <source>Let every window operate the rig again</source>
         <translation>Wieder jedes Fenster den Prüfstand bedienen lassen</translation>
+    </message>
+    <message>
+        <source>Let the simulated hands do this step</source>
+        <translation>Die simulierten Hände diesen Schritt tun lassen</translation>
     </message>
     <message>
         <source>Light F9</source>
@@ -894,6 +1168,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Signal des Kraftsensors ungültig</translation>
     </message>
     <message>
+        <source>Local &amp;gravity</source>
+        <translation>Ört&amp;liche Fallbeschleunigung</translation>
+    </message>
+    <message>
         <source>Log</source>
         <translation>Protokoll</translation>
     </message>
@@ -950,6 +1228,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Mär</translation>
     </message>
     <message>
+        <source>Mass (kg)</source>
+        <translation>Masse (kg)</translation>
+    </message>
+    <message>
+        <source>Mass of the hanger</source>
+        <translation>Masse des Gehänges</translation>
+    </message>
+    <message>
         <source>Matrix and zero</source>
         <translation>Matrix und Nullpunkt</translation>
     </message>
@@ -966,6 +1252,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Meldungen</translation>
     </message>
     <message>
+        <source>Micrometer &amp;shows</source>
+        <translation>Messschraube &amp;zeigt</translation>
+    </message>
+    <message>
         <source>Minutes of shelving</source>
         <translation>Minuten des Zurückstellens</translation>
     </message>
@@ -978,8 +1268,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Mo</translation>
     </message>
     <message>
+        <source>N&amp;ame</source>
+        <translation>N&amp;ame</translation>
+    </message>
+    <message>
         <source>N&amp;o, leave it</source>
         <translation>Nei&amp;n, so lassen</translation>
+    </message>
+    <message>
+        <source>NOT STEADY</source>
+        <translation>NICHT RUHIG</translation>
+    </message>
+    <message>
+        <source>Name of the &amp;pin</source>
+        <translation>Name des &amp;Bolzens</translation>
+    </message>
+    <message>
+        <source>Name of the load cell</source>
+        <translation>Name des Kraftsensors</translation>
+    </message>
+    <message>
+        <source>Name of the probe</source>
+        <translation>Name des Wegsensors</translation>
     </message>
     <message>
         <source>New value</source>
@@ -996,6 +1306,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Newest values and limits</source>
         <translation>Neueste Werte und Grenzen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Next step</source>
@@ -1058,6 +1372,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Notiz oder Grund (F8)</translation>
     </message>
     <message>
+        <source>Note: </source>
+        <translation>Hinweis: </translation>
+    </message>
+    <message>
         <source>Nothing has been measured or predicted for stop.{} in many revolutions.</source>
         <translation>Für stop.{} wurde seit vielen Umdrehungen nichts gemessen oder vorhergesagt.</translation>
     </message>
@@ -1078,12 +1396,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Jetzt</translation>
     </message>
     <message>
+        <source>Number of the reading</source>
+        <translation>Nummer der Messung</translation>
+    </message>
+    <message>
+        <source>Numbers and uncertainty</source>
+        <translation>Zahlen und Unsicherheit</translation>
+    </message>
+    <message>
         <source>Oct</source>
         <translation>Okt</translation>
     </message>
     <message>
         <source>One revolution</source>
         <translation>Eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Or&amp;ders of the map</source>
+        <translation>&amp;Ordnungen der Karte</translation>
     </message>
     <message>
         <source>Overload</source>
@@ -1096,6 +1426,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Overview</source>
         <translation>Überblick</translation>
+    </message>
+    <message>
+        <source>P&amp;lan</source>
+        <translation>P&amp;lan</translation>
     </message>
     <message>
         <source>Pages</source>
@@ -1134,8 +1468,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Orte</translation>
     </message>
     <message>
+        <source>Plan and weights</source>
+        <translation>Plan und Gewichte</translation>
+    </message>
+    <message>
         <source>Plan fewer whole cycles, or a new test.</source>
         <translation>Weniger ganze Zyklen oder einen neuen Versuch planen.</translation>
+    </message>
+    <message>
+        <source>Posi&amp;tions of a run</source>
+        <translation>Posi&amp;tionen eines Durchgangs</translation>
+    </message>
+    <message>
+        <source>Position (µm)</source>
+        <translation>Position (µm)</translation>
+    </message>
+    <message>
+        <source>Position that the micrometer shows</source>
+        <translation>Position, die die Messschraube zeigt</translation>
     </message>
     <message>
         <source>Prepare</source>
@@ -1148,6 +1498,42 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Press the emergency stop. Do not touch the rig before the crank stands.</source>
         <translation>Not-Halt drücken. Den Prüfstand nicht berühren, bevor die Kurbel steht.</translation>
+    </message>
+    <message>
+        <source>Probe &amp;1</source>
+        <translation>Wegsensor &amp;1</translation>
+    </message>
+    <message>
+        <source>Probe &amp;2</source>
+        <translation>Wegsensor &amp;2</translation>
+    </message>
+    <message>
+        <source>Probe 1 (V)</source>
+        <translation>Wegsensor 1 (V)</translation>
+    </message>
+    <message>
+        <source>Probe 1, along the follower</source>
+        <translation>Wegsensor 1, längs der Schwinge</translation>
+    </message>
+    <message>
+        <source>Probe 2 (V)</source>
+        <translation>Wegsensor 2 (V)</translation>
+    </message>
+    <message>
+        <source>Probe 2, across the follower</source>
+        <translation>Wegsensor 2, quer zur Schwinge</translation>
+    </message>
+    <message>
+        <source>Probe and plan</source>
+        <translation>Wegsensor und Plan</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Progress and time left</source>
+        <translation>Fortschritt und restliche Zeit</translation>
     </message>
     <message>
         <source>Progress of the calibration</source>
@@ -1194,6 +1580,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>RMS, vor {} Zyklen</translation>
     </message>
     <message>
+        <source>Re&amp;ason</source>
+        <translation>&amp;Grund</translation>
+    </message>
+    <message>
+        <source>Re&amp;ject and repeat its series</source>
+        <translation>&amp;Verwerfen und die Reihe wiederholen</translation>
+    </message>
+    <message>
         <source>Re&amp;volution</source>
         <translation>&amp;Umdrehung</translation>
     </message>
@@ -1202,8 +1596,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Umdrehungen</translation>
     </message>
     <message>
+        <source>Rea&amp;son</source>
+        <translation>&amp;Grund</translation>
+    </message>
+    <message>
         <source>Read it again</source>
         <translation>Neu lesen</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Messung</translation>
     </message>
     <message>
         <source>Readings</source>
@@ -1234,6 +1636,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Grund des Nullens</translation>
     </message>
     <message>
+        <source>Reason of the rejection</source>
+        <translation>Grund des Verwerfens</translation>
+    </message>
+    <message>
         <source>Reason or note</source>
         <translation>Grund oder Notiz</translation>
     </message>
@@ -1252,6 +1658,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Recover</source>
         <translation>Zurück zum Versuch</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Reject the selected reading and repeat its series</source>
+        <translation>Die gewählte Messung verwerfen und ihre Reihe wiederholen</translation>
+    </message>
+    <message>
+        <source>Reject the selected reading, repeat its series</source>
+        <translation>Die gewählte Messung verwerfen, ihre Reihe wiederholen</translation>
     </message>
     <message>
         <source>Release command</source>
@@ -1302,6 +1720,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zurücksetzen: der bewusste Schritt vor einem neuen Start. Nichts bewegt sich.</translation>
     </message>
     <message>
+        <source>Residual</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Residuals in words</source>
+        <translation>Abweichungen in Worten</translation>
+    </message>
+    <message>
+        <source>Residuals of the readings so far, N</source>
+        <translation>Abweichungen der bisherigen Messungen, N</translation>
+    </message>
+    <message>
+        <source>Residuals so far, micrometres</source>
+        <translation>Bisherige Abweichungen, Mikrometer</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
         <source>Results</source>
         <translation>Ergebnisse</translation>
     </message>
@@ -1334,6 +1772,30 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Prüfstand, Drehzahl und Datei des Versuchs</translation>
     </message>
     <message>
+        <source>Rolls</source>
+        <translation>Umläufe</translation>
+    </message>
+    <message>
+        <source>Routine: 12 revolutions at each speed</source>
+        <translation>Routine: 12 Umdrehungen bei jeder Drehzahl</translation>
+    </message>
+    <message>
+        <source>Routine: 4 pin angles, 5 loads up and down</source>
+        <translation>Routine: 4 Bolzenwinkel, 5 Lasten auf und ab</translation>
+    </message>
+    <message>
+        <source>Routine: once up and down</source>
+        <translation>Routine: einmal auf und ab</translation>
+    </message>
+    <message>
+        <source>Run-out</source>
+        <translation>Rundlauf</translation>
+    </message>
+    <message>
+        <source>Run-out map, micrometres</source>
+        <translation>Rundlaufkarte, Mikrometer</translation>
+    </message>
+    <message>
         <source>Running</source>
         <translation>Läuft</translation>
     </message>
@@ -1352,6 +1814,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>SIMULATED</source>
         <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>STEADY</source>
+        <translation>RUHIG</translation>
     </message>
     <message>
         <source>Samples lost</source>
@@ -1374,12 +1840,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Speichern</translation>
     </message>
     <message>
+        <source>Save the &amp;record as</source>
+        <translation>Kalibrierdatensatz speichern &amp;als</translation>
+    </message>
+    <message>
         <source>Save the changes</source>
         <translation>Änderungen speichern</translation>
     </message>
     <message>
         <source>Save the log and report it; reconnect before the next test.</source>
         <translation>Das Protokoll sichern und melden; vor dem nächsten Versuch neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Sensitivity of the daily checks</source>
+        <translation>Empfindlichkeit der täglichen Prüfungen</translation>
     </message>
     <message>
         <source>Sensor broken</source>
@@ -1392,6 +1866,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Sep</source>
         <translation>Sep</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Reihe</translation>
     </message>
     <message>
         <source>Set it right in the rig file, connect again, and compare both speeds on the Devices tab.</source>
@@ -1408,6 +1886,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Set speed not reached</source>
         <translation>Solldrehzahl nicht erreicht</translation>
+    </message>
+    <message>
+        <source>Settings (*.toml)</source>
+        <translation>Einstellungen (*.toml)</translation>
+    </message>
+    <message>
+        <source>Settings file of the calibration</source>
+        <translation>Einstellungsdatei der Kalibrierung</translation>
     </message>
     <message>
         <source>Severity</source>
@@ -1434,6 +1920,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Signal</translation>
     </message>
     <message>
+        <source>Signal 1</source>
+        <translation>Signal 1</translation>
+    </message>
+    <message>
+        <source>Signal 2</source>
+        <translation>Signal 2</translation>
+    </message>
+    <message>
+        <source>Signals now</source>
+        <translation>Signale jetzt</translation>
+    </message>
+    <message>
         <source>Silent</source>
         <translation>Stumm</translation>
     </message>
@@ -1446,6 +1944,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Simulierte Hände</translation>
     </message>
     <message>
+        <source>Simulated hands (practice: no waiting times)</source>
+        <translation>Simulierte Hände (Übung: keine Wartezeiten)</translation>
+    </message>
+    <message>
         <source>Simulated or replayed</source>
         <translation>Simuliert oder wiedergegeben</translation>
     </message>
@@ -1456,6 +1958,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Since when</source>
         <translation>Seit wann</translation>
+    </message>
+    <message>
+        <source>Slow rolls</source>
+        <translation>Langsame Umläufe</translation>
+    </message>
+    <message>
+        <source>Sp&amp;eeds (rpm)</source>
+        <translation>&amp;Drehzahlen (rpm)</translation>
     </message>
     <message>
         <source>Spee&amp;d</source>
@@ -1478,12 +1988,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Drehzahlen verschieden</translation>
     </message>
     <message>
+        <source>Speeds of the rolls, revolutions per minute</source>
+        <translation>Drehzahlen der Umläufe in Umdrehungen pro Minute</translation>
+    </message>
+    <message>
         <source>Spindle not shown to stand</source>
         <translation>Stillstand der Spindel nicht gezeigt</translation>
     </message>
     <message>
         <source>Stability of the signal</source>
         <translation>Ruhe des Signals</translation>
+    </message>
+    <message>
+        <source>Standard &amp;uncertainty of the level</source>
+        <translation>Standard&amp;unsicherheit der Wasserwaage</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the level</source>
+        <translation>Standardunsicherheit der Wasserwaage</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the micrometer</source>
+        <translation>Standardunsicherheit der Messschraube</translation>
     </message>
     <message>
         <source>Start a test</source>
@@ -1542,12 +2068,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Im Fenster bleiben</translation>
     </message>
     <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
         <source>Step: {}</source>
         <translation>Schritt: {}</translation>
     </message>
     <message>
         <source>Steps of preparing a test</source>
         <translation>Schritte zur Vorbereitung eines Versuchs</translation>
+    </message>
+    <message>
+        <source>Steps of {:g} µm; {}</source>
+        <translation>Schritte von {:g} µm; {}</translation>
     </message>
     <message>
         <source>Stop at the safe angle; the test can be resumed</source>
@@ -1614,6 +2148,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Antrieb aus, wenn die Drehzahl größer ist als</translation>
     </message>
     <message>
+        <source>T&amp;urn the micrometer</source>
+        <translation>&amp;Messschraube drehen</translation>
+    </message>
+    <message>
         <source>THE SPINDLE MAY STILL TURN.</source>
         <translation>DIE SPINDEL DREHT SICH VIELLEICHT NOCH.</translation>
     </message>
@@ -1642,6 +2180,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die jetzigen Signale als Kraft null nehmen: Die Kurbel steht, der Bolzen trägt nichts. Alter und neuer Nullpunkt kommen ins Protokoll; die Kalibrierung bleibt unberührt.</translation>
     </message>
     <message>
+        <source>Take up {}</source>
+        <translation>{} fortsetzen</translation>
+    </message>
+    <message>
         <source>Test</source>
         <translation>Versuch</translation>
     </message>
@@ -1658,12 +2200,44 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuchsdatei</translation>
     </message>
     <message>
+        <source>Test file of this mechanism</source>
+        <translation>Versuchsdatei dieses Getriebes</translation>
+    </message>
+    <message>
         <source>Test file that is edited</source>
         <translation>Versuchsdatei, die bearbeitet wird</translation>
     </message>
     <message>
         <source>Tests (*.toml)</source>
         <translation>Versuche (*.toml)</translation>
+    </message>
+    <message>
+        <source>The &amp;load hangs still</source>
+        <translation>Die &amp;Last hängt ruhig</translation>
+    </message>
+    <message>
+        <source>The &amp;target stands before the probe</source>
+        <translation>Das &amp;Ziel steht vor dem Wegsensor</translation>
+    </message>
+    <message>
+        <source>The angle reference has been taken already.</source>
+        <translation>Der Winkelbezug ist schon genommen.</translation>
+    </message>
+    <message>
+        <source>The certificate is made from the record alone: the same bytes each time.</source>
+        <translation>Der Kalibrierschein entsteht allein aus dem Datensatz: jedes Mal dieselben Bytes.</translation>
+    </message>
+    <message>
+        <source>The certificate is {}.</source>
+        <translation>Der Kalibrierschein ist {}.</translation>
+    </message>
+    <message>
+        <source>The check failed</source>
+        <translation>Die Prüfung ist nicht bestanden</translation>
+    </message>
+    <message>
+        <source>The check is kept in {}.</source>
+        <translation>Die Prüfung liegt in {}.</translation>
     </message>
     <message>
         <source>The chosen fault</source>
@@ -1688,6 +2262,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The crank turns at {speed_rpm:.1f} rpm; {target_rpm:g} rpm are set.</source>
         <translation>Die Kurbel dreht mit {speed_rpm:.1f} rpm; eingestellt sind {target_rpm:g} rpm.</translation>
+    </message>
+    <message>
+        <source>The daily check is passed</source>
+        <translation>Die tägliche Prüfung ist bestanden</translation>
     </message>
     <message>
         <source>The deliberate action before another start: every critical alarm must be acknowledged and its cause gone. Nothing moves.</source>
@@ -1730,6 +2308,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Drehgeber zählte {revolutions:.1f} Umdrehungen ohne Indexpuls.</translation>
     </message>
     <message>
+        <source>The encoder shows {:.2f} degrees.</source>
+        <translation>Der Drehgeber zeigt {:.2f} Grad.</translation>
+    </message>
+    <message>
+        <source>The encoder&apos;s angle is not known yet.</source>
+        <translation>Der Winkel des Drehgebers ist noch nicht bekannt.</translation>
+    </message>
+    <message>
         <source>The engine ended while {test} was {state}, and a new one was started. The drive&apos;s own watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it: Results (Ctrl+8), Go on with it.</source>
         <translation>Die Steuerung ging zu Ende, während {test} im Zustand „{state}“ war; eine neue wurde gestartet. Der Wächter des Antriebs hält die Spindel selbst an. {saved} Umdrehungen sind sicher in {file}. Zum Fortsetzen: Ergebnisse (Strg+8), „Fortsetzen“.</translation>
     </message>
@@ -1740,6 +2326,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The faults of the simulated rig are not known: {}</source>
         <translation>Die Fehler des simulierten Prüfstands sind nicht bekannt: {}</translation>
+    </message>
+    <message>
+        <source>The first angle</source>
+        <translation>Der erste Winkel</translation>
     </message>
     <message>
         <source>The force is not known, an overload would not be seen: the test was ended and the spindle stopped. The samples since then are flagged.</source>
@@ -1770,8 +2360,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der offene Schritt</translation>
     </message>
     <message>
+        <source>The pin is &amp;turned</source>
+        <translation>Der Bolzen ist &amp;gedreht</translation>
+    </message>
+    <message>
+        <source>The plan and all readings are those of the journal.</source>
+        <translation>Plan und alle Messungen sind die des Journals.</translation>
+    </message>
+    <message>
+        <source>The preload is d&amp;one</source>
+        <translation>Die V&amp;orlast ist getan</translation>
+    </message>
+    <message>
         <source>The queue behind {device} was full; {blocks} blocks were dropped.</source>
         <translation>Die Warteschlange hinter {device} war voll; {blocks} Blöcke wurden verworfen.</translation>
+    </message>
+    <message>
+        <source>The record counts when {} names it: section [{}], {} = {}</source>
+        <translation>Der Datensatz gilt, wenn {} ihn nennt: Abschnitt [{}], {} = {}</translation>
+    </message>
+    <message>
+        <source>The record is saved and read-only: {}.</source>
+        <translation>Der Datensatz ist gespeichert und schreibgeschützt: {}.</translation>
     </message>
     <message>
         <source>The revolutions concerned are flagged as gaps.</source>
@@ -1788,6 +2398,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The spindle did not come to rest for the pause.</source>
         <translation>Die Spindel kam für die Pause nicht zur Ruhe.</translation>
+    </message>
+    <message>
+        <source>The spindle turns for about {:.0f} min.</source>
+        <translation>Die Spindel dreht sich etwa {:.0f} min.</translation>
+    </message>
+    <message>
+        <source>The spindle turns slowly with the follower on the pin and an unworn bushing, whose probes then see the pin&apos;s own run-out. Two speeds tell inertia from run-out.</source>
+        <translation>Die Spindel dreht langsam, mit der Schwinge auf dem Bolzen und einer neuen Buchse; die Wegsensoren sehen dann den Rundlauf des Bolzens selbst. Zwei Drehzahlen trennen Trägheit und Rundlauf.</translation>
+    </message>
+    <message>
+        <source>The spindle turns. Keep your hands away.</source>
+        <translation>Die Spindel dreht sich. Hände weg.</translation>
     </message>
     <message>
         <source>The test goes on and is recorded; windows may show nothing and cannot command it.</source>
@@ -1922,12 +2544,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Vektor und andere Kanäle</translation>
     </message>
     <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
         <source>Viewing only</source>
         <translation>Nur zusehen</translation>
     </message>
     <message>
         <source>Viewing only: {}</source>
         <translation>Nur zusehen: {}</translation>
+    </message>
+    <message>
+        <source>Voltages now</source>
+        <translation>Spannungen jetzt</translation>
+    </message>
+    <message>
+        <source>W&amp;eights (kg)</source>
+        <translation>G&amp;ewichte (kg)</translation>
+    </message>
+    <message>
+        <source>WAIT</source>
+        <translation>WARTEN</translation>
     </message>
     <message>
         <source>Wait</source>
@@ -1970,8 +2608,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Mi</translation>
     </message>
     <message>
+        <source>Weights, kilograms; 5x8 are eight of 5 kg</source>
+        <translation>Gewichte in Kilogramm; 5x8 sind acht von 5 kg</translation>
+    </message>
+    <message>
         <source>What happened</source>
         <translation>Was geschehen ist</translation>
+    </message>
+    <message>
+        <source>What happens to the rig file</source>
+        <translation>Was mit der Prüfstandsdatei geschieht</translation>
     </message>
     <message>
         <source>What is known of the wear</source>
@@ -1986,8 +2632,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was gestartet wird</translation>
     </message>
     <message>
+        <source>What is wrong on this page</source>
+        <translation>Was auf dieser Seite falsch ist</translation>
+    </message>
+    <message>
         <source>What it tells is not recorded until it answers; the test goes on.</source>
         <translation>Was es meldet, wird erst aufgezeichnet, wenn es antwortet; der Versuch geht weiter.</translation>
+    </message>
+    <message>
+        <source>What shall be calibrated?</source>
+        <translation>Was soll kalibriert werden?</translation>
+    </message>
+    <message>
+        <source>What stands against it</source>
+        <translation>Was dagegen spricht</translation>
+    </message>
+    <message>
+        <source>What the control charts say</source>
+        <translation>Was die Regelkarten sagen</translation>
     </message>
     <message>
         <source>What these faults are</source>
@@ -2006,12 +2668,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was dieser Eingang zeigt, kann falsch sein.</translation>
     </message>
     <message>
+        <source>What this means</source>
+        <translation>Was das bedeutet</translation>
+    </message>
+    <message>
+        <source>What to do now</source>
+        <translation>Was jetzt zu tun ist</translation>
+    </message>
+    <message>
         <source>What was counted on the line</source>
         <translation>Was auf der Leitung gezählt wurde</translation>
     </message>
     <message>
         <source>Where</source>
         <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Where the certificate is</source>
+        <translation>Wo der Kalibrierschein ist</translation>
+    </message>
+    <message>
+        <source>Where the record is</source>
+        <translation>Wo der Datensatz ist</translation>
+    </message>
+    <message>
+        <source>Which probe</source>
+        <translation>Welcher Wegsensor</translation>
     </message>
     <message>
         <source>Who</source>
@@ -2050,12 +2732,36 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fenster können nicht bedient werden</translation>
     </message>
     <message>
+        <source>Write its name into the &amp;rig file…</source>
+        <translation>Seinen Namen in die &amp;Prüfstandsdatei schreiben…</translation>
+    </message>
+    <message>
         <source>Write t&amp;o</source>
         <translation>&amp;Schreiben in</translation>
     </message>
     <message>
+        <source>Write the certificate as &amp;HTML</source>
+        <translation>Kalibrierschein als &amp;HTML schreiben</translation>
+    </message>
+    <message>
+        <source>Write the certificate as &amp;PDF</source>
+        <translation>Kalibrierschein als &amp;PDF schreiben</translation>
+    </message>
+    <message>
+        <source>Write the name of the record into the rig file</source>
+        <translation>Den Namen des Datensatzes in die Prüfstandsdatei schreiben</translation>
+    </message>
+    <message>
+        <source>Write the name of this record into {}? Comments and all else stay, and a copy of the file as it is now is kept beside it.</source>
+        <translation>Den Namen dieses Datensatzes in {} schreiben? Kommentare und alles andere bleiben, und eine Kopie der jetzigen Datei bleibt daneben.</translation>
+    </message>
+    <message>
         <source>Write the text into the log of the test (Enter)</source>
         <translation>Den Text ins Protokoll des Versuchs schreiben (Enter)</translation>
+    </message>
+    <message>
+        <source>Writing the certificate; the first one takes some seconds …</source>
+        <translation>Der Kalibrierschein wird geschrieben; der erste braucht einige Sekunden …</translation>
     </message>
     <message>
         <source>You are in command</source>
@@ -2112,6 +2818,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>broken</source>
         <translation>gebrochen</translation>
+    </message>
+    <message>
+        <source>by slow rolls of the spindle</source>
+        <translation>durch langsame Umläufe der Spindel</translation>
     </message>
     <message>
         <source>circle</source>
@@ -2206,6 +2916,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fehler auslösen</translation>
     </message>
     <message>
+        <source>its U</source>
+        <translation>seine U</translation>
+    </message>
+    <message>
+        <source>its mechanism tells the elastic motion, its limits stay</source>
+        <translation>sein Getriebe sagt die elastische Bewegung, seine Grenzen bleiben</translation>
+    </message>
+    <message>
+        <source>kilograms</source>
+        <translation>Kilogramm</translation>
+    </message>
+    <message>
         <source>latched</source>
         <translation>gehalten</translation>
     </message>
@@ -2214,12 +2936,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>kleinster Abstand {:.0f} %, {}</translation>
     </message>
     <message>
+        <source>limit of the history</source>
+        <translation>Grenze aus der Vorgeschichte</translation>
+    </message>
+    <message>
         <source>margin {:.0f} %</source>
         <translation>Abstand {:.0f} %</translation>
     </message>
     <message>
         <source>measured by the probes, k = 2</source>
         <translation>von den Wegsensoren, k = 2</translation>
+    </message>
+    <message>
+        <source>metres per second squared</source>
+        <translation>Meter pro Sekunde zum Quadrat</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>Mikrometer</translation>
     </message>
     <message>
         <source>next</source>
@@ -2234,6 +2968,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>keine Vorhersage</translation>
     </message>
     <message>
+        <source>no signals from the engine</source>
+        <translation>keine Signale von der Steuerung</translation>
+    </message>
+    <message>
         <source>no test</source>
         <translation>kein Versuch</translation>
     </message>
@@ -2244,6 +2982,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>no warning</source>
         <translation>keine Warnung</translation>
+    </message>
+    <message>
+        <source>none: the fields below are enough</source>
+        <translation>keine: die Felder unten genügen</translation>
     </message>
     <message>
         <source>not connected</source>
@@ -2310,6 +3052,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>neu verbinden</translation>
     </message>
     <message>
+        <source>rejected: {}</source>
+        <translation>verworfen: {}</translation>
+    </message>
+    <message>
         <source>release command</source>
         <translation>Kommando abgeben</translation>
     </message>
@@ -2374,6 +3120,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>veraltet seit {}</translation>
     </message>
     <message>
+        <source>stands</source>
+        <translation>gilt</translation>
+    </message>
+    <message>
         <source>start</source>
         <translation>starten</translation>
     </message>
@@ -2426,6 +3176,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>das Ende wartet</translation>
     </message>
     <message>
+        <source>the load cell</source>
+        <translation>den Kraftsensor</translation>
+    </message>
+    <message>
+        <source>the other probe</source>
+        <translation>des anderen Wegsensors</translation>
+    </message>
+    <message>
         <source>the pin moves across the follower, counter-clockwise</source>
         <translation>der Bolzen bewegt sich quer zur Koppel, gegen den Uhrzeigersinn</translation>
     </message>
@@ -2434,12 +3192,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>der Bolzen bewegt sich längs der Koppel zum Schieber</translation>
     </message>
     <message>
+        <source>the pin&apos;s run-out</source>
+        <translation>den Rundlauf des Bolzens</translation>
+    </message>
+    <message>
+        <source>the probes</source>
+        <translation>die Wegsensoren</translation>
+    </message>
+    <message>
+        <source>the rig file</source>
+        <translation>die Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>this record</source>
+        <translation>dieser Datensatz</translation>
+    </message>
+    <message>
         <source>to do</source>
         <translation>zu tun</translation>
     </message>
     <message>
         <source>triangle</source>
         <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>u of the &amp;micrometer</source>
+        <translation>u der &amp;Messschraube</translation>
     </message>
     <message>
         <source>unacknowledged</source>
@@ -2456,6 +3234,30 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>was {}; {}</source>
         <translation>war: {}; {}</translation>
+    </message>
+    <message>
+        <source>what the calibration says</source>
+        <translation>was die Kalibrierung sagt</translation>
+    </message>
+    <message>
+        <source>why the selected reading does not count</source>
+        <translation>warum die gewählte Messung nicht zählt</translation>
+    </message>
+    <message>
+        <source>with a micrometer across the follower</source>
+        <translation>mit einer Messschraube quer zur Schwinge</translation>
+    </message>
+    <message>
+        <source>with a micrometer along the follower</source>
+        <translation>mit einer Messschraube längs der Schwinge</translation>
+    </message>
+    <message>
+        <source>with a micrometer stage; finds how the probes stand as well</source>
+        <translation>mit einem Messtisch; findet auch, wie die Wegsensoren stehen</translation>
+    </message>
+    <message>
+        <source>with weights, at several pin angles</source>
+        <translation>mit Gewichten, bei mehreren Bolzenwinkeln</translation>
     </message>
     <message>
         <source>zero</source>
@@ -2566,6 +3368,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} muss eine Zahl sein, nicht {}.</translation>
     </message>
     <message>
+        <source>{} names the record now; the former file is {}.</source>
+        <translation>{} nennt jetzt den Datensatz; die frühere Datei ist {}.</translation>
+    </message>
+    <message>
         <source>{} of {}</source>
         <translation>{} von {}</translation>
     </message>
@@ -2576,6 +3382,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} on {port}: {sentence}</source>
         <translation>{} an {port}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{} pieces, {:g} kg in all. The heaviest load is {:g} kg; {}</source>
+        <translation>{} Stücke, zusammen {:g} kg. Die schwerste Last ist {:g} kg; {}</translation>
+    </message>
+    <message>
+        <source>{} readings, about {}.</source>
+        <translation>{} Messungen, etwa {}.</translation>
     </message>
     <message>
         <source>{} refused: {}</source>
@@ -2656,6 +3470,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>✓ Good</source>
         <translation>✓ Gut</translation>
+    </message>
+    <message>
+        <source>✗ The check is passed, but the cell changes</source>
+        <translation>✗ Die Prüfung ist bestanden, aber der Sensor ändert sich</translation>
+    </message>
+    <message>
+        <source>✗ There is no result</source>
+        <translation>✗ Es gibt kein Ergebnis</translation>
     </message>
 </context>
 </TS>

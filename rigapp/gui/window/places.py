@@ -174,6 +174,7 @@ class PageBar(QWidget):
         if tuple(pages) != self._shown:
             self._shown = tuple(pages)
             for gone in self.buttons.values():
+                gone.hide()  # at once; a loaded computer deletes it later
                 gone.deleteLater()
             self.buttons = {page.number: self._button(page) for page in pages}
             for made in self.buttons.values():

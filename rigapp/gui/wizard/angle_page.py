@@ -6,14 +6,15 @@ import math
 
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QVBoxLayout, QWizardPage
 
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, filled, named, row
 from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import Stability, field, number, sentence
 
-TURN = "&Keep this angle; I turn the level end for end"
-AGAIN = "&Forget the first angle"
+TURN: Text = "&Keep this angle; I turn the level end for end"
+AGAIN: Text = "&Forget the first angle"
 
 
 class AnglePage(QWizardPage):
@@ -22,28 +23,32 @@ class AnglePage(QWizardPage):
     def __init__(self, live: LiveCalibration, theme: Theme) -> None:
         super().__init__()
         self._live = live
-        self.setTitle("Angle reference")
+        self.setTitle(tr("Angle reference"))
         self.setSubTitle(
-            "0.2 degrees of a common angle error turn every force by as much, and no reading shows"
-            " it. Only a level does."
+            tr(
+                "0.2 degrees of a common angle error turn every force by as much, and no reading"
+                " shows it. Only a level does."
+            )
         )
         self.instruction = sentence("angle_instruction", "What to do now", 1.5)
         self.instruction.setText(
-            "Lay the level on the flat of the crank and turn the crank until the bubble is in the"
-            " middle. The encoder should show 0 degrees, or 360. Then turn the level end for end"
-            " and do it again: the mean is free of the level's own error."
+            tr(
+                "Lay the level on the flat of the crank and turn the crank until the bubble is in"
+                " the middle. The encoder should show 0 degrees, or 360. Then turn the level end"
+                " for end and do it again: the mean is free of the level's own error."
+            )
         )
         self.live = sentence("angle_live", "Angle of the encoder now", 1.5, bold=True)
         self.stability = Stability(theme)
-        text = "&Take the encoder's angle as it is now"
-        self.follow = named(QCheckBox(text), "angle_follow", text.replace("&", ""))
+        text: Text = "&Take the encoder's angle as it is now"
+        self.follow = named(QCheckBox(tr(text)), "angle_follow", tr(text).replace("&", ""))
         self.follow.setChecked(True)
-        spoken = "Angle that the encoder shows"
-        self.shown = number("angle_shown", spoken, -360.0, 360.0, 2, 0.1, "degrees")
-        spoken = "Standard uncertainty of the level"
-        self.uncertainty = number("angle_uncertainty", spoken, 0.005, 5.0, 3, 0.01, "degrees")
+        angle: Text = "Angle that the encoder shows"
+        self.shown = number("angle_shown", angle, -360.0, 360.0, 2, 0.1, "degrees")
+        level: Text = "Standard uncertainty of the level"
+        self.uncertainty = number("angle_uncertainty", level, 0.005, 5.0, 3, 0.01, "degrees")
         self.uncertainty.setValue(0.05)
-        spoken = "Keep this angle and turn the level end for end"
+        spoken: Text = "Keep this angle and turn the level end for end"
         self.turn = button("angle_turn", TURN, self._keep_first, spoken)
         self.first = sentence("angle_first", "The first angle")
         self._first_deg: float | None = None
@@ -77,13 +82,13 @@ class AnglePage(QWizardPage):
             return
         self.shown.interpretText()
         self._first_deg = self.shown.value()
-        self.turn.setText(AGAIN)
+        self.turn.setText(tr(AGAIN))
         self.uncertainty.setEnabled(False)
         self._tell_first()
 
     def _forget_first(self) -> None:
         self._first_deg = None
-        self.turn.setText(TURN)
+        self.turn.setText(tr(TURN))
         self.uncertainty.setEnabled(True)
         self._tell_first()
 
@@ -96,9 +101,15 @@ class AnglePage(QWizardPage):
         setting = session.given.angle.setting_standard_uncertainty_deg
         mean, own = 0.5 * (self._first_deg + second), 0.5 * (self._first_deg - second)
         self.first.setText(
-            f"First {self._first_deg:+.2f} degrees, now {second:+.2f} degrees with the level"
-            f" turned: mean {mean:+.2f} +- {setting / math.sqrt(2.0):.3f} degrees; the level itself"
-            f" is off by {own:+.2f} degrees."
+            tr(
+                "First {:+.2f} degrees, now {:+.2f} degrees with the level turned: mean {:+.2f} +-"
+                " {:.3f} degrees; the level itself is off by {:+.2f} degrees.",
+                self._first_deg,
+                second,
+                mean,
+                setting / math.sqrt(2.0),
+                own,
+            )
         )
 
     def isComplete(self) -> bool:
@@ -137,12 +148,12 @@ class AnglePage(QWizardPage):
         self.stability.show_readiness(live.readiness, "no signals from the engine")
         self.turn.setEnabled(self._due() and self.isComplete())
         if not self._due() and live.session is not None:
-            self.live.setText("The angle reference has been taken already.")
+            self.live.setText(tr("The angle reference has been taken already."))
         elif window is None or window.angle is None:
-            self.live.setText("The encoder's angle is not known yet.")
+            self.live.setText(tr("The encoder's angle is not known yet."))
         else:
             degrees = math.degrees(window.angle)
-            self.live.setText(f"The encoder shows {degrees:.2f} degrees.")
+            self.live.setText(tr("The encoder shows {:.2f} degrees.", degrees))
             if self.follow.isChecked():
                 self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
         self._tell_first()

@@ -7,11 +7,12 @@ from PySide6.QtWidgets import QVBoxLayout, QWizardPage
 from rigapp.calibrating.records_in_use import RecordPlace
 from rigapp.calibrating.rig_file import name_record
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.widgets.build import button, filled, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import sentence
 
-USE = "Write its name into the &rig file…"
+USE: Text = "Write its name into the &rig file…"
 
 
 class CertificatePage(QWizardPage):
@@ -21,17 +22,21 @@ class CertificatePage(QWizardPage):
         """Make the widgets; prefix: of their names; place: where a rig file names the record."""
         super().__init__()
         self._live, self._place = live, place
-        self.setTitle("Certificate")
-        self.setSubTitle("The certificate is made from the record alone: the same bytes each time.")
+        self.setTitle(tr("Certificate"))
+        alone: Text = "The certificate is made from the record alone: the same bytes each time."
+        self.setSubTitle(tr(alone))
         self.saved = sentence(f"{prefix}saved", "Where the record is", 1.15)
-        for_pdf, for_html = "Write the certificate as &PDF", "Write the certificate as &HTML"
+        for_pdf, for_html = (
+            marked("Write the certificate as &PDF"),
+            marked("Write the certificate as &HTML"),
+        )
         self.pdf = button(f"{prefix}certificate_pdf", for_pdf, lambda: self._write(".pdf"))
         self.html = button(f"{prefix}certificate_html", for_html, lambda: self._write(".html"))
         self.words = sentence(f"{prefix}certificate_words", "Where the certificate is")
-        spoken = "Write the name of the record into the rig file"
+        spoken: Text = "Write the name of the record into the rig file"
         self.use = button(f"{prefix}use_record", USE, self._use, spoken)
-        spoken = "Leave the rig file as it is"
-        self.no = button(f"{prefix}leave_rig_file", "N&o, leave it", self._leave, spoken)
+        leave: Text = "Leave the rig file as it is"
+        self.no = button(f"{prefix}leave_rig_file", "N&o, leave it", self._leave, leave)
         self.used = sentence(f"{prefix}use_words", "What happens to the rig file")
         upper = (self.saved, row(self.pdf, self.html, None), self.words)
         filled(QVBoxLayout(self), (*upper, self.used, row(self.use, self.no, None), None))
@@ -43,10 +48,9 @@ class CertificatePage(QWizardPage):
         """Name the record."""
         outcome = self._live.outcome
         path = outcome.saved if outcome is not None else None
-        simulated = (
-            " It was made on a simulated rig, for practice." if self._live.rig.simulated else ""
-        )
-        self.saved.setText(f"The record is saved and read-only: {path}.{simulated}")
+        practice: Text = " It was made on a simulated rig, for practice."
+        saved = tr("The record is saved and read-only: {}.", path)
+        self.saved.setText(saved + (tr(practice) if self._live.rig.simulated else ""))
         self.words.clear()
         self._leave()
         self.pdf.setFocus()
@@ -59,11 +63,12 @@ class CertificatePage(QWizardPage):
         from rigapp.calibrating.certificate import write_certificate
 
         record, target = outcome.saved, outcome.saved.with_suffix(suffix)
-        self.words.setText("Writing the certificate; the first one takes some seconds …")
+        self.words.setText(tr("Writing the certificate; the first one takes some seconds …"))
         self._live.run(
             lambda: write_certificate(record, target),
             lambda mark: self.words.setText(
-                f"The certificate is {target}." + (f" Each page is marked {mark}." if mark else "")
+                tr("The certificate is {}.", target)
+                + (tr(" Each page is marked {}.", mark) if mark else "")
             ),
         )
 
@@ -74,12 +79,17 @@ class CertificatePage(QWizardPage):
         self._asked = False
         self.no.hide()
         self.use.setVisible(file is not None and whole)
-        self.use.setText(USE)
-        name = "the rig file" if file is None else str(file)
-        value = "..." if whole else '[this record, "the other probe\'s"]'
+        self.use.setText(tr(USE))
+        name = tr("the rig file") if file is None else str(file)
+        value = "..." if whole else f'[{tr("this record")}, "{tr("the other probe")}"]'
         self.used.setText(
-            f"The record counts when {name} names it: section [{self._place.section}],"
-            f" {self._place.key} = {value}"
+            tr(
+                "The record counts when {} names it: section [{}], {} = {}",
+                name,
+                self._place.section,
+                self._place.key,
+                value,
+            )
         )
 
     def _use(self) -> None:
@@ -90,10 +100,13 @@ class CertificatePage(QWizardPage):
         if not self._asked:
             self._asked = True
             self.used.setText(
-                f"Write the name of this record into {file}? Comments and all else stay, and a copy"
-                " of the file as it is now is kept beside it."
+                tr(
+                    "Write the name of this record into {}? Comments and all else stay, and a copy"
+                    " of the file as it is now is kept beside it.",
+                    file,
+                )
             )
-            self.use.setText("&Yes, write it")
+            self.use.setText(tr("&Yes, write it"))
             self.no.show()
             return
         try:
@@ -105,7 +118,7 @@ class CertificatePage(QWizardPage):
         self._asked = False
         self.use.hide()
         self.no.hide()
-        words = f"{file.name} names the record now; the former file is {copy.name}."
+        words = tr("{} names the record now; the former file is {}.", file.name, copy.name)
         self.used.setText(words)
         self._live.ask("use_records", lambda reply: self.used.setText(f"{words} {reply.sentence}"))
 

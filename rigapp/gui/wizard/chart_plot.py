@@ -7,6 +7,7 @@ import pyqtgraph as pg
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from rigapp.calibrating.daily_history import DailyHistory, verdict_lines
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
@@ -20,9 +21,9 @@ class ChartPlot(QWidget):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self.plot = QuietPlot("daily_chart", "Sensitivity of the daily checks", theme)
-        self.plot.label("left", "Felt / applied force")
-        self.plot.label("bottom", "Check")
+        self.plot = QuietPlot("daily_chart", tr("Sensitivity of the daily checks"), theme)
+        self.plot.label("left", tr("Felt / applied force"))
+        self.plot.label("bottom", tr("Check"))
         self.plot.setMinimumHeight(10 * self.fontMetrics().height())
         self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         colour = theme.curves["first"]
@@ -57,13 +58,13 @@ class ChartPlot(QWidget):
         self.plot.setYRange(low - margin, high + margin, padding=0.0)
         self.words.setText("\n".join(verdict_lines(found)))
 
-    def _level(self, value: float, words: str, *, dotted: bool = False) -> None:
+    def _level(self, value: float, words: Text, *, dotted: bool = False) -> None:
         pen = line_pen(self._theme.text, dotted=dotted)
         guide = pg.InfiniteLine(
             value,
             angle=0,
             pen=pen,
-            label=words,
+            label=tr(words),
             labelOpts={"position": 0.88, "color": self._theme.text},
         )
         self.plot.addItem(guide)

@@ -8,6 +8,7 @@ from functools import partial
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
 
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.widgets.build import button, filled
 from rigapp.gui.widgets.labels import scaled_font
 
@@ -16,8 +17,8 @@ from rigapp.gui.widgets.labels import scaled_font
 class Choice:
     """One thing to choose: its name with an access key, how it is done, and the subject it is."""
 
-    text: str
-    words: str
+    text: Text
+    words: Text
     subject: str
 
 
@@ -41,13 +42,13 @@ class CalibrationChooser(QDialog):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("calibration_chooser")
-        self.setWindowTitle("Calibrate – rigapp")
+        self.setWindowTitle(tr("Calibrate – rigapp"))
         self.setModal(False)
-        heading = QLabel("What shall be calibrated?")
+        heading = QLabel(tr("What shall be calibrated?"))
         heading.setFont(scaled_font(heading, 1.4, bold=True))
         self.buttons = {}
         for key, choice in CHOICES.items():
-            text = f"{choice.text}: {choice.words}"
+            text = f"{tr(choice.text)}: {tr(choice.words)}"
             made = button(f"choose_{key.replace(' ', '_')}", text, partial(self._choose, key))
             made.setMinimumHeight(2 * made.fontMetrics().height())
             made.setStyleSheet("text-align: left; padding-left: 1em; padding-right: 1em;")

@@ -22,6 +22,7 @@ from rigapp.config.calibration_settings import (
     RunOutFile,
     load_cell_meaning,
 )
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import choice, edit, whole_number
 from rigapp.gui.wizard.live_calibration import LiveCalibration
@@ -44,7 +45,7 @@ class Face:
     subject without steps. live: what listens to the engine.
     """
 
-    what: str
+    what: Text
     asks: Questions
     readings: Callable[[Any, Theme], TakingPage | RollingPage]
     plot: PlotNames
@@ -56,7 +57,7 @@ class Face:
 
 def _taken(steps: tuple[Step, ...]) -> str:
     readings = sum(1 for step in steps if step.kind is StepKind.READING)
-    return f"{readings} readings, about {duration_words(steps)}."
+    return tr("{} readings, about {}.", readings, duration_words(steps))
 
 
 # --- the load cell --------------------------------------------------------------------------------
@@ -65,13 +66,11 @@ def _taken(steps: tuple[Step, ...]) -> str:
 def _describe_load_cell(plan: LoadCellPlan, values: Values, settings: LoadCellFile) -> str:
     steps = plan.steps()
     most = max(step.value for step in steps)
-    text = (
-        f"{len(plan.pieces)} pieces, {sum(plan.pieces):g} kg in all. The heaviest load is"
-        f" {most:g} kg; {_taken(steps)}"
-    )
+    told: Text = "{} pieces, {:g} kg in all. The heaviest load is {:g} kg; {}"
+    text = tr(told, len(plan.pieces), sum(plan.pieces), most, _taken(steps))
     stated = settings.place.gravity_m_s2 is not None
     if stated and abs(values["gravity"] - ROUNDED_GRAVITY) < 1e-6:
-        text += (
+        text += tr(
             "\n9.81 m/s² is a rounded value, up to 0.3 % off: write the gravity of this place,"
             " or name a settings file with latitude and height."
         )
@@ -85,12 +84,12 @@ def _gravity(settings: LoadCellFile) -> Values:
     return {"gravity": load_cell_meaning(settings, "settings").place.gravity}
 
 
-_WEIGHING_PLANS = (
+_WEIGHING_PLANS: tuple[tuple[Text, str], ...] = (
     ("Daily check: one weight at 4 pin angles", "daily"),
     ("Routine: 4 pin angles, 5 loads up and down", "routine"),
     ("Full: 12 pin angles, 10 loads up and down", "full"),
 )
-_WEIGHTS = "Weights, kilograms; 5x8 are eight of 5 kg"
+_WEIGHTS: Text = "Weights, kilograms; 5x8 are eight of 5 kg"
 _MASS = partial(number, low=0.0, high=20.0, decimals=4, step=0.1, unit="kg")
 _GRAVITY = partial(number, low=GRAVITY.low, high=GRAVITY.high, decimals=5, step=0.0001, unit="m/s²")
 WEIGHING = Questions(
@@ -116,9 +115,9 @@ WEIGHING = Questions(
 
 
 def _describe_probes(plan: ProbePlan, values: Values, settings: ProbeFile) -> str:
-    text = f"Steps of {1e6 * plan.step_size:g} µm; {_taken(plan.steps())}"
+    text = tr("Steps of {:g} µm; {}", 1e6 * plan.step_size, _taken(plan.steps()))
     if len(plan.probes) > 1:
-        text += " With both probes the stage moves along the follower first, then across it."
+        text += tr(" With both probes the stage moves along the follower first, then across it.")
     return text
 
 
@@ -128,12 +127,12 @@ def _propose_reach(view: Any, values: Values, settings: ProbeFile) -> Values:
     return {"reach": usual_reach_um(known, range_V, values["positions"])}
 
 
-_PROBES = (
+_PROBES: tuple[tuple[Text, str], ...] = (
     ("Probe 1, along the follower", "1"),
     ("Probe 2, across the follower", "2"),
     ("Both probes, and how they stand to each other", "both"),
 )
-_MEASURING_PLANS = (
+_MEASURING_PLANS: tuple[tuple[Text, str], ...] = (
     ("Routine: once up and down", "routine"),
     ("Full: three times up and down", "full"),
 )
@@ -141,7 +140,7 @@ _POSITIONS = partial(whole_number, low=FEWEST_POSITIONS, high=MOST_POSITIONS)
 _REACH = partial(number, low=1.0, high=10000.0, decimals=1, step=10.0, unit="µm")
 _SCALE = partial(number, low=0.01, high=100.0, decimals=2, step=0.1, unit="µm")
 _SCALE_KEY = "probe.micrometer_standard_uncertainty_um"
-_SCALE_SPOKEN = "Standard uncertainty of the micrometer"
+_SCALE_SPOKEN: Text = "Standard uncertainty of the micrometer"
 MEASURING = Questions(
     stem="probe",
     journals="probes",
@@ -166,20 +165,21 @@ MEASURING = Questions(
 
 
 def _describe_rolls(plan: RollPlan, values: Values, settings: RunOutFile) -> str:
-    text = f"The spindle turns for about {plan.seconds / 60.0:.0f} min."
+    text = tr("The spindle turns for about {:.0f} min.", plan.seconds / 60.0)
     if len(plan.speeds) == 1:
-        text += " With one speed only, what inertia adds to the run-out is not known."
+        text += tr(" With one speed only, what inertia adds to the run-out is not known.")
     return text
 
 
-_ROLLING_PLANS = (
+_ROLLING_PLANS: tuple[tuple[Text, str], ...] = (
     ("Routine: 12 revolutions at each speed", "routine"),
     ("Full: 30 revolutions at each speed", "full"),
 )
-_SPEEDS = "Speeds of the rolls, revolutions per minute"
+_SPEEDS: Text = "Speeds of the rolls, revolutions per minute"
 _ORDERS = partial(whole_number, low=1, high=32)
-_ORDERS_SPOKEN = "Fourier orders of the map"
-_TEST = partial(edit, hint="its mechanism tells the elastic motion, its limits stay")
+_ORDERS_SPOKEN: Text = "Fourier orders of the map"
+_TEST_HINT: Text = "its mechanism tells the elastic motion, its limits stay"
+_TEST = partial(edit, hint=_TEST_HINT)
 ROLLING = Questions(
     stem="run_out",
     journals="run-out",

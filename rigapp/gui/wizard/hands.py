@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QGroupBox
 
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.widgets.build import button, choice, named, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 
@@ -12,16 +13,16 @@ class HandsPanel(QGroupBox):
     """Do what the step asks, all by itself if wanted, with a mistake if wanted."""
 
     def __init__(
-        self, live: LiveCalibration, name: str = "hands", do: str = "&Do this step"
+        self, live: LiveCalibration, name: str = "hands", do: Text = "&Do this step"
     ) -> None:
         """Take the calibration; name: of the widgets; do: what the button says."""
-        super().__init__("Simulated hands (practice: no waiting times)")
+        super().__init__(tr("Simulated hands (practice: no waiting times)"))
         self._live = live
         named(self, name, "Simulated hands")
-        spoken = "Let the simulated hands do this step"
+        spoken: Text = "Let the simulated hands do this step"
         self.do = button(f"{name}_do", do, live.lend_a_hand, spoken)
-        spoken = "Do and record all further steps"
-        self.ahead = button(f"{name}_ahead", "Go a&head", self._ahead, spoken, checkable=True)
+        all_steps: Text = "Do and record all further steps"
+        self.ahead = button(f"{name}_ahead", "Go a&head", self._ahead, all_steps, checkable=True)
         mistakes = live.practice.mistakes
         self.mistake = choice(
             f"{name}_mistake",

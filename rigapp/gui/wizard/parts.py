@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from calibration.taking.signals import Readiness, SignalState
 from rigapp.calibrating.session import ResidualsSoFar
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
@@ -30,14 +31,14 @@ def prefix_of(stem: str) -> str:
     return "" if stem == "calibration" else f"{stem}_"
 
 
-def field(form: QFormLayout, text: str, widget: QWidget) -> None:
+def field(form: QFormLayout, text: Text, widget: QWidget) -> None:
     """Add a row with an access key."""
-    label = QLabel(text)
+    label = QLabel(tr(text))
     label.setBuddy(widget)
     form.addRow(label, widget)
 
 
-def labelled(text: str, widget: QWidget) -> QFormLayout:
+def labelled(text: Text, widget: QWidget) -> QFormLayout:
     """Return a form of one row with an access key."""
     form = QFormLayout()
     field(form, text, widget)
@@ -45,10 +46,10 @@ def labelled(text: str, widget: QWidget) -> QFormLayout:
 
 
 def number(
-    name: str, spoken: str, low: float, high: float, decimals: int, step: float, unit: str
+    name: str, spoken: Text, low: float, high: float, decimals: int, step: float, unit: str
 ) -> QDoubleSpinBox:
     """Return a field for a number; its text counts while it is typed."""
-    box = named(QDoubleSpinBox(), name, f"{spoken}, {UNIT_NAMES.get(unit, unit)}")
+    box = named(QDoubleSpinBox(), name, f"{tr(spoken)}, {tr(UNIT_NAMES.get(unit, unit))}")
     box.setRange(low, high)
     box.setDecimals(decimals)
     box.setSingleStep(step)
@@ -58,11 +59,15 @@ def number(
     return box
 
 
-UNIT_NAMES = {"kg": "kilograms", "m/s²": "metres per second squared", "µm": "micrometres"}
+UNIT_NAMES: dict[str, Text] = {
+    "kg": "kilograms",
+    "m/s²": "metres per second squared",
+    "µm": "micrometres",
+}
 """Units as they are read aloud, where the sign is not."""
 
 
-def sentence(name: str, spoken: str, factor: float = 1.0, *, bold: bool = False) -> QLabel:
+def sentence(name: str, spoken: Text, factor: float = 1.0, *, bold: bool = False) -> QLabel:
     """Return a label for sentences that can be selected; factor: of its type's size."""
     label = prose(name, spoken)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -111,7 +116,7 @@ class Sign(QWidget):
         painter.end()
 
 
-WORDS = {
+WORDS: dict[SignalState, Text] = {
     SignalState.WAITING: "WAIT",
     SignalState.MOVING: "NOT STEADY",
     SignalState.STEADY: "STEADY",
@@ -130,14 +135,14 @@ class Stability(QWidget):
         named(self, "stability", "Stability of the signal")
         row(self.sign, (column(self.word, self.why), 1), on=self).setContentsMargins(0, 0, 0, 0)
 
-    def show_readiness(self, readiness: Readiness | None, otherwise: str) -> None:
+    def show_readiness(self, readiness: Readiness | None, otherwise: Text) -> None:
         """Show a judgement; ``otherwise`` is said when there is none."""
         state = readiness.state if readiness is not None else SignalState.WAITING
-        words = readiness.words if readiness is not None else otherwise
+        words = readiness.words if readiness is not None else tr(otherwise)
         self.sign.show_state(state)
-        self.word.setText(WORDS[state])
+        self.word.setText(tr(WORDS[state]))
         self.why.setText("" if words == "steady" else words)
-        self.setAccessibleDescription(f"{WORDS[state]}: {words}")
+        self.setAccessibleDescription(f"{tr(WORDS[state])}: {words}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,10 +150,10 @@ class PlotNames:
     """Of a residual plot: stem of the widgets' names, read aloud, unit, lower and left axis."""
 
     stem: str
-    spoken: str
+    spoken: Text
     unit: str
-    bottom: str
-    left: str = "Residual"
+    bottom: Text
+    left: Text = "Residual"
 
 
 class ResidualPlot(QWidget):
@@ -157,9 +162,9 @@ class ResidualPlot(QWidget):
     def __init__(self, theme: Theme, names: PlotNames) -> None:
         """Make the plot with words below."""
         super().__init__()
-        self.plot = QuietPlot(f"{names.stem}_plot", names.spoken, theme)
-        self.plot.label("left", f"{names.left} ({names.unit})")
-        self.plot.label("bottom", names.bottom)
+        self.plot = QuietPlot(f"{names.stem}_plot", tr(names.spoken), theme)
+        self.plot.label("left", f"{tr(names.left)} ({names.unit})")
+        self.plot.label("bottom", tr(names.bottom))
         self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.plot.guide(0.0, horizontal=True)
         self._points = []

@@ -24,11 +24,12 @@ from PySide6.QtWidgets import (
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.widgets.build import button, choice, edit, filled, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import field, prefix_of, sentence
 
-NEW = "Begin a new calibration"
+NEW: Text = "Begin a new calibration"
 PLAN, RIG = "plan", "rig"
 """Where a field is kept that is no setting: in the plan, which a journal tells, or in the rig."""
 
@@ -46,11 +47,11 @@ class Field:
     """
 
     name: str
-    text: str
+    text: Text
     make: Callable[[str, str], Any]
     start: Any
     kept: str = PLAN
-    spoken: str = ""
+    spoken: Text = ""
 
 
 def _nothing(*_: Any) -> Values:
@@ -69,8 +70,8 @@ class Questions:
 
     stem: str
     journals: str
-    title: str
-    subtitle: str
+    title: Text
+    subtitle: Text
     given: CalibrationFile
     fields: tuple[Field, ...]
     culprit: str
@@ -99,20 +100,23 @@ class PlanPage(QWizardPage):
         self._live, self._folder, self.asks, self._planned = live, folder, asks, planned
         self._given: Any = asks.given
         stem = asks.stem
-        self.setTitle(asks.title)
-        self.setSubTitle(asks.subtitle)
+        self.setTitle(tr(asks.title))
+        self.setSubTitle(tr(asks.subtitle))
         self.begin = choice(f"{stem}_begin", "Begin or take up", (), self.summarise)
-        spoken, hint = "Settings file of the calibration", "none: the fields below are enough"
+        spoken, hint = (
+            marked("Settings file of the calibration"),
+            marked("none: the fields below are enough"),
+        )
         self.settings = edit(f"{stem}_settings", spoken, hint=hint)
         self.settings.setText(str(settings) if settings is not None else "")
-        spoken = "Choose a settings file"
-        self.browse = button(f"{stem}_browse", "Bro&wse…", self._browse, spoken)
+        choose: Text = "Choose a settings file"
+        self.browse = button(f"{stem}_browse", "Bro&wse…", self._browse, choose)
         self.summary = sentence(f"{stem}_summary", "What this means")
         spoken = "What is wrong on this page"
         self.problem = sentence(f"{prefix_of(stem)}plan_problem", spoken)
         form = QFormLayout()
         field(form, "&Begin or take up", self.begin)
-        label = QLabel("&Settings file")
+        label = QLabel(tr("&Settings file"))
         label.setBuddy(self.settings)
         form.addRow(label, row((self.settings, 1), self.browse))
         self._asked = (*asks.fields, OPERATOR)
@@ -120,7 +124,7 @@ class PlanPage(QWizardPage):
         self.fields: dict[str, Any] = {}
         found = {"operator": live.rig.operator, "which": which, "test": live.rig.test}
         for one in self._asked:
-            widget = one.make(f"{stem}_{one.name}", one.spoken or one.text.replace("&", ""))
+            widget = one.make(f"{stem}_{one.name}", tr(one.spoken) or tr(one.text).replace("&", ""))
             self.fields[one.name] = widget
             show_value(widget, found.get(one.name) or one.start)
             field(form, one.text, widget)
@@ -193,10 +197,10 @@ class PlanPage(QWizardPage):
     def initializePage(self) -> None:
         """Offer a new calibration and every journal without a record, the newest first."""
         self.begin.clear()
-        self.begin.addItem(NEW, None)
+        self.begin.addItem(tr(NEW), None)
         for path in sorted(self._folder.glob(f"{self.asks.journals}-*.journal"), reverse=True):
             if not path.with_suffix(".json").exists():
-                self.begin.addItem(f"Take up {path.stem}", str(path))
+                self.begin.addItem(tr("Take up {}", path.stem), str(path))
         self._propose()
         self.summarise()
 
@@ -226,7 +230,7 @@ class PlanPage(QWizardPage):
         for one in self._asked:
             self.fields[one.name].setEnabled(anew or one.kept != PLAN)
         if not anew:
-            self.summary.setText("The plan and all readings are those of the journal.")
+            self.summary.setText(tr("The plan and all readings are those of the journal."))
             return
         try:
             told = self.asks.describe(self.wanted(), self.values, self.settings_now())
@@ -244,7 +248,7 @@ class PlanPage(QWizardPage):
 
     def _browse(self) -> None:
         """Open the dialog for a settings file."""
-        dialog = QFileDialog(self, "Choose settings", filter="Settings (*.toml)")
+        dialog = QFileDialog(self, tr("Choose settings"), filter=tr("Settings (*.toml)"))
         dialog.setObjectName(f"choose_{self.asks.stem}_settings")
         dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
         dialog.setModal(False)

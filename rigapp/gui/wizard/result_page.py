@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from rigapp.calibrating.daily_history import STORE, DailyHistory
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import edit, filled, named, row
 from rigapp.gui.wizard.chart_plot import ChartPlot
@@ -38,7 +39,7 @@ class ResultPage(QWizardPage):
         super().__init__()
         self._live, self.plot = live, plot
         self._store = folder / STORE
-        self.setTitle("Result")
+        self.setTitle(tr("Result"))
         self.verdict = sentence(f"{prefix}verdict", "Verdict", 1.8, bold=True)
         self.problems = sentence(f"{prefix}problems", "Problems", 1.15)
         self.matrix = named(QTableWidget(), f"{prefix}matrix", "Matrix and zero")
@@ -47,7 +48,7 @@ class ResultPage(QWizardPage):
         self.words = sentence(f"{prefix}result_words", "Numbers and uncertainty")
         self.chart = ChartPlot(theme)
         self.target = edit(f"{prefix}record_file", "Record to make")
-        self.target_label = QLabel("Save the &record as")
+        self.target_label = QLabel(tr("Save the &record as"))
         self.target_label.setBuddy(self.target)
         self.problem = sentence(f"{prefix}result_problem", "What is wrong on this page")
         upper = (self.verdict, self.problems, self.matrix, self.words)
@@ -59,7 +60,7 @@ class ResultPage(QWizardPage):
 
     def initializePage(self) -> None:
         """Fit and check all readings."""
-        self.verdict.setText("Calculating …")
+        self.verdict.setText(tr("Calculating …"))
         for label in (self.problems, self.words, self.problem):
             label.clear()
         for widget in (self.matrix, self.target, self.target_label, self.chart):
@@ -103,20 +104,20 @@ class ResultPage(QWizardPage):
         if self._live.outcome is not None:
             self.problem.setText(text)
         else:
-            self.verdict.setText("✗ There is no result")
+            self.verdict.setText(tr("✗ There is no result"))
             self.problems.setText(text)
 
     def _show(self) -> None:
         outcome, session = self._live.outcome, self._live.session
         assert outcome is not None
-        words = ("Accepted", "Refused")
+        words: tuple[Text, Text] = ("Accepted", "Refused")
         if outcome.check is not None:
-            words = ("The daily check is passed", "The check failed")
+            words = (marked("The daily check is passed"), marked("The check failed"))
             self.problems.setText("\n".join(outcome.lines))
             self._live.run(lambda: session.keep_check(outcome, self._store), self._show_history)
         else:
             self._show_calibration(outcome)
-        self.verdict.setText(f"✓ {words[0]}" if outcome.accepted else f"✗ {words[1]}")
+        self.verdict.setText(f"✓ {tr(words[0])}" if outcome.accepted else f"✗ {tr(words[1])}")
         self.setFinalPage(not outcome.makes_record)
         self.completeChanged.emit()
 
@@ -124,12 +125,12 @@ class ResultPage(QWizardPage):
         self.chart.show_history(found)
         self.chart.show()
         if self._live.outcome is not None and self._live.outcome.accepted and not found.in_control:
-            self.verdict.setText("✗ The check is passed, but the cell changes")
-        self.words.setText(f"The check is kept in {self._store}.")
+            self.verdict.setText(tr("✗ The check is passed, but the cell changes"))
+        self.words.setText(tr("The check is kept in {}.", self._store))
 
     def _show_calibration(self, outcome: Outcome) -> None:
         notes = [
-            ("• " if one["blocks"] else "Note: ") + str(one["sentence"])
+            ("• " if one["blocks"] else tr("Note: ")) + str(one["sentence"])
             for one in outcome.result["problems"]
         ]
         if not outcome.accepted:

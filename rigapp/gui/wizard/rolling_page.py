@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWizardPage
 
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, filled, named, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration, Question
@@ -71,10 +72,12 @@ class RollingPage(QWizardPage):
     def __init__(self, live: RollingCalibration, theme: Theme) -> None:
         super().__init__()
         self._live = live
-        self.setTitle("Slow rolls")
+        self.setTitle(tr("Slow rolls"))
         self.setSubTitle(
-            "Each roll is a test with all guards, and a file of its own. You can close the wizard:"
-            " the roll under way goes on to its end, and the map can be taken up again."
+            tr(
+                "Each roll is a test with all guards, and a file of its own. You can close the"
+                " wizard: the roll under way goes on to its end, and the map can be taken up again."
+            )
         )
         self.instruction = sentence("roll_instruction", "What to do now", 1.5, bold=True)
         self.words = sentence("roll_words", "How far it is")
@@ -106,12 +109,12 @@ class RollingPage(QWizardPage):
         if session is None:
             return
         runs, rolling = session.runs, self._live.rolling
-        told = "Is the follower on the pin, the bushing unworn, every hand away? Then begin."
+        told: Text = "Is the follower on the pin, the bushing unworn, every hand away? Then begin."
         if runs.done:
-            told = "All rolls are recorded."
+            told = tr("All rolls are recorded.")
         elif rolling:
-            told = "The spindle turns. Keep your hands away."
-        self.instruction.setText(told)
+            told = tr("The spindle turns. Keep your hands away.")
+        self.instruction.setText(tr(told))
         self.words.setText(runs.words)
         self.progress.setRange(0, runs.planned)
         self.progress.setValue(runs.turned)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from calibration.taking.procedure import StepKind
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row
 from rigapp.gui.wizard.hands import HandsPanel
@@ -32,9 +33,9 @@ from rigapp.gui.wizard.parts import (
     sentence,
 )
 
-RECORD = "&Record"
-LEAVE_OUT = "Lea&ve the creep out"
-LOADED = "The &load hangs still"
+RECORD: Text = "&Record"
+LEAVE_OUT: Text = "Lea&ve the creep out"
+LOADED: Text = "The &load hangs still"
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,12 +48,12 @@ class TakingWords:
     """
 
     stem: str
-    live: str
-    reject: str
-    reason: str
-    columns: tuple[str, ...]
-    buttons: Mapping[StepKind, str] = field(default_factory=dict)
-    do: str = "&Do this step"
+    live: Text
+    reject: Text
+    reason: Text
+    columns: tuple[Text, ...]
+    buttons: Mapping[StepKind, Text] = field(default_factory=dict)
+    do: Text = "&Do this step"
     read_off: bool = False
 
 
@@ -66,9 +67,9 @@ class TakingPage(QWizardPage):
         super().__init__()
         self.live_calibration, self._words, self.plot = live, words, ResidualPlot(theme, plot)
         prefix = prefix_of(words.stem)
-        self.setTitle("Readings")
-        spoken = "What to do now"
-        self.instruction = sentence(f"{prefix}instruction", spoken, 1.8, bold=True)
+        self.setTitle(tr("Readings"))
+        asked: Text = "What to do now"
+        self.instruction = sentence(f"{prefix}instruction", asked, 1.8, bold=True)
         self.instruction.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.instruction.setMinimumHeight(4 * self.instruction.fontMetrics().height())
         self.progress = named(
@@ -83,12 +84,15 @@ class TakingPage(QWizardPage):
         self.leave_out = button(f"{prefix}leave_out", LEAVE_OUT, self._leave_out)
         self.problem = sentence(f"{prefix}reading_problem", "What stands against it")
         self.table = _readings_table(f"{prefix}readings_table", words.columns)
-        spoken, hint = "Reason of the rejection", "why the selected reading does not count"
+        spoken, hint = (
+            marked("Reason of the rejection"),
+            marked("why the selected reading does not count"),
+        )
         self.reason = edit(f"{prefix}reject_reason", spoken, self._enable, hint=hint)
-        text = "Re&ject and repeat its series"
+        text: Text = "Re&ject and repeat its series"
         self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
-        spoken = "Position that the micrometer shows"
-        self.shown = number(f"{prefix}shown", spoken, -20000.0, 20000.0, 1, 1.0, "µm")
+        position: Text = "Position that the micrometer shows"
+        self.shown = number(f"{prefix}shown", position, -20000.0, 20000.0, 1, 1.0, "µm")
         entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
         self.hands = HandsPanel(live, f"{prefix}hands", words.do)
         what = (self.instruction, self.stability, self.live, entered)
@@ -125,16 +129,16 @@ class TakingPage(QWizardPage):
             widget.setVisible(not procedure.done)
         self.leave_out.setVisible(not procedure.done and procedure.step.optional)
         if procedure.done:
-            self.left.setText("All steps are done.")
+            self.left.setText(tr("All steps are done."))
             self.shown.setEnabled(False)
             return
         if self._words.read_off:
             self.shown.setValue(1e6 * procedure.step.value)
             self.shown.setEnabled(procedure.step.kind is StepKind.READING)
         self.left.setText(procedure.progress[:1].upper() + procedure.progress[1:])
-        button = self._words.buttons.get(procedure.step.kind, RECORD)
+        button = tr(self._words.buttons.get(procedure.step.kind, RECORD))
         if procedure.step.kind is StepKind.PRELOAD and procedure.step.optional:
-            button = LOADED
+            button = tr(LOADED)
         self.record.setText(button)
         self.record.setAccessibleName(button.replace("&", ""))
 
@@ -170,7 +174,7 @@ class TakingPage(QWizardPage):
         taken, last = procedure.taken, len(self._words.columns) - 1
         self.table.setRowCount(len(taken))
         for line, one in enumerate(taken):
-            state = f"rejected: {one.rejected}" if one.rejected else "stands"
+            state = tr("rejected: {}", one.rejected) if one.rejected else tr("stands")
             known = self.table.item(line, last)
             if known is not None and known.text() == state and line != len(taken) - 1:
                 continue
@@ -208,13 +212,13 @@ class TakingPage(QWizardPage):
 
 def _readings_table(name: str, columns: tuple[str, ...]) -> QTableWidget:
     table = named(QTableWidget(0, len(columns)), name, "Readings")
-    table.setHorizontalHeaderLabels(columns)
+    table.setHorizontalHeaderLabels([tr(one) for one in columns])
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setMinimumHeight(9 * table.fontMetrics().height())
     table.setTabKeyNavigation(False)
-    table.verticalHeader().setAccessibleName("Number of the reading")
+    table.verticalHeader().setAccessibleName(tr("Number of the reading"))
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
     table.horizontalHeader().setStretchLastSection(True)
     return table

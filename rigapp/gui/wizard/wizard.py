@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QWidget, QWizard, QWizardPage
 
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.dress import dress_window
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
@@ -19,7 +21,7 @@ from rigapp.gui.wizard.parts import ResidualPlot, prefix_of
 from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import ResultPage
 
-BUTTONS = {
+BUTTONS: dict[QWizard.WizardButton, tuple[Text, Text]] = {
     QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
     QWizard.WizardButton.NextButton: ("&Next", "Next"),
     QWizard.WizardButton.BackButton: ("&Back", "Back"),
@@ -51,11 +53,12 @@ class CalibrationWizard(QWizard):
         assert of.plan is not None
         stem, prefix = face.asks.stem, prefix_of(face.asks.stem)
         self.setObjectName(f"{stem}_wizard")
-        self.setWindowTitle(f"Calibrate {face.what} – rigapp")
-        self.setAccessibleName(f"Calibration of {face.what}")
+        self.setWindowTitle(tr("Calibrate {} – rigapp", tr(face.what)))
+        self.setAccessibleName(tr("Calibration of {}", tr(face.what)))
         self.setWizardStyle(QWizard.WizardStyle.ClassicStyle)
         self.setOption(QWizard.WizardOption.NoBackButtonOnStartPage)
         self.setModal(False)
+        dress_window(self, theme)
         self.live = face.live(line, rig, session)
         self.plan = PlanPage(self.live, folder, settings, face.asks, of.plan, which)
         self.angle = AnglePage(self.live, theme) if face.angle else None
@@ -68,9 +71,9 @@ class CalibrationWizard(QWizard):
         for page in (*before, self.readings, self.result_page, self.certificate):
             self.addPage(page)
         for button, (text, spoken) in BUTTONS.items():
-            self.setButtonText(button, text)
+            self.setButtonText(button, tr(text))
             widget = self.button(button)
             widget.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
-            widget.setAccessibleName(spoken)
+            widget.setAccessibleName(tr(spoken))
         self.finished.connect(lambda _: self.live.close())
         self.resize(QSize(1040, 820))
