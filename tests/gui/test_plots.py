@@ -20,7 +20,7 @@ from rigapp.gui.data.ranges import round_places
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.texts import axis_number
 from rigapp.gui.look.tokens import DARK, LIGHT
-from rigapp.gui.plots.marks import spread
+from rigapp.gui.plots.marks import name_room, spread
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
@@ -146,6 +146,8 @@ def test_trends_of_a_page_move_and_point_together_and_start_afresh(qtbot: Any) -
     for panel in panels:
         qtbot.addWidget(panel)
         panel.show_news(news)
+    for panel in panels:
+        assert view.room.width >= name_room(panel.plot.marks.names) > 0, "no name is cut"
     view.move(20.0, 60.0)
     panels[0].view.point_at(33.4)
     for panel in panels:

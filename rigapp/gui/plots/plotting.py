@@ -45,24 +45,27 @@ class NameRoom:
     """The width that the names of curves have beside plots which stand below each other."""
 
     def __init__(self) -> None:
-        self.width = LEAST_ROOM
-        self.plots: list[QuietPlot] = []
+        self._needs: dict[QuietPlot, int] = {}
 
-    def need(self, width: int) -> None:
-        """Give all of the plots the width that one of them needs; it never shrinks."""
-        if width > self.width:
-            self.width = width
-            self._tell()
+    @property
+    def width(self) -> int:
+        """Return the width that the widest of their names needs."""
+        return max(self._needs.values(), default=LEAST_ROOM)
 
-    def start_afresh(self) -> None:
-        """Begin with the least width: what is drawn next is of another test."""
-        if self.width != LEAST_ROOM:
-            self.width = LEAST_ROOM
-            self._tell()
+    def need(self, plot: QuietPlot, width: int) -> None:
+        """Take what the names of a plot need; it shrinks only when the plot starts afresh."""
+        self._set(plot, max(width, self._needs.get(plot, LEAST_ROOM)))
 
-    def _tell(self) -> None:
-        for plot in self.plots:
-            plot.give_room()
+    def start_afresh(self, plot: QuietPlot) -> None:
+        """Begin with the least width: what the plot draws next is of another test."""
+        self._set(plot, LEAST_ROOM)
+
+    def _set(self, plot: QuietPlot, width: int) -> None:
+        before = self.width
+        self._needs[plot] = width
+        if self.width != before:
+            for one in self._needs:
+                one.give_room()
 
 
 class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
@@ -94,7 +97,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._taken: list[QRectF] = []
         self._marks = Marks()
         self._room = room or NameRoom()
-        self._room.plots.append(self)
+        self._room.start_afresh(self)
         self._top = QFontMetrics(self.font()).height() if lane else STEP
         self.steady = SteadyRange(1.0)
         self._instead = QLabel(self)
@@ -186,7 +189,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             return
         if not self.instead:
             self.setAccessibleDescription(marks.words)
-        self._room.need(name_room(marks.names))
+        self._room.need(self, name_room(marks.names))
         if (marks.limits, marks.moments) != (before.limits, before.moments):
             self._repaint()
         self.viewport().update()
@@ -199,7 +202,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     def start_afresh(self) -> None:
         """Forget range, room and marks: what is drawn next is of another test."""
         self.steady.forget()
-        self._room.start_afresh()
+        self._room.start_afresh(self)
         self.show_marks(names=(), limits=(), moments=(), spots=())
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
