@@ -17,6 +17,9 @@ Orders = tuple[float, ...]
 class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[simulation.plant]: how the simulated rig differs from the model, each by how much.
 
+    running_in_factor: what the wear coefficient of a new bushing is multiplied by; that falls to 1
+    with the depth, by the factor e in each running_in_depth_um. wear_change_factor: what it is
+    multiplied by beyond wear_change_depth_um. By depth, so that a resumed test goes on the same.
     bushing_heating_K_per_W: what the friction's power warms the bushing by in the end, with
     bushing_time_constant_s. The room's temperature and humidity swing about their means once a day.
     """
@@ -25,6 +28,10 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     spring_stiffness_factor: Annotated[float, FACTOR] = 0.985
     joint_friction_coefficient: Annotated[float, within(0.0, 2.0)] = 0.05
     wear_coefficient_factor: Annotated[float, within(0.0, 1e6)] = 1.1
+    running_in_factor: Annotated[float, within(1.0, 1000.0)] = 1.0
+    running_in_depth_um: Annotated[float, within(0.1, 10_000.0)] = 5.0
+    wear_change_factor: Annotated[float, within(0.0, 1000.0)] = 1.0
+    wear_change_depth_um: Annotated[float, within(0.0, 10_000.0)] = 20.0
     motor_torque_limit_Nm: Annotated[float, within(0.01, 10_000.0)] = 6.0
     speed_ripple_percent: Annotated[float, within(0.0, 50.0)] = 0.5
     cross_talk_percent: Annotated[float, within(0.0, 100.0)] = 1.5

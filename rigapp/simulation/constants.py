@@ -100,6 +100,10 @@ def plant_constants(
         wear_coefficient=parameters.bushing.wear_coefficient_mm3_per_Nm
         * 1e-9
         * plant.wear_coefficient_factor,
+        running_in_factor=plant.running_in_factor,
+        running_in_depth=plant.running_in_depth_um * 1e-6,
+        wear_change_factor=plant.wear_change_factor,
+        wear_change_depth=plant.wear_change_depth_um * 1e-6,
         joint_friction=friction / math.sqrt(1.0 + friction**2),
         bearing_torque=machine.bearing_torque_Nm,
         bearing_viscous=machine.bearing_viscous_Nm_s,

@@ -20,6 +20,7 @@ class Constants(NamedTuple):
     bench: 1 with the follower taken off, for calibration: the pin then carries a weight (N, towards
     -y) and the probes face micrometers (m); 0 with the mechanism together. outboard: mass of the
     pin outboard of the gauges times its radius, kg m; its inertia presses the cell outward.
+    running_in, wear_change: how the wear coefficient changes with the depth, see ``Plant.wear_coefficient``.
     heating: how far above the room a power of friction in the joint brings the bushing in the end,
     and the time in which it gets there but for 1/e.
     """
@@ -44,6 +45,10 @@ class Constants(NamedTuple):
     youngs_modulus: float
     poissons_ratio: float
     wear_coefficient: float
+    running_in_factor: float
+    running_in_depth: float
+    wear_change_factor: float
+    wear_change_depth: float
     joint_friction: float
     bearing_torque: float
     bearing_viscous: float

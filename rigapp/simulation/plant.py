@@ -171,6 +171,14 @@ class Plant:
         return float(self._state[layout.CURRENT])
 
     @property
+    def wear_coefficient(self) -> float:
+        """Return the wear coefficient at the present depth, m^2/N."""
+        k, depth = self.constants, float(self._state[layout.DEPTH])
+        early = 1.0 + (k.running_in_factor - 1.0) * math.exp(-depth / k.running_in_depth)
+        late = k.wear_change_factor if depth >= k.wear_change_depth else 1.0
+        return k.wear_coefficient * early * late
+
+    @property
     def warm_s(self) -> float:
         """Return the time since the crank first left its rest, 0 before."""
         if not self._counters[layout.DEPARTURES]:
@@ -185,7 +193,7 @@ class Plant:
         if drive.mode != layout.VELOCITY:
             self._state[layout.INTEGRAL] = 0.0
         count = kernels.advance(
-            self.constants,
+            self.constants._replace(wear_coefficient=self.wear_coefficient),
             Drive(*map(float, drive)),
             self._wall,
             self._state,

@@ -93,6 +93,29 @@ def test_wear_is_seen_by_the_probes(parameters: ParameterFile, flawed: Flawed) -
     np.testing.assert_allclose(distance[-960:], 500.0 + depth_um[-960:] + approach_um, atol=0.3)
 
 
+def test_the_wear_coefficient_runs_in_and_changes_by_the_depth(
+    parameters: ParameterFile, flawed: Flawed
+) -> None:
+    def depths(**laws: float) -> list[float]:
+        plant = running(flawed(wear_coefficient_factor=50.0, **laws), parameters)
+        found = []
+        for _ in range(12):
+            plant.advance(960, velocity(2 * math.pi))
+            found.append(plant.state().wear_depth_m)
+        return found
+
+    usual = depths()
+    early = depths(running_in_factor=3.0, running_in_depth_um=2.0)
+    late = depths(wear_change_factor=2.0, wear_change_depth_um=1e6 * usual[5] - 0.01)
+    assert early[0] > 1.5 * usual[0]
+    assert early[-1] - early[-2] == pytest.approx(usual[-1] - usual[-2], rel=0.1)
+    assert late[:6] == usual[:6]
+    assert late[6] - late[5] == pytest.approx(2.0 * (usual[6] - usual[5]), rel=0.15)
+    resumed = running(flawed(wear_change_factor=2.0, wear_change_depth_um=5.0), parameters)
+    resumed.wear_to(6e-6)
+    assert resumed.wear_coefficient == 2.0 * resumed.constants.wear_coefficient
+
+
 def test_worn_plant_goes_on_like_one_that_wore_by_itself(
     parameters: ParameterFile, flawed: Flawed
 ) -> None:
