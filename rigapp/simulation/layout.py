@@ -20,7 +20,7 @@ class Constants(NamedTuple):
     bench: 1 with the follower taken off, for calibration: the pin then carries a weight (N, towards
     -y) and the probes face micrometers (m); 0 with the mechanism together. outboard: mass of the
     pin outboard of the gauges times its radius, kg m; its inertia presses the cell outward.
-    running_in, wear_change: how the wear coefficient changes with the depth, see ``Plant.wear_coefficient``.
+    running_in, wear_change: how K changes with the depth, see ``Plant.wear_coefficient``.
     heating: how far above the room a power of friction in the joint brings the bushing in the end,
     and the time in which it gets there but for 1/e.
     """
