@@ -28,10 +28,6 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     spring_stiffness_factor: Annotated[float, FACTOR] = 0.985
     joint_friction_coefficient: Annotated[float, within(0.0, 2.0)] = 0.05
     wear_coefficient_factor: Annotated[float, within(0.0, 1e6)] = 1.1
-    running_in_factor: Annotated[float, within(1.0, 1000.0)] = 1.0
-    running_in_depth_um: Annotated[float, within(0.1, 10_000.0)] = 5.0
-    wear_change_factor: Annotated[float, within(0.0, 1000.0)] = 1.0
-    wear_change_depth_um: Annotated[float, within(0.0, 10_000.0)] = 20.0
     motor_torque_limit_Nm: Annotated[float, within(0.01, 10_000.0)] = 6.0
     speed_ripple_percent: Annotated[float, within(0.0, 50.0)] = 0.5
     cross_talk_percent: Annotated[float, within(0.0, 100.0)] = 1.5
@@ -50,6 +46,10 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     room_swing_K: Annotated[float, within(0.0, 50.0)] = 1.5
     humidity_percent: Annotated[float, within(0.0, 100.0)] = 45.0
     humidity_swing_percent: Annotated[float, within(0.0, 100.0)] = 8.0
+    running_in_factor: Annotated[float, within(1.0, 1000.0)] = 1.0
+    running_in_depth_um: Annotated[float, within(0.1, 10_000.0)] = 5.0
+    wear_change_factor: Annotated[float, within(0.0, 1000.0)] = 1.0
+    wear_change_depth_um: Annotated[float, within(0.0, 10_000.0)] = 20.0
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
