@@ -652,12 +652,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
 9.81 m/s² ist ein gerundeter Wert, bis zu 0.3 % falsch: die Fallbeschleunigung dieses Orts eintragen oder eine Einstellungsdatei mit Breite und Höhe nennen.</translation>
     </message>
     <message>
+        <source> ({} mistakes; each stands at its field)</source>
+        <translation> ({} Fehler; jeder steht an seinem Feld)</translation>
+    </message>
+    <message>
         <source> Each page is marked {}.</source>
         <translation> Jede Seite ist mit {} gekennzeichnet.</translation>
     </message>
     <message>
         <source> It was made on a simulated rig, for practice.</source>
         <translation> Er entstand zur Übung an einem simulierten Prüfstand.</translation>
+    </message>
+    <message>
+        <source> One draft limit is not part of it.</source>
+        <translation> Eine Grenze im Entwurf gehört nicht dazu.</translation>
     </message>
     <message>
         <source> With both probes the stage moves along the follower first, then across it.</source>
@@ -752,6 +760,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ein gemeinsamer Winkelfehler von 0.2 Grad dreht jede Kraft um ebenso viel, und keine Messung zeigt ihn. Nur eine Wasserwaage tut es.</translation>
     </message>
     <message>
+        <source>; and {} more</source>
+        <translation>; und {} weitere</translation>
+    </message>
+    <message>
         <source>= {} s simulated, at × {}</source>
         <translation>= {} s simuliert, bei × {}</translation>
     </message>
@@ -776,6 +788,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Alle Schritte sind getan.</translation>
     </message>
     <message>
+        <source>Always watched</source>
+        <translation>Immer überwacht</translation>
+    </message>
+    <message>
         <source>Angle (deg)</source>
         <translation>Winkel (deg)</translation>
     </message>
@@ -790,6 +806,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Angle that the encoder shows</source>
         <translation>Winkel, den der Drehgeber zeigt</translation>
+    </message>
+    <message>
+        <source>As in the file.</source>
+        <translation>Wie in der Datei.</translation>
     </message>
     <message>
         <source>Back</source>
@@ -810,6 +830,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Both probes, and how they stand to each other</source>
         <translation>Beide Wegsensoren, und wie sie zueinander stehen</translation>
+    </message>
+    <message>
+        <source>Bushing</source>
+        <translation>Buchse</translation>
     </message>
     <message>
         <source>Calculating …</source>
@@ -876,12 +900,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gerät</translation>
     </message>
     <message>
+        <source>Discard 1 change</source>
+        <translation>1 Änderung verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard {} changes</source>
+        <translation>{} Änderungen verwerfen</translation>
+    </message>
+    <message>
         <source>Do and record all further steps</source>
         <translation>Alle weiteren Schritte tun und aufnehmen</translation>
     </message>
     <message>
         <source>Driver, identity and port</source>
         <translation>Treiber, Kennung und Anschluss</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate the test</source>
+        <translation>Den Versuch duplizieren</translation>
     </message>
     <message>
         <source>Duration in the other seconds</source>
@@ -1058,6 +1098,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Jan</source>
         <translation>Jan</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
     </message>
     <message>
         <source>Jul</source>
@@ -1248,6 +1292,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Messung − Modell</translation>
     </message>
     <message>
+        <source>Mechanism</source>
+        <translation>Getriebe</translation>
+    </message>
+    <message>
+        <source>Mechanism, joint and materials</source>
+        <translation>Getriebe, Gelenk und Werkstoffe</translation>
+    </message>
+    <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
     </message>
@@ -1262,6 +1314,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Mistake to practise</source>
         <translation>Fehler zum Üben</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Model beside the data</source>
+        <translation>Modell neben den Daten</translation>
     </message>
     <message>
         <source>Mon</source>
@@ -1290,6 +1350,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Name of the probe</source>
         <translation>Name des Wegsensors</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>New test</source>
+        <translation>Neuer Versuch</translation>
     </message>
     <message>
         <source>New value</source>
@@ -1364,6 +1432,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
     </message>
     <message>
+        <source>Not saved before {}: {}</source>
+        <translation>Nicht gespeichert vor: {}: {}</translation>
+    </message>
+    <message>
+        <source>Not saved: {}{}.</source>
+        <translation>Nicht gespeichert: {}{}.</translation>
+    </message>
+    <message>
+        <source>Not usable yet. {}{}</source>
+        <translation>Noch nicht brauchbar. {}{}</translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
@@ -1412,6 +1492,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Eine Umdrehung</translation>
     </message>
     <message>
+        <source>Op&amp;en…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a test</source>
+        <translation>Einen Versuch öffnen</translation>
+    </message>
+    <message>
+        <source>Open a test file</source>
+        <translation>Eine Versuchsdatei öffnen</translation>
+    </message>
+    <message>
         <source>Or&amp;ders of the map</source>
         <translation>&amp;Ordnungen der Karte</translation>
     </message>
@@ -1454,6 +1546,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Pausing</source>
         <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Bolzen</translation>
     </message>
     <message>
         <source>Pl&amp;ace</source>
@@ -1580,6 +1676,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>RMS, vor {} Zyklen</translation>
     </message>
     <message>
+        <source>Range or error of {}</source>
+        <translation>Bereich oder Fehler von {}</translation>
+    </message>
+    <message>
         <source>Re&amp;ason</source>
         <translation>&amp;Grund</translation>
     </message>
@@ -1646,6 +1746,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Reconnect</source>
         <translation>Neu verbinden</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>Record to make</source>
@@ -1788,6 +1892,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Routine: einmal auf und ab</translation>
     </message>
     <message>
+        <source>Run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
         <source>Run-out</source>
         <translation>Rundlauf</translation>
     </message>
@@ -1840,6 +1948,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Speichern</translation>
     </message>
     <message>
+        <source>Save  Ctrl+S</source>
+        <translation>Speichern  Strg+S</translation>
+    </message>
+    <message>
+        <source>Save as another test file</source>
+        <translation>Als andere Versuchsdatei speichern</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern als…</translation>
+    </message>
+    <message>
         <source>Save the &amp;record as</source>
         <translation>Kalibrierdatensatz speichern &amp;als</translation>
     </message>
@@ -1850,6 +1970,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Save the log and report it; reconnect before the next test.</source>
         <translation>Das Protokoll sichern und melden; vor dem nächsten Versuch neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Save the test as</source>
+        <translation>Den Versuch speichern als</translation>
+    </message>
+    <message>
+        <source>Save the test file</source>
+        <translation>Die Versuchsdatei speichern</translation>
     </message>
     <message>
         <source>Sensitivity of the daily checks</source>
@@ -1968,6 +2096,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Drehzahlen (rpm)</translation>
     </message>
     <message>
+        <source>Specimen</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
         <source>Spee&amp;d</source>
         <translation>&amp;Tempo</translation>
     </message>
@@ -1994,6 +2126,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Spindle not shown to stand</source>
         <translation>Stillstand der Spindel nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Feder</translation>
     </message>
     <message>
         <source>Stability of the signal</source>
@@ -2072,6 +2208,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schritt</translation>
     </message>
     <message>
+        <source>Step after</source>
+        <translation>Schritt danach</translation>
+    </message>
+    <message>
+        <source>Step before</source>
+        <translation>Schritt davor</translation>
+    </message>
+    <message>
+        <source>Step {}, {}: {}</source>
+        <translation>Schritt {}, {}: {}</translation>
+    </message>
+    <message>
         <source>Step: {}</source>
         <translation>Schritt: {}</translation>
     </message>
@@ -2082,6 +2230,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Steps of {:g} µm; {}</source>
         <translation>Schritte von {:g} µm; {}</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Ende</translation>
     </message>
     <message>
         <source>Stop at the safe angle; the test can be resumed</source>
@@ -2332,6 +2484,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der erste Winkel</translation>
     </message>
     <message>
+        <source>The first that is met ends the test; what is empty is off</source>
+        <translation>Das erste erfüllte beendet den Versuch; was leer ist, ist aus</translation>
+    </message>
+    <message>
         <source>The force is not known, an overload would not be seen: the test was ended and the spindle stopped. The samples since then are flagged.</source>
         <translation>Die Kraft ist nicht bekannt, eine Überlast würde nicht bemerkt: Der Versuch wurde beendet und die Spindel angehalten. Die Messwerte seither sind gekennzeichnet.</translation>
     </message>
@@ -2520,6 +2676,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verstanden</translation>
     </message>
     <message>
+        <source>Usable. Save it to arm it for a start.</source>
+        <translation>Brauchbar. Speichern macht ihn startbereit.</translation>
+    </message>
+    <message>
+        <source>Usable. {}{}</source>
+        <translation>Brauchbar. {}{}</translation>
+    </message>
+    <message>
         <source>VIEWING ONLY: {name} is in command of this rig. Stopping a test and acknowledging alarms are possible all the same.</source>
         <translation>NUR ZUSEHEN: {name} hat das Kommando über diesen Prüfstand. Stoppen und Alarme quittieren geht trotzdem.</translation>
     </message>
@@ -2600,8 +2764,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verschleiß</translation>
     </message>
     <message>
+        <source>Wear coefficient by earlier tests: rigapp identify prints it</source>
+        <translation>Verschleißkoeffizient aus früheren Versuchen: rigapp identify gibt ihn aus</translation>
+    </message>
+    <message>
         <source>Wear depth</source>
         <translation>Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>Wear law</source>
+        <translation>Verschleißgesetz</translation>
     </message>
     <message>
         <source>Wed</source>
@@ -2672,6 +2844,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was das bedeutet</translation>
     </message>
     <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
         <source>What to do now</source>
         <translation>Was jetzt zu tun ist</translation>
     </message>
@@ -2680,12 +2856,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was auf der Leitung gezählt wurde</translation>
     </message>
     <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
         <source>Where</source>
         <translation>Wo</translation>
     </message>
     <message>
         <source>Where the certificate is</source>
         <translation>Wo der Kalibrierschein ist</translation>
+    </message>
+    <message>
+        <source>Where the pairing may run: beyond, a warning; what is empty is off</source>
+        <translation>Wo die Paarung laufen darf: darüber eine Warnung; was leer ist, ist aus</translation>
     </message>
     <message>
         <source>Where the record is</source>
@@ -2700,12 +2884,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wer</translation>
     </message>
     <message>
+        <source>Who and what</source>
+        <translation>Wer und was</translation>
+    </message>
+    <message>
         <source>Who is in command</source>
         <translation>Wer das Kommando hat</translation>
     </message>
     <message>
         <source>Whole cycles not kept</source>
         <translation>Ganze Zyklen nicht aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Whole cycles to keep</source>
+        <translation>Ganze Zyklen, die bleiben</translation>
     </message>
     <message>
         <source>Why the fault cannot be caused</source>
@@ -3334,6 +3526,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} cannot be started: {}.</source>
         <translation>{} lässt sich nicht starten: {}.</translation>
+    </message>
+    <message>
+        <source>{} good, {} for attention, {} block</source>
+        <translation>{} gut, {} zu beachten, {} sperren</translation>
+    </message>
+    <message>
+        <source>{} in short</source>
+        <translation>{} in Kürze</translation>
     </message>
     <message>
         <source>{} is another one on the disk now: {}</source>

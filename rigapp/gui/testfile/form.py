@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.testfile.fields import (
     FieldSpec,
@@ -33,7 +34,7 @@ CAPTION_WIDTH = 22 * STEP
 WIDTHS = {"int": 14 * STEP, "float": 14 * STEP, "pair": 18 * STEP}
 """Of the fields for numbers; texts take what room there is."""
 
-TITLES = {
+TITLES: dict[str, Text] = {
     "": "Test",
     "run": "Run",
     "metadata": "Who and what",
@@ -58,7 +59,7 @@ BESIDE = {
 }
 """Fields that stand in the line of the field they belong to, with the word before them."""
 
-SENTENCES = {
+SENTENCES: dict[str, Text] = {
     "limits.overload_N": "Switch the drive off when any |F| sample is above",
     "limits.overspeed_rpm": "Switch the drive off when the speed is above",
     "limits.stale_data_s": "Switch the drive off when the newest data are older than",
@@ -72,14 +73,16 @@ class FieldLine(QWidget):
     def __init__(self, field: FieldSpec, editor: Editor) -> None:
         super().__init__()
         self.fields = [field]
-        label = named(QLabel(SENTENCES.get(field.path, field.label)), f"caption_{field.path}", "")
+        label = named(
+            QLabel(tr(SENTENCES.get(field.path, field.label))), f"caption_{field.path}", ""
+        )
         label.setAccessibleName(label.text())
         label.setBuddy(editor)
         label.setToolTip(field.hint)
         if field.path not in SENTENCES:
             label.setFixedWidth(CAPTION_WIDTH)
             label.setWordWrap(True)
-        self.note = prose(f"note_{field.path}", f"Range or error of {field.label}")
+        self.note = prose(f"note_{field.path}", tr("Range or error of {}", field.label))
         self._line = row(label)
         self._line.setSpacing(STEP)
         self._add(field, editor)
@@ -128,7 +131,7 @@ class FieldForm:
     def section(self, name: str) -> QGroupBox:
         """Return a new card with the fields of a section."""
         title = TITLES.get(name, name.replace("_", " ").replace(".", ", ").capitalize())
-        box = named(QGroupBox(title), f"section_{name or 'test'}", title)
+        box = named(QGroupBox(tr(title)), f"section_{name or 'test'}", title)
         self.sections[name] = box
         lines: list[QWidget] = []
         for field in (f for f in self.fields if f.section == name):

@@ -7,6 +7,7 @@ from collections import Counter
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
+from rigapp.gui.language.words import marked, tr
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.widgets.build import column, named, prose, row, scrolling, tell
 from rigapp.service.preflight import Check, Checked
@@ -28,8 +29,8 @@ class CheckRow(QFrame):
             prose(f"check_{place}_{name}", spoken)
             for name, spoken in (
                 ("what", "Check"),
-                ("finding", "What was found"),
-                ("action", "What to do"),
+                ("finding", marked("What was found")),
+                ("action", marked("What to do")),
             )
         )
         self.what.setProperty("role", "title")
@@ -60,7 +61,7 @@ class PreflightPanel(QFrame):
         self.shown: list[Check] = []
         self.rows: list[CheckRow] = []
         named(self, "preflight_panel", "Checks before the start").setProperty("role", "card")
-        self.title = named(QLabel("Before the start"), "preflight_title", "Before the start")
+        self.title = named(QLabel(tr("Before the start")), "preflight_title", "Before the start")
         self.title.setProperty("role", "title")
         self.count = prose("preflight_count", "How many checks are good")
         self.count.setProperty("role", "caption")
@@ -76,10 +77,8 @@ class PreflightPanel(QFrame):
     def words(self) -> str:
         """Return how many checks are of which sort."""
         count = Counter(one.verdict for one in self.shown)
-        return (
-            f"{count[Checked.GOOD]} good, {count[Checked.ATTENTION]} for attention,"
-            f" {count[Checked.BLOCKS]} block"
-        )
+        numbers = (count[one] for one in (Checked.GOOD, Checked.ATTENTION, Checked.BLOCKS))
+        return tr("{} good, {} for attention, {} block", *numbers)
 
     def show_checks(self, checks: list[Check]) -> None:
         """Show the checks, what blocks first."""

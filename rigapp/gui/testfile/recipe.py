@@ -25,6 +25,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import judged_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.writing import whole_file
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.testfile.armed import ArmedTest, read_armed
 from rigapp.gui.testfile.fields import (
@@ -205,13 +206,28 @@ class RecipePanel(QWidget):
         self.buttons = {
             name: button(f"recipe_{name}", text, call, spoken)
             for name, text, spoken, call in (
-                ("new", "New", "New test", self._ask_new),
-                ("duplicate", "Duplicate", "Duplicate the test", self._duplicate),
-                ("open", "Op&en…", "Open a test file", self._ask_open),
-                ("save", "Save  Ctrl+S", "Save the test file", self._save),
-                ("save_as", "Save as…", "Save as another test file", self._ask_save),
-                ("back", "Back", "Step before", lambda: self.show_step(self._now - 1)),
-                ("next", "Next", "Step after", lambda: self.show_step(self._now + 1)),
+                ("new", marked("New"), marked("New test"), self._ask_new),
+                ("duplicate", marked("Duplicate"), marked("Duplicate the test"), self._duplicate),
+                ("open", marked("Op&en…"), marked("Open a test file"), self._ask_open),
+                ("save", marked("Save  Ctrl+S"), marked("Save the test file"), self._save),
+                (
+                    "save_as",
+                    marked("Save as…"),
+                    marked("Save as another test file"),
+                    self._ask_save,
+                ),
+                (
+                    "back",
+                    marked("Back"),
+                    marked("Step before"),
+                    lambda: self.show_step(self._now - 1),
+                ),
+                (
+                    "next",
+                    marked("Next"),
+                    marked("Step after"),
+                    lambda: self.show_step(self._now + 1),
+                ),
             )
         }
         shortcut = QShortcut(QKeySequence.StandardKey.Save, self)
@@ -241,7 +257,9 @@ class RecipePanel(QWidget):
             "model_unfold", "", inside.setVisible, "Show mechanism and materials", checkable=True
         )
         self.unfold.toggled.connect(
-            lambda on: self.unfold.setText(("▾" if on else "▸") + " Mechanism, joint and materials")
+            lambda on: self.unfold.setText(
+                ("▾ " if on else "▸ ") + tr("Mechanism, joint and materials")
+            )
         )
         self.unfold.setChecked(True)
         self.unfold.setChecked(False)
@@ -325,15 +343,17 @@ class RecipePanel(QWidget):
         if errors or others:
             count = len(errors) + len(others)
             where = " ".join([*others, *list(errors.values())[: 1 if not others else 0]])
-            more = f" ({count} mistakes; each stands at its field)" if count > 1 else ""
-            self._say(f"Not usable yet. {where}{more}", good=False)
+            more = tr(" ({} mistakes; each stands at its field)", count) if count > 1 else ""
+            self._say(tr("Not usable yet. {}{}", where, more), good=False)
         elif self.armed is None:
-            self._say("Usable. Save it to arm it for a start.", good=True)
+            self._say(tr("Usable. Save it to arm it for a start."), good=True)
         else:
-            draft = " One draft limit is not part of it." if self.rules.draft is not None else ""
-            more = f"; and {len(differences) - 1} more" if len(differences) > 1 else ""
-            told = f"Not saved: {differences[0]}{more}." if differences else "As in the file."
-            self._say(f"Usable. {told}{draft}", good=True)
+            drafted: Text = " One draft limit is not part of it."
+            draft = tr(drafted) if self.rules.draft is not None else ""
+            more = tr("; and {} more", len(differences) - 1) if len(differences) > 1 else ""
+            changed = tr("Not saved: {}{}.", differences[0], more) if differences else ""
+            told = changed or tr("As in the file.")
+            self._say(tr("Usable. {}{}", told, draft), good=True)
         usable = self.test is not None
         self.buttons["save"].setEnabled(usable and (self.armed is None or bool(differences)))
         for name in ("save_as", "duplicate"):
@@ -362,7 +382,7 @@ class RecipePanel(QWidget):
         self._arm(None)
 
     def _ask_open(self) -> None:
-        dialog = self._dialog("Open a test", QFileDialog.AcceptMode.AcceptOpen)
+        dialog = self._dialog(tr("Open a test"), QFileDialog.AcceptMode.AcceptOpen)
         dialog.fileSelected.connect(lambda name: self.open_wanted(Path(name)))
         dialog.show()
 
@@ -374,14 +394,14 @@ class RecipePanel(QWidget):
         self.open_file(path)
 
     def _ask_save(self) -> None:
-        dialog = self._dialog("Save the test as", QFileDialog.AcceptMode.AcceptSave)
+        dialog = self._dialog(tr("Save the test as"), QFileDialog.AcceptMode.AcceptSave)
         dialog.setDefaultSuffix("toml")
         dialog.fileSelected.connect(lambda name: self.save(Path(name)))
         dialog.show()
 
     def _dialog(self, title: str, mode: QFileDialog.AcceptMode) -> QFileDialog:
         folder = str(self.path.parent) if self.path else ""
-        dialog = QFileDialog(self, title, folder, "Tests (*.toml)")
+        dialog = QFileDialog(self, title, folder, tr("Tests (*.toml)"))
         dialog.setAcceptMode(mode)
         dialog.setModal(False)
         return dialog

@@ -14,6 +14,7 @@ from rigapp.config.ranges import unit_of
 from rigapp.config.recipe import TestFile
 from rigapp.config.rules import ALWAYS
 from rigapp.gui.data.texts import grouped, unit_text
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.widgets.build import column, named, row, tell
 from rigapp.gui.widgets.labels import ElidedLabel
@@ -26,7 +27,7 @@ HEIGHT = 7 * STEP
 class PrepareStep:
     """One step: its name, its sections, and what it says of a usable test in a few words."""
 
-    title: str
+    title: Text
     sections: tuple[str, ...]
     words: Callable[[TestFile], str]
 
@@ -88,7 +89,7 @@ class StepButton(QPushButton):
         self.title = ElidedLabel(f"step_{title.lower()}_title", title)
         self.title.show_text(title)
         self.title.setProperty("role", "title")
-        self.words = ElidedLabel(f"step_{title.lower()}_words", f"{title} in short")
+        self.words = ElidedLabel(f"step_{title.lower()}_words", tr("{} in short", tr(title)))
         self.words.setProperty("role", "caption")
         texts = column(None, self.title, self.words, None)
         texts.setSpacing(0)
@@ -98,7 +99,7 @@ class StepButton(QPushButton):
         for one in (self.mark, self.title, self.words):
             one.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setMinimumWidth(
-            4 * STEP + 3 * STEP + QFontMetrics(self.font()).horizontalAdvance(title)
+            4 * STEP + 3 * STEP + QFontMetrics(self.font()).horizontalAdvance(tr(title))
         )
 
     def show_step(self, state: str, words: str) -> None:
@@ -106,7 +107,7 @@ class StepButton(QPushButton):
         tell(self.mark, "mark", state)
         self.mark.setText({"done": "\u2713", "wrong": "\u2717"}.get(state, str(self._place + 1)))
         self.words.show_text(words)
-        self.setAccessibleName(f"Step {self._place + 1}, {self._title}: {words}")
+        self.setAccessibleName(tr("Step {}, {}: {}", self._place + 1, tr(self._title), words))
         self.setAccessibleDescription(state)
 
 

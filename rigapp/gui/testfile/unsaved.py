@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from rigapp.gui.language.words import tr
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import button
 
@@ -34,10 +35,11 @@ class UnsavedBar(Bar):
     def ask(self, changes: Sequence[str], what: str, then: Callable[[], None]) -> None:
         """Ask before ``what`` is done; ``then`` does it, after saving or discarding."""
         self._then = then
-        self.say(f"Not saved before {what}: {listed(changes)}")
-        count = f"{len(changes)} change" + ("s" if len(changes) > 1 else "")
-        self.discard.setText(f"Discard {count}")
-        self.discard.setAccessibleName(f"Discard {count}")
+        self.say(tr("Not saved before {}: {}", tr(what), listed(changes)))
+        many = len(changes) > 1
+        discard = tr("Discard {} changes", len(changes)) if many else tr("Discard 1 change")
+        self.discard.setText(discard)
+        self.discard.setAccessibleName(discard)
         self._place.hide()
         self.show()
         self.stay.setFocus(Qt.FocusReason.OtherFocusReason)
