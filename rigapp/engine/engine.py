@@ -22,7 +22,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.engine.connection import Connection, lost_device
 from rigapp.engine.core import NO_FILE, Core
-from rigapp.engine.devices import LoadDriver, make_devices
+from rigapp.engine.devices import Devices, LoadDriver, make_devices
 from rigapp.engine.drive.driving import Ramp
 from rigapp.engine.drive.timing import Timing
 from rigapp.engine.judging.limits import changed_limits
@@ -111,6 +111,7 @@ class Engine:
         self._load = load
         self._open_store = open_store
         self._connection: Connection | None = None
+        self._opening: Devices | None = None
         self._command = OneAtATime(COMMAND_WAIT_S)
         self._operator = ""
         publisher = self._core.publisher
@@ -162,7 +163,11 @@ class Engine:
     def _open(self) -> Connection:
         core = self._core
         devices = make_devices(core.rig.record, self._ports, self._load, str(core.rig.path))
-        setup = devices.open()
+        self._opening = devices
+        try:
+            setup = devices.open()
+        finally:
+            self._opening = None
         try:
             calibration = calibration_of(core.rig.record, setup)
             connection = Connection(
@@ -550,7 +555,7 @@ class Engine:
 
     def status(self) -> Status:
         """Return everything a header shows, at this moment."""
-        return build_status(self._core, self._connection, self._operator)
+        return build_status(self._core, self._connection, self._operator, self._opening)
 
     def wait(self, until: Iterable[RunState] = ENDED, timeout_s: float = 60.0) -> RunState:
         """Wait for one of some states; raise TimeoutError. A test has ended in ``run.ENDED``."""

@@ -12,6 +12,7 @@ from drivers.api import DataSource, LineCounters, SlowSource, Spindle
 from rigapp.engine.activetest import ActiveTest
 from rigapp.engine.connection import Connection
 from rigapp.engine.core import Core
+from rigapp.engine.devices import Devices
 from rigapp.engine.judging.limits import least_margin, margin_to
 from rigapp.engine.recovery import Situation, recovery
 from rigapp.engine.values.calibrate import Calibration
@@ -41,8 +42,10 @@ RIG_LINE = "by its line in the rig file"
 """The same of a free channel."""
 
 
-def build_status(core: Core, connection: Connection | None, operator: str) -> Status:
-    """Return the status."""
+def build_status(
+    core: Core, connection: Connection | None, operator: str, opening: Devices | None = None
+) -> Status:
+    """Return the status; opening: devices that are just being connected."""
     active = core.test
     rig = core.rig.record
     simulation = rig.simulation
@@ -80,7 +83,7 @@ def build_status(core: Core, connection: Connection | None, operator: str) -> St
         residual_rms_N=predicted.get("residual_rms", math.nan),
         alarms=core.alarms.alarms(),
         drive=_drive(connection),
-        devices=_devices(connection),
+        devices=_devices(connection) if opening is None else _being_opened(opening),
         channels=_channels(core, connection),
         operator=operator,
         engine_pid=os.getpid(),
@@ -166,7 +169,7 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
         return ()
     source, control = connection.devices.source, connection.control
     sampling = DeviceView(
-        **_named(connection, source),
+        **_named(connection.devices, source),
         connected=not connection.reader.ended,
         sample_rate_Hz=connection.setup.sample_rate_Hz,
         lost_samples=connection.processor.assembler.lost_samples,
@@ -175,14 +178,14 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
     )
     error = control.last_error
     drive = DeviceView(
-        **_named(connection, connection.devices.spindle),
+        **_named(connection.devices, connection.devices.spindle),
         connected=control.answering,
         errors=control.errors,
         last_error=error.sentence if error is not None else "",
     )
     slow = (
         DeviceView(
-            **_named(connection, one.source),
+            **_named(connection.devices, one.source),
             connected=one.answering,
             errors=one.errors,
             last_error=one.last_error,
@@ -193,9 +196,16 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
     return (sampling, drive, *slow)
 
 
-def _named(connection: Connection, device: DataSource | Spindle | SlowSource) -> dict[str, Any]:
+def _being_opened(devices: Devices) -> tuple[DeviceView, ...]:
+    """Return the devices in the order in which they are opened, ready ones as connected."""
+    return tuple(
+        DeviceView(**_named(devices, one), connected=one.name in devices.readback)
+        for one in (devices.source, devices.spindle)
+    )
+
+
+def _named(devices: Devices, device: DataSource | Spindle | SlowSource) -> dict[str, Any]:
     """Return what is shown of every device alike."""
-    devices = connection.devices
     identity = devices.identities.get(device.name)
     words = ("maker", "model", "firmware", "serial_number")
     return {

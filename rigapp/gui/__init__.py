@@ -2,8 +2,8 @@
 
 Its rooms, from the top down, each knowing only those below it: ``window`` (the frame, the state,
 the controls, the table of tabs), then side by side ``panels`` (what a tab shows), ``testfile``
-(prepare a test) and ``wizard`` (calibrate), then ``panel`` (what a panel is), then ``plots``, then
-``widgets`` and ``data``, then ``look``, then ``language``.
+(prepare a test) and ``wizard`` (calibrate), then ``panel`` (what a panel is), then ``plots`` and
+``results`` (recorded tests), then ``widgets`` and ``data``, then ``look``, then ``language``.
 Of the engine all of them see what ``rigapp.schema``, ``rigapp.service`` and ``rigapp.replay`` say.
 Others enter by ``window.app`` (open it) and ``window.picture`` (draw it).
 """

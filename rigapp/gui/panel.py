@@ -6,6 +6,7 @@ a ``Host``, and whatever draws on it is a ``Panel``, told the news by the one Pr
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,6 +16,7 @@ from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.look.tokens import Theme
+from rigapp.gui.results.shelf import ResultShelf
 
 
 class Panel(Protocol):
@@ -51,22 +53,38 @@ Added = TypeVar("Added", bound=Panel)
 Read = Callable[[int, Callable[[StoredRevolution], None], Callable[[Exception], None]], None]
 
 
+class Act(enum.StrEnum):
+    """What a panel may ask the window to do."""
+
+    TRY = "try"
+    PREPARE = "prepare"
+    CALIBRATE = "calibrate"
+    RESULTS = "results"
+
+
 @dataclass(frozen=True, slots=True)
 class Host:
     """The window, as the makers of pages see it.
 
     ask: a request to the engine, whose answer the window shows. say: a sentence where answers
     stand, and whether it is a good one. read_revolution: the saved cycle nearest to a revolution.
+    results: the recorded tests. do: go somewhere, begin something.
     """
 
     theme: Theme
-    results_folder: Path
+    results: ResultShelf
     worker: TaskWorker
     stalls: StallCounter
     ask: Callable[[str, dict[str, Any]], None]
     say: Callable[[str, bool], None]
     read_revolution: Read
+    do: Callable[[Act], None]
     panels: dict[str, Panel] = field(default_factory=dict)
+
+    @property
+    def results_folder(self) -> Path:
+        """Return the folder of the recorded tests."""
+        return self.results.folder
 
     def add(self, name: str, panel: Added) -> Added:
         """Tell a panel the news from now on, and dress it; return it."""

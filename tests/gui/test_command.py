@@ -148,7 +148,8 @@ def test_a_viewer_can_only_stop_and_acknowledge_and_reads_why(
     guarded = other.findChildren(GuardedButton)
     names = {button.objectName() for button in guarded}
     assert {"start", "pause", "resume", "connect", "add_note", "zero", "reconnect"} <= names
-    assert {"limit_change", "reset", "shelve", "browser_resume", "fault_cause"} <= names
+    assert {"limit_change", "reset", "shelve", "fault_cause"} <= names
+    assert {"result_resume", "end_on"} <= names
     for button in guarded:
         assert not button.isEnabled(), button.objectName()
         assert "Ann is in command" in button.toolTip(), button.objectName()

@@ -143,6 +143,7 @@ NAMES = (
     "quick.toml", "paper.toml", "force max", "force_max", "deg", "Ctrl", "Alt", "Force is high",
     "force_max is 212 N, warns above 200 N", "At 300 N for 3 cycles the test stops",
     "Look at the joint; lower the speed or stop the test",
+    "GSV-8 1.44", "RoboClaw 4.3", "daq", "drive",
 )  # fmt: skip
 """What is not the window's own in what it shows: names of rig, test, people, files and keys, and
 an alarm that no engine raises."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -21,7 +19,6 @@ from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.look.tokens import DARK, LIGHT
 from rigapp.gui.panels.alarms import AlarmGlance, AlarmJournal, AlarmPanel
-from rigapp.gui.panels.browser import BrowserPanel, list_tests
 from rigapp.gui.panels.compare import line_of
 from rigapp.gui.panels.devices import DeviceCard, DevicePanel
 from rigapp.gui.panels.faults import FaultPanel
@@ -258,85 +255,6 @@ def test_a_log_that_cannot_be_read_is_said(
     assert "cannot be read" in panel.count.text()
 
 
-@pytest.fixture
-def folder(recorded: Path, tmp_path: Path) -> Path:
-    """Return a folder with a test, its copy, and a file that is none."""
-    shutil.copy(recorded, tmp_path / "second.h5")
-    (tmp_path / "broken.h5").write_bytes(b"not hdf5")
-    return tmp_path
-
-
-def test_the_results_folder_is_listed_with_what_cannot_be_read(folder: Path) -> None:
-    found = {one.path.name: one for one in list_tests(folder)}
-    assert found["broken.h5"].status == "not readable"
-    assert "not an HDF5 file" in found["broken.h5"].reason
-    first = found["quick-20270101-080000.h5"]
-    assert (first.status, first.title, first.revolutions) == ("complete", "Quick test", 300)
-
-
-def test_results_are_compared_and_replayed(
-    qtbot: Any, qapp: Any, folder: Path, worker: TaskWorker
-) -> None:
-    launched: list[list[str]] = []
-    panel = BrowserPanel(LIGHT, folder, worker, lambda arguments: launched.append([*arguments]))
-    qtbot.addWidget(panel)
-    panel.look()
-
-    def listed() -> bool:
-        worker.deliver()
-        return panel.table.rowCount() == 3
-
-    qtbot.waitUntil(listed, timeout=PATIENCE_MS)
-    names = [row[0] for row in panel.table.texts()]
-    panel.table.selectRow(names.index("broken.h5"))
-    assert not panel.buttons["replay"].isEnabled()
-    assert not panel.buttons["resume"].isEnabled()
-    panel.table.selectRow(names.index("second.h5"))
-    panel.buttons["replay"].click()
-    assert launched == [["replay", str(folder / "second.h5")]]
-    panel.table.selectAll()
-    assert not panel.buttons["compare"].isEnabled()
-    panel.table.clearSelection()
-    for name in ("second.h5", "quick-20270101-080000.h5"):
-        panel.table.item(names.index(name), 0).setSelected(True)  # type: ignore[union-attr]
-    panel.buttons["compare"].click()
-
-    def compared() -> bool:
-        worker.deliver()
-        return len(panel.compare.runs) == 2
-
-    qtbot.waitUntil(compared, timeout=PATIENCE_MS)
-    x, y = panel.compare._curves[0].x, panel.compare._curves[0].y
-    assert len(x) == 300
-    assert y[0] == pytest.approx(97.0, abs=2.0)
-    for index in range(panel.compare.quantity.count()):
-        panel.compare.quantity.setCurrentIndex(index)
-    panel.compare.axis.setCurrentIndex(1)
-    panel.dress(DARK)
-    assert len(panel.compare.plot.marks.names) == 2
-
-
-def test_the_report_is_written_beside_the_file(
-    qtbot: Any, qapp: Any, recorded: Path, worker: TaskWorker
-) -> None:
-    panel = BrowserPanel(LIGHT, recorded.parent, worker)
-    qtbot.addWidget(panel)
-    said: list[tuple[str, bool]] = []
-    panel.said.connect(lambda text, good: said.append((text, good)))
-    panel._found_tests(list_tests(recorded.parent))
-    panel.table.selectRow(0)
-    panel.buttons["report"].click()
-
-    def answered() -> bool:
-        worker.deliver()
-        return len(said) == 2
-
-    qtbot.waitUntil(answered, timeout=PATIENCE_MS)
-    target = recorded.with_suffix(".html")
-    assert said[1] == (f"The report is in {target}", True)
-    assert "Quick test" in target.read_text(encoding="utf-8")
-
-
 def test_a_comparison_on_the_wear_axis_ascends(recorded: Path) -> None:
     data = load_history(recorded).data
     line = line_of(data, "force_max", "measured_wear_depth")
@@ -344,20 +262,6 @@ def test_a_comparison_on_the_wear_axis_ascends(recorded: Path) -> None:
     assert (np.diff(line.x) >= 0.0).all()
     depth = data.predictions.series("measured_wear_depth").values[0]
     assert line.x[0] == pytest.approx(1e3 * depth, rel=1e-5)
-
-
-def test_an_interrupted_test_can_be_gone_on_with(
-    qtbot: Any, qapp: Any, recorded: Path, worker: TaskWorker, asked: list[Any]
-) -> None:
-    panel = BrowserPanel(LIGHT, recorded.parent, worker)
-    qtbot.addWidget(panel)
-    collect(panel, asked)
-    panel._found_tests(
-        [dataclasses.replace(one, status="interrupted") for one in list_tests(recorded.parent)]
-    )
-    panel.table.selectRow(0)
-    panel.buttons["resume"].click()
-    assert asked == [("resume_file", {"file": str(recorded)})]
 
 
 def test_faults_of_the_simulated_rig_are_found_caused_and_ended(

@@ -138,6 +138,8 @@ def test_a_window_opened_after_the_end_shows_the_whole_test(
         return len(window._test.data.rows) == 300
 
     qtbot.waitUntil(complete, timeout=PATIENCE_MS)
+    assert window.tabs.panels["result"].isVisible()
+    window.tabs.setCurrentIndex(0)
     window.draw_now()
     shown = window.tabs.panels["overview"].shown
     assert shown is not None

@@ -19,6 +19,8 @@ from rigapp.gui.data.pyramid import Pyramid
 from rigapp.gui.data.recording import load_history
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.look.tokens import LIGHT
+from rigapp.gui.widgets.guarded import GuardedButton
+from rigapp.gui.window.places import RailPlace
 from rigapp.gui.window.window import MainWindow
 from rigapp.replay.alarms import RecordedAlarms
 from rigapp.replay.client import ReplayClient
@@ -85,18 +87,24 @@ def test_the_bar_follows_and_leads_the_replay(
     window, _ = player
     bar = window.replay_bar
     assert bar.isVisible()
+    assert not window.controls.isVisible()
+    assert window.tabs.places() == {RailPlace.WATCH, RailPlace.RESULTS}
+    assert not window.rail.buttons[RailPlace.RIG].isVisible()
+    assert LIGHT.highlight in window._body.styleSheet()
+    assert all(not one.isEnabled() for one in window.findChildren(GuardedButton))
     assert (bar.place.value(), bar.revolution.value()) == (1000, 300)
     bar.place.setFocus()
     qtbot.keyClick(bar.place, Qt.Key.Key_PageDown)
     reach(window, qtbot, 270)
     assert bar.revolution.value() == 270
-    assert window.header.state.value.whole == "Paused"
+    assert window.header.state.value.whole == "REPLAY"
+    assert window.header.state.detail.whole.startswith("Paused")
     bar.revolution.setFocus()
     bar.revolution.selectAll()
     qtbot.keyClicks(bar.revolution, "42")
     qtbot.keyClick(bar.revolution, Qt.Key.Key_Return)
     reach(window, qtbot, 42)
-    window.controls.buttons["resume"].click()
+    bar.play.click()
     bar.speed.setCurrentIndex(bar.speed.count() - 1)
     reach(window, qtbot, 300)
 

@@ -110,7 +110,7 @@ def test_the_reason_for_going_on_with_a_file_goes_along(
     engine.say(count=0, curves=False, state=RunState.READY, planned=0, file="")
     attach()
     window.controls.text.setText("cell was calibrated again")
-    window.tabs.panels["browser"].wanted.emit("resume_file", {"file": "x.h5"})
+    window.tabs.panels["results"].wanted.emit("resume_file", {"file": "x.h5"})
     arguments = wait_for_verb(window, engine, qtbot, "resume_file")
     assert arguments == {"file": "x.h5", "reason": "cell was calibrated again"}
     assert window.controls.text.text() == ""

@@ -101,12 +101,10 @@ def wear_values(
     found = newest_wear(predictions)
     if not found.known:
         return []
-    power = math.floor(math.log10(found[COEFFICIENT]))
-    middle, low, high = (
-        found[f"{COEFFICIENT}{suffix}"] / 10.0**power for suffix in ("", "_low", "_high")
+    value, limits = coefficient_words(
+        *(found[f"{COEFFICIENT}{suffix}"] for suffix in ("", "_low", "_high"))
     )
-    value = f"{middle:.2f}·10{_raised(power)} {UNIT}"
-    limits = f"{low:.2f} to {high:.2f} (95 %); {found.statement}"
+    limits = f"{limits}; {found.statement}"
     tiles = [FreeValue(COEFFICIENT, "Wear coefficient", value, limits)]
     since = max(revolution - found.revolution, 0.0) if math.isfinite(revolution) else 0.0
     left, soon, late = (
@@ -115,6 +113,14 @@ def wear_values(
     if math.isfinite(left):
         tiles.append(_remaining(left, soon, late, rpm, now))
     return tiles
+
+
+def coefficient_words(middle: float, low: float, high: float) -> tuple[str, str]:
+    """Return a wear coefficient with its unit, and its limits in the same power of ten."""
+    power = math.floor(math.log10(middle))
+    scaled = (one / 10.0**power for one in (middle, low, high))
+    middle, low, high = scaled
+    return f"{middle:.2f}·10{_raised(power)} {UNIT}", f"{low:.2f} to {high:.2f} (95 %)"
 
 
 def _remaining(left: float, soon: float, late: float, rpm: float, now: float | None) -> FreeValue:

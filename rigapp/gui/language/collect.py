@@ -24,6 +24,7 @@ from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, catalogue_file
 from rigapp.gui.language.told import templates
 from rigapp.gui.language.words import Text
 from rigapp.schema.messages import RunState
+from rigapp.schema.results import HowEnded
 from rigapp.schema.verbs import VERBS
 from rigapp.schema.words import WORDS
 
@@ -256,6 +257,7 @@ def texts_of_tables() -> list[Text]:
     """Return what the engine says and the window shows, days and months."""
     words = [state.value for state in RunState] + [verb.replace("_", " ") for verb in VERBS]
     words += [*WORDS, *WORDS.values()]
+    words += [one.value for one in HowEnded]
     return [*words, *templates(), *calendar.day_abbr, *calendar.month_abbr]
 
 

@@ -4,44 +4,6 @@
 <context>
     <name>rigapp</name>
     <message>
-        <source>
-| Key | Does |
-| --- | --- |
-{commands}
-| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
-| {recover} | Do the next step of the *Recover* panel |
-| F1 | This help |
-| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
-| F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+W | Go to a tab |
-| Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
-| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
-| Esc | Close the start bar or this window |
-
-The emergency stop is the red button on the rig. It works without this program, and no program
-replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
-</source>
-        <translation>
-| Taste | Wirkung |
-| --- | --- |
-{commands}
-| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
-| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
-| F1 | Diese Hilfe |
-| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
-| F9 | Hell oder dunkel |
-| Strg+1 … Strg+9, Strg+W | Zu einer Seite |
-| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
-| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
-| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
-| Esc | Die Startkarte oder dieses Fenster schließen |
-
-Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
-ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
-</translation>
-    </message>
-    <message>
         <source> or </source>
         <translation> oder </translation>
     </message>
@@ -562,10 +524,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Finden</translation>
     </message>
     <message>
-        <source>F6 pauses the replay, F7 goes on</source>
-        <translation>F6 hält die Wiedergabe an, F7 setzt sie fort</translation>
-    </message>
-    <message>
         <source>Fault</source>
         <translation>Störung</translation>
     </message>
@@ -592,10 +550,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>File that the test is written to</source>
         <translation>Datei, in die der Versuch geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Folder of the recorded tests</source>
-        <translation>Ordner der aufgezeichneten Versuche</translation>
     </message>
     <message>
         <source>Force against its limit</source>
@@ -638,6 +592,26 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Dieses Gerät neu verbinden</translation>
     </message>
     <message>
+        <source>Replay of a recorded test</source>
+        <translation>Wiedergabe eines aufgezeichneten Versuchs</translation>
+    </message>
+    <message>
+        <source>Replay the whole test in a window of its own (Enter)</source>
+        <translation>Den ganzen Versuch in einem eigenen Fenster abspielen (Enter)</translation>
+    </message>
+    <message>
+        <source>Report, HTML</source>
+        <translation>Bericht, HTML</translation>
+    </message>
+    <message>
+        <source>Report, PDF</source>
+        <translation>Bericht, PDF</translation>
+    </message>
+    <message>
+        <source>Reports and tables of the test</source>
+        <translation>Berichte und Tabellen des Versuchs</translation>
+    </message>
+    <message>
         <source>Δ model</source>
         <translation>Δ Modell</translation>
     </message>
@@ -650,6 +624,44 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
 9.81 m/s² is a rounded value, up to 0.3 % off: write the gravity of this place, or name a settings file with latitude and height.</source>
         <translation>
 9.81 m/s² ist ein gerundeter Wert, bis zu 0.3 % falsch: die Fallbeschleunigung dieses Orts eintragen oder eine Einstellungsdatei mit Breite und Höhe nennen.</translation>
+    </message>
+    <message>
+        <source>
+| Key | Does |
+| --- | --- |
+{commands}
+| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| {recover} | Do the next step of the *Recover* panel |
+| F1 | This help |
+| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
+| F9 | Light or dark |
+| Ctrl+1 … Ctrl+9, Ctrl+W, Ctrl+0, Ctrl+R | Go to a page |
+| Alt + underlined letter | Press a button, go to a field |
+| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
+| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
+| Esc | Close the start bar or this window |
+
+The emergency stop is the red button on the rig. It works without this program, and no program
+replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
+</source>
+        <translation>
+| Taste | Wirkung |
+| --- | --- |
+{commands}
+| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
+| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
+| F1 | Diese Hilfe |
+| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
+| F9 | Hell oder dunkel |
+| Strg+1 … Strg+9, Strg+W, Strg+0, Strg+R | Zu einer Seite |
+| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
+| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
+| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
+| Esc | Die Startkarte oder dieses Fenster schließen |
+
+Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
+ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
+</translation>
     </message>
     <message>
         <source> ({} mistakes; each stands at its field)</source>
@@ -708,6 +720,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den ersten Winkel &amp;vergessen</translation>
     </message>
     <message>
+        <source>&amp;Go on with it</source>
+        <translation>&amp;Damit fortfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with this one…</source>
+        <translation>Damit &amp;fortfahren…</translation>
+    </message>
+    <message>
         <source>&amp;Hanger</source>
         <translation>&amp;Gehänge</translation>
     </message>
@@ -718,6 +738,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>&amp;Load cell</source>
         <translation>&amp;Kraftsensor</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Neu lesen</translation>
     </message>
     <message>
         <source>&amp;Next</source>
@@ -734,6 +758,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>&amp;Record</source>
         <translation>&amp;Aufnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Report</source>
+        <translation>&amp;Bericht</translation>
     </message>
     <message>
         <source>&amp;Run-out of the pin</source>
@@ -768,8 +796,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>= {} s simuliert, bei × {}</translation>
     </message>
     <message>
+        <source>A complete test is over; prepare another one with New specimen</source>
+        <translation>Ein vollständiger Versuch ist zu Ende; mit Neue Probe wird der nächste vorbereitet</translation>
+    </message>
+    <message>
         <source>A micrometer moves the target in equal steps, up and down; the voltage is read at each step. Every reading is saved at once: close at any time and take it up again.</source>
         <translation>Eine Messschraube verschiebt das Ziel in gleichen Schritten auf und ab; bei jedem wird die Spannung gelesen. Jede Messung ist sofort gespeichert: jederzeit schließen und später fortsetzen.</translation>
+    </message>
+    <message>
+        <source>A new one, or one like another.</source>
+        <translation>Einen neuen oder einen wie zuvor.</translation>
+    </message>
+    <message>
+        <source>A recorded test is played: no rig is moved</source>
+        <translation>Ein aufgezeichneter Versuch wird abgespielt: kein Prüfstand bewegt sich</translation>
+    </message>
+    <message>
+        <source>A short test on a rig of software.</source>
+        <translation>Ein kurzer Versuch, alles nur simuliert.</translation>
+    </message>
+    <message>
+        <source>A window with the simulated rig is being opened.</source>
+        <translation>Ein Fenster mit dem simulierten Prüfstand wird geöffnet.</translation>
     </message>
     <message>
         <source>Accepted</source>
@@ -780,12 +828,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
     </message>
     <message>
+        <source>All results</source>
+        <translation>Alle Ergebnisse</translation>
+    </message>
+    <message>
         <source>All rolls are recorded.</source>
         <translation>Alle Umläufe sind aufgezeichnet.</translation>
     </message>
     <message>
         <source>All steps are done.</source>
         <translation>Alle Schritte sind getan.</translation>
+    </message>
+    <message>
+        <source>All {} results</source>
+        <translation>Alle {} Ergebnisse</translation>
     </message>
     <message>
         <source>Always watched</source>
@@ -814,6 +870,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Began</source>
+        <translation>Beginn</translation>
     </message>
     <message>
         <source>Begin &amp;readings</source>
@@ -856,6 +916,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrierung: {}</translation>
     </message>
     <message>
+        <source>Cannot be read</source>
+        <translation>Nicht lesbar</translation>
+    </message>
+    <message>
         <source>Certificate</source>
         <translation>Kalibrierschein</translation>
     </message>
@@ -876,20 +940,72 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Eine Einstellungsdatei wählen</translation>
     </message>
     <message>
+        <source>Choose a test: what it came to stands here.</source>
+        <translation>Einen Versuch wählen: sein Ergebnis steht hier.</translation>
+    </message>
+    <message>
         <source>Choose settings</source>
         <translation>Einstellungen wählen</translation>
+    </message>
+    <message>
+        <source>Close the comparison</source>
+        <translation>Vergleich schließen</translation>
     </message>
     <message>
         <source>Close; all readings are kept</source>
         <translation>Schließen; alle Messungen bleiben erhalten</translation>
     </message>
     <message>
+        <source>Closed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare…</source>
+        <translation>&amp;Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Compare it with the newest tests of its title</source>
+        <translation>Mit den neuesten Versuchen dieses Titels vergleichen</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Vollständig</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Connecting, {} of {} done</source>
+        <translation>Verbinden, {} von {} erledigt</translation>
+    </message>
+    <message>
+        <source>Connection of the rig</source>
+        <translation>Verbindung des Prüfstands</translation>
+    </message>
+    <message>
         <source>Crank angle (degrees)</source>
         <translation>Kurbelwinkel (Grad)</translation>
     </message>
     <message>
+        <source>Cycles</source>
+        <translation>Zyklen</translation>
+    </message>
+    <message>
         <source>Daily check: one weight at 4 pin angles</source>
         <translation>Tägliche Prüfung: ein Gewicht bei 4 Bolzenwinkeln</translation>
+    </message>
+    <message>
+        <source>Data are missing or doubtful</source>
+        <translation>Daten fehlen oder sind zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Depth, µm</source>
+        <translation>Tiefe, µm</translation>
     </message>
     <message>
         <source>Details</source>
@@ -910,6 +1026,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Do and record all further steps</source>
         <translation>Alle weiteren Schritte tun und aufnehmen</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>Draw up to {} chosen tests in one plot</source>
+        <translation>Bis zu {} gewählte Versuche in einem Bild zeichnen</translation>
     </message>
     <message>
         <source>Driver, identity and port</source>
@@ -936,6 +1060,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Jeder Umlauf ist ein Versuch mit allen Wächtern und einer eigenen Datei. Der Assistent kann geschlossen werden: Der laufende Umlauf geht zu Ende, und die Karte kann später fortgesetzt werden.</translation>
     </message>
     <message>
+        <source>Ended</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
         <source>Every reading is saved at once. You can close the wizard at any time and take the calibration up again.</source>
         <translation>Jede Messung ist sofort gespeichert. Der Assistent kann jederzeit geschlossen und die Kalibrierung später fortgesetzt werden.</translation>
     </message>
@@ -956,6 +1088,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Gefühlte / aufgebrachte Kraft</translation>
     </message>
     <message>
+        <source>File of the test</source>
+        <translation>Datei des Versuchs</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
         <source>Find a fault</source>
         <translation>Einen Fehler suchen</translation>
     </message>
@@ -964,8 +1104,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fertig</translation>
     </message>
     <message>
+        <source>First samples</source>
+        <translation>Erste Messwerte</translation>
+    </message>
+    <message>
         <source>First {:+.2f} degrees, now {:+.2f} degrees with the level turned: mean {:+.2f} +- {:.3f} degrees; the level itself is off by {:+.2f} degrees.</source>
         <translation>Zuerst {:+.2f} Grad, jetzt {:+.2f} Grad mit umgedrehter Wasserwaage: Mittel {:+.2f} +- {:.3f} Grad; die Wasserwaage selbst weicht um {:+.2f} Grad ab.</translation>
+    </message>
+    <message>
+        <source>Force with its uncertainty</source>
+        <translation>Kraft mit Unsicherheit</translation>
     </message>
     <message>
         <source>Fourier orders of the map</source>
@@ -1016,12 +1164,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Weiter zusehen</translation>
     </message>
     <message>
+        <source>Go on with an interrupted or stopped test</source>
+        <translation>Einen unterbrochenen oder angehaltenen Versuch fortsetzen</translation>
+    </message>
+    <message>
         <source>Go on with the paused test</source>
         <translation>Den angehaltenen Versuch fortsetzen</translation>
     </message>
     <message>
         <source>Go on with the test</source>
         <translation>Versuch fortsetzen</translation>
+    </message>
+    <message>
+        <source>Go on with the test in its own file</source>
+        <translation>Den Versuch in seiner eigenen Datei fortsetzen</translation>
     </message>
     <message>
         <source>Go on with the test in {}, or start another one.</source>
@@ -1052,8 +1208,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wie weit es ist</translation>
     </message>
     <message>
+        <source>How it stands</source>
+        <translation>Wie es steht</translation>
+    </message>
+    <message>
         <source>How many checks are good</source>
         <translation>Wie viele Prüfungen gut sind</translation>
+    </message>
+    <message>
+        <source>How the test ended</source>
+        <translation>Wie der Versuch endete</translation>
     </message>
     <message>
         <source>Idle</source>
@@ -1082,6 +1246,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Internal failure</source>
         <translation>Interner Fehler</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
     </message>
     <message>
         <source>Is the follower on the pin, the bushing unworn, every hand away? Then begin.</source>
@@ -1124,8 +1292,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Tasten</translation>
     </message>
     <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
         <source>Largest position</source>
         <translation>Größte Position</translation>
+    </message>
+    <message>
+        <source>Last tests</source>
+        <translation>Letzte Versuche</translation>
     </message>
     <message>
         <source>Lay the level on the flat of the crank and turn the crank until the bubble is in the middle. The encoder should show 0 degrees, or 360. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error.</source>
@@ -1212,6 +1388,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Signal des Kraftsensors ungültig</translation>
     </message>
     <message>
+        <source>Load cell, probes, daily check.</source>
+        <translation>Kraftaufnehmer, Taster, Tagesprüfung.</translation>
+    </message>
+    <message>
         <source>Local &amp;gravity</source>
         <translation>Ört&amp;liche Fallbeschleunigung</translation>
     </message>
@@ -1250,6 +1430,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Look at the trend of this quantity; acknowledge, or change the limit with reason.</source>
         <translation>Den Verlauf dieser Größe ansehen; quittieren oder die Grenze mit Begründung ändern.</translation>
+    </message>
+    <message>
+        <source>Look, compare, report.</source>
+        <translation>Ansehen, vergleichen, berichten.</translation>
+    </message>
+    <message>
+        <source>Looking for the engine of the rig. Results can be opened meanwhile.</source>
+        <translation>Die Steuerung des Prüfstands wird gesucht. Ergebnisse lassen sich schon öffnen.</translation>
     </message>
     <message>
         <source>Lower speed or load, or note that this test ran beyond the range of its materials.</source>
@@ -1356,6 +1544,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Neu</translation>
     </message>
     <message>
+        <source>New &amp;specimen…</source>
+        <translation>Neue &amp;Probe…</translation>
+    </message>
+    <message>
         <source>New test</source>
         <translation>Neuer Versuch</translation>
     </message>
@@ -1412,6 +1604,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine Grenzen</translation>
     </message>
     <message>
+        <source>No results yet</source>
+        <translation>Noch keine Ergebnisse</translation>
+    </message>
+    <message>
         <source>No test is armed. Choose a test file, or save the new one in Prepare.</source>
         <translation>Kein Versuch ist scharf. Eine Versuchsdatei wählen oder den neuen unter Vorbereiten speichern.</translation>
     </message>
@@ -1430,6 +1626,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>None yet: a limit tells when the joint changes.</source>
         <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
+    </message>
+    <message>
+        <source>Not closed</source>
+        <translation>Nicht abgeschlossen</translation>
     </message>
     <message>
         <source>Not saved before {}: {}</source>
@@ -1464,6 +1664,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Nichts ist verloren; der Versuch geht weiter und wird aufgezeichnet.</translation>
     </message>
     <message>
+        <source>Nothing lost</source>
+        <translation>Nichts verloren</translation>
+    </message>
+    <message>
         <source>Nothing was done.</source>
         <translation>Es wurde nichts getan.</translation>
     </message>
@@ -1478,6 +1682,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Number of the reading</source>
         <translation>Nummer der Messung</translation>
+    </message>
+    <message>
+        <source>Number of the result</source>
+        <translation>Zahl des Ergebnisses</translation>
     </message>
     <message>
         <source>Numbers and uncertainty</source>
@@ -1496,12 +1704,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
         <source>Open a test</source>
         <translation>Einen Versuch öffnen</translation>
     </message>
     <message>
         <source>Open a test file</source>
         <translation>Eine Versuchsdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Open results</source>
+        <translation>Ergebnisse öffnen</translation>
+    </message>
+    <message>
+        <source>Open {}</source>
+        <translation>{} öffnen</translation>
     </message>
     <message>
         <source>Or&amp;ders of the map</source>
@@ -1534,6 +1754,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Panels</source>
         <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Pause  F6</source>
+        <translation>Pause  F6</translation>
     </message>
     <message>
         <source>Pause not reached</source>
@@ -1572,6 +1796,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Weniger ganze Zyklen oder einen neuen Versuch planen.</translation>
     </message>
     <message>
+        <source>Play  F7</source>
+        <translation>Abspielen  F7</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
         <source>Posi&amp;tions of a run</source>
         <translation>Posi&amp;tionen eines Durchgangs</translation>
     </message>
@@ -1590,6 +1822,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Prepare a test</source>
         <translation>Einen Versuch vorbereiten</translation>
+    </message>
+    <message>
+        <source>Prepare the test of the next specimen</source>
+        <translation>Den Versuch der nächsten Probe vorbereiten</translation>
     </message>
     <message>
         <source>Press the emergency stop. Do not touch the rig before the crank stands.</source>
@@ -1668,6 +1904,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>RMS</translation>
     </message>
     <message>
+        <source>RMS to the model; worst cycle {:.1f} N</source>
+        <translation>RMS zum Modell; schlechtester Zyklus {:.1f} N</translation>
+    </message>
+    <message>
         <source>RMS, this cycle</source>
         <translation>RMS, dieser Zyklus</translation>
     </message>
@@ -1704,8 +1944,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Neu lesen</translation>
     </message>
     <message>
+        <source>Read the folder again</source>
+        <translation>Den Ordner neu lesen</translation>
+    </message>
+    <message>
         <source>Reading</source>
         <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Reading what the test came to …</source>
+        <translation>Das Ergebnis wird gelesen …</translation>
     </message>
     <message>
         <source>Readings</source>
@@ -1760,6 +2008,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Aufgezeichnete Versuche</translation>
     </message>
     <message>
+        <source>Recorded tests, newest first</source>
+        <translation>Aufgezeichnete Versuche, neueste zuerst</translation>
+    </message>
+    <message>
         <source>Recover</source>
         <translation>Zurück zum Versuch</translation>
     </message>
@@ -1804,10 +2056,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wiedergabe von Anfang an</translation>
     </message>
     <message>
-        <source>Replay of a recorded test: no rig is moved.</source>
-        <translation>Wiedergabe eines aufgezeichneten Versuchs: Kein Prüfstand wird bewegt.</translation>
-    </message>
-    <message>
         <source>Reset</source>
         <translation>Zurücksetzen</translation>
     </message>
@@ -1842,6 +2090,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Result of the test</source>
+        <translation>Ergebnis des Versuchs</translation>
     </message>
     <message>
         <source>Results</source>
@@ -2044,6 +2296,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Nur Zeilen mit diesem Text zeigen</translation>
     </message>
     <message>
+        <source>Show only tests that ended so</source>
+        <translation>Nur Versuche mit diesem Ende zeigen</translation>
+    </message>
+    <message>
+        <source>Show only tests with these words</source>
+        <translation>Nur Versuche mit diesen Wörtern zeigen</translation>
+    </message>
+    <message>
         <source>Signal</source>
         <translation>Signal</translation>
     </message>
@@ -2062,6 +2322,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Silent</source>
         <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simuliert</translation>
     </message>
     <message>
         <source>Simulated faults</source>
@@ -2098,6 +2362,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Specimen</source>
         <translation>Probe</translation>
+    </message>
+    <message>
+        <source>Specimen, cycles and times</source>
+        <translation>Probe, Zyklen und Zeiten</translation>
     </message>
     <message>
         <source>Spee&amp;d</source>
@@ -2146,6 +2414,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Standard uncertainty of the micrometer</source>
         <translation>Standardunsicherheit der Messschraube</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Start a test</source>
@@ -2232,6 +2504,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Schritte von {:g} µm; {}</translation>
     </message>
     <message>
+        <source>Steps that are done</source>
+        <translation>Erledigte Schritte</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Ende</translation>
     </message>
@@ -2266,6 +2542,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Stopped</source>
         <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Stopped by the operator</source>
+        <translation>Vom Bediener angehalten</translation>
     </message>
     <message>
         <source>Stopping</source>
@@ -2306,6 +2586,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>THE SPINDLE MAY STILL TURN.</source>
         <translation>DIE SPINDEL DREHT SICH VIELLEICHT NOCH.</translation>
+    </message>
+    <message>
+        <source>Table, CSV</source>
+        <translation>Tabelle, CSV</translation>
+    </message>
+    <message>
+        <source>Table, Parquet</source>
+        <translation>Tabelle, Parquet</translation>
     </message>
     <message>
         <source>Take command</source>
@@ -2364,6 +2652,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuche (*.toml)</translation>
     </message>
     <message>
+        <source>Tests in the folder</source>
+        <translation>Versuche im Ordner</translation>
+    </message>
+    <message>
         <source>The &amp;load hangs still</source>
         <translation>Die &amp;Last hängt ruhig</translation>
     </message>
@@ -2396,6 +2688,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der gewählte Fehler</translation>
     </message>
     <message>
+        <source>The chosen test</source>
+        <translation>Der gewählte Versuch</translation>
+    </message>
+    <message>
         <source>The crank angle is unknown, so the drive was switched off.</source>
         <translation>Der Kurbelwinkel ist unbekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
@@ -2422,6 +2718,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The deliberate action before another start: every critical alarm must be acknowledged and its cause gone. Nothing moves.</source>
         <translation>Der bewusste Schritt vor einem neuen Start: Jeder kritische Alarm muss quittiert und seine Ursache weg sein. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>The desktop has no program for {}; it is in {}</source>
+        <translation>Es gibt kein Programm für {}; die Datei ist {}</translation>
     </message>
     <message>
         <source>The device&apos;s samples lag {seconds:.2f} s more behind this computer&apos;s clock than before.</source>
@@ -2552,6 +2852,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die betroffenen Umdrehungen sind gekennzeichnet; nichts wird interpoliert.</translation>
     </message>
     <message>
+        <source>The rig</source>
+        <translation>Der Prüfstand</translation>
+    </message>
+    <message>
         <source>The spindle did not come to rest for the pause.</source>
         <translation>Die Spindel kam für die Pause nicht zur Ruhe.</translation>
     </message>
@@ -2640,8 +2944,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ihre Kennwerte bleiben, ihre Messwerte nicht.</translation>
     </message>
     <message>
+        <source>Then</source>
+        <translation>Danach</translation>
+    </message>
+    <message>
         <source>These faults happen in the simulated devices, on the wire or on the signals, not in the program: what you see is what a real fault would show.</source>
         <translation>Diese Fehler geschehen in den simulierten Geräten, auf der Leitung oder in den Signalen, nicht im Programm: Zu sehen ist, was ein wirklicher Fehler zeigen würde.</translation>
+    </message>
+    <message>
+        <source>This is a replay: no rig is connected</source>
+        <translation>Dies ist eine Wiedergabe: kein Prüfstand ist verbunden</translation>
     </message>
     <message>
         <source>This rig runs as fast as it can: choose {} for this fault.</source>
@@ -2656,12 +2968,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Zeit</translation>
     </message>
     <message>
+        <source>Title, specimen, file, operator, reason</source>
+        <translation>Titel, Probe, Datei, Bediener, Grund</translation>
+    </message>
+    <message>
         <source>To do</source>
         <translation>Zu tun</translation>
     </message>
     <message>
         <source>Trends</source>
         <translation>Verläufe</translation>
+    </message>
+    <message>
+        <source>Tripped</source>
+        <translation>Ausgelöst</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Try the simulated rig</source>
+        <translation>Simulierten Prüfstand probieren</translation>
     </message>
     <message>
         <source>Tue</source>
@@ -2736,6 +3064,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warten</translation>
     </message>
     <message>
+        <source>Wait for the engine: which rig it drives is not known yet.</source>
+        <translation>Auf die Steuerung warten: ihr Prüfstand ist noch nicht bekannt.</translation>
+    </message>
+    <message>
         <source>Wait: the crank comes to rest at the pause angle.</source>
         <translation>Warten: Die Kurbel kommt am Pausenwinkel zur Ruhe.</translation>
     </message>
@@ -2764,12 +3096,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verschleiß</translation>
     </message>
     <message>
+        <source>Wear coefficient</source>
+        <translation>Verschleißkoeffizient</translation>
+    </message>
+    <message>
         <source>Wear coefficient by earlier tests: rigapp identify prints it</source>
         <translation>Verschleißkoeffizient aus früheren Versuchen: rigapp identify gibt ihn aus</translation>
     </message>
     <message>
+        <source>Wear coefficient in 10⁻⁴ mm³/(N m)</source>
+        <translation>Verschleißkoeffizient in 10⁻⁴ mm³/(N m)</translation>
+    </message>
+    <message>
         <source>Wear depth</source>
         <translation>Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>Wear depth by the probes, with its expanded uncertainty (k = 2)</source>
+        <translation>Verschleißtiefe der Taster mit erweiterter Unsicherheit (k = 2)</translation>
     </message>
     <message>
         <source>Wear law</source>
@@ -2808,6 +3152,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was auf dieser Seite falsch ist</translation>
     </message>
     <message>
+        <source>What it rests on</source>
+        <translation>Worauf sie beruht</translation>
+    </message>
+    <message>
         <source>What it tells is not recorded until it answers; the test goes on.</source>
         <translation>Was es meldet, wird erst aufgezeichnet, wenn es antwortet; der Versuch geht weiter.</translation>
     </message>
@@ -2822,6 +3170,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What the control charts say</source>
         <translation>Was die Regelkarten sagen</translation>
+    </message>
+    <message>
+        <source>What the file holds</source>
+        <translation>Was die Datei enthält</translation>
+    </message>
+    <message>
+        <source>What the number is</source>
+        <translation>Was die Zahl ist</translation>
     </message>
     <message>
         <source>What these faults are</source>
@@ -2860,6 +3216,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Was gefunden wurde</translation>
     </message>
     <message>
+        <source>What was looked at</source>
+        <translation>Was geprüft wurde</translation>
+    </message>
+    <message>
         <source>Where</source>
         <translation>Wo</translation>
     </message>
@@ -2874,6 +3234,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Where the record is</source>
         <translation>Wo der Datensatz ist</translation>
+    </message>
+    <message>
+        <source>Where to begin</source>
+        <translation>Womit beginnen</translation>
+    </message>
+    <message>
+        <source>Where would you like to begin?</source>
+        <translation>Womit möchten Sie beginnen?</translation>
+    </message>
+    <message>
+        <source>Whether the result can be trusted</source>
+        <translation>Ob dem Ergebnis zu trauen ist</translation>
     </message>
     <message>
         <source>Which probe</source>
@@ -2908,6 +3280,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warum die Grenze nicht geändert werden kann</translation>
     </message>
     <message>
+        <source>Why the test ended</source>
+        <translation>Warum der Versuch endete</translation>
+    </message>
+    <message>
         <source>Why this window only looks</source>
         <translation>Warum dieses Fenster nur zusieht</translation>
     </message>
@@ -2920,8 +3296,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warum?</translation>
     </message>
     <message>
+        <source>Window of the rig</source>
+        <translation>Fenster des Prüfstands</translation>
+    </message>
+    <message>
         <source>Windows cannot be served</source>
         <translation>Fenster können nicht bedient werden</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
     </message>
     <message>
         <source>Write its name into the &amp;rig file…</source>
@@ -2948,12 +3332,32 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Den Namen dieses Datensatzes in {} schreiben? Kommentare und alles andere bleiben, und eine Kopie der jetzigen Datei bleibt daneben.</translation>
     </message>
     <message>
+        <source>Write the report of the test beside its file</source>
+        <translation>Den Bericht des Versuchs neben seine Datei schreiben</translation>
+    </message>
+    <message>
         <source>Write the text into the log of the test (Enter)</source>
         <translation>Den Text ins Protokoll des Versuchs schreiben (Enter)</translation>
     </message>
     <message>
+        <source>Write {}</source>
+        <translation>{} schreiben</translation>
+    </message>
+    <message>
+        <source>Write {} beside the test</source>
+        <translation>{} neben den Versuch schreiben</translation>
+    </message>
+    <message>
         <source>Writing the certificate; the first one takes some seconds …</source>
         <translation>Der Kalibrierschein wird geschrieben; der erste braucht einige Sekunden …</translation>
+    </message>
+    <message>
+        <source>Writing {} …</source>
+        <translation>{} wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Schreibt …</translation>
     </message>
     <message>
         <source>You are in command</source>
@@ -2988,6 +3392,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>quittiert</translation>
     </message>
     <message>
+        <source>after the devices</source>
+        <translation>nach den Geräten</translation>
+    </message>
+    <message>
+        <source>after the engine</source>
+        <translation>nach der Steuerung</translation>
+    </message>
+    <message>
+        <source>all {} cycles are in the file</source>
+        <translation>alle {} Zyklen stehen in der Datei</translation>
+    </message>
+    <message>
         <source>arrows</source>
         <translation>Pfeile</translation>
     </message>
@@ -3016,6 +3432,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>durch langsame Umläufe der Spindel</translation>
     </message>
     <message>
+        <source>by the probes, k = 2</source>
+        <translation>von den Tastern, k = 2</translation>
+    </message>
+    <message>
         <source>circle</source>
         <translation>Kreis</translation>
     </message>
@@ -3024,12 +3444,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fehler beenden</translation>
     </message>
     <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
         <source>connect</source>
         <translation>verbinden</translation>
     </message>
     <message>
         <source>connecting</source>
         <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>cycle {} at {:.0f}°</source>
+        <translation>Zyklus {} bei {:.0f}°</translation>
     </message>
     <message>
         <source>default</source>
@@ -3076,8 +3504,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>suchen, z. B. cable, spikes, daq</translation>
     </message>
     <message>
+        <source>finding {}</source>
+        <translation>{} wird gesucht</translation>
+    </message>
+    <message>
         <source>first</source>
         <translation>zuerst</translation>
+    </message>
+    <message>
+        <source>from the calibration in the file</source>
+        <translation>aus der Kalibrierung in der Datei</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
     </message>
     <message>
         <source>good now; {} samples lost, {} errors before</source>
@@ -3108,6 +3548,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Fehler auslösen</translation>
     </message>
     <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
         <source>its U</source>
         <translation>seine U</translation>
     </message>
@@ -3124,12 +3568,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>gehalten</translation>
     </message>
     <message>
+        <source>later</source>
+        <translation>später</translation>
+    </message>
+    <message>
         <source>least margin {:.0f} %, {}</source>
         <translation>kleinster Abstand {:.0f} %, {}</translation>
     </message>
     <message>
         <source>limit of the history</source>
         <translation>Grenze aus der Vorgeschichte</translation>
+    </message>
+    <message>
+        <source>making the ports</source>
+        <translation>Anschlüsse werden angelegt</translation>
     </message>
     <message>
         <source>margin {:.0f} %</source>
@@ -3148,12 +3600,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Mikrometer</translation>
     </message>
     <message>
+        <source>mind</source>
+        <translation>beachten</translation>
+    </message>
+    <message>
         <source>next</source>
         <translation>als Nächstes</translation>
     </message>
     <message>
         <source>no data yet</source>
         <translation>noch keine Daten</translation>
+    </message>
+    <message>
+        <source>no force was recorded</source>
+        <translation>keine Kraft aufgezeichnet</translation>
     </message>
     <message>
         <source>no prediction</source>
@@ -3184,12 +3644,28 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>nicht verbunden</translation>
     </message>
     <message>
+        <source>not connected yet</source>
+        <translation>noch nicht verbunden</translation>
+    </message>
+    <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
     </message>
     <message>
+        <source>not known yet: too little wear</source>
+        <translation>noch nicht bekannt: zu wenig Verschleiß</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
         <source>not measured yet</source>
         <translation>noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>nicht lesbar</translation>
     </message>
     <message>
         <source>note</source>
@@ -3198,6 +3674,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>nothing judged yet</source>
         <translation>noch nichts beurteilt</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
     </message>
     <message>
         <source>pause</source>
@@ -3340,6 +3820,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>gestoppt</translation>
     </message>
     <message>
+        <source>stopped by operator</source>
+        <translation>vom Bediener angehalten</translation>
+    </message>
+    <message>
         <source>stopping</source>
         <translation>Auslauf</translation>
     </message>
@@ -3396,6 +3880,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Prüfstandsdatei</translation>
     </message>
     <message>
+        <source>these are no measurements</source>
+        <translation>dies sind keine Messungen</translation>
+    </message>
+    <message>
+        <source>they come</source>
+        <translation>sie kommen</translation>
+    </message>
+    <message>
         <source>this record</source>
         <translation>dieser Datensatz</translation>
     </message>
@@ -3406,6 +3898,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>triangle</source>
         <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>tripped</source>
+        <translation>ausgelöst</translation>
     </message>
     <message>
         <source>u of the &amp;micrometer</source>
@@ -3524,8 +4020,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} unter der Grenze</translation>
     </message>
     <message>
+        <source>{} cannot be read: {}</source>
+        <translation>{} ist nicht lesbar: {}</translation>
+    </message>
+    <message>
         <source>{} cannot be started: {}.</source>
         <translation>{} lässt sich nicht starten: {}.</translation>
+    </message>
+    <message>
+        <source>{} cycles are safe; it can be gone on with</source>
+        <translation>{} Zyklen sind sicher; er lässt sich fortsetzen</translation>
+    </message>
+    <message>
+        <source>{} gaps, {} of {} cycles flagged</source>
+        <translation>{} Lücken, {} von {} Zyklen gekennzeichnet</translation>
     </message>
     <message>
         <source>{} good, {} for attention, {} block</source>
@@ -3534,6 +4042,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} in short</source>
         <translation>{} in Kürze</translation>
+    </message>
+    <message>
+        <source>{} is a real rig. The simulated one opens beside it.</source>
+        <translation>{} ist ein echter Prüfstand. Der simulierte öffnet sich daneben.</translation>
     </message>
     <message>
         <source>{} is another one on the disk now: {}</source>
@@ -3550,6 +4062,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} is armed as it is saved. One draft limit is not part of it.</source>
         <translation>{} ist scharf, wie gespeichert. Ein Grenzentwurf gehört nicht dazu.</translation>
+    </message>
+    <message>
+        <source>{} is in {}</source>
+        <translation>{} ist in {}</translation>
+    </message>
+    <message>
+        <source>{} is not written yet</source>
+        <translation>{} ist noch nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>{} is not written: {}</source>
+        <translation>{} ist nicht geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>{} is simulated: nothing real turns.</source>
+        <translation>{} ist simuliert: nichts Echtes dreht sich.</translation>
     </message>
     <message>
         <source>{} is {}, above the {} limit {}.</source>
@@ -3576,12 +4104,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} von {}</translation>
     </message>
     <message>
+        <source>{} of {} cycles</source>
+        <translation>{} von {} Zyklen</translation>
+    </message>
+    <message>
+        <source>{} of {} tests in {}</source>
+        <translation>{} von {} Versuchen in {}</translation>
+    </message>
+    <message>
         <source>{} on {port} has told nothing for {age_s:.0f} s{why}.</source>
         <translation>{} an {port} hat seit {age_s:.0f} s nichts gemeldet{why}.</translation>
     </message>
     <message>
         <source>{} on {port}: {sentence}</source>
         <translation>{} an {port}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{} on {}</source>
+        <translation>{} an {}</translation>
     </message>
     <message>
         <source>{} pieces, {:g} kg in all. The heaviest load is {:g} kg; {}</source>
@@ -3598,6 +4138,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} saved</source>
         <translation>{} sicher</translation>
+    </message>
+    <message>
+        <source>{} still to be read; {}</source>
+        <translation>{} noch zu lesen; {}</translation>
+    </message>
+    <message>
+        <source>{} tests in {} cannot be read: {}</source>
+        <translation>{} Versuche in {} sind nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>{} to {}, {}</source>
+        <translation>{} bis {}, {}</translation>
     </message>
     <message>
         <source>{}, armed</source>
@@ -3632,12 +4184,24 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{}: getan. {}</translation>
     </message>
     <message>
+        <source>{}: no rig is connected, nothing moves.</source>
+        <translation>{}: kein Prüfstand ist verbunden, nichts bewegt sich.</translation>
+    </message>
+    <message>
         <source>{}; trying again</source>
         <translation>{}; neuer Versuch läuft</translation>
     </message>
     <message>
+        <source>{}; {} cycles kept whole; changed {}</source>
+        <translation>{}; {} Zyklen ganz behalten; geändert {}</translation>
+    </message>
+    <message>
         <source>|F| RMS</source>
         <translation>|F| RMS</translation>
+    </message>
+    <message>
+        <source>|F| max, N</source>
+        <translation>|F| max., N</translation>
     </message>
     <message>
         <source>|F| maximum</source>

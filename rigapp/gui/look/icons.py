@@ -33,6 +33,17 @@ class Icon(enum.StrEnum):
     FINE = "ph.check"
     CHOOSE = "ph.caret-down"
     MORE = "ph.caret-up"
+    COMPLETE = "ph.check-circle-fill"
+    ENDED = "ph.square"
+    TRIPPED = "ph.diamond-fill"
+    UNREADABLE = "ph.file-x"
+    OPEN = "ph.arrow-square-out"
+    COMPARE = "ph.chart-line"
+    SPECIMEN = "ph.cube"
+    NEXT = "ph.arrow-right"
+    NOW = "ph.arrow-circle-right-fill"
+    LATER = "ph.circle"
+    AGAIN = "ph.arrow-counter-clockwise"
 
 
 def icon(meaning: Icon, colour: str, disabled: str | None = None) -> QIcon:

@@ -7,9 +7,20 @@ from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import BODY_PT
 
 SMALLEST = 0.5
 """Of its font's size, the smallest to which a value shrinks before it is cut."""
+
+
+def heading(name: str, text: Text, points: float = BODY_PT) -> QLabel:
+    """Return the heading of a card, in the weight of headings."""
+    made = QLabel(tr(text))
+    made.setObjectName(name)
+    made.setAccessibleName(made.text())
+    made.setFont(sized(made.font(), points, QFont.Weight.DemiBold))
+    return made
 
 
 class ElidedLabel(QLabel):

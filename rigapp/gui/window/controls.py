@@ -187,9 +187,7 @@ class ControlRow(QFrame):
         self.note.setIcon(icon(Icon.NOTE, theme.text, theme.muted))
         self._paint_answer()
 
-    def show_status(
-        self, status: Status | None, connection: ConnectionState, *, replay: bool = False
-    ) -> None:
+    def show_status(self, status: Status | None, connection: ConnectionState) -> None:
         """Enable what applies now; Stop stays enabled when the state is not known."""
         self._state = status.state if status is not None else None
         self._start_when_ready()
@@ -198,9 +196,7 @@ class ControlRow(QFrame):
             applies = status is not None and self._applies(command, status)
             if command.verb == "stop":
                 applies = applies or connection is not ConnectionState.ATTACHED
-            elif connection is ConnectionState.LOST or (
-                replay and command.verb in ("connect", "start")
-            ):
+            elif connection is ConnectionState.LOST:
                 applies = False
             self.buttons[command.verb].setEnabled(applies)
             self.buttons[command.verb].setToolTip(self._tip(command, applies, status))

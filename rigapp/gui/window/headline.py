@@ -105,6 +105,8 @@ def headline(
     connection_reason: str,
     measured: NewestMeasured,
     now: Callable[[], float] = time.time,
+    *,
+    replay: bool = False,
 ) -> Headline:
     """Return what the header shows for a status (None: never heard of the engine)."""
     unknown = TileText("–")
@@ -114,6 +116,8 @@ def headline(
             StateShape.ARROWS, state, unknown, 0.0, unknown, 0.0, unknown, unknown, unknown
         )
     shape, state = _state(status, connection, connection_reason)
+    if replay:
+        state = TileText(tr("REPLAY"), f"{state.value}: {state.detail}", state.level)
     return Headline(
         shape=shape,
         state=state,

@@ -38,8 +38,13 @@ class NoticeBar(Bar):
         self._theme = theme
         self._paint()
 
-    def take_status(self, status: Status) -> None:
-        """Take the newest status."""
+    def take_status(self, status: Status, *, replay: bool = False) -> None:
+        """Take the newest status; of a replay it is told that nothing moves."""
+        if replay:
+            self.say(tr("{}: no rig is connected, nothing moves.", status.test))
+            self.away.hide()
+            self.show_when(True)
+            return
         last, self._last = self._last, status
         if last is not None and last.engine_pid != status.engine_pid:
             self._restart = restart_sentence(last)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -113,6 +113,11 @@ class Rail(QFrame):
             self.buttons[place].setChecked(True)
             self.dress(self._theme)
 
+    def offer(self, places: Collection[RailPlace]) -> None:
+        """Offer some places; those without pages are gone."""
+        for place, one in self.buttons.items():
+            one.setVisible(place in places)
+
     def show_rig(self, rig: str, kind: str) -> None:
         """Show the rig's name, and what it is: SIMULATED, REPLAY, or nothing for a real one."""
         for label, text in ((self.rig, rig), (self.kind, kind)):
@@ -174,7 +179,9 @@ class PageBar(QWidget):
         if tuple(pages) != self._shown:
             self._shown = tuple(pages)
             for gone in self.buttons.values():
-                gone.hide()  # at once; a loaded computer deletes it later
+                # At once: the window would grow for both rows together.
+                self._row.removeWidget(gone)
+                gone.hide()
                 gone.deleteLater()
             self.buttons = {page.number: self._button(page) for page in pages}
             for made in self.buttons.values():

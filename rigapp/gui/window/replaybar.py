@@ -1,13 +1,18 @@
-"""Place, speed and start of a replay; shown only when the window plays a recorded test."""
+"""Play, place and speed of a replay, in the place of the commands: no rig is moved from here."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFont, QKeySequence, QShortcut
 from PySide6.QtWidgets import QFrame, QLabel, QSlider, QSpinBox
 
 from rigapp.gui.language.words import tr
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.icons import Icon, icon
+from rigapp.gui.look.tokens import GAP, MARGIN, RADIUS, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import button, choice, named, row, whole_number
-from rigapp.schema.messages import Status
+from rigapp.gui.window.controls import BAR_HEIGHT, BUTTON_HEIGHT
+from rigapp.schema.messages import RunState, Status
 
 SPEEDS = (0.1, 1.0, 10.0, 100.0, 1000.0, 10_000.0)
 STEPS = 1000
@@ -15,15 +20,24 @@ STEPS = 1000
 
 
 class ReplayBar(QFrame):
-    """Go to any revolution, change the speed, begin again."""
+    """Play and pause, go to any revolution, change the speed, begin again."""
 
     wanted = Signal(str, dict)
 
-    def __init__(self) -> None:
+    def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._first, self._last = 1, 1
+        self._playing = True
         named(self, "replay_bar", "Replay")
-        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setFixedHeight(BAR_HEIGHT)
+        self.word = named(QLabel(tr("REPLAY")), "replay_word", "Replay of a recorded test")
+        self.word.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
+        self.word.setFixedHeight(BUTTON_HEIGHT)
+        self.word.setToolTip(tr("A recorded test is played: no rig is moved"))
+        self.play = button("replay_play", "", self._play, "Play or pause", rank="primary")
+        self.play.setFixedSize(16 * STEP, BUTTON_HEIGHT)
+        for key, playing in (("F6", True), ("F7", False)):
+            QShortcut(QKeySequence(key), self, lambda playing=playing: self._play_when(playing))
         self.place = named(
             QSlider(Qt.Orientation.Horizontal), "replay_place", "Place in the recorded test"
         )
@@ -43,21 +57,37 @@ class ReplayBar(QFrame):
             lambda: self.wanted.emit("rewind", {}),
             "Replay from the start",
         )
-        note = named(
-            QLabel(tr("Replay of a recorded test: no rig is moved.")), "replay_note", "Replay"
-        )
-        note.setToolTip(tr("F6 pauses the replay, F7 goes on"))
-        row(
-            note,
+        self.again.setFixedHeight(BUTTON_HEIGHT)
+        whole = row(
+            self.word,
+            self.play,
+            self.again,
             "Pl&ace", (self.place, 1),
             "Re&volution", self.revolution,
             "Spee&d", self.speed,
-            self.again,
             on=self,
         )  # fmt: skip
+        whole.setContentsMargins(MARGIN, 0, MARGIN, 0)
+        whole.setSpacing(GAP)
+        self.dress(theme)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.setStyleSheet(
+            f"#replay_bar {{ background: {theme.base}; border-top: 1px solid {theme.hairline}; }}"
+            f" #replay_word {{ background: {theme.highlight}; color: {theme.highlighted_text};"
+            f" border-radius: {RADIUS}px; padding: {STEP // 2}px {GAP}px; }}"
+        )
+        self.again.setIcon(icon(Icon.AGAIN, theme.text, theme.muted))
+        self._show_playing()
 
     def show_status(self, status: Status, last_recorded: int) -> None:
         """Follow the replay, unless somebody is just moving the slider or typing."""
+        playing = status.state is RunState.RUNNING
+        if playing != self._playing:
+            self._playing = playing
+            self._show_playing()
         first, last = status.first_revolution, max(last_recorded, 1)
         if (first, last) != (self._first, self._last):
             self._first, self._last = first, last
@@ -68,6 +98,20 @@ class ReplayBar(QFrame):
             _show(self.place, max(0, min(STEPS, place)))
         if not self.revolution.hasFocus():
             _show(self.revolution, status.revolution)
+
+    def _show_playing(self) -> None:
+        text = tr("Pause  F6") if self._playing else tr("Play  F7")
+        meaning = Icon.PAUSE if self._playing else Icon.START
+        self.play.setText(text)
+        self.play.setIcon(icon(meaning, self._theme.highlighted_text))
+
+    def _play(self) -> None:
+        reason = {"reason": "asked by the operator"} if self._playing else {}
+        self.wanted.emit("pause" if self._playing else "resume", reason)
+
+    def _play_when(self, playing: bool) -> None:
+        if playing is self._playing:
+            self.play.click()
 
     def _moved(self, place: int) -> None:
         span = self._last - self._first + 1

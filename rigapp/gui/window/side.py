@@ -1,4 +1,4 @@
-"""The column at the right: newest values, below them the way out of a fault or the limits."""
+"""The column at the right: newest values, below them what is connected, limits, or the way out."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
 from rigapp.gui.panels.alarms import AlarmGlance
+from rigapp.gui.panels.connecting import BEFORE, ConnectingCard
 from rigapp.gui.widgets.build import column, named
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.gui.window.headline import Level, TileText, data_age
@@ -224,6 +225,7 @@ class SideColumn(QScrollArea):
         named(self, "side", "Newest values and limits")
         self.live = LiveCard(theme)
         self.limits = LimitsCard(theme)
+        self.connecting = ConnectingCard(theme)
         self.recover = recover
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -231,7 +233,8 @@ class SideColumn(QScrollArea):
         self.setWidgetResizable(True)
         held = QWidget()
         self.alarms = AlarmGlance()
-        column(self.live, recover, self.alarms, self.limits, None, on=held).setSpacing(GAP)
+        cards = (self.live, recover, self.alarms, self.connecting, self.limits)
+        column(*cards, None, on=held).setSpacing(GAP)
         self.setWidget(held)
         self.make_room(NARROW_WINDOW, tight=False)
 
@@ -242,19 +245,24 @@ class SideColumn(QScrollArea):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        for one in (self.live, self.limits, self.recover):
+        for one in (self.live, self.limits, self.connecting, self.recover):
             one.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Show what is newest; limits give way to the recovery."""
+        """Show what is newest; limits give way to the recovery, before a test to the connection."""
         self.live.show_news(news)
         if news.status is not None:
             self.alarms.show_alarms(news.status.alarms)
-        wanted = self.recover.isHidden()
-        if self.limits.isVisibleTo(self) != wanted:
-            self.limits.setVisible(wanted)
-        if wanted:
-            self.limits.show_news(news)
+        before = not news.is_replay and (news.status is None or news.status.state in BEFORE)
+        normal = self.recover.isHidden()
+        for card, wanted in (
+            (self.connecting, normal and before),
+            (self.limits, normal and not before),
+        ):
+            if card.isVisibleTo(self) != wanted:
+                card.setVisible(wanted)
+            if wanted:
+                card.show_news(news)
 
 
 def _number(value: float, unit: str) -> str:

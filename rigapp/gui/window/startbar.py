@@ -77,6 +77,12 @@ class StartBar(QFrame):
         for path in tests:
             self._add(path)
 
+    @property
+    def first(self) -> Path | None:
+        """Return the first test that is offered, None without one."""
+        path = self.test.itemData(0)
+        return Path(path) if path else None
+
     def _add(self, path: Path) -> int:
         at = self.test.findData(str(path))
         if at < 0:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -16,27 +15,41 @@ from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
-from rigapp.gui.panel import Dressed, Host, Panel, StallCounter
+from rigapp.gui.panel import Act, Dressed, Host, Panel, StallCounter
 from rigapp.gui.panels.alarms import alarm_page
-from rigapp.gui.panels.browser import browser_page
 from rigapp.gui.panels.cycle import cycle_page
 from rigapp.gui.panels.devices import device_page
 from rigapp.gui.panels.faults import fault_page
 from rigapp.gui.panels.logbook import log_page
 from rigapp.gui.panels.overview import overview_page
+from rigapp.gui.panels.resultpage import has_result, result_page
+from rigapp.gui.panels.results import results_page
+from rigapp.gui.panels.start import may_begin, start_page
 from rigapp.gui.panels.trends import trend_page
 from rigapp.gui.panels.wear import wear_page
 from rigapp.gui.plots.plotting import QuietPlot
+from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import named
 from rigapp.gui.window.places import PageName, RailPlace
+from rigapp.schema.messages import Severity, Status
+from rigapp.schema.states import ACTIVE
 
 TURN_MS = 10
 """Between two parts of a long drawing, so that keys and the state bar come in between."""
 
 
+def tripped(status: Status) -> bool:
+    """Tell whether a critical alarm stands: then the plots show what happened."""
+    return any(alarm.severity is Severity.CRITICAL for alarm in status.alarms)
+
+
 def _always(news: News) -> bool:
     return True
+
+
+def _with_rig(news: News) -> bool:
+    return not news.is_replay
 
 
 def _simulated(news: News) -> bool:
@@ -63,11 +76,13 @@ TABS = (
     Tab("cycle", "Cycle", "Ctrl+2", RailPlace.WATCH, cycle_page),
     Tab("trends", "Trends", "Ctrl+3", RailPlace.WATCH, trend_page),
     Tab("limits", "Alarms and limits", "Ctrl+4", RailPlace.WATCH, alarm_page),
-    Tab("prepare", "Prepare", "Ctrl+5", RailPlace.PREPARE, prepare_page),
-    Tab("devices", "Devices", "Ctrl+6", RailPlace.RIG, device_page),
+    Tab("prepare", "Prepare", "Ctrl+5", RailPlace.PREPARE, prepare_page, _with_rig),
+    Tab("devices", "Devices", "Ctrl+6", RailPlace.RIG, device_page, _with_rig),
     Tab("log", "Log", "Ctrl+7", RailPlace.WATCH, log_page),
-    Tab("results", "Results", "Ctrl+8", RailPlace.RESULTS, browser_page),
+    Tab("results", "Results", "Ctrl+8", RailPlace.RESULTS, results_page),
     Tab("wear", "Wear", "Ctrl+W", RailPlace.WATCH, wear_page),
+    Tab("start", "Start", "Ctrl+0", RailPlace.WATCH, start_page, may_begin),
+    Tab("result", "Result", "Ctrl+R", RailPlace.WATCH, result_page, has_result),
     Tab("faults", "Simulated faults", "Ctrl+9", RailPlace.RIG, fault_page, _simulated),
 )
 NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
@@ -76,17 +91,19 @@ NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
 class Tabs(QTabWidget):
     """Own every page; ``panels`` are all panels on them, by name.
 
-    ``wanted`` carries requests to the engine, ``said`` sentences.
+    ``wanted`` carries requests to the engine, ``said`` sentences, ``asked`` what the window is to
+    do.
     """
 
     wanted = Signal(str, dict)
     said = Signal(str, bool)
+    asked = Signal(Act)
 
     def __init__(
         self,
         test: ShownTest,
         theme: Theme,
-        results_folder: Path,
+        results: ResultShelf,
         worker: TaskWorker,
         stalls: StallCounter,
     ) -> None:
@@ -95,12 +112,13 @@ class Tabs(QTabWidget):
         self._news = News()
         host = Host(
             theme,
-            results_folder,
+            results,
             worker,
             stalls,
             self.wanted.emit,
             self.said.emit,
             test.ask_revolution,
+            self.asked.emit,
         )
         self.panels = host.panels
         self._last_page = {tab.place: number for number, tab in reversed(list(enumerate(TABS)))}
@@ -139,13 +157,17 @@ class Tabs(QTabWidget):
             if tab.place is self.place and self.isTabVisible(number)
         ]
 
+    def places(self) -> set[RailPlace]:
+        """Return the places that have pages now."""
+        return {tab.place for at, tab in enumerate(TABS) if self.isTabVisible(at)}
+
     def show_place(self, place: RailPlace) -> None:
         """Go to the page of a place that was seen last, its first one at the beginning."""
         self._go_to(self._last_page[place])
 
-    def show_prepare(self) -> None:
-        """Go to the tab that prepares a test."""
-        self.setCurrentIndex(NUMBERS["prepare"])
+    def show_page(self, name: str) -> None:
+        """Go to a page by its name."""
+        self._go_to(NUMBERS[name])
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -157,11 +179,11 @@ class Tabs(QTabWidget):
 
     def take(self, news: News) -> None:
         """Take what every new status means, for panels that are seen or not."""
-        self._news = news
+        before, self._news = self._news, news
         for panel in self.panels.values():
             if Takes.STATUS in panel.takes:
                 panel.show_news(news)
-        self._offer_tabs()
+        self._lead(before, news)
 
     def draw_fast(self, news: News) -> None:
         """Draw the newest revolution where it can be seen."""
@@ -188,6 +210,17 @@ class Tabs(QTabWidget):
         for place, tab in enumerate(TABS):
             if self.isTabVisible(place) != tab.shown(self._news):
                 self.setTabVisible(place, tab.shown(self._news))
+
+    def _lead(self, before: News, news: News) -> None:
+        """Go where the next step is, for somebody who looks at a page that has become idle."""
+        was, now = before.status, news.status
+        page = TABS[self.currentIndex()].name
+        if page in ("start", "result") and not TABS[self.currentIndex()].shown(news):
+            self.show_page("overview")
+        self._offer_tabs()
+        over = has_result(news) and (was is None or was.state in ACTIVE)
+        if over and page in ("start", "overview") and now is not None and not tripped(now):
+            self.show_page("result")
 
     def _go_to(self, place: int) -> None:
         if self.isTabVisible(place):

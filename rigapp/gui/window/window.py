@@ -16,7 +16,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QShortcut,
 )
-from PySide6.QtWidgets import QApplication, QMainWindow, QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QMainWindow, QPushButton, QWidget
 
 from rigapp.gui.data.connection import ConnectionState, EngineConnection
 from rigapp.gui.data.news import News
@@ -25,6 +25,9 @@ from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import apply_theme, dress_window
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
+from rigapp.gui.panel import Act
+from rigapp.gui.panels.documents import launch_process
+from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.guarded import GuardedButton
 from rigapp.gui.window.closebar import CloseBar
@@ -76,6 +79,9 @@ LEAST = (640, 360)
 BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
 """Places with newest values and the way out of a fault beside them; the others need the width."""
 
+REPLAY_FRAME = STEP // 2
+"""Width of the frame around a replay: it is seen from three metres."""
+
 FRAME_HEIGHT = 40
 """Room for the frame that the window manager puts around a window."""
 
@@ -123,9 +129,10 @@ class MainWindow(QMainWindow):
         self.recover = RecoverPanel(theme)
         self.viewer_bar = ViewerBar(theme)
         self._forbidden = ""
-        self.replay_bar = ReplayBar()
+        self.replay_bar = ReplayBar(theme)
         self.replay_bar.hide()
-        self.tabs = Tabs(test, theme, results_folder, self._reader, self.watchdog)
+        self._results = ResultShelf(results_folder, self._reader)
+        self.tabs = Tabs(test, theme, self._results, self._reader, self.watchdog)
         self.start_bar = StartBar(self.tabs.prepare.recipe, tests, results_folder)
         self.side = SideColumn(theme, self.recover)
         self.tabs.panels["side"] = self.side
@@ -151,6 +158,8 @@ class MainWindow(QMainWindow):
 
     def start(self) -> None:
         """Begin to pull; called when the window is on the screen."""
+        if self.tabs.place is RailPlace.WATCH and self._start_wanted is None and self._rig_file:
+            self.tabs.show_page("start")
         self._timer.start()
         self._part_timer.start()
         self.watchdog.start()
@@ -186,21 +195,42 @@ class MainWindow(QMainWindow):
     def _show_state(self) -> None:
         status, news = self._connection.status, self.news
         state, reason = self._connection.state, self._connection.reason
-        self.header.show_headline(headline(status, state, reason, measured(news)))
+        replay = self._connection.is_replay
+        now = measured(news)
+        self.header.show_headline(headline(status, state, reason, now, replay=replay))
         if self.tabs.place in BESIDE:
             self.side.show_news(news)
         self._show_side()
         self.rail.show_rig(*rig_words(news))
         self.messages.show_time()
-        self.controls.show_status(status, self._connection.state, replay=self._connection.is_replay)
-        self.replay_bar.setVisible(self._connection.is_replay)
-        if self._connection.is_replay and status is not None:
+        if not replay:
+            self.controls.show_status(status, self._connection.state)
+        self._frame_replay(replay)
+        if replay and status is not None:
             self.replay_bar.show_status(status, self._connection.last_recorded)
         self._show_who_commands()
         if self._test.problem:
             self.controls.show_answer(self._test.problem, good=False)
             self._test.problem = ""
         self._close_when_stopped()
+
+    def _frame_replay(self, replay: bool) -> None:
+        """Put a frame around a replay, and its own bar in the place of the commands."""
+        if replay is not self.replay_bar.isHidden():
+            return
+        self.replay_bar.setVisible(replay)
+        self.controls.setVisible(not replay)
+        self.rail.offer(self.tabs.places())
+        width = REPLAY_FRAME if replay else 0
+        layout = self._body.layout()
+        if layout is not None:
+            layout.setContentsMargins(width, width, width, width)
+        self._paint_frame()
+
+    def _paint_frame(self) -> None:
+        shown = not self.replay_bar.isHidden()
+        border = f"{REPLAY_FRAME}px solid {self.theme.highlight}" if shown else "0"
+        self._body.setStyleSheet(f"#body {{ border: {border}; }}")
 
     @property
     def news(self) -> News:
@@ -244,8 +274,9 @@ class MainWindow(QMainWindow):
             apply_theme(application, theme)
         dress_window(self, theme)
         bars = (self.header, self.notice, self.viewer_bar, self.messages, self.controls)
-        for part in (*bars, self.rail, self.tabs):
+        for part in (*bars, self.replay_bar, self.rail, self.tabs):
             part.dress(theme)
+        self._paint_frame()
         self.draw_now()
 
     def show_help(self) -> None:
@@ -322,6 +353,7 @@ class MainWindow(QMainWindow):
         self._save_layout()
         self._connection.close()
         self._test.close()
+        self._results.close()
         self._reader.close()
         if self._help is not None:
             self._help.close()
@@ -334,7 +366,7 @@ class MainWindow(QMainWindow):
         recipe = self.tabs.prepare.recipe
         if self._discard or not self._timer.isActive() or not recipe.unsaved():
             return False
-        self.tabs.show_prepare()
+        self.tabs.show_page("prepare")
         recipe.ask_before("closing the window", self._close_for_good)
         return True
 
@@ -357,7 +389,7 @@ class MainWindow(QMainWindow):
             if timer.interval() != every_ms:
                 timer.setInterval(every_ms)
         self.recover.take_status(None if self._connection.is_replay else status)
-        self.notice.take_status(status)
+        self.notice.take_status(status, replay=self._connection.is_replay)
         self._test.take(snapshot)
         self.tabs.take(self.news)
         self._show_place()
@@ -366,7 +398,7 @@ class MainWindow(QMainWindow):
             self.controls.show_status(status, self._connection.state)
             self.start_bar.start(test)
         title = f"{status.test or status.rig} – {PROGRAM}"
-        if self._forbidden:
+        if self._forbidden and not self._connection.is_replay:
             title = tr("Viewing only: {}", title)
         if self.windowTitle() != title:
             self.setWindowTitle(title)
@@ -378,6 +410,8 @@ class MainWindow(QMainWindow):
         line.show_holder(watch.holder, watch.name)
         self.viewer_bar.show_holder(watch.holder, watch.name)
         why = why_forbidden(watch.holder, watch.name)
+        if self._connection.is_replay:
+            why = tr("This is a replay: no rig is connected")
         if why != self._forbidden:
             self._forbidden = why
             for guarded in self.findChildren(GuardedButton):
@@ -396,6 +430,29 @@ class MainWindow(QMainWindow):
         if self._closing == "when stopped" and status and status.state not in ACTIVE:
             self._leave()
 
+    def _do(self, act: Act) -> None:
+        """Do what a panel asks for."""
+        if act is Act.TRY:
+            self._try_simulated()
+        elif act is Act.CALIBRATE:
+            self.calibrate()
+        else:
+            self.tabs.show_page(act.value)
+
+    def _try_simulated(self) -> None:
+        """Start the first test that is offered; a real rig stays as it is."""
+        status = self._connection.status
+        if status is None:
+            self._say("Wait for the engine: which rig it drives is not known yet.", good=False)
+        elif status.simulated and self.start_bar.first is not None:
+            self.start_bar.start(self.start_bar.first)
+        else:
+            launch_process(["gui", "--start"])
+            self._say("A window with the simulated rig is being opened.")
+
+    def _say(self, text: Text, *, good: bool = True) -> None:
+        self.controls.show_answer(tr(text), good=good)
+
     def _build(self) -> None:
         self.calibrate_button = button(
             "calibrate_button",
@@ -409,8 +466,8 @@ class MainWindow(QMainWindow):
         content = row((pages, 1), self.side)
         content.setContentsMargins(MARGIN, STEP, MARGIN, GAP)
         content.setSpacing(GAP)
-        body = QWidget()
-        upper = column(self.header, self.messages, self.replay_bar, (content, 1), self.controls)
+        body = self._body = named(QFrame(), "body", "Window of the rig")
+        upper = column(self.header, self.messages, (content, 1), self.controls, self.replay_bar)
         upper.setSpacing(0)
         layout = row(self.rail, (upper, 1), on=body)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -495,6 +552,7 @@ class MainWindow(QMainWindow):
         self.viewer_bar.wanted.connect(self.controls.send)
         self.tabs.wanted.connect(self.controls.send)
         self.tabs.said.connect(lambda text, good: self.controls.show_answer(text, good=good))
+        self.tabs.asked.connect(self._do)
         for key, call in (
             ("F1", self.show_help),
             (COMMAND_KEY, self.controls.command_line.act),
@@ -514,7 +572,9 @@ class MainWindow(QMainWindow):
             state = self._settings.value(f"splitter/{splitter.objectName()}")
             if state is not None:
                 splitter.restoreState(state)
-        self.tabs.setCurrentIndex(int(str(self._settings.value("tab", 0))))
+        number = int(str(self._settings.value("tab", 0)))
+        if self.tabs.isTabVisible(number):
+            self.tabs.setCurrentIndex(number)
 
     def _save_layout(self) -> None:
         if self._settings is None:

@@ -11,7 +11,7 @@ import numpy as np
 from rigapp.config.errors import UnusableInput
 from rigapp.report.paper.chapter import Chapter
 from rigapp.report.paper.kinematics import COLOURS, DEGREES
-from rigapp.report.testreport.facts import UNSTEADY
+from rigapp.report.results import UNSTEADY
 from rigapp.report.testreport.model_facts import CyclePicture, cycles_of
 from rigapp.report.testreport.worn import CURVES, worn_of
 from rigapp.storage import TestReader, open_test

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rigapp.report.results import UNSTEADY
 from rigapp.report.testreport.envelope import Floats, envelope
 from rigapp.schema.channels import Channel, Kind
 from rigapp.schema.messages import Flag
@@ -22,8 +23,6 @@ Line = tuple[Floats, Floats]
 
 SPEED = Channel("speed", "rpm", "speed of the crank")
 """The speed, which the encoder gives, as a report treats it: beside the channels."""
-
-UNSTEADY = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
 
 ENDS = 10
 """Good revolutions at each end of the test that are averaged to say how a quantity changed."""

@@ -185,15 +185,18 @@ class TestReader:
         """Return the committed rows from row ``first`` on, one array a column."""
         return self._table("revolutions", first)
 
-    def column(self, name: str, first: int = 0, stop: int | None = None) -> NDArray[Any]:
-        """Return committed rows ``first`` .. ``stop`` of one column of the revolutions."""
-        if name not in self.column_units():
+    def column(
+        self, name: str, first: int = 0, stop: int | None = None, stream: str = "revolutions"
+    ) -> NDArray[Any]:
+        """Return committed rows ``first`` .. ``stop`` of one column of a stream."""
+        found, known = self._streams[stream], self.column_units(stream)
+        if name not in known:
             raise UnusableInput(
-                f"{self.path}: there is no column {name!r} in /entry/revolutions; "
-                f"there are {', '.join(self.column_units())}"
+                f"{self.path}: there is no column {name!r} in {found.group}; "
+                f"there are {', '.join(known)}"
             )
-        end = self.committed() if stop is None else min(stop, self.committed())
-        return np.asarray(self._file[f"/entry/revolutions/{name}"][first:end])
+        end = self.committed(stream) if stop is None else min(stop, self.committed(stream))
+        return np.asarray(self._file[found.path(name)][first:end])
 
     def column_units(self, stream: str = "revolutions") -> dict[str, str]:
         """Return the units of a stream's columns by name, in their order."""

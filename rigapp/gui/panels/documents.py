@@ -1,0 +1,158 @@
+"""Reports and tables of a test, written by other processes; what is written can be opened."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QProcess, QTimer, QUrl
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
+
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import STEP
+from rigapp.gui.widgets.build import button, named
+
+TIMEOUT_MS = 300_000
+"""A report that takes longer has hung: that of 10^7 revolutions takes about a minute."""
+
+Said = Callable[[str, bool], None]
+Launch = Callable[[Sequence[str]], None]
+
+
+@dataclass(frozen=True, slots=True)
+class DocumentKind:
+    """A kind of document: the end of its name, what it is, and the command that writes it."""
+
+    ending: str
+    title: Text
+    verb: str
+
+    def of(self, test: Path) -> Path:
+        """Return where the document of a test stands: beside it."""
+        return test.with_suffix(self.ending)
+
+
+HTML = DocumentKind(".html", "Report, HTML", "report")
+KINDS = (
+    DocumentKind(".pdf", "Report, PDF", "report"),
+    HTML,
+    DocumentKind(".csv", "Table, CSV", "export"),
+    DocumentKind(".parquet", "Table, Parquet", "export"),
+)
+
+
+def launch_process(arguments: Sequence[str]) -> None:
+    """Start another rigapp on its own, which lives on when this window closes."""
+    subprocess.Popen(
+        [sys.executable, "-m", "rigapp", *arguments],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+
+
+def open_document(path: Path) -> bool:
+    """Show a document with the program that the desktop has for it; tell whether there is one."""
+    return QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
+
+
+class DocumentPanel(QWidget):
+    """A line for each kind of document: write it, open it."""
+
+    def __init__(self, name: str, said: Said, show: Callable[[Path], bool] = open_document) -> None:
+        super().__init__()
+        named(self, f"{name}_documents", "Reports and tables of the test")
+        self._said = said
+        self._show = show
+        self._test: Path | None = None
+        self._writing: dict[Path, QProcess] = {}
+        self.write: dict[str, QPushButton] = {}
+        self.open: dict[str, QPushButton] = {}
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(STEP)
+        grid.setVerticalSpacing(STEP)
+        grid.setColumnStretch(0, 1)
+        for at, kind in enumerate(KINDS):
+            word = kind.ending[1:]
+            self.write[word] = button(
+                f"{name}_write_{word}",
+                "Write",
+                partial(self.begin, kind),
+                tr("Write {}", tr(kind.title)),
+                tip=tr("Write {} beside the test", tr(kind.title)),
+            )
+            self.open[word] = button(
+                f"{name}_open_{word}",
+                "Open",
+                partial(self._open, kind),
+                tr("Open {}", tr(kind.title)),
+            )
+            grid.addWidget(QLabel(tr(kind.title)), at, 0)
+            grid.addWidget(self.write[word], at, 1)
+            grid.addWidget(self.open[word], at, 2)
+        self.show_test(None)
+
+    def show_test(self, test: Path | None) -> None:
+        """Offer the documents of a test; None: there is none that can be read."""
+        self._test = test
+        for kind in KINDS:
+            word, target = kind.ending[1:], kind.of(test) if test is not None else None
+            busy = target in self._writing
+            self.write[word].setText(tr("Writing …") if busy else tr("Write"))
+            self.write[word].setEnabled(target is not None and not busy)
+            there = target is not None and not busy and target.exists()
+            self.open[word].setEnabled(there)
+            missing = tr("{} is not written yet", tr(kind.title))
+            self.open[word].setToolTip(str(target) if there else missing)
+
+    def begin(self, kind: DocumentKind) -> None:
+        """Write a document of the test that is shown; one that stands there is replaced."""
+        test = self._test
+        if test is None or kind.of(test) in self._writing:
+            return
+        target = kind.of(test)
+        process = QProcess(self)
+        self._writing[target] = process
+        process.finished.connect(partial(self._finished, kind, test))
+        process.errorOccurred.connect(partial(self._failed, kind, test))
+        QTimer.singleShot(TIMEOUT_MS, process, process.kill)
+        process.start(sys.executable, ["-m", "rigapp", kind.verb, str(test), "--to", str(target)])
+        self._said(tr("Writing {} …", target.name), True)
+        self.show_test(test)
+
+    def close_all(self) -> None:
+        """End what is still being written; a part of a document is never left."""
+        for process in self._writing.values():
+            process.blockSignals(True)
+            process.kill()
+            process.waitForFinished(1000)
+        self._writing.clear()
+
+    def _failed(self, kind: DocumentKind, test: Path, error: QProcess.ProcessError) -> None:
+        if error is QProcess.ProcessError.FailedToStart:
+            self._finished(kind, test, 1)
+
+    def _finished(self, kind: DocumentKind, test: Path, status: int, *_: object) -> None:
+        target = kind.of(test)
+        process = self._writing.pop(target)
+        if status == 0 and process.exitStatus() is QProcess.ExitStatus.NormalExit:
+            self._said(tr("{} is in {}", tr(kind.title), target), True)
+        else:
+            told = bytes(process.readAllStandardError().data()).decode(errors="replace").strip()
+            why = told.splitlines()[-1] if told else process.errorString()
+            self._said(tr("{} is not written: {}", target.name, why), False)
+        process.deleteLater()
+        self.show_test(self._test)
+
+    def _open(self, kind: DocumentKind) -> None:
+        if self._test is not None and not self._show(kind.of(self._test)):
+            target = kind.of(self._test)
+            none = tr("The desktop has no program for {}; it is in {}", target.suffix, target)
+            self._said(none, False)

@@ -1,0 +1,200 @@
+"""A card that says how a test ended, what it came to, and whether that can be trusted."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QFont
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
+
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.icons import Icon, icon
+from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, GAP, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.gui.results.outcome import (
+    HEADLINES,
+    KeyNumber,
+    TrustLine,
+    file_line,
+    key_numbers,
+    origin_of,
+    reason_of,
+    trust_lines,
+)
+from rigapp.gui.widgets.build import column, named, prose, row
+from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
+from rigapp.schema.results import HowEnded, TestResult
+
+SHAPES = {
+    HowEnded.COMPLETE: Icon.COMPLETE,
+    HowEnded.OPERATOR: Icon.ENDED,
+    HowEnded.TRIPPED: Icon.TRIPPED,
+    HowEnded.INTERRUPTED: Icon.WARNING,
+    HowEnded.RUNNING: Icon.START,
+    HowEnded.NOT_READABLE: Icon.UNREADABLE,
+}
+"""The shape of each outcome: it is told without its colour."""
+
+MOST_TRUST = 4
+SHAPE = QSize(6 * STEP, 6 * STEP)
+SMALL = QSize(2 * STEP, 2 * STEP)
+
+
+def colour_of(outcome: HowEnded, theme: Theme) -> str:
+    """Return the colour of an outcome: ink, unless something went wrong."""
+    wrong = {HowEnded.TRIPPED: theme.critical, HowEnded.INTERRUPTED: theme.warning_text}
+    return wrong.get(outcome, theme.text)
+
+
+class NumberTile(QWidget):
+    """A caption, a number, and a line that says what it rests on."""
+
+    def __init__(self, name: str, place: int) -> None:
+        super().__init__()
+        named(self, f"{name}_number_{place}", "Number of the result")
+        small = sized(self.font(), CAPTION_PT)
+        self.caption = ElidedLabel(f"{name}_caption_{place}", "What the number is")
+        bold = sized(self.font(), VALUE_PT, QFont.Weight.DemiBold)
+        self.value = FittedLabel(f"{name}_value_{place}", "Value", bold)
+        self.line = ElidedLabel(f"{name}_line_{place}", "What it rests on")
+        for label in (self.caption, self.line):
+            label.setFont(small)
+            label.setProperty("role", "caption")
+        column(self.caption, self.value, self.line, on=self)
+
+    def show_number(self, number: KeyNumber) -> None:
+        """Show a number."""
+        for label, text in zip(
+            (self.caption, self.value, self.line),
+            (number.caption, number.value, number.line),
+            strict=True,
+        ):
+            label.show_text(text)
+        self.setAccessibleDescription(f"{number.caption}: {number.value}, {number.line}")
+
+
+class TrustRow(QWidget):
+    """A tick or a warning sign, what it is about, and how it stands."""
+
+    def __init__(self, name: str, place: int) -> None:
+        super().__init__()
+        named(self, f"{name}_trust_{place}", "Whether the result can be trusted")
+        self.sign = QLabel()
+        self.sign.setFixedSize(SMALL)
+        self.text = ElidedLabel(f"{name}_trust_text_{place}", "What was looked at")
+        self.line = ElidedLabel(f"{name}_trust_line_{place}", "How it stands")
+        self.line.setProperty("role", "caption")
+        words = column(self.text, self.line)
+        words.setSpacing(0)
+        row(self.sign, (words, 1), on=self).setContentsMargins(0, 0, 0, 0)
+
+    def show_line(self, line: TrustLine, theme: Theme) -> None:
+        """Show a line."""
+        self.text.show_text(line.text)
+        self.line.show_text(line.line)
+        made = icon(
+            Icon.FINE if line.good else Icon.WARNING,
+            theme.secondary if line.good else theme.warning_text,
+        )
+        self.sign.setPixmap(made.pixmap(SMALL))
+        self.sign.setAccessibleName(tr("good") if line.good else tr("mind"))
+
+
+class ResultCard(QFrame):
+    """Show one result; ``across``: numbers side by side."""
+
+    def __init__(self, name: str, theme: Theme, across: int) -> None:
+        super().__init__()
+        self._theme = theme
+        self.result: TestResult | None = None
+        named(self, name, "Result of the test").setProperty("role", "card")
+        self.shape = named(QLabel(), f"{name}_shape", "How the test ended")
+        self.shape.setFixedSize(SHAPE)
+        self.headline = FittedLabel(
+            f"{name}_headline",
+            "How the test ended",
+            sized(self.font(), VALUE_PT, QFont.Weight.DemiBold),
+        )
+        self.reason = prose(f"{name}_reason", "Why the test ended")
+        self.origin = prose(f"{name}_origin", "Specimen, cycles and times")
+        self.origin.setProperty("role", "caption")
+        self.numbers = [NumberTile(name, place) for place in range(4)]
+        self.trust = [TrustRow(name, place) for place in range(MOST_TRUST)]
+        self.file = ElidedLabel(f"{name}_file", "File of the test")
+        self.file.setFont(sized(self.font(), BODY_PT, QFont.Weight.DemiBold))
+        self.about = ElidedLabel(f"{name}_about", "What the file holds")
+        self.about.setProperty("role", "caption")
+        self._body = QWidget()
+        self._lay_out(across)
+        self.show_result(None, "")
+
+    def _lay_out(self, across: int) -> None:
+        words = column(self.headline, self.reason, self.origin)
+        words.setSpacing(STEP // 2)
+        head = row((self.shape, 0), (words, 1))
+        head.setAlignment(self.shape, Qt.AlignmentFlag.AlignTop)
+        head.setSpacing(MARGIN)
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(MARGIN)
+        grid.setVerticalSpacing(GAP)
+        for place, one in enumerate(self.numbers):
+            grid.addWidget(one, place // across, place % across)
+            grid.setColumnStretch(place % across, 1)
+        trust = QGridLayout()
+        trust.setHorizontalSpacing(MARGIN)
+        trust.setVerticalSpacing(STEP)
+        for place, line in enumerate(self.trust):
+            wide = across if across >= len(self.trust) else 1
+            trust.addWidget(line, place // wide, place % wide)
+            trust.setColumnStretch(place % wide, 1)
+        body = column(grid, trust, column(self.file, self.about), on=self._body)
+        body.setSpacing(GAP)
+        whole = column(head, self._body, on=self)
+        whole.setContentsMargins(MARGIN, MARGIN, MARGIN, GAP)
+        whole.setSpacing(MARGIN)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.show_result(self.result, self.reason.text())
+
+    def show_result(self, result: TestResult | None, waiting: Text) -> None:
+        """Show a result, or a sentence while there is none."""
+        self.result = result
+        self._body.setVisible(result is not None)
+        self.shape.setVisible(result is not None)
+        self.origin.setVisible(result is not None)
+        if result is None:
+            self.headline.show_text("")
+            self.headline.setVisible(False)
+            self.reason.setText(tr(waiting))
+            self._frame(critical=False)
+            return
+        outcome = result.outcome
+        self.headline.setVisible(True)
+        self.headline.show_text(tr(HEADLINES[outcome]))
+        self.headline.setStyleSheet(f"color: {colour_of(outcome, self._theme)};")
+        made = icon(SHAPES[outcome], colour_of(outcome, self._theme))
+        self.shape.setPixmap(made.pixmap(SHAPE))
+        self.shape.setAccessibleDescription(tr(outcome.value))
+        self.reason.setText(reason_of(result))
+        self.origin.setText(origin_of(result))
+        for tile, number in zip(self.numbers, key_numbers(result), strict=True):
+            tile.show_number(number)
+        lines = list(trust_lines(result))[: len(self.trust)]
+        for place, shown in enumerate(self.trust):
+            shown.setVisible(place < len(lines))
+            if place < len(lines):
+                shown.show_line(lines[place], self._theme)
+        self.file.show_text(Path(result.path).name)
+        self.file.setToolTip(result.path)
+        self.about.show_text(file_line(result))
+        self._frame(critical=outcome is HowEnded.TRIPPED)
+
+    def _frame(self, *, critical: bool) -> None:
+        sheet = ""
+        if critical:
+            sheet = f"#{self.objectName()} {{ border: 2px solid {self._theme.critical}; }}"
+        if sheet != self.styleSheet():
+            self.setStyleSheet(sheet)

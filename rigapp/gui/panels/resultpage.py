@@ -1,0 +1,180 @@
+"""The end of a test: why it ended, what it came to, and what can be done next."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QWidget
+
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.icons import Icon, icon
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP, Theme
+from rigapp.gui.panel import Act, Host
+from rigapp.gui.panels.documents import HTML, DocumentPanel
+from rigapp.gui.panels.resultcard import ResultCard
+from rigapp.gui.panels.results import ResultsPanel, ShelfPump
+from rigapp.gui.plots.trend import TrendPanel
+from rigapp.gui.widgets.build import button, column, named, row
+from rigapp.gui.widgets.labels import heading
+from rigapp.schema.messages import Status
+from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
+from rigapp.schema.states import ACTIVE
+
+TALL = 5 * STEP
+GO_ON: Final[Text] = "Go on with the test in its own file"
+READING: Final[Text] = "Reading what the test came to …"
+
+
+def has_result(news: News) -> bool:
+    """Tell whether the test that is shown has ended."""
+    status = news.status
+    return status is not None and bool(status.file) and _over(status) and not news.is_replay
+
+
+def _over(status: Status) -> bool:
+    return status.state not in ACTIVE
+
+
+class EndPage(QWidget):
+    """Show the result of the test that ended last, and lead on."""
+
+    takes = Takes.STATUS
+
+    def __init__(self, host: Host) -> None:
+        super().__init__()
+        self._host = host
+        self._asked = ""
+        self._status: Status | None = None
+        named(self, "result_page", "Result of the test")
+        theme = host.theme
+        self.card = ResultCard("end_card", theme, across=4)
+        self.documents = DocumentPanel("end", host.say)
+        self.buttons = {
+            "report": button(
+                "end_report",
+                "&Report",
+                self._report,
+                tip="Write the report of the test beside its file",
+                rank="primary",
+            ),
+            "compare": button(
+                "end_compare",
+                "Co&mpare…",
+                self._compare,
+                tip="Compare it with the newest tests of its title",
+            ),
+            "new": button(
+                "end_new", "New &specimen…", self._new, tip="Prepare the test of the next specimen"
+            ),
+            "on": button("end_on", "&Go on with this one…", self._go_on, tip=GO_ON, guarded=True),
+        }
+        self._pump = ShelfPump(host.results, lambda: None, self)
+        wear = host.add("result_wear", TrendPanel("result_wear", theme, "wear", leads=False))
+        # It takes the room that is left, and does not ask for more.
+        wear.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        wear.plot.setMinimumHeight(15 * STEP)
+        self._lay_out(wear)
+        self.dress(theme)
+
+    def _lay_out(self, plot: QWidget) -> None:
+        for one in self.buttons.values():
+            one.setFixedHeight(TALL)
+            one.setIconSize(QSize(20, 20))
+        then = QLabel(tr("Then"))
+        then.setProperty("role", "caption")
+        made = self.buttons
+        acts = row(made["report"], made["compare"], None, then, made["new"], made["on"])
+        acts.setSpacing(STEP)
+        papers = QFrame()
+        papers.setProperty("role", "card")
+        inner = column(heading("end_documents_title", "Documents"), self.documents, None, on=papers)
+        inner.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        inner.setSpacing(STEP)
+        papers.setFixedWidth(38 * STEP)
+        below = row((plot, 1), papers)
+        below.setSpacing(GAP)
+        whole = column(self.card, acts, (below, 1), on=self)
+        whole.setSpacing(GAP)
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.card.dress(theme)
+        signs = {
+            "report": (Icon.FILE, theme.highlighted_text),
+            "compare": (Icon.COMPARE, theme.text),
+            "new": (Icon.SPECIMEN, theme.text),
+            "on": (Icon.NEXT, theme.text),
+        }
+        for name, (meaning, colour) in signs.items():
+            self.buttons[name].setIcon(icon(meaning, colour, theme.muted))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Take what is read."""
+        super().showEvent(event)
+        self._pump.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Take nothing while nobody looks."""
+        super().hideEvent(event)
+        self._pump.stop()
+
+    def show_news(self, news: News) -> None:
+        """Read the file of a test when it has ended, and whenever its state has changed since."""
+        self._status = news.status
+        if not has_result(news):
+            self._asked = ""
+            return
+        status = news.status
+        assert status is not None
+        wanted = f"{status.file} {status.committed}"
+        if wanted == self._asked:
+            return
+        self._asked = wanted
+        self.card.show_result(None, READING)
+        self._enable(None)
+        self._host.results.ask(Path(status.file), self._show)
+
+    def _show(self, result: TestResult) -> None:
+        status = self._status
+        if status is None or result.path != status.file:
+            return
+        self.card.show_result(result, "")
+        self._enable(result)
+
+    def _enable(self, result: TestResult | None) -> None:
+        readable = result is not None and result.outcome is not HowEnded.NOT_READABLE
+        path = Path(result.path) if result is not None and readable else None
+        self.documents.show_test(path)
+        for name in ("report", "compare"):
+            self.buttons[name].setEnabled(readable)
+        on = self.buttons["on"]
+        on.setEnabled(result is not None and result.status in RESUMABLE)
+        on.setToolTip(tr(GO_ON))
+        if result is not None and not on.isEnabled():
+            on.setToolTip(tr("A complete test is over; prepare another one with New specimen"))
+
+    def _report(self) -> None:
+        self.documents.begin(HTML)
+
+    def _compare(self) -> None:
+        results = self._host.panels["results"]
+        assert isinstance(results, ResultsPanel)
+        self._host.do(Act.RESULTS)
+        if self.card.result is not None:
+            results.compare_with(self.card.result.path)
+
+    def _new(self) -> None:
+        self._host.do(Act.PREPARE)
+
+    def _go_on(self) -> None:
+        if self.card.result is not None:
+            self._host.ask("resume_file", {"file": self.card.result.path})
+
+
+def result_page(host: Host) -> QWidget:
+    """Make the page of the end of a test."""
+    return host.add("result", EndPage(host))

@@ -1,0 +1,255 @@
+"""The recorded tests of a folder: find one, look at it, compare several, write what is sent on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP, Theme
+from rigapp.gui.panel import Host
+from rigapp.gui.panels.compare import MOST, ComparePanel
+from rigapp.gui.panels.documents import DocumentPanel, Launch, launch_process
+from rigapp.gui.panels.resultcard import ResultCard
+from rigapp.gui.panels.resulttable import ResultTable
+from rigapp.gui.results.outcome import HEADLINES
+from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.widgets.build import button, choice, column, edit, named, row, split
+from rigapp.gui.widgets.labels import ElidedLabel, heading
+from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
+
+PUMP_MS = 50
+"""Between two looks for results that were read: rows appear as they come."""
+SETTLED_MS = 300
+"""A test that stays chosen so long is looked at closely: a second of another process."""
+CARD_WIDTH = 42 * STEP
+NO_CHOICE: Final[Text] = "Choose a test: what it came to stands here."
+
+
+class ShelfPump(QTimer):
+    """Take what the shelf has read, and tell when something has changed."""
+
+    def __init__(self, shelf: ResultShelf, changed: Callable[[], None], parent: QWidget) -> None:
+        super().__init__(parent)
+        self._shelf, self._changed = shelf, changed
+        self._version = -1
+        self.setInterval(PUMP_MS)
+        self.timeout.connect(self.pump)
+
+    def pump(self) -> None:
+        """Look once."""
+        self._shelf.pump()
+        if self._shelf.version != self._version:
+            self._version = self._shelf.version
+            self._changed()
+
+
+class ResultsPanel(QWidget):
+    """List the tests at the left, what the chosen one came to at the right, a comparison below."""
+
+    wanted = Signal(str, dict)
+    said = Signal(str, bool)
+    takes = Takes(0)
+
+    def __init__(
+        self, theme: Theme, shelf: ResultShelf, worker: TaskWorker, launch: Launch = launch_process
+    ) -> None:
+        super().__init__()
+        self._shelf, self._launch = shelf, launch
+        named(self, "results", "Recorded tests")
+        self.table = ResultTable("result_table", shelf, theme)
+        self.table.chosen_changed.connect(self._choose)
+        self.table.opened.connect(self._open)
+        self.words = edit("result_filter", "Show only tests with these words", self._filter)
+        self.words.setPlaceholderText(tr("Title, specimen, file, operator, reason"))
+        self.words.setClearButtonEnabled(True)
+        QShortcut(QKeySequence.StandardKey.Find, self, self.words.setFocus)
+        endings = [("All", None), *((HEADLINES[one], one) for one in HowEnded)]
+        self.ending = choice(
+            "result_ending", "Show only tests that ended so", endings, self._filter
+        )
+        self.count = ElidedLabel("result_count", "Tests in the folder")
+        self.count.setProperty("role", "caption")
+        self.again = button("result_again", "&Look again", self.look, tip="Read the folder again")
+        self.card = ResultCard("result_card", theme, across=2)
+        self.documents = DocumentPanel("result", self.said.emit)
+        self.buttons = {
+            "open": button(
+                "result_open",
+                "Open",
+                self._open_chosen,
+                tip="Replay the whole test in a window of its own (Enter)",
+                rank="primary",
+            ),
+            "compare": button(
+                "result_compare",
+                "Co&mpare",
+                self._compare,
+                tip=tr("Draw up to {} chosen tests in one plot", MOST),
+            ),
+            "resume": button(
+                "result_resume",
+                "&Go on with it",
+                self._resume,
+                tip="Go on with an interrupted or stopped test",
+                guarded=True,
+            ),
+        }
+        self.compare = ComparePanel(theme, worker)
+        self.away = button("compare_away", "Close the comparison", self._close_comparison)
+        self._settled = QTimer(self, singleShot=True, interval=SETTLED_MS)
+        self._settled.timeout.connect(self._look_closely)
+        self._pump = ShelfPump(shelf, self._changed, self)
+        self._lay_out()
+        self._choose()
+
+    def _lay_out(self) -> None:
+        top = row("Find", (self.words, 2), "Ended", self.ending, (self.count, 1), self.again)
+        top.setSpacing(STEP)
+        card = QFrame()
+        card.setProperty("role", "card")
+        inner = column(heading("documents_title", "Documents"), self.documents, on=card)
+        inner.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        inner.setSpacing(STEP)
+        acts = row((self.buttons["open"], 1), (self.buttons["compare"], 1))
+        acts.setSpacing(STEP)
+        inside = QWidget()
+        side = column(acts, self.buttons["resume"], self.card, card, None, on=inside)
+        side.setSpacing(GAP)
+        area = named(QScrollArea(), "result_side", "The chosen test")
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setWidget(inside)
+        area.setFixedWidth(CARD_WIDTH)
+        self._compared = QWidget()
+        column(row(None, self.away), (self.compare, 1), on=self._compared)
+        self._compared.hide()
+        both = split(
+            "results_split", Qt.Orientation.Vertical, [260, 340], self.table, self._compared
+        )
+        left = column(top, (both, 1))
+        left.setSpacing(GAP)
+        whole = row((left, 1), area, on=self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(GAP)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look what is there, and take it as it comes."""
+        super().showEvent(event)
+        self._pump.start()
+        self.look()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Take nothing while nobody looks: what was read waits."""
+        super().hideEvent(event)
+        self._pump.stop()
+
+    def show_news(self, news: News) -> None:
+        """Take nothing: a folder changes when somebody looks at it."""
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.table.dress(theme)
+        self.card.dress(theme)
+        self.compare.dress(theme)
+
+    def look(self) -> None:
+        """Read the folder again."""
+        self._shelf.look()
+
+    def compare_with(self, path: str) -> None:
+        """Compare a test with the newest ones of its title."""
+        self.look()
+        known = self._shelf.result(path)
+        title = known.title if known is not None else ""
+        alike = [
+            other
+            for other in self._shelf.paths
+            if (found := self._shelf.result(other)) is not None and found.title == title
+        ]
+        self.table.choose({path, *alike[:MOST]})
+        self._draw([path, *(one for one in alike if one != path)])
+
+    def chosen(self) -> list[TestResult]:
+        """Return what is known of the chosen tests."""
+        known = (self._shelf.result(path) for path in self.table.chosen_paths())
+        return [one for one in known if one is not None]
+
+    def _changed(self) -> None:
+        self.table.refresh()
+        shown, there = len(self.table.rows.rows), len(self._shelf.paths)
+        text = tr("{} of {} tests in {}", grouped(shown), grouped(there), self._shelf.folder)
+        unread = len(self._shelf.unread)
+        if unread:
+            text = tr("{} still to be read; {}", grouped(unread), text)
+        self.count.show_text(self._shelf.problem or text)
+        if self._shelf.problem:
+            self.said.emit(self._shelf.problem, False)
+        newest = self.chosen()
+        if self.card.result is None or (newest and newest[0].modified != self.card.result.modified):
+            self._choose()
+
+    def _filter(self, *_: object) -> None:
+        self.table.filter(self.words.text(), self.ending.currentData())
+        self._changed()
+
+    def _choose(self) -> None:
+        chosen = self.chosen()
+        first = chosen[0] if chosen else None
+        readable = bool(chosen) and all(one.outcome is not HowEnded.NOT_READABLE for one in chosen)
+        one = readable and len(chosen) == 1
+        if first is None or self.card.result is None or first.path != self.card.result.path:
+            self.card.show_result(first, NO_CHOICE)
+        self.documents.show_test(Path(first.path) if first is not None and one else None)
+        self.buttons["open"].setEnabled(one)
+        self.buttons["compare"].setEnabled(readable)
+        self.buttons["resume"].setEnabled(first is not None and one and first.status in RESUMABLE)
+        if one:
+            self._settled.start()
+
+    def _look_closely(self) -> None:
+        shown = self.card.result
+        if shown is not None and self.isVisible():
+            self._shelf.ask(Path(shown.path), self._looked_closely)
+
+    def _looked_closely(self, result: TestResult) -> None:
+        if self.card.result is not None and self.card.result.path == result.path:
+            self.card.show_result(result, "")
+
+    def _open_chosen(self) -> None:
+        self._open(self.chosen()[0].path)
+
+    def _open(self, path: str) -> None:
+        known = self._shelf.result(path)
+        if known is not None and known.outcome is not HowEnded.NOT_READABLE:
+            self._launch(["replay", path])
+
+    def _compare(self) -> None:
+        self._draw([one.path for one in self.chosen()])
+
+    def _draw(self, paths: list[str]) -> None:
+        self._compared.show()
+        self.compare.load([Path(path) for path in paths])
+
+    def _close_comparison(self) -> None:
+        self._compared.hide()
+
+    def _resume(self) -> None:
+        self.wanted.emit("resume_file", {"file": self.chosen()[0].path})
+
+
+def results_page(host: Host) -> QWidget:
+    """Make the page of the recorded tests."""
+    panel = host.add("results", ResultsPanel(host.theme, host.results, host.worker))
+    panel.wanted.connect(host.ask)
+    panel.said.connect(host.say)
+    return panel

@@ -1,0 +1,375 @@
+"""The list of recorded tests: small lines of wear, how each ended, the numbers that matter."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QPointF,
+    QRectF,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableView,
+)
+
+from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.words import Text, marked, tr
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.icons import icon
+from rigapp.gui.look.tokens import BODY_PT, CAPTION_PT, STEP, Theme
+from rigapp.gui.panels.resultcard import SHAPES, SMALL, colour_of
+from rigapp.gui.results.outcome import day
+from rigapp.gui.results.shelf import ResultShelf
+from rigapp.gui.widgets.build import named
+from rigapp.schema.results import HowEnded, TestResult
+
+Index = QModelIndex | QPersistentModelIndex
+Row = tuple[str, TestResult | None]
+"""A file, and what is known of it: None before it was read."""
+
+ROW_HEIGHT = 6 * STEP
+READING = "…"
+ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
+
+
+def _number(value: float, digits: int = 1) -> str:
+    return f"{value:.{digits}f}" if math.isfinite(value) else "–"
+
+
+def _depth(result: TestResult) -> str:
+    doubt = result.depth_uncertainty_um
+    sure = f" ± {doubt:.1f}" if math.isfinite(doubt) else ""
+    return _number(result.depth_um) + sure
+
+
+@dataclass(frozen=True, slots=True)
+class ResultColumn:
+    """A column: its heading, its width (0: what is left), what it says, and what sorts it.
+
+    extra: left out of a short list.
+    """
+
+    title: Text
+    width: int
+    text: Callable[[TestResult], str]
+    key: Callable[[TestResult], Any]
+    right: bool = False
+    tip: Text = ""
+    extra: bool = False
+
+
+LINE, TEST, ENDED = marked("Wear"), marked("Test"), marked("Ended")
+COLUMNS = (
+    ResultColumn(LINE, 96, lambda _: "", lambda one: one.depth_um),
+    ResultColumn(TEST, 0, lambda one: one.title, lambda one: one.title.lower()),
+    ResultColumn("Began", 136, lambda one: day(one.started), lambda one: one.started),
+    ResultColumn(ENDED, 160, lambda one: tr(one.outcome.value), lambda one: one.outcome.value),
+    ResultColumn(
+        "Cycles",
+        64,
+        lambda one: grouped(one.revolutions),
+        lambda one: one.revolutions,
+        right=True,
+        extra=True,
+    ),
+    ResultColumn(
+        "|F| max, N",
+        80,
+        lambda one: _number(one.force_max_N),
+        lambda one: one.force_max_N,
+        right=True,
+        extra=True,
+    ),
+    ResultColumn(
+        "Depth, µm",
+        104,
+        _depth,
+        lambda one: one.depth_um,
+        right=True,
+        tip="Wear depth by the probes, with its expanded uncertainty (k = 2)",
+    ),
+    ResultColumn(
+        "K, 10⁻⁴",
+        72,
+        lambda one: _number(1e4 * one.coefficient, 2),
+        lambda one: one.coefficient,
+        right=True,
+        tip="Wear coefficient in 10⁻⁴ mm³/(N m)",
+    ),
+)
+TITLES = [one.title for one in COLUMNS]
+
+
+def matches(row: Row, text: str, outcome: str | None) -> bool:
+    """Tell whether a file is wanted: every word of a text in what is known of it, its outcome."""
+    path, result = row
+    if result is None:
+        known = Path(path).name
+    else:
+        known = " ".join(
+            (Path(path).name, result.title, result.specimen, result.operator, result.reason)
+        )
+    wanted = all(word in known.lower() for word in text.lower().split())
+    return wanted and (outcome is None or (result is not None and result.outcome == outcome))
+
+
+class ResultModel(QAbstractTableModel):
+    """The rows that are shown, in their order."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.rows: list[Row] = []
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """Return the number of rows."""
+        return 0 if parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """Return the number of columns."""
+        return 0 if parent.isValid() else len(COLUMNS)
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+        """Return the heading of a column."""
+        if orientation is not Qt.Orientation.Horizontal:
+            return None
+        if role == Qt.ItemDataRole.DisplayRole:
+            return tr(COLUMNS[section].title)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return tr(COLUMNS[section].tip or COLUMNS[section].title)
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            side = (
+                Qt.AlignmentFlag.AlignRight
+                if COLUMNS[section].right
+                else Qt.AlignmentFlag.AlignLeft
+            )
+            return side | Qt.AlignmentFlag.AlignVCenter
+        return None
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """Return the text of a cell, the file of a row, or how a cell stands."""
+        path, result = self.rows[index.row()]
+        made = COLUMNS[index.column()]
+        if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
+            if made.title == TEST:
+                return (result.title if result else "") or Path(path).name
+            return made.text(result) if result else READING
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return f"{path}\n{result.reason}" if result else path
+        if role == Qt.ItemDataRole.TextAlignmentRole and made.right:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        return None
+
+    def show_rows(self, rows: list[Row]) -> bool:
+        """Show rows; return whether others stand there now, or in another order."""
+        if [path for path, _ in rows] == [path for path, _ in self.rows]:
+            changed = [
+                at
+                for at, row in enumerate(rows)
+                if row is not self.rows[at] and row != self.rows[at]
+            ]
+            self.rows = rows
+            if changed:
+                last = len(COLUMNS) - 1
+                self.dataChanged.emit(self.index(changed[0], 0), self.index(changed[-1], last))
+            return False
+        self.beginResetModel()
+        self.rows = rows
+        self.endResetModel()
+        return True
+
+
+class ResultDelegate(QStyledItemDelegate):
+    """Paint the line of the wear, test over specimen, and the shape of how it ended."""
+
+    def __init__(self, theme: Theme, view: QTableView) -> None:
+        super().__init__(view)
+        self.theme = theme
+        self._small = sized(view.font(), CAPTION_PT)
+        self._bold = sized(view.font(), BODY_PT, QFont.Weight.DemiBold)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Paint a cell."""
+        model = index.model()
+        assert isinstance(model, ResultModel)
+        path, result = model.rows[index.row()]
+        title = COLUMNS[index.column()].title
+        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
+        if chosen:
+            painter.fillRect(option.rect, QColor(self.theme.tint))
+        painter.save()
+        painter.setPen(QColor(self.theme.hairline))
+        painter.drawLine(option.rect.bottomLeft(), option.rect.bottomRight())
+        room = QRectF(option.rect).adjusted(STEP, 0, -STEP, 0)
+        if title == TEST:
+            self._paint_test(painter, room, path, result)
+        elif result is not None and title == ENDED:
+            self._paint_outcome(painter, room, result.outcome)
+        elif result is not None and title == LINE:
+            self._paint_line(painter, room.adjusted(0, STEP, 0, -STEP), result.depths_um)
+        elif title != ENDED:
+            side = index.data(Qt.ItemDataRole.TextAlignmentRole) or Qt.AlignmentFlag.AlignVCenter
+            painter.setPen(QColor(self.theme.text))
+            painter.drawText(room, side, str(index.data()))
+        painter.restore()
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        """Return a size that does not depend on what the cell says."""
+        return QSize(COLUMNS[index.column()].width, ROW_HEIGHT)
+
+    def _paint_test(
+        self, painter: QPainter, room: QRectF, path: str, result: TestResult | None
+    ) -> None:
+        name = Path(path).name
+        title = (result.title if result else "") or name
+        below = "  ·  ".join(one for one in ((result.specimen if result else ""), name) if one)
+        half = room.height() / 2.0
+        for text, font, colour, top, side in (
+            (title, self._bold, self.theme.text, room.top(), Qt.AlignmentFlag.AlignBottom),
+            (below, self._small, self.theme.muted, room.top() + half, Qt.AlignmentFlag.AlignTop),
+        ):
+            painter.setFont(font)
+            painter.setPen(QColor(colour))
+            shown = painter.fontMetrics().elidedText(
+                text, Qt.TextElideMode.ElideRight, int(room.width())
+            )
+            painter.drawText(QRectF(room.left(), top, room.width(), half), side, shown)
+
+    def _paint_outcome(self, painter: QPainter, room: QRectF, outcome: HowEnded) -> None:
+        colour = colour_of(outcome, self.theme)
+        side = SMALL.width()
+        square = QRectF(room.left(), room.center().y() - side / 2, side, side).toRect()
+        icon(SHAPES[outcome], colour).paint(painter, square)
+        painter.setPen(QColor(colour))
+        rest = room.adjusted(side + STEP, 0, 0, 0)
+        painter.drawText(rest, Qt.AlignmentFlag.AlignVCenter, tr(outcome.value))
+
+    def _paint_line(self, painter: QPainter, room: QRectF, values: Sequence[float]) -> None:
+        painter.setPen(QColor(self.theme.strong))
+        painter.drawLine(room.bottomLeft(), room.bottomRight())
+        if len(values) < 2:
+            return
+        top, low = max(max(values), 1e-9), min(min(values), 0.0)
+        step = room.width() / (len(values) - 1)
+        scale = room.height() / (top - low)
+        points = [
+            QPointF(room.left() + step * at, room.bottom() - scale * (value - low))
+            for at, value in enumerate(values)
+        ]
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(QColor(self.theme.curves["first"]), 1.0))
+        painter.drawPolyline(QPolygonF(points))
+
+
+class ResultTable(QTableView):
+    """Show the tests of a shelf: filtered, sorted, each row as soon as it is read.
+
+    most: rows that are shown at most, 0 for all.
+    """
+
+    chosen_changed = Signal()
+    opened = Signal(str)
+
+    def __init__(self, name: str, shelf: ResultShelf, theme: Theme, *, most: int = 0) -> None:
+        super().__init__()
+        named(self, name, "Recorded tests, newest first")
+        self._shelf, self._most = shelf, most
+        self._sorted: tuple[int, Qt.SortOrder] | None = None
+        self._wanted: tuple[str, str | None] = ("", None)
+        self.rows = ResultModel()
+        self.setModel(self.rows)
+        self._painter = ResultDelegate(theme, self)
+        self.setItemDelegate(self._painter)
+        self.setShowGrid(False)
+        self.setTabKeyNavigation(False)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.verticalHeader().hide()
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT)
+        header = self.horizontalHeader()
+        header.setHighlightSections(False)
+        for at, made in enumerate(COLUMNS):
+            header.resizeSection(at, made.width)
+            self.setColumnHidden(at, bool(most) and made.extra)
+        header.setSectionResizeMode(TITLES.index(TEST), QHeaderView.ResizeMode.Stretch)
+        header.setSectionsClickable(not most)
+        header.sectionClicked.connect(self.sort_by)
+        self.selectionModel().selectionChanged.connect(lambda *_: self.chosen_changed.emit())
+        self.doubleClicked.connect(lambda index: self.opened.emit(self.rows.rows[index.row()][0]))
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._painter.theme = theme
+        self.viewport().update()
+
+    def filter(self, text: str, outcome: str | None) -> None:
+        """Show only what has every word of a text, and ended so."""
+        self._wanted = text, outcome
+        self.refresh()
+
+    def sort_by(self, column: int) -> None:
+        """Sort by a column, the other way round at the second click, newest first at the third."""
+        header = self.horizontalHeader()
+        if self._sorted is None or self._sorted[0] != column:
+            self._sorted = column, DESCENDING
+        else:
+            self._sorted = (column, ASCENDING) if self._sorted[1] is DESCENDING else None
+        header.setSortIndicatorShown(self._sorted is not None)
+        if self._sorted is not None:
+            header.setSortIndicator(*self._sorted)
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Show what the shelf knows now; what is chosen stays chosen."""
+        rows = [(path, self._shelf.result(path)) for path in self._shelf.paths]
+        rows = [row for row in rows if matches(row, *self._wanted)]
+        if self._sorted is not None:
+            rows = self._in_order(rows, *self._sorted)
+        kept = set(self.chosen_paths())
+        if self.rows.show_rows(rows[: self._most] if self._most else rows) and kept:
+            self.choose(kept)
+
+    def _in_order(self, rows: list[Row], column: int, order: Qt.SortOrder) -> list[Row]:
+        """Return rows sorted, what is not known last."""
+        key = COLUMNS[column].key
+        known = [row for row in rows if row[1] is not None and key(row[1]) == key(row[1])]
+        gone = {path for path, _ in known}
+        known.sort(key=lambda row: key(row[1]), reverse=order is DESCENDING)  # type: ignore[arg-type]
+        return known + [row for row in rows if row[0] not in gone]
+
+    def chosen_paths(self) -> list[str]:
+        """Return the chosen files in the order in which they are shown."""
+        places = sorted({index.row() for index in self.selectionModel().selectedRows()})
+        return [self.rows.rows[at][0] for at in places]
+
+    def choose(self, paths: set[str]) -> None:
+        """Choose files."""
+        self.clearSelection()
+        model, flag = self.selectionModel(), self.selectionModel().SelectionFlag
+        for at, (path, _) in enumerate(self.rows.rows):
+            if path in paths:
+                model.select(self.rows.index(at, 0), flag.Select | flag.Rows)
+
+    def keyPressEvent(self, event: Any) -> None:
+        """Enter opens the chosen test."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.chosen_paths():
+            self.opened.emit(self.chosen_paths()[0])
+            return
+        super().keyPressEvent(event)

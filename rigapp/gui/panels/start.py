@@ -1,0 +1,144 @@
+"""The page to begin with: four ways on, and the last tests."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Final
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QHideEvent, QKeySequence, QShortcut, QShowEvent
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QWidget
+
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.icons import Icon, icon
+from rigapp.gui.look.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
+from rigapp.gui.panel import Act, Host
+from rigapp.gui.panels.results import ShelfPump
+from rigapp.gui.panels.resulttable import ROW_HEIGHT, ResultTable
+from rigapp.gui.widgets.build import button, column, named, prose, row
+from rigapp.gui.widgets.labels import heading
+from rigapp.schema.states import ACTIVE
+
+LAST = 20
+"""Tests that are listed; all of them stand under Results."""
+WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text]]] = {
+    Act.TRY: (Icon.TRY, "Try the simulated rig", "A short test on a rig of software.", "Try it"),
+    Act.PREPARE: (Icon.PREPARE, "Prepare a test", "A new one, or one like another.", "Prepare"),
+    Act.CALIBRATE: (Icon.CALIBRATE, "Calibrate", "Load cell, probes, daily check.", "Calibrate"),
+    Act.RESULTS: (Icon.RESULTS, "Open results", "Look, compare, report.", "Open"),
+}
+"""The ways on in their order: icon, title, what it is, and what the button says."""
+SIGN = QSize(24, 24)
+
+
+def may_begin(news: News) -> bool:
+    """Tell whether nothing is under way yet."""
+    status = news.status
+    return not news.is_replay and (status is None or status.state not in ACTIVE)
+
+
+class WayCard(QFrame):
+    """One way on: icon, title, what it is, and its button."""
+
+    chosen = Signal(Act)
+
+    def __init__(self, act: Act) -> None:
+        super().__init__()
+        meaning, title, text, word = WAYS[act]
+        self._meaning = meaning
+        key = str(list(WAYS).index(act) + 1)
+        named(self, f"way_{act.value}", title).setProperty("role", "card")
+        self.sign = QLabel()
+        head = heading(f"way_title_{act.value}", title)
+        head.setWordWrap(True)
+        self.text = prose(f"way_text_{act.value}", title, text)
+        self.text.setProperty("role", "secondary")
+        self.button: QPushButton = button(
+            f"way_button_{act.value}",
+            f"{tr(word)}  {key}",
+            partial(self.chosen.emit, act),
+            title,
+            tip=f"{tr(title)} ({key})",
+            rank="primary" if act is Act.TRY else "",
+            guarded=act in (Act.TRY, Act.CALIBRATE),
+        )
+        self.button.setFixedHeight(5 * STEP)
+        made = column(self.sign, head, (self.text, 1), self.button, on=self)
+        made.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
+        made.setSpacing(STEP)
+        self.key = key
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.sign.setPixmap(icon(self._meaning, theme.highlight).pixmap(SIGN))
+
+
+class StartPage(QWidget):
+    """Offer what can be begun with; what is connected meanwhile stands at the right."""
+
+    takes = Takes.STATUS
+
+    def __init__(self, host: Host) -> None:
+        super().__init__()
+        self._host = host
+        named(self, "start_page", "Where to begin")
+        self.title = heading("start_title", "Where would you like to begin?", VALUE_PT)
+        self.rig = prose("start_rig", "The rig")
+        self.rig.setProperty("role", "secondary")
+        self.ways = {act: WayCard(act) for act in WAYS}
+        for card in self.ways.values():
+            card.chosen.connect(host.do)
+            made = QShortcut(QKeySequence(card.key), self, card.button.click)
+            made.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        self.table = ResultTable("last_tests", host.results, host.theme, most=LAST)
+        self.table.setMinimumHeight(3 * ROW_HEIGHT)
+        self.table.opened.connect(lambda _: host.do(Act.RESULTS))
+        self.all = button("all_results", "All results", partial(host.do, Act.RESULTS), rank="quiet")
+        self._pump = ShelfPump(host.results, self._changed, self)
+        below = row(heading("last_title", "Last tests"), None, self.all)
+        cards = row(*((card, 1) for card in self.ways.values()))
+        cards.setSpacing(GAP)
+        whole = column(self.title, self.rig, cards, below, (self.table, 1), on=self)
+        whole.setSpacing(STEP)
+        self.dress(host.theme)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Look for the last tests."""
+        super().showEvent(event)
+        self._pump.start()
+        self._host.results.look()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Take nothing while nobody looks."""
+        super().hideEvent(event)
+        self._pump.stop()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self.table.dress(theme)
+        for card in self.ways.values():
+            card.dress(theme)
+
+    def show_news(self, news: News) -> None:
+        """Say what rig it is."""
+        status = news.status
+        if status is None:
+            self.rig.setText(
+                tr("Looking for the engine of the rig. Results can be opened meanwhile.")
+            )
+        elif status.simulated:
+            self.rig.setText(tr("{} is simulated: nothing real turns.", status.rig))
+        else:
+            self.rig.setText(tr("{} is a real rig. The simulated one opens beside it.", status.rig))
+
+    def _changed(self) -> None:
+        self.table.refresh()
+        number = len(self._host.results.paths)
+        self.all.setText(tr("All {} results", grouped(number)) if number else tr("No results yet"))
+
+
+def start_page(host: Host) -> QWidget:
+    """Make the page to begin with."""
+    return host.add("start", StartPage(host))

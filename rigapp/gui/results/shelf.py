@@ -1,0 +1,211 @@
+"""The tests of a folder, read in a process of its own: the screen never waits for a file."""
+
+from __future__ import annotations
+
+import logging
+import os
+import queue
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
+from pathlib import Path
+
+import msgspec
+
+from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.language.words import tr
+from rigapp.schema.results import TestResult
+
+log = logging.getLogger(__name__)
+
+WAITING = 64
+"""Results that wait to be shown; then the reading process waits."""
+TAKEN = 32
+"""Results taken at once: putting them into a table takes a few milliseconds."""
+LOOK_S = 0.2
+"""How often a full queue looks whether somebody still wants what is read."""
+
+Stamp = tuple[float, int]
+Done = Callable[[TestResult], None]
+
+
+class ResultReader:
+    """Read results of paths in their order; they wait until they are taken."""
+
+    def __init__(self, paths: Sequence[Path], *, uncertainty: bool = False) -> None:
+        options = ["--uncertainty"] if uncertainty else []
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "rigapp.report.results", *options],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+        self._found: queue.Queue[TestResult] = queue.Queue(WAITING)
+        self._closed = threading.Event()
+        self.problem = ""
+        self._thread = threading.Thread(
+            target=self._read, args=(list(paths),), name="gui-results", daemon=True
+        )
+        self._thread.start()
+
+    @property
+    def done(self) -> bool:
+        """Tell whether all results were taken, or no more will come."""
+        return not self._thread.is_alive() and self._found.empty()
+
+    def take(self) -> list[TestResult]:
+        """Return what is ready, no more than can be shown at once."""
+        found: list[TestResult] = []
+        while len(found) < TAKEN and not self._found.empty():
+            found.append(self._found.get_nowait())
+        return found
+
+    def close(self) -> None:
+        """End the process and its thread; what was not taken is forgotten."""
+        self._closed.set()
+        self._process.kill()
+        self._thread.join(timeout=2.0)
+        self._process.wait(timeout=2.0)
+
+    def _read(self, paths: list[Path]) -> None:
+        sent, got, told = self._process.stdin, self._process.stdout, self._process.stderr
+        assert sent is not None
+        assert got is not None
+        assert told is not None
+        decoder = msgspec.msgpack.Decoder(TestResult)
+        try:
+            with got, told:
+                with suppress(OSError), sent:
+                    sent.write(b"\n".join(os.fsencode(path) for path in paths))
+                while head := got.read(4):
+                    self._put(decoder.decode(got.read(int.from_bytes(head, "little"))))
+                self.problem = told.read().decode(errors="replace").strip().rpartition("\n")[2]
+        except (OSError, ValueError) as error:
+            if not self._closed.is_set():
+                log.warning("Results of %d tests are not read: %s", len(paths), error)
+        self._process.wait()
+
+    def _put(self, result: TestResult) -> None:
+        while not self._closed.is_set():
+            try:
+                self._found.put(result, timeout=LOOK_S)
+            except queue.Full:
+                continue
+            return
+
+
+class ResultShelf:
+    """Know the tests of a folder, newest first; a file is read again only when it has changed.
+
+    ``version`` grows with every change of what is known. ``pump`` is called by whoever shows them.
+    """
+
+    def __init__(self, folder: Path, worker: TaskWorker) -> None:
+        self.folder = folder
+        self.problem = ""
+        self.version = 0
+        self._worker = worker
+        self._looking = False
+        self._stamps: dict[str, Stamp] = {}
+        self._known: dict[str, TestResult] = {}
+        self._read: dict[str, Stamp] = {}
+        self._reader: ResultReader | None = None
+        self._found = 0
+        self._asked: list[tuple[ResultReader, Done]] = []
+
+    @property
+    def paths(self) -> list[str]:
+        """Return the files of the folder, newest first."""
+        return list(self._stamps)
+
+    @property
+    def reading(self) -> bool:
+        """Tell whether more is to come."""
+        return self._looking or self._reader is not None or bool(self._asked)
+
+    def result(self, path: str) -> TestResult | None:
+        """Return what is known of a file, None before it was read."""
+        return self._known.get(path)
+
+    @property
+    def unread(self) -> list[str]:
+        """Return the files that are not read yet, or have changed since, newest first."""
+        return [path for path, stamp in self._stamps.items() if self._read.get(path) != stamp]
+
+    def modified(self, path: str) -> float:
+        """Return when a file was changed last."""
+        return self._stamps[path][0]
+
+    def look(self) -> None:
+        """List the folder on the worker, then read what is new."""
+        if not self._looking:
+            self._looking = self._worker.submit(
+                lambda: _stamps(self.folder), self._listed, self._failed
+            )
+
+    def ask(self, path: Path, done: Done) -> None:
+        """Read one file at once with the uncertainty of its force; the answer comes from pump."""
+        self._asked.append((ResultReader([path], uncertainty=True), done))
+
+    def pump(self) -> None:
+        """Take what has been read."""
+        for reader, done in list(self._asked):
+            for result in reader.take():
+                done(result)
+            if reader.done:
+                self._asked.remove((reader, done))
+        if self._reader is None:
+            return
+        found = self._reader.take()
+        for result in found:
+            self._known[result.path] = result
+            self._read[result.path] = self._stamps.get(result.path, (0.0, 0))
+        self._found += len(found)
+        self.version += bool(found)
+        if self._reader.done:
+            why, self._reader = self._reader.problem, None
+            self._read_on(why)
+
+    def close(self) -> None:
+        """End all reading."""
+        for reader in [self._reader, *(one for one, _ in self._asked)]:
+            if reader is not None:
+                reader.close()
+        self._reader, self._asked = None, []
+
+    def _listed(self, stamps: dict[str, Stamp]) -> None:
+        self._looking = False
+        self.problem = ""
+        if stamps != self._stamps:
+            self._stamps = stamps
+            self.version += 1
+        if self._reader is None:
+            self._found = 1
+            self._read_on()
+
+    def _read_on(self, why: str = "") -> None:
+        """Read what is not read yet; a reader that found nothing finds nothing the next time."""
+        left = self.unread
+        if left and self._found:
+            self._reader, self._found = ResultReader([Path(path) for path in left]), 0
+        elif left:
+            self.problem = tr("{} tests in {} cannot be read: {}", len(left), self.folder, why)
+            self.version += 1
+
+    def _failed(self, error: Exception) -> None:
+        self._looking = False
+        self.problem = tr("{} cannot be read: {}", self.folder, error)
+        self.version += 1
+
+
+def _stamps(folder: Path) -> dict[str, Stamp]:
+    found = [(entry.stat(), entry.path) for entry in _tests(folder)]
+    newest = sorted(found, key=lambda one: one[0].st_mtime, reverse=True)
+    return {path: (about.st_mtime, about.st_size) for about, path in newest}
+
+
+def _tests(folder: Path) -> Iterable[os.DirEntry[str]]:
+    with os.scandir(folder) as entries:
+        yield from (entry for entry in entries if entry.name.endswith(".h5") and entry.is_file())

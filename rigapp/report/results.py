@@ -1,0 +1,155 @@
+"""Reduce test files to what they came to; a process of its own does it for the window.
+
+``python -m rigapp.report.results [--uncertainty]`` reads paths from standard input, one a line, and
+writes a result of each to standard output as soon as it is known: four bytes of length
+(little-endian), then MessagePack.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.config.errors import UnusableInput
+from rigapp.schema.messages import Flag
+from rigapp.schema.results import TestResult
+from rigapp.storage import TestReader, open_test
+
+UNSTEADY = Flag.RAMP | Flag.PAUSED | Flag.PARTIAL
+"""Flags of revolutions that are no good and no bad: the crank was not at a steady speed."""
+
+LINE_POINTS = 48
+"""Of the small line in a list: two pixels each are as much as is seen."""
+
+NICENESS = 5
+"""Lists can wait; the engine and its model on the same computer cannot."""
+
+
+def result_of(path: Path, *, uncertainty: bool = False) -> TestResult:
+    """Return what a test came to; a file that cannot be read says why.
+
+    uncertainty: state that of the force, which takes several times as long as all else.
+    """
+    try:
+        about = path.stat()
+        known = TestResult(str(path), about.st_mtime, about.st_size)
+        with open_test(path) as test:
+            found = _described(known, test)
+            if not found.revolutions:
+                return found
+            found = _measured(found, test)
+            found = _compared(found, test)
+            return _with_uncertainty(found, test) if uncertainty else found
+    except (UnusableInput, OSError) as error:
+        return TestResult(str(path), reason=str(error))
+
+
+def _described(known: TestResult, test: TestReader) -> TestResult:
+    summary, about = test.summary(), test.metadata()
+    return msgspec.structs.replace(
+        known,
+        status=summary["status"],
+        reason=summary["reason"],
+        revolutions=summary["revolutions"],
+        gaps=summary["gaps"],
+        cycles_saved=summary["cycles_saved"],
+        reason_code=about["reason_code"],
+        planned=about["planned_revolutions"],
+        **{name: about[name] for name in ("title", "specimen", "operator", "simulated")},
+        **{name: about[name] for name in ("started", "ended")},
+    )
+
+
+def _measured(found: TestResult, test: TestReader) -> TestResult:
+    force = test.column("force_max")
+    flagged = int(np.count_nonzero(test.column("quality") & ~int(UNSTEADY)))
+    if not np.isfinite(force).any():
+        return msgspec.structs.replace(found, flagged=flagged)
+    at = int(np.nanargmax(force))
+    return msgspec.structs.replace(
+        found,
+        flagged=flagged,
+        force_max_N=float(force[at]),
+        force_max_revolution=int(test.column("revolution", at, at + 1)[0]),
+        force_max_angle_deg=float(test.column("force_angle_of_max", at, at + 1)[0]),
+    )
+
+
+def _compared(found: TestResult, test: TestReader) -> TestResult:
+    columns = _predictions(test)
+    depth, residual = columns["measured_wear_depth"], columns["residual_rms"]
+    good = test.column("revolution")[test.column("quality") == 0]
+    residual = residual[np.isfinite(residual) & np.isin(columns["revolution"], good)]
+    coefficients = (_last(columns[f"wear_coefficient{end}"]) for end in ("", "_low", "_high"))
+    middle, low, high = coefficients
+    known = residual.size > 0
+    return msgspec.structs.replace(
+        found,
+        depth_um=1e3 * _last(depth),
+        depth_uncertainty_um=1e3 * _last(columns["measured_wear_depth_uncertainty"]),
+        coefficient=middle,
+        coefficient_low=low,
+        coefficient_high=high,
+        residual_rms_N=float(np.sqrt(np.mean(residual**2))) if known else np.nan,
+        residual_worst_N=float(residual.max()) if known else np.nan,
+        depths_um=_line(1e3 * depth),
+    )
+
+
+def _predictions(test: TestReader) -> dict[str, NDArray[Any]]:
+    """Return the columns that are looked at; those that an older file lacks are unknown."""
+    names = ["revolution", "residual_rms", "measured_wear_depth", "measured_wear_depth_uncertainty"]
+    names += [f"wear_coefficient{end}" for end in ("", "_low", "_high")]
+    stored = test.column_units("prediction")
+    rows = test.committed("prediction")
+    return {
+        name: test.column(name, stream="prediction") if name in stored else np.full(rows, np.nan)
+        for name in names
+    }
+
+
+def _last(values: NDArray[Any]) -> float:
+    known = np.flatnonzero(np.isfinite(values))
+    return float(values[known[-1]]) if known.size else float("nan")
+
+
+def _line(values: NDArray[Any]) -> tuple[float, ...]:
+    """Return the means of equal parts of a column, what is not known left out."""
+    parts = np.array_split(values, min(LINE_POINTS, max(values.size, 1)))
+    return tuple(float(part[known].mean()) for part in parts if (known := np.isfinite(part)).any())
+
+
+def _with_uncertainty(found: TestResult, test: TestReader) -> TestResult:
+    from calibration.load_cell.force_uncertainty import force_uncertainty
+
+    stated = force_uncertainty(test.calibration(), test.configuration())
+    if stated is None or not np.isfinite(found.force_max_N):
+        return found
+    doubt = float(stated.at(found.force_max_N, of_magnitude=True))
+    return msgspec.structs.replace(found, force_uncertainty_N=doubt)
+
+
+def main(arguments: list[str]) -> int:
+    """Answer the paths of standard input; return the exit status."""
+    os.nice(NICENESS)
+    encoder = msgspec.msgpack.Encoder()
+    try:
+        for line in sys.stdin.buffer.read().splitlines():
+            path = Path(os.fsdecode(line))
+            data = encoder.encode(result_of(path, uncertainty="--uncertainty" in arguments))
+            sys.stdout.buffer.write(len(data).to_bytes(4, "little") + data)
+            sys.stdout.buffer.flush()
+    except BrokenPipeError:
+        # Nobody listens any more: the flush at the end would fail again.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
