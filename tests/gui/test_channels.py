@@ -225,7 +225,7 @@ def test_a_rig_with_free_channels_from_the_start_of_a_test_to_its_replay(
         curves.choice.setCurrentIndex(curves.choice.findText("Bushing temperature"))
         hands.see(lambda: curves.title.whole.startswith("°C, mean 2"))
         window.tabs.setCurrentIndex(3)
-        limits, name = panels["limits"], "bushing_temperature_max.warning_above"
+        limits, name = panels["limits"], "Warn when maximum bushing temperature is above"
         hands.see(lambda: name in [row[0] for row in limits.table.texts()])
         limits.table.selectRow([row[0] for row in limits.table.texts()].index(name))
         limits.value.setText("5")

@@ -146,8 +146,8 @@ def pull_cable(hands: Any) -> None:
     """Choose the fault in its tab and cause it."""
     faults, tabs = hands.window.tabs.panels["faults"], hands.window.tabs
     tabs.setCurrentIndex(tabs.count() - 1)
-    hands.see(lambda: faults.kind.findText("daq: cable pull") >= 0)
-    faults.kind.setCurrentIndex(faults.kind.findText("daq: cable pull"))
+    faults.search.setText("daq cable pull")
+    hands.see(lambda: faults.list.rowCount() == 1)
     faults.duration.clear()
     hands.click(faults.cause)
 
