@@ -318,8 +318,13 @@ def test_the_end_of_a_test_shows_its_card_and_leads_on(
     page.buttons["new"].click()
     assert window.tabs.currentIndex() == NUMBERS["prepare"]
     window.tabs.show_page("result")
+    other = msgspec.structs.replace(page.card.result, path=str(recorded.with_name("other.h5")))
+    shelf = window.tabs.panels["results"]._shelf
+    shelf._stamps, shelf._known = {other.path: (0.0, 0)}, {other.path: other}
     page.buttons["compare"].click()
     assert window.tabs.currentIndex() == NUMBERS["results"]
+    drawn = [path.name for path in window.tabs.panels["results"].compare._wanted]
+    assert drawn == [recorded.name, "other.h5"]
     window.tabs.show_page("result")
     engine.say(first=301, count=1, file="next.h5")
     attach()

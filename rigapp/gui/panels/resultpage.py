@@ -165,7 +165,7 @@ class EndPage(QWidget):
         assert isinstance(results, ResultsPanel)
         self._host.do(Act.RESULTS)
         if self.card.result is not None:
-            results.compare_with(self.card.result.path)
+            results.compare_with(self.card.result)
 
     def _new(self) -> None:
         self._host.do(Act.PREPARE)

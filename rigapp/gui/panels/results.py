@@ -166,11 +166,10 @@ class ResultsPanel(QWidget):
         """Read the folder again."""
         self._shelf.look()
 
-    def compare_with(self, path: str) -> None:
+    def compare_with(self, test: TestResult) -> None:
         """Compare a test with the newest ones of its title."""
         self.look()
-        known = self._shelf.result(path)
-        title = known.title if known is not None else ""
+        path, title = test.path, test.title
         alike = [
             other
             for other in self._shelf.paths

@@ -79,7 +79,7 @@ COLUMNS = (
     ResultColumn(LINE, 96, lambda _: "", lambda one: one.depth_um),
     ResultColumn(TEST, 0, lambda one: one.title, lambda one: one.title.lower()),
     ResultColumn("Began", 136, lambda one: day(one.started), lambda one: one.started),
-    ResultColumn(ENDED, 160, lambda one: tr(one.outcome.value), lambda one: one.outcome.value),
+    ResultColumn(ENDED, 176, lambda one: tr(one.outcome.value), lambda one: one.outcome.value),
     ResultColumn(
         "Cycles",
         64,
