@@ -706,17 +706,19 @@ def test_the_layout_is_remembered(
         return window
 
     first = make()
-    first.resize(1200, 760)
+    # Within the screen: a wider one would come back narrower, its bars tight.
+    first.resize(780, 740)
     first.tabs.setCurrentIndex(2)
+    qapp.processEvents()
     splitter = next(s for s in first.tabs.splitters if s.objectName() == "trend_split")
     splitter.setSizes([100, 300, 200])
     sizes = splitter.sizes()
     first.close()
     second = make()
+    qapp.processEvents()
     assert second.tabs.currentIndex() == 2
     again = next(s for s in second.tabs.splitters if s.objectName() == "trend_split")
-    shares, before = (np.array(one) / sum(one) for one in (again.sizes(), sizes))
-    assert shares == pytest.approx(before, abs=0.02), "the height is the window's own"
+    assert again.sizes() == sizes
     second.close()
 
 
