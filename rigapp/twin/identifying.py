@@ -51,9 +51,9 @@ LEAST_REFERENCE, NO_REFERENCE = 1e-8, 1.0
 second stands for nothing known of it yet."""
 MODULUS_DOUBT = 0.2
 """Relative standard uncertainty of the bushing's modulus: data sheets of polymers differ by it."""
-MODULUS_SHARE = 0.7
+MODULUS_SHARE = 0.65
 """A modulus that is wrong by a part moves a reading at equal progress by so much of that part of
-the change of the approach: 0.6 to 0.9 from 3 to 10,000 cycles, by lives of moduli a fifth apart.
+the change of the approach: 0.5 to 0.8, less the larger the load, by lives of moduli a fifth apart.
 Most of it is the approach that is taken out wrongly, early on the computed life."""
 STEP_SHARE, FIRST_CYCLES = 0.05, 2.0
 """The life goes on by so much of its cycles, and by so many at first: halving moves no depth by
