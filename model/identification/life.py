@@ -54,7 +54,10 @@ class Stretch:
         roots = np.linspace(0.0, np.sqrt(p[-1] - p[0]), FINENESS + 1)
         curve = PchipInterpolator(p, d)
         at = np.minimum(p[0] + roots**2, p[-1])
-        object.__setattr__(self, "_rows", np.stack([curve(at), curve.derivative()(at)]))
+        rows = np.stack([curve(at), curve.derivative()(at)])
+        # The cubic's own last value differs in its last bit, on some processors: below the end.
+        rows[0, -1] = d[-1]
+        object.__setattr__(self, "_rows", rows)
         object.__setattr__(self, "_step", float(roots[1]))
 
     def at(self, progress: Array) -> tuple[Array, Array]:
@@ -66,7 +69,8 @@ class Stretch:
         depth, slope = self._rows
         low, up = depth[part], slope[part]
         found = low + share * (depth[part + 1] - low)
-        return found, np.where(beyond, 0.0, up + share * (slope[part + 1] - up))
+        over = np.where(beyond, 0.0, up + share * (slope[part + 1] - up))
+        return np.where(beyond, self.depth[-1], found), over
 
     def progress_of(self, depth: Array) -> Array:
         """Return the progress at some depths, m; the first or last one outside."""

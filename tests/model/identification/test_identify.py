@@ -158,6 +158,15 @@ def test_a_life_that_ends_before_the_measured_depth_is_refused() -> None:
         identify(bins, short, virtual.ERRORS, virtual.PRIOR)
 
 
+def test_beyond_its_end_a_life_is_its_last_depth_to_the_last_bit() -> None:
+    """A bit below it, on a processor that rounds otherwise, would pass for computed."""
+    for end in np.linspace(900.0, 9000.0, 40):
+        progress = np.linspace(0.0, end, 50)
+        life = depth_life(virtual.NOMINAL, progress, LIFE.stretches[0].at(progress)[0])
+        for factor in (1.0, 1.5, 40.0):
+            assert life.stretches[0].at(np.array([factor * end]))[0] == life.reach
+
+
 def test_another_load_goes_on_from_the_depth_that_each_coefficient_had_reached() -> None:
     """A load of the same course, worn on from an earlier profile, changes nothing."""
     progress = np.concatenate([[0.0], np.geomspace(1.0, 6e4, 200)])
