@@ -1,4 +1,4 @@
-"""How soon the operator sees a revolution, and the window after its start; what idling costs.
+"""How soon the operator sees a revolution, and the window after its start; idling, and stalls.
 
 Run with ``python benchmarks/bench_screen.py``; needs Xvfb and xdotool.
 
@@ -10,6 +10,9 @@ rig in real time at 120 rpm. Budget: 70 ms at the 99th percentile.
 Window: from the start of ``rigapp gui`` until the window is mapped. Budget: 2 s.
 
 Idle: processor time of the window's process while no test runs. Budget: 2 % of a core.
+
+Stall: how late the event loop came at worst while the test was followed, and in a change of the
+theme after it. Budget: 50 ms.
 """
 
 from __future__ import annotations
@@ -22,7 +25,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[1]
 RPM = 120.0
@@ -33,6 +36,7 @@ LEFT_OUT = 6
 REVOLUTION_BUDGET_MS = 70.0
 WINDOW_BUDGET_S = 2.0
 IDLE_BUDGET_PERCENT = 2.0
+STALL_BUDGET_MS = 50.0
 IDLE_S = 20.0
 STARTS = 3
 
@@ -56,17 +60,27 @@ def main() -> int:
             os.environ["RIGAPP_RUNTIME_DIR"] = f"{folder}/run"
             os.environ["XDG_CONFIG_HOME"] = f"{folder}/config"
             starts = [window_s(folder) for _ in range(STARTS)]
-            ages, idle = revolution_ms(Path(folder))
+            followed = revolution_ms(Path(folder))
     finally:
         server.terminate()
         server.wait()
-    return report(ages, starts, idle)
+    return report(followed, starts)
 
 
-def report(ages: list[float], starts: list[float], idle: float) -> int:
+class Followed(NamedTuple):
+    """What a window showed of a test: ages of revolutions and stalls in ms, idle per cent."""
+
+    ages: list[float]
+    idle: float
+    stall: float
+    theme_stall: float
+
+
+def report(followed: Followed, starts: list[float]) -> int:
     """Print the table."""
     import numpy as np
 
+    ages, idle = followed.ages, followed.idle
     p99 = float(np.percentile(ages, 99))
     start = statistics.median(starts)
     print(f"{'':<34}{'median':>10}{'p99':>10}{'budget':>10}{'budget / p99':>14}")
@@ -82,8 +96,17 @@ def report(ages: list[float], starts: list[float], idle: float) -> int:
         f"{'idle window (% of a core)':<34}{idle:>10.2f}{'':>10}{IDLE_BUDGET_PERCENT:>10.0f}"
         f"{IDLE_BUDGET_PERCENT / idle:>14.2f}"
     )
+    for name, stall in (
+        ("longest stall in a test (ms)", followed.stall),
+        ("longest stall of a new theme (ms)", followed.theme_stall),
+    ):
+        print(
+            f"{name:<34}{'':>10}{stall:>10.1f}{STALL_BUDGET_MS:>10.0f}"
+            f"{STALL_BUDGET_MS / max(stall, 1.0):>14.2f}"
+        )
     within = p99 <= REVOLUTION_BUDGET_MS and start <= WINDOW_BUDGET_S
     within = within and idle <= IDLE_BUDGET_PERCENT
+    within = within and max(followed.stall, followed.theme_stall) <= STALL_BUDGET_MS
     print("within the budgets" if within else "BUDGET MISSED")
     return 0 if within else 1
 
@@ -137,17 +160,20 @@ def long_test(folder: Path) -> Path:
     return path
 
 
-def revolution_ms(folder: Path) -> tuple[list[float], float]:
-    """Follow a test in a window of this process: age of each revolution painted, idle per cent."""
+def revolution_ms(folder: Path) -> Followed:
+    """Follow a test in a window of this process."""
     import logging
 
+    from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
     from rigapp.gui.data.connection import EngineConnection
     from rigapp.gui.data.showntest import ShownTest
     from rigapp.gui.look.dress import apply_theme
     from rigapp.gui.look.tokens import LIGHT
+    from rigapp.gui.window.app import LOADED_MS
     from rigapp.gui.window.window import MainWindow
+    from rigapp.process.memory import end_of_loading
     from rigapp.service.launch import attach
 
     text = (ROOT / "examples" / "simulated.toml").read_text(encoding="utf-8")
@@ -167,26 +193,37 @@ def revolution_ms(folder: Path) -> tuple[list[float], float]:
     window.show()
     window.start()
     window.start_when_idle(test)
+    QTimer.singleShot(LOADED_MS, window, end_of_loading)
     ages = painted(application, window)
+    stall = 1000.0 * window.watchdog.worst_s
     window.controls.send("stop", {"reason": "measured"})
     deadline = time.monotonic() + 5.0
     while time.monotonic() < deadline:
         application.processEvents()
     idle = idle_percent()
+    window.watchdog.worst_s = 0.0
+    window.switch_theme()
+    wait_s(1.0)
+    theme_stall = 1000.0 * window.watchdog.worst_s
     window._timer.stop()
     window.close()
     end_engines()
-    return ages, idle
+    return Followed(ages, idle, stall, theme_stall)
+
+
+def wait_s(seconds: float) -> None:
+    """Let the event loop run."""
+    from PySide6.QtCore import QEventLoop, QTimer
+
+    loop = QEventLoop()
+    QTimer.singleShot(int(1000 * seconds), loop.quit)
+    loop.exec()
 
 
 def idle_percent() -> float:
     """Return the processor time of this process while nothing happens, in per cent of a core."""
-    from PySide6.QtCore import QEventLoop, QTimer
-
-    loop = QEventLoop()
-    QTimer.singleShot(int(1000 * IDLE_S), loop.quit)
     start, own = time.monotonic(), time.process_time()
-    loop.exec()
+    wait_s(IDLE_S)
     return 100.0 * (time.process_time() - own) / (time.monotonic() - start)
 
 
@@ -216,6 +253,7 @@ def painted(application: Any, window: Any) -> list[float]:
         pending.clear()
         if running_since is None and seen:
             running_since = time.monotonic()
+            window.watchdog.worst_s = 0.0
         if running_since is not None and time.monotonic() - running_since > SECONDS:
             break
         time.sleep(0.0005)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig, read_test
 from rigapp.process.logs import in_file
+from rigapp.process.memory import begin_to_load
 
 if TYPE_CHECKING:
     from rigapp.service.client import Client
@@ -28,6 +29,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool, language: s
 
     language: the code of the one to speak from now on; empty: as chosen before, or the system's.
     """
+    begin_to_load()
     rig_path = (rig or examples_folder() / "simulated.toml").resolve()
     from rigapp.engine.devices import plan_devices
 

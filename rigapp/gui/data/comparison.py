@@ -62,16 +62,23 @@ def compose(
     )
 
 
-def binned(angle_deg: Floats, values: Floats, width_deg: float) -> tuple[Floats, Floats]:
-    """Return means over bins of crank angle (bin middles, means); empty bins are left out."""
+def stacked(curves: Mapping[str, Floats]) -> Floats:
+    """Return curves of one length as rows (3, n), in the order of ``CURVES``."""
+    return np.stack([curves[name] for name in CURVES])
+
+
+def binned(angle_deg: Floats, curves: Floats, width_deg: float) -> tuple[Floats, Floats]:
+    """Return means over bins of crank angle: bin middles (m,) and means (k, m) of curves (k, n).
+
+    Empty bins are left out.
+    """
     count = round(360.0 / width_deg)
-    place = np.clip((angle_deg / width_deg).astype(np.intp), 0, count - 1)
+    place = np.maximum(np.minimum((angle_deg / width_deg).astype(np.intp), count - 1), 0)
     number = np.bincount(place, minlength=count)
-    total = np.bincount(place, weights=values, minlength=count)
     filled = number > 0
     middles = width_deg * (np.arange(count, dtype=np.float64) + 0.5)
-    means = total[filled] / number[filled]
-    return middles[filled], means.astype(np.float64)
+    totals = [np.bincount(place, weights=values, minlength=count) for values in curves]
+    return middles[filled], np.stack(totals)[:, filled] / number[filled]
 
 
 def values_at(shown: RevolutionCurves, angle_deg: float) -> dict[str, tuple[float, float]]:

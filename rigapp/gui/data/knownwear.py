@@ -68,13 +68,19 @@ _NAMES = (
     "wear_model_weight",
 )
 
+SEARCHED = 256
+"""Buckets looked through for the newest statement: it is asked for at every look for news."""
+
 
 def newest_wear(predictions: SeriesTable) -> NewestWear:
     """Return the newest statement that stands in the columns."""
-    known = np.flatnonzero(predictions.series(COEFFICIENT).values > 0.0)
-    if not known.size:
+    series = predictions.series(COEFFICIENT)
+    buckets = series.envelope(0, len(series), SEARCHED)
+    holding = np.flatnonzero(buckets.high > 0.0)
+    if not holding.size:
         return NewestWear()
-    place = int(known[-1])
+    start = int(buckets.first[holding[-1]])
+    place = start + int(np.flatnonzero(series.values[start:] > 0.0)[-1])
     values = {name: float(predictions.series(name).values[place]) for name in _NAMES}
     return NewestWear(float(predictions.revolutions[place]), values)
 

@@ -127,9 +127,15 @@ class PredictedCycle:
 
     def at(self, angle_deg: NDArray[np.floating], curve: str) -> Floats:
         """Return the predicted curve at crank angles (periodic linear interpolation)."""
-        return np.asarray(
-            np.interp(angle_deg, self.angle_deg, self.curves[curve], period=360.0), dtype=np.float64
-        )
+        # Closed by its first point: numpy's own period sorts all the angles at every call.
+        values = self.curves[curve]
+        turn = angle_deg if _within_turn(angle_deg) else np.mod(angle_deg, 360.0)
+        closed = np.append(self.angle_deg, 360.0), np.append(values, values[:1])
+        return np.asarray(np.interp(turn, *closed), dtype=np.float64)
+
+
+def _within_turn(angle_deg: NDArray[np.floating]) -> bool:
+    return len(angle_deg) == 0 or bool(angle_deg.min() >= 0.0 and angle_deg.max() <= 360.0)
 
 
 def measured_cycle(message: Cycle) -> MeasuredCycle:

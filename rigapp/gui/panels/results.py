@@ -28,6 +28,8 @@ from rigapp.schema.results import RESUMABLE, HowEnded, TestResult
 
 PUMP_MS = 50
 """Between two looks for results that were read: rows appear as they come."""
+QUIET_PUMP_MS = 250
+"""The same while nothing is being read: a window that waits costs next to nothing."""
 SETTLED_MS = 300
 """A test that stays chosen so long is looked at closely: a second of another process."""
 CARD_WIDTH = 42 * STEP
@@ -45,8 +47,9 @@ class ShelfPump(QTimer):
         self.timeout.connect(self.pump)
 
     def pump(self) -> None:
-        """Look once."""
+        """Look once, and again soon while more is to come."""
         self._shelf.pump()
+        self.setInterval(PUMP_MS if self._shelf.reading else QUIET_PUMP_MS)
         if self._shelf.version != self._version:
             self._version = self._shelf.version
             self._changed()

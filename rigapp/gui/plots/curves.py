@@ -32,6 +32,11 @@ class Trace:
         self._pen = QPen()
         self.x, self.y = NOTHING, NOTHING
 
+    @property
+    def empty(self) -> bool:
+        """Tell whether nothing is drawn."""
+        return len(self.x) == 0
+
     def setPen(self, pen: QPen) -> None:
         """Draw with a pen."""
         self._pen = pen
@@ -65,6 +70,11 @@ class ShadedBand:
         self._polygon = QPolygonF()
         self._colour = QColor()
         self.low, self.high = NOTHING, NOTHING
+
+    @property
+    def empty(self) -> bool:
+        """Tell whether nothing is drawn."""
+        return len(self.low) == 0
 
     def setPen(self, pen: QPen) -> None:
         """Fill with the colour of a pen."""
@@ -132,4 +142,5 @@ def _polygon(x: Floats, y: NDArray[np.floating]) -> QPolygonF:
 def clear(*items: Trace | ShadedBand) -> None:
     """Draw nothing with curves and bands."""
     for item in items:
-        item.setData(*(NOTHING,) * (3 if isinstance(item, ShadedBand) else 2))
+        if not item.empty:
+            item.setData(*(NOTHING,) * (3 if isinstance(item, ShadedBand) else 2))

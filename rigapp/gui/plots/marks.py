@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFont, QFontMetrics, QPainter, QPolygonF
@@ -118,10 +118,14 @@ def small_font(*, strong: bool = False) -> tuple[QFont, QFontMetrics]:
     return font, QFontMetrics(font)
 
 
+@lru_cache(maxsize=256)
+def _width_of_name(text: str) -> int:
+    return small_font(strong=True)[1].horizontalAdvance(text)
+
+
 def name_room(names: Sequence[CurveName]) -> int:
     """Return the width that names need beside a plot, on the grid."""
-    metrics = small_font(strong=True)[1]
-    widest = max((metrics.horizontalAdvance(one.text) for one in names), default=0)
+    widest = max((_width_of_name(one.text) for one in names), default=0)
     return -(-(widest + STEP) // (2 * STEP)) * 2 * STEP
 
 
@@ -262,7 +266,7 @@ def paint_names(
     low, high = frame.rect.top() + half, frame.rect.bottom() - half
     wanted = [min(max(frame.y(one.at), low), high) for one in names]
     for one, at in zip(names, spread(wanted, metrics.height(), low, high), strict=True):
-        painter.setPen(one.pen.of(theme).color())
+        painter.setPen(one.pen.ink(theme))
         painter.drawText(QPointF(frame.rect.right() + STEP, at - half + metrics.ascent()), one.text)
 
 
@@ -289,7 +293,7 @@ def paint_spots(
         x, y = frame.x(one.x), frame.y(one.y)
         if not rect.left() <= x <= rect.right():
             continue
-        colour = one.pen.of(theme).color()
+        colour = one.pen.ink(theme)
         painter.setPen(colour)
         over, under = y < rect.top(), y > rect.bottom()
         y = min(max(y, rect.top() + size), rect.bottom() - size)

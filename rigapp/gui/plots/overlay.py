@@ -15,6 +15,7 @@ from rigapp.gui.data.comparison import (
     binned,
     compose,
     joint_uncertainty,
+    stacked,
     uncertainty_of,
     values_at,
 )
@@ -222,8 +223,9 @@ class OverlayPanel(PlotPanel):
         """Draw arrays."""
         self.shown = shown
         buckets = max(self.plot.width(), 200)
-        for name in CURVES:
-            self._measured[name].setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
+        at, curves = thinned(shown.angle_deg, stacked(shown.measured), buckets)
+        for name, values in zip(CURVES, curves, strict=True):
+            self._measured[name].setData(at, values)
         shapes = [*shown.measured.values(), *(shown.model or {}).values()]
         low = min(float(values.min()) for values in shapes)
         self.plot.fit(low, max(float(values.max()) for values in shapes))
@@ -245,13 +247,12 @@ class OverlayPanel(PlotPanel):
             self._clear_model()
             return
         sure = self._doubt.uncertainty_N
-        for name in CURVES:
+        at, means = binned(shown.angle_deg, stacked(shown.residual), RESIDUAL_BIN_DEG)
+        for name, mean in zip(CURVES, means, strict=True):
+            self._residual[name].setData(at, mean)
             model = shown.model[name]
             self._model[name].setData(shown.model_angle_deg, model)
             self._model_bands[name].setData(shown.model_angle_deg, model - sure, model + sure)
-            self._residual[name].setData(
-                *binned(shown.angle_deg, shown.residual[name], RESIDUAL_BIN_DEG)
-            )
         raw = shown.residual[SIZE]
         self._raw_residual.setData(*thinned(shown.angle_deg, raw, buckets))
         both = np.full(2, joint_uncertainty(self._uncertainty, sure))
@@ -267,8 +268,9 @@ class OverlayPanel(PlotPanel):
                 clear(*curves.values())
                 continue
             shown = compose(other.cycle, None, self.frame, self._ratio)
-            for name, curve in curves.items():
-                curve.setData(*thinned(shown.angle_deg, shown.measured[name], buckets))
+            at, thin = thinned(shown.angle_deg, stacked(shown.measured), buckets)
+            for name, values in zip(CURVES, thin, strict=True):
+                curves[name].setData(at, values)
 
     def _show_words(self, shown: RevolutionCurves) -> None:
         """Write the title, and the names at the curves."""

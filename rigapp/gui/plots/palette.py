@@ -23,12 +23,18 @@ class LinePen:
 
     def of(self, theme: Theme) -> QPen:
         """Return the pen in a theme."""
-        known = theme.curves.get(self.colour) or getattr(theme, self.colour, self.colour)
-        pen = line_pen(str(known))
+        pen = line_pen(self._colour(theme))
         if self.dashed:
             pen.setStyle(Qt.PenStyle.CustomDashLine)
             pen.setDashPattern(list(DASHES))
         return pen
+
+    def ink(self, theme: Theme) -> QColor:
+        """Return the colour of words about the line in a theme."""
+        return QColor(self._colour(theme))
+
+    def _colour(self, theme: Theme) -> str:
+        return str(theme.curves.get(self.colour) or getattr(theme, self.colour, self.colour))
 
 
 MODEL = LinePen("model", dashed=True)

@@ -95,6 +95,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._canvas = Canvas()
         self.addItem(self._canvas)
         self._taken: list[QRectF] = []
+        self._placed: PlotFrame | None = None
         self._marks = Marks()
         self._room = room or NameRoom()
         self._room.start_afresh(self)
@@ -106,7 +107,8 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         self._instead.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._instead.hide()
         # What lies behind the curves is painted once, and kept until something of it moves.
-        for moved in (self.getViewBox().sigRangeChanged, self.getViewBox().sigResized):
+        view = self.getViewBox()
+        for moved in (view.sigRangeChanged, view.sigResized, view.geometryChanged):
             moved.connect(self._repaint)
         self.give_room()
         self.dress(theme)
@@ -189,7 +191,8 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
             return
         if not self.instead:
             self.setAccessibleDescription(marks.words)
-        self._room.need(self, name_room(marks.names))
+        if marks.names != before.names:
+            self._room.need(self, name_room(marks.names))
         if (marks.limits, marks.moments) != (before.limits, before.moments):
             self._repaint()
         self.viewport().update()
@@ -232,13 +235,16 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         paint_names(painter, frame, marks.names, self.theme)
 
     def _repaint(self, *_: object) -> None:
+        self._placed = None
         self.resetCachedContent()
         self.viewport().update()
 
     def _frame(self) -> PlotFrame:
-        view = self.getViewBox()
-        across, up = view.viewRange()
-        return PlotFrame(view.sceneBoundingRect(), tuple(across), tuple(up))
+        if self._placed is None:
+            view = self.getViewBox()
+            across, up = view.viewRange()
+            self._placed = PlotFrame(view.sceneBoundingRect(), tuple(across), tuple(up))
+        return self._placed
 
     def give_room(self) -> None:
         """Leave room for moments above the curves, and for names beside them."""

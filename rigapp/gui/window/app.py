@@ -17,8 +17,11 @@ from rigapp.gui.look.tokens import THEMES
 from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import PROGRAM, MainWindow
 from rigapp.process.ending import asked_to_end, end_at_once
+from rigapp.process.memory import end_of_loading
 
 LOOK_MS = 200  # Ctrl-C is obeyed at once, to a person
+LOADED_MS = 3000
+"""By then the window is drawn and the engine has been heard: what was made so far stays."""
 
 
 def main(
@@ -70,6 +73,7 @@ def main(
     window.setWindowTitle(f"{PROGRAM} – {rig_path.stem}")
     window.show()
     QTimer.singleShot(0, window.start)
+    QTimer.singleShot(LOADED_MS, window, end_of_loading)
     if start_test is not None:
         window.start_when_idle(start_test)
     with asked_to_end() as asked:

@@ -165,6 +165,7 @@ class PageBar(QWidget):
         self.setFixedHeight(PAGE_BAR_HEIGHT)
         self._more = tuple(more)
         self._shown: tuple[PageName, ...] = ()
+        self._told: tuple[RailPlace, tuple[PageName, ...], int] | None = None
         self.buttons: dict[int, QPushButton] = {}
         self._row = row()
         self._row.setSpacing(STEP)
@@ -175,7 +176,10 @@ class PageBar(QWidget):
         whole.setSpacing(GAP)
 
     def show_pages(self, place: RailPlace, pages: Sequence[PageName], now: int) -> None:
-        """Show the pages of a place, and which one is seen."""
+        """Show the pages of a place, and which one is seen; nothing is done when they are."""
+        if (place, tuple(pages), now) == self._told:
+            return
+        self._told = place, tuple(pages), now
         if tuple(pages) != self._shown:
             self._shown = tuple(pages)
             for gone in self.buttons.values():
