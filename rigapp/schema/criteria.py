@@ -52,9 +52,14 @@ class Criterion:
 
 def _in_a_row(what: str, unit: str, side: str = "above") -> Sentence:
     def sentence(value: float, level: float, number: int) -> str:
-        times = f"in {number} revolutions in a row" if number > 1 else "in one revolution"
+        if number > 1:
+            return (
+                f"{what} was at or {side} {level:g} {unit} in {number} revolutions in a row,"
+                f" {value:.4g} {unit} in the last one."
+            )
         return (
-            f"{what} was at or {side} {level:g} {unit} {times}, {value:.4g} {unit} in the last one."
+            f"{what} was at or {side} {level:g} {unit} in one revolution, {value:.4g} {unit} in"
+            " the last one."
         )
 
     return sentence

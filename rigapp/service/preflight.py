@@ -241,11 +241,11 @@ def _of_device(device: DeviceView) -> Check:
         who = "; ".join(text for text in (device.identity or device.driver, device.wiring) if text)
         verdict = ATTENTION if device.advice else GOOD
         return Check(what, verdict, who, device.advice)
-    action = f"Check cable and power of {device.port}, "
-    why = device.last_error.rstrip(". ") or "not connected"
+    port, why = device.port, device.last_error.rstrip(". ") or "not connected"
     if not device.needed:
-        return Check(what, ATTENTION, why, f"{action}or go on without its channels")
-    return Check(what, BLOCKS, why, f"{action}reconnect")
+        action = f"Check cable and power of {port}, or go on without its channels"
+        return Check(what, ATTENTION, why, action)
+    return Check(what, BLOCKS, why, f"Check cable and power of {port}, reconnect")
 
 
 def _of_drive(status: Status) -> Iterator[Check]:

@@ -4,30 +4,49 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from functools import cache
+from itertools import product
 from pathlib import Path
 from string import Formatter
 from typing import Any
 
 import pytest
-from PySide6.QtWidgets import QAbstractButton, QLabel, QLineEdit, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QComboBox,
+    QGroupBox,
+    QLabel,
+    QLineEdit,
+    QTableView,
+    QWidget,
+)
 
+from calibration.load_cell.plans import LoadCellPlan, PlanKind
+from rigapp.config.ranges import refusal
+from rigapp.gui.data.texts import unit_text
 from rigapp.gui.language.catalogue import (
     ENGLISH,
     LANGUAGES,
+    TOLD,
+    WINDOW,
     chosen_language,
+    contexts,
     speak_language,
     translations,
 )
-from rigapp.gui.language.collect import all_texts, has_words, texts_of, texts_of_tables
+from rigapp.gui.language.collect import all_templates, all_texts, has_words, texts_of
 from rigapp.gui.language.told import retold, templates
 from rigapp.gui.language.words import speak, tr
+from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.labels import ElidedLabel
+from rigapp.gui.window.tabs import NUMBERS, TABS, Tab
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.alarms import because, exceeded
+from rigapp.schema.criteria import CRITERIA
 from rigapp.schema.messages import Alarm, RunState, Severity
-
-CONVERTED = ("window/", "widgets/", "wizard/", "language/", "look/", "panel.py")
-"""Rooms all of whose texts are in the catalogue."""
+from rigapp.schema.units import UNITS
+from rigapp.service.preflight import preflight
 
 TRANSLATED = sorted(LANGUAGES.keys() - {ENGLISH})
 
@@ -46,10 +65,10 @@ def fields(text: str) -> list[str]:
 
 @pytest.mark.parametrize("language", TRANSLATED)
 def test_every_text_of_the_window_is_translated(language: str) -> None:
-    found = translations(language)
-    here = {text for text, place in texts_of().found.items() if place[0].startswith(CONVERTED)}
-    wanted = here.union(one for one in texts_of_tables() if has_words(one))
-    assert wanted - found.keys() == set(), "make translations, then translate in de.ts"
+    what = "make translations, then translate in de.ts"
+    texts, told = gathered()
+    assert set(texts) - contexts(language)[WINDOW].keys() == set(), what
+    assert set(told) - contexts(language)[TOLD].keys() == set(), what
 
 
 @pytest.mark.parametrize("language", TRANSLATED)
@@ -64,7 +83,7 @@ def test_a_translation_keeps_values_access_keys_dots_and_units(language: str) ->
 
 def test_no_text_of_the_window_is_shown_past_the_catalogue() -> None:
     """See that no literal, and no sentence glued together, reaches the screen untranslated."""
-    assert [place for place in texts_of().loose if place[0].startswith(CONVERTED)] == []
+    assert texts_of().loose == []
 
 
 def test_the_gathering_finds_texts_and_what_is_glued_together(tmp_path: Path) -> None:
@@ -116,7 +135,7 @@ def test_the_alarms_of_the_engine_are_said_with_their_values(qapp: Any) -> None:
     assert retold(overload.sentence) == ("Die Gelenkkraft erreichte 391.0 N; die Grenze ist 380 N.")
     limit = exceeded("force_max", Severity.WARNING, 96.2, 95.0, True, "warn")
     assert retold(limit.title) == "force_max über der Grenze"
-    assert retold(limit.sentence) == "force_max ist 96.2, über der Grenze (warning) von 95."
+    assert retold(limit.sentence) == "force_max ist 96.2, über der Grenze (Warnung) von 95."
     asked = 'Acknowledge "Overload" and 2 more: say that you have seen it.'
     assert retold(asked).startswith("„Überlast“ und 2 weitere quittieren")
     assert retold("Nobody knows this sentence.") == "Nobody knows this sentence."
@@ -125,17 +144,61 @@ def test_the_alarms_of_the_engine_are_said_with_their_values(qapp: Any) -> None:
     ] == []
 
 
+def test_sentences_of_files_checks_and_calibrations_are_known_again(qapp: Any) -> None:
+    speak_language(qapp, "de")
+    assert retold(refusal("run.speed_rpm", 9999.0)) == (
+        "run.speed_rpm = 9999 liegt außerhalb von 0.1 bis 3000 rpm;"
+        " war Umdrehungen/h gemeint? Dann 166.65 schreiben"
+    )
+    assert retold(CRITERIA["force_N"].sentence(212.0, 200.0, 3)) == (
+        "Das Maximum von |F| lag bei oder über 200 N in 3 Umdrehungen in Folge, zuletzt bei 212 N."
+    )
+    found = [retold(one.finding) for one in preflight(None, None, None, None)]
+    assert found == ["noch nicht brauchbar", "nicht erreichbar"]
+    plan = LoadCellPlan(PlanKind.FULL, 40.0, (20.0, 10.0, 5.0, 2.0, 2.0, 1.0))
+    steps = {retold(step.words) for step in plan.steps()}
+    assert [one for one in steps if " the " in one or " and " in one] == []
+
+
 def texts_on(widget: QWidget) -> Iterator[tuple[str, str]]:
     """Yield what a widget and all on it say, to eyes and ears, with the name of who says it."""
     for one in (widget, *widget.findChildren(QWidget)):
-        said = [one.accessibleName(), one.toolTip(), one.accessibleDescription()]
-        if isinstance(one, ElidedLabel):
-            said.append(one.whole)
-        elif isinstance(one, QLabel | QAbstractButton):
-            said.append(one.text())
-        if isinstance(one, QLineEdit):
-            said.append(one.placeholderText())
+        said = [one.accessibleName(), one.toolTip(), one.accessibleDescription(), *_shown_by(one)]
         yield from ((one.objectName(), text) for text in said)
+
+
+def _shown_by(one: QWidget) -> list[str]:
+    """Return the texts of a widget by what it is."""
+    match one:
+        case ElidedLabel():
+            return [one.whole]
+        case QLabel() | QAbstractButton():
+            return [one.text()]
+        case QLineEdit():
+            return [one.placeholderText()]
+        case QGroupBox():
+            return [one.title()]
+        case QComboBox():
+            return [one.itemText(at) for at in range(one.count())]
+        case QuietPlot():
+            captions = [one._axes[side].text for side in ("left", "bottom")]
+            return [one.instead, one.marks.words, *captions]
+        case QTableView() if one.objectName() not in RECORDS:
+            return list(_cells(one.model()))
+    return []
+
+
+def _cells(model: Any) -> Iterator[str]:
+    for way, many in ((Qt.Orientation.Horizontal, model.columnCount()),
+                      (Qt.Orientation.Vertical, model.rowCount())):  # fmt: skip
+        yield from (str(model.headerData(at, way, TEXT) or "") for at in range(many))
+    for row, at in product(range(model.rowCount()), range(model.columnCount())):
+        yield str(model.index(row, at).data() or "")
+
+
+TEXT = Qt.ItemDataRole.DisplayRole
+RECORDS = ("log_table", "journal_table")
+"""What stands in the file of the test, as it stands there."""
 
 
 NAMES = (
@@ -143,10 +206,15 @@ NAMES = (
     "quick.toml", "paper.toml", "force max", "force_max", "deg", "Ctrl", "Alt", "Force is high",
     "force_max is 212 N, warns above 200 N", "At 300 N for 3 cycles the test stops",
     "Look at the joint; lower the speed or stop the test",
-    "GSV-8 1.44", "RoboClaw 4.3", "daq", "drive",
+    "GSV-8 1.44", "RoboClaw 4.3", "daq", "drive", "PTFE bushing 1", "/dev/pts/3", "socket://127",
+    "examples/quick.toml", "title",
 )  # fmt: skip
 """What is not the window's own in what it shows: names of rig, test, people, files and keys, and
 an alarm that no engine raises."""
+
+
+SIGNS = {text for one in UNITS for text in (one.words, unit_text(one.words)) if len(text) > 1}
+"""Units, as files and window write them."""
 
 
 def outside_brackets(text: str) -> str:
@@ -155,14 +223,45 @@ def outside_brackets(text: str) -> str:
         pass
     for name in sorted(NAMES, key=len, reverse=True):
         text = text.replace(name, "")
+    text = re.sub(r"\b[a-z]+(?:[._][A-Za-z0-9_]+)+", "", text)  # keys of files, names of channels
+    for sign in sorted(SIGNS, key=len, reverse=True):
+        text = text.replace(sign, "")
     return text
+
+
+@cache
+def gathered() -> tuple[list[str], list[str]]:
+    """Return the texts of the window, and the templates of what others tell."""
+    return all_texts(), all_templates()
+
+
+def bracketed() -> None:
+    """Put the texts of the catalogue into brackets: what has words outside of them is not in it."""
+    texts, told = gathered()
+    speak({text: f"⟦{text}⟧" for text in (*texts, *told)}, told)
+
+
+@pytest.mark.parametrize("tab", TABS, ids=[tab.name for tab in TABS])
+def test_everything_on_a_page_is_said_by_the_catalogue(
+    tab: Tab, engine: Any, recorded: Path, request: pytest.FixtureRequest
+) -> None:
+    bracketed()
+    window: MainWindow = request.getfixturevalue("window")
+    attach: Callable[[], None] = request.getfixturevalue("attach")
+    page = window.tabs.widget(NUMBERS[tab.name])
+    bare = {one for one in texts_on(page) if has_words(outside_brackets(one[1]))}
+    engine.say(first=1, count=300, file=str(recorded))
+    attach()
+    window.tabs.show_page(tab.name)
+    window.draw_now()
+    bare |= {one for one in texts_on(page) if has_words(outside_brackets(one[1]))}
+    assert bare == set()
 
 
 def test_everything_on_the_shell_is_said_by_the_catalogue(
     engine: Any, alarm: Alarm, request: pytest.FixtureRequest
 ) -> None:
-    """Put the catalogue's texts into brackets: what has words outside of them is not in it."""
-    speak({text: f"⟦{text}⟧" for text in all_texts()})
+    bracketed()
     window: MainWindow = request.getfixturevalue("window")
     attach: Callable[[], None] = request.getfixturevalue("attach")
     shell = (

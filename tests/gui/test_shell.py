@@ -173,12 +173,12 @@ def test_margins_tell_value_limit_and_what_happens(
     )
     data = window.news.data
     found = {one.title: one for one in margins(News(data=data, recipe=test))}
-    assert set(found) >= {"|F|, any sample", "Speed", "Force max", "Force min"}
+    assert set(found) >= {"|F|, any sample", "Speed", "Maximum |F|", "Minimum |F|"}
     assert found["|F|, any sample"].used == pytest.approx(data.rows.last("force_max") / 190.0)
     # Beyond the warning, the level that comes next is the one to watch.
-    assert found["Force max"].limit == 120.0
-    assert found["Force max"].text.endswith(" of 120 N, stop")
-    low = found["Force min"]
+    assert found["Maximum |F|"].limit == 120.0
+    assert found["Maximum |F|"].text.endswith(" of 120 N, stop")
+    low = found["Minimum |F|"]
     assert low.below
     assert low.used == pytest.approx(20.0 / data.rows.last("force_min"))
     change = msgspec.to_builtins(LimitChange(190.0, 300.0))

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Final
 
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.texts import duration, unit_text
+from rigapp.gui.language.words import Text, tr
 from rigapp.schema.channels import BASE, LOAD_CELL, Channel, ChannelTable, Kind
 from rigapp.schema.messages import ChannelView
 
@@ -21,8 +23,11 @@ SIZE = next(
 
 _DIRECTIONS = dict(zip(COMPONENTS, COMPONENT_NAMES[ForceFrame.CRANK], strict=True))
 
-_QUANTITIES = {"N": "Force", "um": "Position", "degC": "Temperature"}
+_QUANTITIES: Final[dict[str, Text]] = {"N": "Force", "um": "Position", "degC": "Temperature"}
 """What a unit alone tells of the quantity, for the words at an axis."""
+
+_PROBES: Final[tuple[Text, ...]] = ("Probe 1", "Probe 2")
+"""What the names of the probes become; a free channel is called as the rig file calls it."""
 
 _SPANS = {"N": 5.0, "um": 5.0, "rpm": 1.0, "mm": 0.002, "degC": 0.5, "%": 1.0}
 """The smallest range drawn, by unit: about twice the noise of a good instrument."""
@@ -55,14 +60,15 @@ def title_of(channel: Channel) -> str:
     if channel.name == SIZE:
         return "|F|"
     if channel.name in COMPONENTS:
-        return f"Force {_DIRECTIONS[channel.name]}"
+        return tr("Force {}", tr(_DIRECTIONS[channel.name]))
     text = words(channel.name)
-    return text[:1].upper() + text[1:]
+    title = text[:1].upper() + text[1:]
+    return tr(title) if title in _PROBES else title
 
 
 def axis_of(channel: Channel) -> str:
     """Return the words at an axis of a channel's values."""
-    quantity = _QUANTITIES.get(channel.unit, title_of(channel))
+    quantity = tr(_QUANTITIES.get(channel.unit) or title_of(channel))
     return f"{quantity} ({unit_text(channel.unit)})" if channel.unit != "1" else quantity
 
 
@@ -100,7 +106,7 @@ def free_values(
         else:
             value = newest(column)
             age_s = newest(f"{channel.name}_age") if slow else math.nan
-        detail = f"{duration(age_s)} old" if math.isfinite(age_s) else ""
+        detail = tr("{} old", duration(age_s)) if math.isfinite(age_s) else ""
         text = value_text(value, channel.unit)
         found.append(FreeValue(channel.name, title_of(channel), text, detail))
     return found

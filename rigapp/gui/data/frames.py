@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import enum
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from rigapp.gui.language.words import Text
 
 Floats = NDArray[np.float64]
 
@@ -18,11 +21,24 @@ class ForceFrame(enum.StrEnum):
     GLOBAL = "global"
 
 
-COMPONENT_NAMES = {
+FRAME_NAMES: Final[dict[ForceFrame, Text]] = {
+    ForceFrame.CRANK: "crank frame",
+    ForceFrame.FOLLOWER: "follower frame",
+    ForceFrame.GLOBAL: "global frame",
+}
+
+COMPONENT_NAMES: Final[dict[ForceFrame, tuple[Text, Text]]] = {
     ForceFrame.CRANK: ("along crank", "across crank"),
     ForceFrame.FOLLOWER: ("along follower", "across follower"),
     ForceFrame.GLOBAL: ("along x", "along y"),
 }
+
+SHORT_NAMES: Final[dict[ForceFrame, tuple[Text, Text]]] = {
+    ForceFrame.CRANK: ("along", "across"),
+    ForceFrame.FOLLOWER: ("along", "across"),
+    ForceFrame.GLOBAL: COMPONENT_NAMES[ForceFrame.GLOBAL],
+}
+"""The components where the frame is told beside them."""
 
 
 def follower_angle(crank_angle_rad: ArrayLike, crank_over_follower: float) -> Floats:

@@ -23,6 +23,7 @@ from rigapp.gui.data.channels import FreeValue
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import SeriesTable
 from rigapp.gui.data.texts import duration, grouped, unit_text
+from rigapp.gui.language.words import tr
 from rigapp.schema.columns import WEAR_MODELS, prediction_columns
 from rigapp.schema.messages import RunState
 
@@ -56,10 +57,10 @@ class NewestWear:
         """Return the most probable statement, in a word, with its probability."""
         if not math.isfinite(self["wear_model"]):
             return ""
-        word, share = WEAR_MODELS[int(self["wear_model"])], self["wear_model_weight"]
+        word, share = tr(WEAR_MODELS[int(self["wear_model"])]), self["wear_model_weight"]
         if share >= TOLD * (1.0 - share):
             return word
-        return f"not told, most likely {word} ({100.0 * share:.0f} %)"
+        return tr("not told, most likely {} ({:.0f} %)", word, 100.0 * share)
 
 
 _NAMES = (
@@ -111,7 +112,7 @@ def wear_values(
         *(found[f"{COEFFICIENT}{suffix}"] for suffix in ("", "_low", "_high"))
     )
     limits = f"{limits}; {found.statement}"
-    tiles = [FreeValue(COEFFICIENT, "Wear coefficient", value, limits)]
+    tiles = [FreeValue(COEFFICIENT, tr("Wear coefficient"), value, limits)]
     since = max(revolution - found.revolution, 0.0) if math.isfinite(revolution) else 0.0
     left, soon, late = (
         max(found[f"{REMAINING}{suffix}"] - since, 0.0) for suffix in ("", "_low", "_high")
@@ -126,20 +127,23 @@ def coefficient_words(middle: float, low: float, high: float) -> tuple[str, str]
     power = math.floor(math.log10(middle))
     scaled = (one / 10.0**power for one in (middle, low, high))
     middle, low, high = scaled
-    return f"{middle:.2f}·10{_raised(power)} {UNIT}", f"{low:.2f} to {high:.2f} (95 %)"
+    limits = tr("{:.2f} to {:.2f} (95 %)", low, high)
+    return f"{middle:.2f}·10{_raised(power)} {UNIT}", limits
 
 
 def _remaining(left: float, soon: float, late: float, rpm: float, now: float | None) -> FreeValue:
     """Return the tile of the time that remains, in revolutions while the crank stands."""
-    title = "Until the final wear depth"
-    latest = grouped(round(late)) if math.isfinite(late) else "beyond the model"
-    turns = f"{grouped(round(soon))} to {latest} revolutions (95 %)"
+    title = tr("Until the final wear depth")
+    latest = grouped(round(late)) if math.isfinite(late) else tr("beyond the model")
+    turns = tr("{} to {} revolutions (95 %)", grouped(round(soon)), latest)
     if rpm <= 0.0:
-        return FreeValue(REMAINING, title, f"{grouped(round(left))} revolutions", turns)
+        return FreeValue(REMAINING, title, tr("{} revolutions", grouped(round(left))), turns)
     seconds = 60.0 * left / rpm
     date = ""
     if now is not None:
-        date = time.strftime("%a %d %b, %H:%M", time.localtime(now + seconds)) + "; "
+        moment = time.localtime(now + seconds)
+        day, month = tr(time.strftime("%a", moment)), tr(time.strftime("%b", moment))
+        date = f"{day} {time.strftime('%d', moment)} {month}, {time.strftime('%H:%M', moment)}; "
     return FreeValue(REMAINING, title, duration(seconds), date + turns)
 
 

@@ -17,11 +17,13 @@ from rigapp.config.recipe import LimitRule, LimitsSection
 from rigapp.config.rules import BOUNDS, quantities, rule_faults
 from rigapp.gui.data.channels import SIZE, title_of, words
 from rigapp.gui.data.texts import unit_text
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, speaks_english, tr
 from rigapp.schema.channels import BASE, ChannelTable
 
 DEFAULT_ACTIONS: Final = {"warning": "warn", "critical": "stop"}
 
-ACTIONS: Final = {
+ACTIONS: Final[dict[tuple[str, str], Text]] = {
     ("warning", "warn"): "Warn",
     ("critical", "pause"): "Pause",
     ("critical", "stop"): "Stop",
@@ -29,7 +31,7 @@ ACTIONS: Final = {
 }
 """What is offered to happen, with the severity of its alarm."""
 
-OTHER_ACTIONS: Final = {
+OTHER_ACTIONS: Final[dict[tuple[str, str], Text]] = {
     ("critical", "warn"): "Warn, critical",
     ("warning", "pause"): "Pause, warning",
     ("warning", "stop"): "Stop, warning",
@@ -39,7 +41,7 @@ OTHER_ACTIONS: Final = {
 }
 """What a file may say all the same; shown where it does."""
 
-_STATISTICS: Final = {
+_STATISTICS: Final[dict[str, Text]] = {
     "angle_of_max": "angle of the maximum of {}",
     "max": "maximum {}",
     "min": "minimum {}",
@@ -47,7 +49,7 @@ _STATISTICS: Final = {
     "mean": "mean {}",
 }
 
-_OTHERS: Final = {
+_OTHERS: Final[dict[str, Text]] = {
     "speed": "mean speed",
     "residual_rms": "measured \u2212 model",
     "residual_1_rms": "measured \u2212 model along crank",
@@ -84,22 +86,26 @@ class LimitLevel:
 
     def condition(self, table: ChannelTable) -> str:
         """Return what happens when, without the value: Warn when maximum |F| is above."""
-        action = action_text(self.severity, self.action)
-        return f"{action} when {quantity_text(self.quantity, table)} is {self.side}"
+        action = tr(action_text(self.severity, self.action))
+        quantity = quantity_text(self.quantity, table)
+        if self.side == "below":
+            return tr("{} when {} is below", action, quantity)
+        return tr("{} when {} is above", action, quantity)
 
     def sentence(self, table: ChannelTable) -> str:
         """Return it as one reads it: Warn when maximum |F| is above 95 N in 3 revolutions."""
-        times = f"{self.revolutions} revolution" + ("s" if self.revolutions != 1 else "")
+        many = self.revolutions != 1
+        times = tr("{} revolutions", self.revolutions) if many else tr("1 revolution")
         value = f"{_shown(self.value)} {unit_of_quantity(self.quantity, table)}".rstrip()
-        back = f", ends {_shown(self.hysteresis)} inside" if self.hysteresis else ""
-        return f"{self.condition(table)} {value} in {times}{back}"
+        back = tr(", ends {} inside", _shown(self.hysteresis)) if self.hysteresis else ""
+        return tr("{} {} in {}", self.condition(table), value, times) + back
 
 
 def _shown(value: Any) -> str:
     return f"{value:.10g}" if isinstance(value, int | float) else str(value)
 
 
-def action_text(severity: str, action: str) -> str:
+def action_text(severity: str, action: str) -> Text:
     """Return an action in words."""
     return ACTIONS.get((severity, action)) or OTHER_ACTIONS[severity, action]
 
@@ -107,15 +113,17 @@ def action_text(severity: str, action: str) -> str:
 def quantity_text(column: str, table: ChannelTable = BASE) -> str:
     """Return what a limit is about, in words."""
     if column in _OTHERS:
-        return _OTHERS[column]
+        return tr(_OTHERS[column])
     for ending, text in _STATISTICS.items():
         name = column.removesuffix(f"_{ending}")
         if name == column:
             continue
         channel = next((one for one in table.channels if one.name == name), None)
-        title = title_of(channel) if channel is not None else words(name)
-        return text.format(title if title.startswith("|") else title[:1].lower() + title[1:])
-    return words(column)
+        title = title_of(channel) if channel is not None else tr(words(name))
+        if speaks_english() and not title.startswith("|"):
+            title = title[:1].lower() + title[1:]
+        return tr(text, title)
+    return tr(words(column))
 
 
 def quantity_choices(table: ChannelTable) -> list[tuple[str, str]]:
@@ -223,11 +231,11 @@ def faults_of(rule: Mapping[str, Any], table: ChannelTable | None) -> list[str]:
     try:
         record = msgspec.convert(rule, LimitRule)
     except msgspec.ValidationError as error:
-        return [str(error)]
-    return [_plain(fault) for fault in rule_faults(record, table)]
+        return [retold(str(error))]
+    return [retold(_plain(fault)) for fault in rule_faults(record, table)]
 
 
-def _plain(fault: str) -> str:
+def _plain(fault: str) -> Text:
     """Return a fault of a rule without the keys of the file."""
     if fault.startswith("no level"):
         return "Type the value of the limit."
@@ -245,8 +253,9 @@ def never_comes(level: LimitLevel, limits: LimitsSection | None) -> str:
         (("speed", "speed_max", "speed_min", "speed_rms"), limits.overspeed_rpm, "rpm"),
     ):
         if level.quantity in names and level.value >= most:
-            return (
-                f"{level.value:g} {unit} can never come: the drive goes off at {most:g} {unit}."
-                f" Type a value below {most:g}."
+            return tr(
+                "{value} can never come: the drive goes off at {most}. Type a value below that.",
+                value=f"{level.value:g} {unit}",
+                most=f"{most:g} {unit}",
             )
     return ""

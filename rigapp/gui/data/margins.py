@@ -5,17 +5,29 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Final
 
 from rigapp.config.recipe import LimitRule, TestFile
-from rigapp.gui.data.channels import SIZE, words
+from rigapp.gui.data.channels import SIZE
+from rigapp.gui.data.levels import quantity_text
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.texts import unit_text
+from rigapp.gui.language.words import Text, tr
+from rigapp.schema.channels import ChannelTable
 from rigapp.schema.loglines import newest_limits
 
-DRIVE_OFF = "drive off"
+DRIVE_OFF: Final[Text] = "drive off"
 DEPTH = "measured_wear_depth"
-COMPLETE = "complete"
+COMPLETE: Final[Text] = "complete"
+ACTIONS: Final[dict[str, Text]] = {
+    "warn": "warn",
+    "pause": "pause",
+    "stop": "stop",
+    "drive_off": DRIVE_OFF,
+    "none": "do nothing",
+}
+"""What a rule of the test does, in the words of a limit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,20 +37,22 @@ class WatchedLimit:
     below: it is passed downwards. action: what happens then.
     """
 
-    title: str
+    title: Text
     column: str
     limit: float
     unit: str
-    action: str
+    action: Text
     below: bool = False
     scale: float = 1.0
 
     @property
     def words(self) -> str:
         """Return what happens where, e.g. ``warn above 95 N``."""
-        unit = f" {self.unit}" if self.unit else ""
-        side = "below" if self.below else "at" if self.action == COMPLETE else "above"
-        return f"{self.action} {side} {self.limit:.4g}{unit}"
+        limit, action = f"{self.limit:.4g} {self.unit}".rstrip(), tr(self.action)
+        if self.below:
+            return tr("{} below {}", action, limit)
+        planned = self.action == COMPLETE
+        return tr("{} at {}", action, limit) if planned else tr("{} above {}", action, limit)
 
     def margin(self, value: float) -> Margin:
         """Return a value, in the limit's unit, beside it."""
@@ -52,11 +66,11 @@ class Margin:
     below: the limit is passed downwards. action: what happens then.
     """
 
-    title: str
+    title: Text
     value: float
     limit: float
     unit: str
-    action: str
+    action: Text
     below: bool = False
 
     @property
@@ -75,9 +89,9 @@ class Margin:
     @property
     def text(self) -> str:
         """Return value, limit and what happens, e.g. ``87.1 of 95 N, warn``."""
-        side = "at least" if self.below else "of"
-        unit = f" {self.unit}" if self.unit else ""
-        return f"{self.value:.4g} {side} {self.limit:.4g}{unit}, {self.action}"
+        limit, action = f"{self.limit:.4g} {self.unit}".rstrip(), tr(self.action)
+        said = tr("{} at least {}, {}") if self.below else tr("{} of {}, {}")
+        return said.format(f"{self.value:.4g}", limit, action)
 
 
 def margins(news: News) -> list[Margin]:
@@ -111,9 +125,7 @@ def watched(news: News) -> list[WatchedLimit]:
         depth = test.stop.wear_depth_um
         found.append(WatchedLimit("Wear depth", DEPTH, depth, "µm", COMPLETE, scale=UM_PER_MM))
     for rule in limits.rule:
-        found += _of_rule(
-            rule, unit_text(news.data.channels.units.get(rule.quantity, "1")), changed
-        )
+        found += _of_rule(rule, news.data.channels, changed)
     return found
 
 
@@ -127,14 +139,18 @@ def _overload(test: TestFile, changed: Mapping[str, float]) -> float:
     return changed.get("overload_N", test.limits.overload_N)
 
 
-def _of_rule(rule: LimitRule, unit: str, changed: Mapping[str, float]) -> Iterator[WatchedLimit]:
+def _of_rule(
+    rule: LimitRule, table: ChannelTable, changed: Mapping[str, float]
+) -> Iterator[WatchedLimit]:
+    title, unit = quantity_text(rule.quantity, table), table.units.get(rule.quantity, "1")
+    title, unit = title[:1].upper() + title[1:], unit_text(unit)
     for side in ("above", "below"):
         for level in ("warning", "critical"):
             name = f"{level}_{side}"
             limit = changed.get(f"{rule.quantity}.{name}", getattr(rule, name))
             if limit is not None:
-                action = str(getattr(rule, f"action_{level}")).replace("_", " ")
-                title = words(rule.quantity).capitalize()
+                action = ACTIONS[str(getattr(rule, f"action_{level}"))]
+
                 yield WatchedLimit(title, rule.quantity, limit, unit, action, side == "below")
 
 

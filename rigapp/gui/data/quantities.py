@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Final
 
 from rigapp.gui.data.channels import SIZE, axis_of, span_of, title_of
 from rigapp.gui.data.texts import unit_text
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind
 from rigapp.schema.columns import prediction_columns
 
-STATISTICS = {"max": ("maximum", "first"), "rms": ("RMS", "main"), "min": ("minimum", "second")}
+STATISTICS: Final[dict[str, tuple[Text, str]]] = {
+    "max": ("maximum", "first"),
+    "rms": ("RMS", "main"),
+    "min": ("minimum", "second"),
+}
 """The statistics of a channel that are drawn: their words, and the role of their colour."""
 
-COMPARED = {**{name: text for name, (text, _) in STATISTICS.items()}, "mean": "mean"}
+COMPARED = {**{name: text for name, (text, _) in STATISTICS.items()}, "mean": marked("mean")}
 """The statistics that tests are compared by."""
 
 UM_PER_MM = 1e3
@@ -30,9 +36,13 @@ class TrendLine:
 
     column: str
     role: str
-    text: str
+    text: Text
     doubt: str = ""
     age: str = ""
+
+    def said(self) -> TrendLine:
+        """Return it in the language of the window."""
+        return replace(self, text=tr(self.text))
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +52,8 @@ class TrendQuantity:
     measured are columns of rows, predicted of predictions.
     """
 
-    title: str
-    axis: str
+    title: Text
+    axis: Text
     minimum_span: float
     measured: tuple[TrendLine, ...]
     predicted: tuple[TrendLine, ...] = ()
@@ -53,6 +63,15 @@ class TrendQuantity:
     def unit(self) -> str:
         """Return the unit of its values, as the window writes it."""
         return self.axis.rpartition("(")[2].rstrip(")") if "(" in self.axis else ""
+
+    def said(self) -> TrendQuantity:
+        """Return it in the language of the window."""
+        measured, predicted = (
+            tuple(one.said() for one in lines) for lines in (self.measured, self.predicted)
+        )
+        return replace(
+            self, title=tr(self.title), axis=tr(self.axis), measured=measured, predicted=predicted
+        )
 
 
 _OTHERS = {
@@ -95,8 +114,20 @@ _OTHERS = {
 
 
 def trend_quantities(table: ChannelTable) -> dict[str, TrendQuantity]:
-    """Return what a trend can show of the channels of a table, and all else, by name."""
-    return {**{one.name: _of_channel(one) for one in _ordered(table)}, LARGEST: _LARGEST, **_OTHERS}
+    """Return what a trend can show of the channels of a table, and all else, by name.
+
+    It is in the language of the window, so that nothing is translated when it is drawn.
+    """
+    whole = _of_channel(BASE[SIZE])
+    # The largest force alone: on an axis with the smallest its changes are not seen.
+    largest = replace(
+        whole,
+        title=tr("{} maximum", whole.title),
+        measured=whole.measured[:1],
+        predicted=whole.predicted[:1],
+    )
+    found = {one.name: _of_channel(one) for one in _ordered(table)}
+    return {name: one.said() for name, one in {**found, LARGEST: largest, **_OTHERS}.items()}
 
 
 def _ordered(table: ChannelTable) -> list[Channel]:
@@ -129,8 +160,8 @@ def compared_columns(table: ChannelTable) -> dict[str, str]:
         names = {"": ""} if channel.kind is Kind.SLOW else COMPARED
         for name, word in names.items():
             column = f"{channel.name}_{name}".rstrip("_")
-            found[column] = f"{title}, {word} ({unit})" if word else f"{title} ({unit})"
-    for quantity in _OTHERS.values():
+            found[column] = f"{title}, {tr(word)} ({unit})" if word else f"{title} ({unit})"
+    for quantity in (one.said() for one in _OTHERS.values()):
         for line in (*quantity.measured, *quantity.predicted):
             found[line.column] = f"{quantity.title}, {line.text} ({quantity.unit})"
     return found
@@ -142,13 +173,3 @@ def scale_of(column: str) -> float:
         if any(line.column == column for line in quantity.predicted):
             return quantity.scale
     return 1.0
-
-
-_WHOLE = _of_channel(BASE[SIZE])
-_LARGEST = replace(
-    _WHOLE,
-    title=f"{_WHOLE.title} maximum",
-    measured=_WHOLE.measured[:1],
-    predicted=_WHOLE.predicted[:1],
-)
-"""The largest force alone: on an axis with the smallest its changes are not seen."""

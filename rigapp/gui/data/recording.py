@@ -17,6 +17,7 @@ from rigapp.gui.data.series import (
     measured_cycle,
     predicted_cycle,
 )
+from rigapp.gui.language.words import tr
 from rigapp.schema.messages import Cycle, Event, Prediction
 
 
@@ -77,7 +78,7 @@ def load_revolution(path: Path, revolution: int) -> StoredRevolution:
     with open_test(path) as test:
         saved = test.cycle_revolutions()
         if len(saved) == 0:
-            raise UnusableInput(f"{path}: no whole cycle is saved yet")
+            raise UnusableInput(tr("{}: no whole cycle is saved yet", path))
         return _unpacked(cycle_messages(test, int(np.argmin(np.abs(saved - revolution)))))
 
 

@@ -18,6 +18,7 @@ from rigapp.gui.data.recording import (
 )
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.language.words import tr
 from rigapp.schema.messages import Event, Snapshot, Status
 
 log = logging.getLogger(__name__)
@@ -98,9 +99,9 @@ class ShownTest:
         """Read the saved cycle nearest to a revolution; the answer comes from ``deliver``."""
         path = self.path
         if path is None:
-            failed(FileNotFoundError("There is no test, so no stored revolution either."))
+            failed(FileNotFoundError(tr("There is no test, so no stored revolution either.")))
         elif not self._worker.submit(lambda: self._revolution(path, revolution), done, failed):
-            failed(RuntimeError("The file is still being read; try again."))
+            failed(RuntimeError(tr("The file is still being read; try again.")))
 
     def follow_log(self) -> None:
         """Read the log again when it is time; called while somebody looks at it."""
@@ -110,7 +111,7 @@ class ShownTest:
         accepted = self._worker.submit(
             lambda: load_events(path),
             lambda events: self._got_log(path, events),
-            lambda error: self._got_log(path, None, f"The log cannot be read: {error}"),
+            lambda error: self._got_log(path, None, tr("The log cannot be read: {}", error)),
         )
         self._log_at = None if accepted else self._clock() + LOG_EVERY_S
 
@@ -195,5 +196,5 @@ class ShownTest:
             self._again_at = self._clock() + RETRY_S
             return
         log.error("History of %s cannot be read: %s", path, error)
-        self.problem = f"Earlier cycles cannot be shown: {error}"
+        self.problem = tr("Earlier cycles cannot be shown: {}", error)
         self.data.missing_from = None

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import Final
 
-_UNITS = (
+from rigapp.gui.language.words import Text, tr
+
+_UNITS: Final[tuple[tuple[str, Text], ...]] = (
     ("um per 1000 revolutions", "µm per 1000 rev"),
+    ("standard deviations", "standard deviations"),
     ("revolutions", "rev"),
     ("degC", "°C"),
     ("^2", "²"),
@@ -19,7 +23,7 @@ def unit_text(unit: str) -> str:
     """Return a unit as the window writes it, nothing for a plain number."""
     for plain, nice in _UNITS:
         unit = unit.replace(plain, nice)
-    return "" if unit == "1" else unit
+    return "" if unit == "1" else tr(unit)
 
 
 def grouped(number: int) -> str:

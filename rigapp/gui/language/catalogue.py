@@ -37,22 +37,38 @@ def catalogue_file(language: str) -> Path:
     return Path(__file__).with_name(f"{language}.ts")
 
 
-def translations(language: str) -> dict[str, str]:
-    """Return the translations of a catalogue by their English texts; unfinished ones are left out.
+WINDOW: Final = "rigapp"
+TOLD: Final = "told"
+"""Under which texts stand in a catalogue: those of the window, and the templates of others."""
 
-    Raises OSError when it cannot be read.
+
+def contexts(language: str) -> dict[str, dict[str, str]]:
+    """Return the translations of a catalogue by their English texts, by what they stand under.
+
+    Unfinished ones are left out. Raises OSError when it cannot be read.
     """
     reader = QXmlStreamReader(catalogue_file(language).read_text("utf-8"))
-    found, text = {}, ""
+    found: dict[str, dict[str, str]] = {WINDOW: {}, TOLD: {}}
+    text, under = "", WINDOW
     while reader.readNextStartElement() or not reader.atEnd():
-        if reader.isStartElement() and reader.name() == "source":
+        if not reader.isStartElement():
+            continue
+        if reader.name() == "name":
+            under = reader.readElementText()
+        elif reader.name() == "source":
             text = reader.readElementText()
-        elif reader.isStartElement() and reader.name() == "translation":
+        elif reader.name() == "translation":
             finished = not reader.attributes().hasAttribute("type")
             said = reader.readElementText()
             if finished and said:
-                found[text] = said
+                found[under][text] = said
     return found
+
+
+def translations(language: str) -> dict[str, str]:
+    """Return all translations of a catalogue by their English texts; raise OSError."""
+    found = contexts(language)
+    return found[TOLD] | found[WINDOW]
 
 
 def speak_language(application: QCoreApplication, language: str) -> None:
@@ -70,4 +86,5 @@ def speak_language(application: QCoreApplication, language: str) -> None:
     folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
     if dialogs.load(f"qtbase_{language}", folder):
         application.installTranslator(dialogs)
-    speak(translations(language))
+    found = contexts(language)
+    speak(found[TOLD] | found[WINDOW], list(found[TOLD]))

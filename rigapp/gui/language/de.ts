@@ -8,6 +8,10 @@
         <translation> oder </translation>
     </message>
     <message>
+        <source>% of the predicted RMS</source>
+        <translation>% des vorhergesagten RMS</translation>
+    </message>
+    <message>
         <source>&amp;Browse…</source>
         <translation>&amp;Durchsuchen…</translation>
     </message>
@@ -60,12 +64,56 @@
         <translation>Kraftsensor &amp;nullen</translation>
     </message>
     <message>
+        <source>, 1 draft</source>
+        <translation>, 1 Entwurf</translation>
+    </message>
+    <message>
+        <source>, HELD</source>
+        <translation>, FESTGEHALTEN</translation>
+    </message>
+    <message>
+        <source>, ends {} inside</source>
+        <translation>, endet {} innerhalb</translation>
+    </message>
+    <message>
+        <source>, model {}</source>
+        <translation>, Modell {}</translation>
+    </message>
+    <message>
+        <source>, {} old</source>
+        <translation>, {} alt</translation>
+    </message>
+    <message>
+        <source>--revolutions: take at least 1; 12 are good</source>
+        <translation>--revolutions: mindestens 1 nehmen; 12 sind gut</translation>
+    </message>
+    <message>
+        <source>1 change not part of {}</source>
+        <translation>1 Änderung nicht Teil von {}</translation>
+    </message>
+    <message>
+        <source>1 mistake</source>
+        <translation>1 Fehler</translation>
+    </message>
+    <message>
+        <source>1 revolution</source>
+        <translation>1 Umdrehung</translation>
+    </message>
+    <message>
+        <source>10⁻⁶ {}; band 95 %</source>
+        <translation>10⁻⁶ {}; Band 95 %</translation>
+    </message>
+    <message>
         <source>A test is under way. It goes on without this window.</source>
         <translation>Ein Versuch läuft. Er geht ohne dieses Fenster weiter.</translation>
     </message>
     <message>
         <source>Ac&amp;knowledge</source>
         <translation>&amp;Quittieren</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
     </message>
     <message>
         <source>Acknowledge</source>
@@ -92,6 +140,10 @@
         <translation>Grenze hinzufügen</translation>
     </message>
     <message>
+        <source>Add a limit that tells when the joint has changed</source>
+        <translation>Eine Grenze hinzufügen, die sagt, wann sich das Gelenk geändert hat</translation>
+    </message>
+    <message>
         <source>Add limit</source>
         <translation>Grenze hinzufügen</translation>
     </message>
@@ -100,8 +152,28 @@
         <translation>Notiz schreiben</translation>
     </message>
     <message>
+        <source>Add or discard</source>
+        <translation>Hinzufügen oder verwerfen</translation>
+    </message>
+    <message>
+        <source>Added mass</source>
+        <translation>Zusatzmasse</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>After alarm</source>
+        <translation>Nach einem Alarm</translation>
+    </message>
+    <message>
         <source>Against</source>
         <translation>Gegen</translation>
+    </message>
+    <message>
+        <source>Age of the prediction</source>
+        <translation>Alter der Vorhersage</translation>
     </message>
     <message>
         <source>Alarm</source>
@@ -116,12 +188,20 @@
         <translation>Alarme und Grenzen</translation>
     </message>
     <message>
+        <source>All readings are taken. Look at the result</source>
+        <translation>Alle Messungen sind genommen. Das Ergebnis ansehen</translation>
+    </message>
+    <message>
         <source>All revolutions are done.</source>
         <translation>Alle Umdrehungen sind gefahren.</translation>
     </message>
     <message>
         <source>An overload would be seen too late, so the drive was switched off.</source>
         <translation>Eine Überlast würde zu spät bemerkt; der Antrieb wurde abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Angle from the contact point, follower frame</source>
+        <translation>Winkel vom Berührpunkt, Bezugssystem Koppel</translation>
     </message>
     <message>
         <source>Angles of that revolution are uncertain; its row is flagged.</source>
@@ -140,6 +220,10 @@
         <translation>Scharfer Versuch</translation>
     </message>
     <message>
+        <source>At cycle {:.0f}</source>
+        <translation>Bei Zyklus {:.0f}</translation>
+    </message>
+    <message>
         <source>Attaching</source>
         <translation>Suche</translation>
     </message>
@@ -148,8 +232,28 @@
         <translation>Aug</translation>
     </message>
     <message>
+        <source>Axis 1</source>
+        <translation>Achse 1</translation>
+    </message>
+    <message>
+        <source>Axis 2</source>
+        <translation>Achse 2</translation>
+    </message>
+    <message>
         <source>Axis to compare on</source>
         <translation>Achse des Vergleichs</translation>
+    </message>
+    <message>
+        <source>Backlash is not known</source>
+        <translation>Das Umkehrspiel ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Before alarm</source>
+        <translation>Vor einem Alarm</translation>
     </message>
     <message>
         <source>Before the start</source>
@@ -164,8 +268,32 @@
         <translation>&amp;Durchsuchen…</translation>
     </message>
     <message>
+        <source>Bushing outer radius</source>
+        <translation>Außenradius der Buchse</translation>
+    </message>
+    <message>
+        <source>Bushing radius</source>
+        <translation>Innenradius der Buchse</translation>
+    </message>
+    <message>
+        <source>Bushing width</source>
+        <translation>Breite der Buchse</translation>
+    </message>
+    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate for a known uncertainty</source>
+        <translation>Kalibrieren, damit die Unsicherheit bekannt ist</translation>
+    </message>
+    <message>
+        <source>Calibrate the cell, or correct load_cell.matrix_N_per_mV_per_V</source>
+        <translation>Den Kraftsensor kalibrieren oder load_cell.matrix_N_per_mV_per_V berichtigen</translation>
+    </message>
+    <message>
+        <source>Calibrate, or give a reason in calibration_override of the rig file</source>
+        <translation>Kalibrieren oder in calibration_override der Prüfstandsdatei einen Grund angeben</translation>
     </message>
     <message>
         <source>Calibrate…  F3</source>
@@ -252,6 +380,10 @@
         <translation>Stecker, Kabel und Sensor dieses Eingangs und seinen Bereich in der Prüfstandsdatei prüfen.</translation>
     </message>
     <message>
+        <source>Check sensor and wiring, or adjust the probe</source>
+        <translation>Sensor und Verdrahtung prüfen oder den Wegsensor einstellen</translation>
+    </message>
+    <message>
         <source>Check that it is repaired, then reconnect.</source>
         <translation>Prüfen, ob es repariert ist, dann neu verbinden.</translation>
     </message>
@@ -262,6 +394,14 @@
     <message>
         <source>Check the cable and the power of the device; then reconnect.</source>
         <translation>Kabel und Versorgung des Geräts prüfen; dann neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Check the device that tells it, or go on without</source>
+        <translation>Das Gerät prüfen, das ihn meldet, oder ohne ihn fortfahren</translation>
+    </message>
+    <message>
+        <source>Check the device, reconnect</source>
+        <translation>Das Gerät prüfen, neu verbinden</translation>
     </message>
     <message>
         <source>Check the disk; start again with another file.</source>
@@ -304,8 +444,20 @@
         <translation>Adern und Stecker des Sensors prüfen, dann neu verbinden.</translation>
     </message>
     <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
         <source>Checks before the start</source>
         <translation>Prüfungen vor dem Start</translation>
+    </message>
+    <message>
+        <source>Choose a folder that can be written to</source>
+        <translation>Einen Ordner wählen, in den geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>Choose a limit.</source>
+        <translation>Eine Grenze wählen.</translation>
     </message>
     <message>
         <source>Choose a test</source>
@@ -316,8 +468,20 @@
         <translation>Andere Versuchsdatei wählen</translation>
     </message>
     <message>
+        <source>Choose one or more tests above and press Compare.</source>
+        <translation>Oben einen oder mehrere Versuche wählen und Vergleichen drücken.</translation>
+    </message>
+    <message>
         <source>Choose test and file, then start</source>
         <translation>Versuch und Datei wählen, dann starten</translation>
+    </message>
+    <message>
+        <source>Circle: probe 1, triangle: probe 2</source>
+        <translation>Kreis: Wegsensor 1, Dreieck: Wegsensor 2</translation>
+    </message>
+    <message>
+        <source>Click, or Tab to it and use ← →, to read values; Esc ends it.</source>
+        <translation>Klicken, oder mit Tab hierher und mit ← →, um Werte zu lesen; Esc beendet es.</translation>
     </message>
     <message>
         <source>Clocks parted</source>
@@ -364,8 +528,16 @@
         <translation>Mit der gespeicherten Umdrehung vergleichen</translation>
     </message>
     <message>
+        <source>Comparison of tests</source>
+        <translation>Vergleich von Versuchen</translation>
+    </message>
+    <message>
         <source>Connect</source>
         <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Connect (F4); Start does it too</source>
+        <translation>Verbinden (F4); der Start tut es auch</translation>
     </message>
     <message>
         <source>Connect the devices</source>
@@ -392,12 +564,44 @@
         <translation>Bedienung des Versuchs</translation>
     </message>
     <message>
+        <source>Correct it</source>
+        <translation>Berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct it in the form and save</source>
+        <translation>Im Formular berichtigen und speichern</translation>
+    </message>
+    <message>
+        <source>Crank angle</source>
+        <translation>Kurbelwinkel</translation>
+    </message>
+    <message>
+        <source>Crank inertia</source>
+        <translation>Trägheitsmoment der Kurbel</translation>
+    </message>
+    <message>
+        <source>Crank mass</source>
+        <translation>Masse der Kurbel</translation>
+    </message>
+    <message>
         <source>Crank moves in the pause</source>
         <translation>Kurbel bewegt sich in der Pause</translation>
     </message>
     <message>
+        <source>Crank radius</source>
+        <translation>Kurbelradius</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
         <source>Cycle</source>
         <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>Cycle, by decades</source>
+        <translation>Zyklus, nach Dekaden</translation>
     </message>
     <message>
         <source>Dark F9</source>
@@ -410,6 +614,22 @@
     <message>
         <source>Dec</source>
         <translation>Dez</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Depth (µm)</source>
+        <translation>Tiefe (µm)</translation>
+    </message>
+    <message>
+        <source>Depths, and what of the bushing was seen</source>
+        <translation>Tiefen, und was von der Buchse gesehen wurde</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
     </message>
     <message>
         <source>Device dropped data</source>
@@ -436,6 +656,10 @@
         <translation>Den Entwurf verwerfen</translation>
     </message>
     <message>
+        <source>Disk</source>
+        <translation>Festplatte</translation>
+    </message>
+    <message>
         <source>Disk slow</source>
         <translation>Festplatte langsam</translation>
     </message>
@@ -448,8 +672,24 @@
         <translation>Nicht starten</translation>
     </message>
     <message>
+        <source>Do nothing</source>
+        <translation>Nichts tun</translation>
+    </message>
+    <message>
+        <source>Do nothing, critical</source>
+        <translation>Nichts tun, kritisch</translation>
+    </message>
+    <message>
         <source>Do the next step</source>
         <translation>Den nächsten Schritt tun</translation>
+    </message>
+    <message>
+        <source>Draft limit</source>
+        <translation>Grenze im Entwurf</translation>
+    </message>
+    <message>
+        <source>Draft, not yet part of the test</source>
+        <translation>Entwurf, noch nicht Teil des Versuchs</translation>
     </message>
     <message>
         <source>Drive</source>
@@ -464,16 +704,32 @@
         <translation>Störung des Antriebs</translation>
     </message>
     <message>
+        <source>Drive off, warning</source>
+        <translation>Antrieb aus, Warnung</translation>
+    </message>
+    <message>
         <source>Drive warning</source>
         <translation>Warnung des Antriebs</translation>
+    </message>
+    <message>
+        <source>Earlier cycles cannot be shown: {}</source>
+        <translation>Frühere Zyklen lassen sich nicht zeigen: {}</translation>
     </message>
     <message>
         <source>Effect</source>
         <translation>Folge</translation>
     </message>
     <message>
+        <source>Elapsed time</source>
+        <translation>Verstrichene Zeit</translation>
+    </message>
+    <message>
         <source>Emergency stop</source>
         <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Eingeschaltet</translation>
     </message>
     <message>
         <source>Encoder counts lost</source>
@@ -496,6 +752,10 @@
         <translation>Den Versuch beenden: Die Spindel wird geführt angehalten, die Datei geschlossen. Dies ist nicht der Not-Halt</translation>
     </message>
     <message>
+        <source>Ends early</source>
+        <translation>Endet früher</translation>
+    </message>
+    <message>
         <source>Engine and window</source>
         <translation>Steuerung und Fenster</translation>
     </message>
@@ -504,8 +764,32 @@
         <translation>Steuerung kommt nicht nach</translation>
     </message>
     <message>
+        <source>Engine process</source>
+        <translation>Prozess der Steuerung</translation>
+    </message>
+    <message>
         <source>Engine too slow</source>
         <translation>Steuerung zu langsam</translation>
+    </message>
+    <message>
+        <source>Enter records at this position (or type the micrometer&apos;s own um), r rejects, q closes</source>
+        <translation>Enter nimmt an dieser Position auf (oder die um der Messschraube eingeben), r verwirft, q schließt</translation>
+    </message>
+    <message>
+        <source>Enter records, r rejects, q closes</source>
+        <translation>Enter nimmt auf, r verwirft, q schließt</translation>
+    </message>
+    <message>
+        <source>Enter, a position in um, r or q</source>
+        <translation>Enter, eine Position in um, r oder q</translation>
+    </message>
+    <message>
+        <source>Enter, r or q</source>
+        <translation>Enter, r oder q</translation>
+    </message>
+    <message>
+        <source>Every</source>
+        <translation>Jede</translation>
     </message>
     <message>
         <source>Every angle would be mirrored, or the motor run away, so the test was stopped.</source>
@@ -524,6 +808,10 @@
         <translation>&amp;Finden</translation>
     </message>
     <message>
+        <source>False</source>
+        <translation>nein</translation>
+    </message>
+    <message>
         <source>Fault</source>
         <translation>Störung</translation>
     </message>
@@ -534,6 +822,10 @@
     <message>
         <source>Feb</source>
         <translation>Feb</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>File cannot be written</source>
@@ -552,6 +844,26 @@
         <translation>Datei, in die der Versuch geschrieben wird</translation>
     </message>
     <message>
+        <source>Follow the last {} cycles</source>
+        <translation>Den letzten {} Zyklen folgen</translation>
+    </message>
+    <message>
+        <source>Follower inertia</source>
+        <translation>Trägheitsmoment der Koppel</translation>
+    </message>
+    <message>
+        <source>Follower length</source>
+        <translation>Länge der Koppel</translation>
+    </message>
+    <message>
+        <source>Follower mass</source>
+        <translation>Masse der Koppel</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
         <source>Force against its limit</source>
         <translation>Kraft im Vergleich zu ihrer Grenze</translation>
     </message>
@@ -560,8 +872,68 @@
         <translation>Kraft und Winkel sind unbekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
+        <source>Force vector</source>
+        <translation>Kraftvektor</translation>
+    </message>
+    <message>
+        <source>Force vector over one revolution</source>
+        <translation>Kraftvektor über eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Force vector, polar</source>
+        <translation>Kraftvektor, polar</translation>
+    </message>
+    <message>
+        <source>Force {}</source>
+        <translation>Kraft {}</translation>
+    </message>
+    <message>
+        <source>Force {} (N)</source>
+        <translation>Kraft {} (N)</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Formular</translation>
+    </message>
+    <message>
+        <source>Free position</source>
+        <translation>Ungespannte Lage</translation>
+    </message>
+    <message>
         <source>Free&amp;ze</source>
         <translation>Fest&amp;halten</translation>
+    </message>
+    <message>
+        <source>Friction coefficient</source>
+        <translation>Reibungszahl</translation>
+    </message>
+    <message>
+        <source>Give the reason.</source>
+        <translation>Den Grund angeben.</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Fallbeschleunigung</translation>
+    </message>
+    <message>
+        <source>Hold off</source>
+        <translation>Anfangsschonung</translation>
+    </message>
+    <message>
+        <source>How far inside limit {} its alarm ends</source>
+        <translation>Wie weit innerhalb der Grenze {} ihr Alarm endet</translation>
+    </message>
+    <message>
+        <source>Identified</source>
+        <translation>Bestimmt</translation>
+    </message>
+    <message>
+        <source>Initial wear coefficient</source>
+        <translation>Verschleißkoeffizient am Anfang</translation>
+    </message>
+    <message>
+        <source>Joint force over one revolution</source>
+        <translation>Gelenkkraft über eine Umdrehung</translation>
     </message>
     <message>
         <source>Journal</source>
@@ -580,6 +952,226 @@
         <translation>Diese Umdrehung grau hinter den nächsten behalten.</translation>
     </message>
     <message>
+        <source>Last &amp;{}</source>
+        <translation>Letzte &amp;{}</translation>
+    </message>
+    <message>
+        <source>Last word of the engine</source>
+        <translation>Letzte Meldung der Steuerung</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Lay the level on the flat of the crank, turn the crank until the bubble is in the middle, and enter the angle that the encoder shows. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error</source>
+        <translation>Die Wasserwaage auf die Fläche der Kurbel legen, die Kurbel drehen, bis die Blase in der Mitte ist, und den Winkel eingeben, den der Drehgeber zeigt. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler</translation>
+    </message>
+    <message>
+        <source>Limit {}</source>
+        <translation>Grenze {}</translation>
+    </message>
+    <message>
+        <source>Load cell</source>
+        <translation>Kraftsensor</translation>
+    </message>
+    <message>
+        <source>Longest stall</source>
+        <translation>Längster Stillstand</translation>
+    </message>
+    <message>
+        <source>Lower limits.overload_N</source>
+        <translation>limits.overload_N senken</translation>
+    </message>
+    <message>
+        <source>Lower limits.overload_N to what the cell may carry</source>
+        <translation>limits.overload_N auf das senken, was der Kraftsensor tragen darf</translation>
+    </message>
+    <message>
+        <source>Lower run.speed_rpm</source>
+        <translation>run.speed_rpm senken</translation>
+    </message>
+    <message>
+        <source>Measured wear depth (µm)</source>
+        <translation>Gemessene Verschleißtiefe (µm)</translation>
+    </message>
+    <message>
+        <source>N, cycle {}</source>
+        <translation>N, Zyklus {}</translation>
+    </message>
+    <message>
+        <source>N, grey: every sample</source>
+        <translation>N, grau: jeder Messwert</translation>
+    </message>
+    <message>
+        <source>New test, not saved yet</source>
+        <translation>Neuer Versuch, noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>No depth of wear known yet: the worn profile of the bushing is drawn here.</source>
+        <translation>Noch keine Verschleißtiefe bekannt: Hier wird das verschlissene Profil der Buchse gezeichnet.</translation>
+    </message>
+    <message>
+        <source>No prediction yet: measured − model is drawn here.</source>
+        <translation>Noch keine Vorhersage: Hier wird Messung − Modell gezeichnet.</translation>
+    </message>
+    <message>
+        <source>No revolution measured yet</source>
+        <translation>Noch keine Umdrehung gemessen</translation>
+    </message>
+    <message>
+        <source>No revolution measured yet: the force is drawn here where it points.</source>
+        <translation>Noch keine Umdrehung gemessen: Hier wird die Kraft dorthin gezeichnet, wohin sie zeigt.</translation>
+    </message>
+    <message>
+        <source>No revolution measured yet: the joint force over one turn of the crank is drawn here.</source>
+        <translation>Noch keine Umdrehung gemessen: Hier wird die Gelenkkraft über eine Kurbelumdrehung gezeichnet.</translation>
+    </message>
+    <message>
+        <source>No revolution measured yet: the wear depth with its predicted band is drawn here.</source>
+        <translation>Noch keine Umdrehung gemessen: Hier wird die Verschleißtiefe mit ihrem vorhergesagten Band gezeichnet.</translation>
+    </message>
+    <message>
+        <source>No stored revolution: {}</source>
+        <translation>Keine gespeicherte Umdrehung: {}</translation>
+    </message>
+    <message>
+        <source>No test is under way; limits are changed in the test file.</source>
+        <translation>Kein Versuch ist im Gang; Grenzen werden in der Versuchsdatei geändert.</translation>
+    </message>
+    <message>
+        <source>No value yet of {}, which the model beside the test tells.</source>
+        <translation>Noch kein Wert von {}; ihn sagt das Modell neben dem Versuch.</translation>
+    </message>
+    <message>
+        <source>No value yet of {}.</source>
+        <translation>Noch kein Wert von {}.</translation>
+    </message>
+    <message>
+        <source>Nominal pressure high</source>
+        <translation>Nennpressung, obere Grenze</translation>
+    </message>
+    <message>
+        <source>None of the chosen tests has {}.</source>
+        <translation>Keiner der gewählten Versuche hat {}.</translation>
+    </message>
+    <message>
+        <source>Not computed: {}</source>
+        <translation>Nicht berechnet: {}</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Nothing is saved. Go back, select a reading of the series that is wrong, reject it with the reason, and take that series again. All readings so far stay in the journal</source>
+        <translation>Nichts ist gespeichert. Zurückgehen, eine Messung der falschen Reihe wählen, sie mit dem Grund verwerfen und die Reihe wiederholen. Alle bisherigen Messungen bleiben im Journal</translation>
+    </message>
+    <message>
+        <source>Nothing is saved. The rolls stay as they are; begin a new map when the cause is removed</source>
+        <translation>Nichts ist gespeichert. Die Umläufe bleiben, wie sie sind; eine neue Karte beginnen, wenn die Ursache behoben ist</translation>
+    </message>
+    <message>
+        <source>Nothing may hang on the pin</source>
+        <translation>Am Bolzen darf nichts hängen</translation>
+    </message>
+    <message>
+        <source>One speed only: what inertia adds to it is not known. A second, other speed tells</source>
+        <translation>Nur eine Drehzahl: Was die Trägheit beiträgt, ist nicht bekannt. Eine zweite, andere Drehzahl sagt es</translation>
+    </message>
+    <message>
+        <source>Only the first {} are compared.</source>
+        <translation>Nur die ersten {} werden verglichen.</translation>
+    </message>
+    <message>
+        <source>Open a test, or save the new one</source>
+        <translation>Einen Versuch öffnen oder den neuen speichern</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Other channels over one revolution</source>
+        <translation>Andere Kanäle über eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pause angle</source>
+        <translation>Pausenwinkel</translation>
+    </message>
+    <message>
+        <source>Pause, warning</source>
+        <translation>Pause, Warnung</translation>
+    </message>
+    <message>
+        <source>Per decade</source>
+        <translation>Je Dekade</translation>
+    </message>
+    <message>
+        <source>Pin position</source>
+        <translation>Lage des Bolzens</translation>
+    </message>
+    <message>
+        <source>Pin radius</source>
+        <translation>Radius des Bolzens</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Pressure exponent</source>
+        <translation>Exponent der Pressung</translation>
+    </message>
+    <message>
+        <source>Pressure velocity high</source>
+        <translation>pv-Wert, obere Grenze</translation>
+    </message>
+    <message>
+        <source>Pressure velocity low</source>
+        <translation>pv-Wert, untere Grenze</translation>
+    </message>
+    <message>
+        <source>Probe 1</source>
+        <translation>Wegsensor 1</translation>
+    </message>
+    <message>
+        <source>Probe 2</source>
+        <translation>Wegsensor 2</translation>
+    </message>
+    <message>
+        <source>Quantity of limit {}</source>
+        <translation>Größe der Grenze {}</translation>
+    </message>
+    <message>
+        <source>RMS (N)</source>
+        <translation>RMS (N)</translation>
+    </message>
+    <message>
+        <source>RMS of {}</source>
+        <translation>RMS {}</translation>
+    </message>
+    <message>
+        <source>Raise the sample rate</source>
+        <translation>Die Abtastrate erhöhen</translation>
+    </message>
+    <message>
+        <source>Reading {} …</source>
+        <translation>{} werden gelesen …</translation>
+    </message>
+    <message>
         <source>Reconnect all</source>
         <translation>Alle neu verbinden</translation>
     </message>
@@ -590,6 +1182,22 @@
     <message>
         <source>Reconnect this device</source>
         <translation>Dieses Gerät neu verbinden</translation>
+    </message>
+    <message>
+        <source>Reference pressure</source>
+        <translation>Bezugspressung</translation>
+    </message>
+    <message>
+        <source>Release it at the rig</source>
+        <translation>Am Prüfstand entriegeln</translation>
+    </message>
+    <message>
+        <source>Remaining</source>
+        <translation>Restliche Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Remove limit {}</source>
+        <translation>Grenze {} entfernen</translation>
     </message>
     <message>
         <source>Replay of a recorded test</source>
@@ -610,6 +1218,1262 @@
     <message>
         <source>Reports and tables of the test</source>
         <translation>Berichte und Tabellen des Versuchs</translation>
+    </message>
+    <message>
+        <source>Reset the drive</source>
+        <translation>Den Antrieb zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Residuals are shown from the third position on</source>
+        <translation>Abweichungen erscheinen ab der dritten Position</translation>
+    </message>
+    <message>
+        <source>Residuals are shown when two pin angles are known</source>
+        <translation>Abweichungen erscheinen, wenn zwei Bolzenwinkel bekannt sind</translation>
+    </message>
+    <message>
+        <source>Revolution {} does not have it</source>
+        <translation>Umdrehung {} hat ihn nicht</translation>
+    </message>
+    <message>
+        <source>Revolutions</source>
+        <translation>Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Revolutions in a row of limit {}</source>
+        <translation>Umdrehungen in Folge der Grenze {}</translation>
+    </message>
+    <message>
+        <source>Revolutions shown</source>
+        <translation>Gezeigte Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Rig file</source>
+        <translation>Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>Rows not sent to this window</source>
+        <translation>Nicht an dieses Fenster gesandte Zeilen</translation>
+    </message>
+    <message>
+        <source>Running in</source>
+        <translation>Einlauf</translation>
+    </message>
+    <message>
+        <source>Running time</source>
+        <translation>Laufzeit</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Abtastrate</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>Save, or start without</source>
+        <translation>Speichern oder ohne sie starten</translation>
+    </message>
+    <message>
+        <source>Schedule</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>See the drive&apos;s manual</source>
+        <translation>Im Handbuch des Antriebs nachsehen</translation>
+    </message>
+    <message>
+        <source>See the sentence above the form</source>
+        <translation>Siehe den Satz beim Formular</translation>
+    </message>
+    <message>
+        <source>Severe wear coefficient</source>
+        <translation>Verschleißkoeffizient der Hochlage</translation>
+    </message>
+    <message>
+        <source>Show the whole test</source>
+        <translation>Den ganzen Versuch zeigen</translation>
+    </message>
+    <message>
+        <source>Side of limit {}</source>
+        <translation>Seite der Grenze {}</translation>
+    </message>
+    <message>
+        <source>Slider mass</source>
+        <translation>Masse des Schiebers</translation>
+    </message>
+    <message>
+        <source>Sliding speed high</source>
+        <translation>Gleitgeschwindigkeit, obere Grenze</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Speed (rpm)</source>
+        <translation>Drehzahl (rpm)</translation>
+    </message>
+    <message>
+        <source>Spread ln</source>
+        <translation>Streuung von ln K</translation>
+    </message>
+    <message>
+        <source>Stale data</source>
+        <translation>Veraltete Daten</translation>
+    </message>
+    <message>
+        <source>Stalls of this window over 50 ms</source>
+        <translation>Stillstände dieses Fensters über 50 ms</translation>
+    </message>
+    <message>
+        <source>Statistics against cycle</source>
+        <translation>Kennwerte über dem Zyklus</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Federrate</translation>
+    </message>
+    <message>
+        <source>Stop, warning</source>
+        <translation>Stopp, Warnung</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Versorgung</translation>
+    </message>
+    <message>
+        <source>Switch the drive off</source>
+        <translation>Antrieb ausschalten</translation>
+    </message>
+    <message>
+        <source>Take all weights off</source>
+        <translation>Alle Gewichte abnehmen</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>The RMS of measured less predicted |F|</source>
+        <translation>Der RMS von gemessener minus vorhergesagter |F|</translation>
+    </message>
+    <message>
+        <source>The file is still being read; try again.</source>
+        <translation>Die Datei wird noch gelesen; noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>The log cannot be read: {}</source>
+        <translation>Das Protokoll ist nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>The log is empty.</source>
+        <translation>Das Protokoll ist leer.</translation>
+    </message>
+    <message>
+        <source>The lower 95 % limit of the wear coefficient</source>
+        <translation>Die untere 95-%-Grenze des Verschleißkoeffizienten</translation>
+    </message>
+    <message>
+        <source>The lower 95 % limit of what remains</source>
+        <translation>Die untere 95-%-Grenze dessen, was bleibt</translation>
+    </message>
+    <message>
+        <source>The maximum of |F|</source>
+        <translation>Das Maximum von |F|</translation>
+    </message>
+    <message>
+        <source>The measured wear depth</source>
+        <translation>Die gemessene Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>The new value is not a number.</source>
+        <translation>Der neue Wert ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The wear&apos;s departure from what was expected</source>
+        <translation>Die Abweichung des Verschleißes vom Erwarteten</translation>
+    </message>
+    <message>
+        <source>Then take all weights off</source>
+        <translation>Dann alle Gewichte abnehmen</translation>
+    </message>
+    <message>
+        <source>There is no test, so no stored revolution either.</source>
+        <translation>Es gibt keinen Versuch, also auch keine gespeicherte Umdrehung.</translation>
+    </message>
+    <message>
+        <source>There is such a limit already; change that one.</source>
+        <translation>Eine solche Grenze gibt es schon; diese ändern.</translation>
+    </message>
+    <message>
+        <source>This is the present value.</source>
+        <translation>Dies ist der jetzige Wert.</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Too many requests are still waiting for an answer</source>
+        <translation>Zu viele Anfragen warten noch auf eine Antwort</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Type a number in place of {}.</source>
+        <translation>Statt {} eine Zahl eingeben.</translation>
+    </message>
+    <message>
+        <source>Type a whole number in place of {}.</source>
+        <translation>Statt {} eine ganze Zahl eingeben.</translation>
+    </message>
+    <message>
+        <source>Type the value of the limit.</source>
+        <translation>Den Wert der Grenze eingeben.</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Unit and mean</source>
+        <translation>Einheit und Mittelwert</translation>
+    </message>
+    <message>
+        <source>Unit of the trend</source>
+        <translation>Einheit des Verlaufs</translation>
+    </message>
+    <message>
+        <source>Unit, and what the band is</source>
+        <translation>Einheit, und was das Band ist</translation>
+    </message>
+    <message>
+        <source>Until the final wear depth</source>
+        <translation>Bis zur Endverschleißtiefe</translation>
+    </message>
+    <message>
+        <source>Value of limit {}</source>
+        <translation>Wert der Grenze {}</translation>
+    </message>
+    <message>
+        <source>Values at the cursor</source>
+        <translation>Werte am Cursor</translation>
+    </message>
+    <message>
+        <source>Wait until no test is under way</source>
+        <translation>Warten, bis kein Versuch im Gang ist</translation>
+    </message>
+    <message>
+        <source>Wait, or start rigapp again</source>
+        <translation>Warten oder rigapp neu starten</translation>
+    </message>
+    <message>
+        <source>Warn</source>
+        <translation>Warnen</translation>
+    </message>
+    <message>
+        <source>Warn, critical</source>
+        <translation>Warnen, kritisch</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Wear coefficient against cycle</source>
+        <translation>Verschleißkoeffizient über dem Zyklus</translation>
+    </message>
+    <message>
+        <source>Wear coefficient with limits against cycle</source>
+        <translation>Verschleißkoeffizient mit Grenzen über dem Zyklus</translation>
+    </message>
+    <message>
+        <source>Wear consistency</source>
+        <translation>Stimmigkeit des Verschleißes</translation>
+    </message>
+    <message>
+        <source>Wear depth against cycle, with bands</source>
+        <translation>Verschleißtiefe über dem Zyklus, mit Bändern</translation>
+    </message>
+    <message>
+        <source>Wear depth with its predicted band</source>
+        <translation>Verschleißtiefe mit vorhergesagtem Band</translation>
+    </message>
+    <message>
+        <source>Wear rate</source>
+        <translation>Verschleißrate</translation>
+    </message>
+    <message>
+        <source>Wear rate window</source>
+        <translation>Fenster der Verschleißrate</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>What is known of the wear is being computed …</source>
+        <translation>Was vom Verschleiß bekannt ist, wird berechnet …</translation>
+    </message>
+    <message>
+        <source>What is wrong with limit {}, or its usual range</source>
+        <translation>Was an Grenze {} falsch ist, oder ihr üblicher Bereich</translation>
+    </message>
+    <message>
+        <source>What limit {} does</source>
+        <translation>Was Grenze {} bewirkt</translation>
+    </message>
+    <message>
+        <source>Who&amp;le test</source>
+        <translation>&amp;Ganzer Versuch</translation>
+    </message>
+    <message>
+        <source>Worn profile</source>
+        <translation>Verschlissenes Profil</translation>
+    </message>
+    <message>
+        <source>Worn profile of the bushing</source>
+        <translation>Verschlissenes Profil der Buchse</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>a calibration that is refused is not saved</source>
+        <translation>eine abgelehnte Kalibrierung wird nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>a journal starts with begin</source>
+        <translation>ein Journal beginnt mit begin</translation>
+    </message>
+    <message>
+        <source>a new test</source>
+        <translation>ein neuer Versuch</translation>
+    </message>
+    <message>
+        <source>a reading is rejected with a reason; write one</source>
+        <translation>eine Messung wird mit einem Grund verworfen; einen angeben</translation>
+    </message>
+    <message>
+        <source>a real rig</source>
+        <translation>ein echter Prüfstand</translation>
+    </message>
+    <message>
+        <source>a record for each channel</source>
+        <translation>ein Kalibrierdatensatz für jeden Kanal</translation>
+    </message>
+    <message>
+        <source>a record that is valid</source>
+        <translation>ein gültiger Kalibrierdatensatz</translation>
+    </message>
+    <message>
+        <source>a roll needs a rig file and a test file, whose mechanism tells the elastic motion: name the test file</source>
+        <translation>ein Umlauf braucht eine Prüfstandsdatei und eine Versuchsdatei, deren Getriebe die elastische Bewegung sagt: die Versuchsdatei nennen</translation>
+    </message>
+    <message>
+        <source>a simulated rig</source>
+        <translation>ein simulierter Prüfstand</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>quer</translation>
+    </message>
+    <message>
+        <source>across crank</source>
+        <translation>quer zur Kurbel</translation>
+    </message>
+    <message>
+        <source>across follower</source>
+        <translation>quer zur Koppel</translation>
+    </message>
+    <message>
+        <source>after the last one</source>
+        <translation>nach der letzten</translation>
+    </message>
+    <message>
+        <source>all readings are taken</source>
+        <translation>alle Messungen sind genommen</translation>
+    </message>
+    <message>
+        <source>along</source>
+        <translation>längs</translation>
+    </message>
+    <message>
+        <source>along crank</source>
+        <translation>längs der Kurbel</translation>
+    </message>
+    <message>
+        <source>along follower</source>
+        <translation>längs der Koppel</translation>
+    </message>
+    <message>
+        <source>along x</source>
+        <translation>in x</translation>
+    </message>
+    <message>
+        <source>along y</source>
+        <translation>in y</translation>
+    </message>
+    <message>
+        <source>angle of the maximum of {}</source>
+        <translation>Winkel des Maximums {}</translation>
+    </message>
+    <message>
+        <source>angle reference</source>
+        <translation>Winkelbezug</translation>
+    </message>
+    <message>
+        <source>archard</source>
+        <translation>Archard</translation>
+    </message>
+    <message>
+        <source>archard: the depth grows with pressure and slip, dh/ds = K p; running-in: K falls from its first to its steady value as exp(-revolutions / running-in); pressure-exponent: dh/ds = K p (p / reference pressure)^(exponent - 1), p the pressure at the spot; two-regimes: K is another one where nominal pressure times sliding speed is above the transition</source>
+        <translation>Archard: die Tiefe wächst mit Pressung und Gleitweg, dh/ds = K p; Einlauf: K fällt vom ersten auf den stetigen Wert mit exp(-Umdrehungen / Einlauf); Exponent der Pressung: dh/ds = K p (p / Bezugspressung)^(Exponent - 1), p die Pressung an der Stelle; zwei Bereiche: K ist ein anderes, wo Nennpressung mal Gleitgeschwindigkeit über dem Übergang liegt</translation>
+    </message>
+    <message>
+        <source>at the first of</source>
+        <translation>beim ersten von</translation>
+    </message>
+    <message>
+        <source>attention</source>
+        <translation>Achtung</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <source>beyond the model</source>
+        <translation>jenseits des Modells</translation>
+    </message>
+    <message>
+        <source>blocks</source>
+        <translation>sperrt</translation>
+    </message>
+    <message>
+        <source>change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>change nothing</source>
+        <translation>nichts ändern</translation>
+    </message>
+    <message>
+        <source>comments only</source>
+        <translation>nur Kommentare</translation>
+    </message>
+    <message>
+        <source>compares with the model</source>
+        <translation>vergleicht mit dem Modell</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>konstant</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <translation>stetiger Kontakt</translation>
+    </message>
+    <message>
+        <source>crank frame</source>
+        <translation>Bezugssystem Kurbel</translation>
+    </message>
+    <message>
+        <source>daily check</source>
+        <translation>tägliche Prüfung</translation>
+    </message>
+    <message>
+        <source>default {}</source>
+        <translation>üblich {}</translation>
+    </message>
+    <message>
+        <source>deviation from the model</source>
+        <translation>Abweichung vom Modell</translation>
+    </message>
+    <message>
+        <source>diff.</source>
+        <translation>Diff.</translation>
+    </message>
+    <message>
+        <source>do nothing</source>
+        <translation>nichts tun</translation>
+    </message>
+    <message>
+        <source>elapsed time</source>
+        <translation>verstrichene Zeit</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>jeder</translation>
+    </message>
+    <message>
+        <source>every step of the plan has been taken</source>
+        <translation>jeder Schritt des Plans ist getan</translation>
+    </message>
+    <message>
+        <source>every {}th</source>
+        <translation>jeder {}.</translation>
+    </message>
+    <message>
+        <source>extremes will be missed</source>
+        <translation>Extremwerte werden verfehlt</translation>
+    </message>
+    <message>
+        <source>follower frame</source>
+        <translation>Bezugssystem Koppel</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>force uncertainty</source>
+        <translation>Unsicherheit der Kraft</translation>
+    </message>
+    <message>
+        <source>friction coefficient</source>
+        <translation>Reibungszahl</translation>
+    </message>
+    <message>
+        <source>friction coefficient uncertainty</source>
+        <translation>Unsicherheit der Reibungszahl</translation>
+    </message>
+    <message>
+        <source>from {} on</source>
+        <translation>ab {}</translation>
+    </message>
+    <message>
+        <source>frozen</source>
+        <translation>gehalten</translation>
+    </message>
+    <message>
+        <source>global frame</source>
+        <translation>festes Bezugssystem</translation>
+    </message>
+    <message>
+        <source>in a row</source>
+        <translation>in Folge</translation>
+    </message>
+    <message>
+        <source>is falling</source>
+        <translation>fällt</translation>
+    </message>
+    <message>
+        <source>is identified beside the model</source>
+        <translation>wird neben dem Modell bestimmt</translation>
+    </message>
+    <message>
+        <source>it is not the journal of a probe calibration</source>
+        <translation>es ist nicht das Journal einer Kalibrierung von Wegsensoren</translation>
+    </message>
+    <message>
+        <source>its matrix cannot be inverted</source>
+        <translation>seine Matrix ist nicht umkehrbar</translation>
+    </message>
+    <message>
+        <source>last error: {}</source>
+        <translation>letzter Fehler: {}</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>limit gone: {}</source>
+        <translation>Grenze entfällt: {}</translation>
+    </message>
+    <message>
+        <source>load cell</source>
+        <translation>Kraftsensor</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>logarithmisch</translation>
+    </message>
+    <message>
+        <source>looking for it, or starting it</source>
+        <translation>wird gesucht oder gestartet</translation>
+    </message>
+    <message>
+        <source>looking for the engine</source>
+        <translation>die Steuerung wird gesucht</translation>
+    </message>
+    <message>
+        <source>lost samples</source>
+        <translation>verlorene Messwerte</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>Max.</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>maximum {}</source>
+        <translation>Maximum {}</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>mean speed</source>
+        <translation>mittlere Drehzahl</translation>
+    </message>
+    <message>
+        <source>mean {}</source>
+        <translation>Mittelwert {}</translation>
+    </message>
+    <message>
+        <source>meas.</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>measured {}</source>
+        <translation>gemessen {}</translation>
+    </message>
+    <message>
+        <source>measured − model</source>
+        <translation>Messung − Modell</translation>
+    </message>
+    <message>
+        <source>measured − model across crank</source>
+        <translation>Messung − Modell quer zur Kurbel</translation>
+    </message>
+    <message>
+        <source>measured − model along crank</source>
+        <translation>Messung − Modell längs der Kurbel</translation>
+    </message>
+    <message>
+        <source>measured: not known</source>
+        <translation>gemessen: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>measured: not known yet, cycle {}</source>
+        <translation>gemessen: noch nicht bekannt, Zyklus {}</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>minimum {}</source>
+        <translation>Minimum {}</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>model (stale)</source>
+        <translation>Modell (veraltet)</translation>
+    </message>
+    <message>
+        <source>model {}</source>
+        <translation>Modell {}</translation>
+    </message>
+    <message>
+        <source>model ± U</source>
+        <translation>Modell ± U</translation>
+    </message>
+    <message>
+        <source>model: not known</source>
+        <translation>Modell: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>needs the model&apos;s elastic approach</source>
+        <translation>braucht die elastische Annäherung des Modells</translation>
+    </message>
+    <message>
+        <source>new limit: {}</source>
+        <translation>neue Grenze: {}</translation>
+    </message>
+    <message>
+        <source>newest</source>
+        <translation>neuester</translation>
+    </message>
+    <message>
+        <source>no cycles</source>
+        <translation>keine Zyklen</translation>
+    </message>
+    <message>
+        <source>no profile is recorded: the pin&apos;s circle sunk in by the depth</source>
+        <translation>kein Profil aufgezeichnet: der um die Tiefe eingesunkene Kreis des Bolzens</translation>
+    </message>
+    <message>
+        <source>no reading has a weight on it</source>
+        <translation>bei keiner Messung hängt ein Gewicht</translation>
+    </message>
+    <message>
+        <source>no record: the numbers of the rig file count</source>
+        <translation>kein Kalibrierdatensatz: es gelten die Zahlen der Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>no word from the engine</source>
+        <translation>keine Meldung der Steuerung</translation>
+    </message>
+    <message>
+        <source>nominal pressure</source>
+        <translation>Nennpressung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>none are coming</source>
+        <translation>es kommen keine</translation>
+    </message>
+    <message>
+        <source>not named</source>
+        <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>not part of the test</source>
+        <translation>nicht Teil des Versuchs</translation>
+    </message>
+    <message>
+        <source>not pressed</source>
+        <translation>nicht gedrückt</translation>
+    </message>
+    <message>
+        <source>not reachable</source>
+        <translation>nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>not told, most likely {} ({:.0f} %)</source>
+        <translation>nicht entschieden, am ehesten {} ({:.0f} %)</translation>
+    </message>
+    <message>
+        <source>not usable yet</source>
+        <translation>noch nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>of either sign</source>
+        <translation>mit beiderlei Vorzeichen</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>opening {}</source>
+        <translation>Öffnen von {}</translation>
+    </message>
+    <message>
+        <source>or a</source>
+        <translation>oder ein</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>perfect</source>
+        <translation>ideal</translation>
+    </message>
+    <message>
+        <source>perfect: pin and bushing centres coincide; continuous: the pin always touches the bushing, and the clearance grows with the wear</source>
+        <translation>ideal: die Mitten von Bolzen und Buchse fallen zusammen; stetiger Kontakt: der Bolzen berührt die Buchse immer, und das Spiel wächst mit dem Verschleiß</translation>
+    </message>
+    <message>
+        <source>phase shift</source>
+        <translation>Phasenverschiebung</translation>
+    </message>
+    <message>
+        <source>pressed</source>
+        <translation>gedrückt</translation>
+    </message>
+    <message>
+        <source>pressure velocity</source>
+        <translation>pv-Wert</translation>
+    </message>
+    <message>
+        <source>pressure-exponent</source>
+        <translation>Exponent der Pressung</translation>
+    </message>
+    <message>
+        <source>probe pair</source>
+        <translation>Wegsensorpaar</translation>
+    </message>
+    <message>
+        <source>probes.run_out_cos_um has other orders for one probe than the other; give as many</source>
+        <translation>probes.run_out_cos_um hat für einen Wegsensor andere Ordnungen als für den anderen; gleich viele angeben</translation>
+    </message>
+    <message>
+        <source>quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>remaining revolutions</source>
+        <translation>restliche Umdrehungen</translation>
+    </message>
+    <message>
+        <source>remaining revolutions high</source>
+        <translation>restliche Umdrehungen, obere Grenze</translation>
+    </message>
+    <message>
+        <source>remaining revolutions low</source>
+        <translation>restliche Umdrehungen, untere Grenze</translation>
+    </message>
+    <message>
+        <source>rev</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>rig file</source>
+        <translation>Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>rolls are missing</source>
+        <translation>Umläufe fehlen</translation>
+    </message>
+    <message>
+        <source>run-out map</source>
+        <translation>Rundlaufkarte</translation>
+    </message>
+    <message>
+        <source>running time</source>
+        <translation>Laufzeit</translation>
+    </message>
+    <message>
+        <source>running-in</source>
+        <translation>Einlauf</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>samples lost</source>
+        <translation>verlorene Messwerte</translation>
+    </message>
+    <message>
+        <source>seen {:.0f}° to {:.0f}°, cycle {}</source>
+        <translation>gesehen {:.0f}° bis {:.0f}°, Zyklus {}</translation>
+    </message>
+    <message>
+        <source>setting up</source>
+        <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>sliding speed</source>
+        <translation>Gleitgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>slow roll</source>
+        <translation>langsamer Umlauf</translation>
+    </message>
+    <message>
+        <source>slow roll of the pin</source>
+        <translation>langsamer Umlauf des Bolzens</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>standard deviations</source>
+        <translation>Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>still changing</source>
+        <translation>ändert sich noch</translation>
+    </message>
+    <message>
+        <source>still moving</source>
+        <translation>bewegt sich noch</translation>
+    </message>
+    <message>
+        <source>stop.remaining_revolutions needs stop.wear_depth_um, the depth to which they remain</source>
+        <translation>stop.remaining_revolutions braucht stop.wear_depth_um, die Tiefe, bis zu der sie bleiben</translation>
+    </message>
+    <message>
+        <source>stored</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message>
+        <source>swinging: wait until it hangs still</source>
+        <translation>schwingt: warten, bis es ruhig hängt</translation>
+    </message>
+    <message>
+        <source>the angle is not known yet: turn the crank by hand once past the encoder&apos;s index</source>
+        <translation>der Winkel ist noch nicht bekannt: die Kurbel von Hand einmal über den Index des Drehgebers drehen</translation>
+    </message>
+    <message>
+        <source>the angle reference is entered, not recorded</source>
+        <translation>der Winkelbezug wird eingegeben, nicht aufgenommen</translation>
+    </message>
+    <message>
+        <source>the angle reference must be two finite numbers</source>
+        <translation>der Winkelbezug sind zwei endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>the calibration in use is not known; is the engine running?</source>
+        <translation>die verwendete Kalibrierung ist nicht bekannt; läuft die Steuerung?</translation>
+    </message>
+    <message>
+        <source>the crank stands</source>
+        <translation>die Kurbel steht</translation>
+    </message>
+    <message>
+        <source>the crank turns</source>
+        <translation>die Kurbel dreht sich</translation>
+    </message>
+    <message>
+        <source>the crank turns; it must stand</source>
+        <translation>die Kurbel dreht sich; sie muss stehen</translation>
+    </message>
+    <message>
+        <source>the crank turns; let it stand</source>
+        <translation>die Kurbel dreht sich; sie stehen lassen</translation>
+    </message>
+    <message>
+        <source>the journal is empty</source>
+        <translation>das Journal ist leer</translation>
+    </message>
+    <message>
+        <source>the order of the limits</source>
+        <translation>die Reihenfolge der Grenzen</translation>
+    </message>
+    <message>
+        <source>the parameter file&apos;s order of magnitude, a decade to either side</source>
+        <translation>die Größenordnung der Parameterdatei, eine Dekade nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>the probes are 1, 2, or both</source>
+        <translation>die Wegsensoren sind 1, 2 oder beide</translation>
+    </message>
+    <message>
+        <source>the reach of the micrometer is a length above 0</source>
+        <translation>der Weg der Messschraube ist eine Länge über 0</translation>
+    </message>
+    <message>
+        <source>the signal is not a number</source>
+        <translation>das Signal ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the speed changes faster than the prediction can follow</source>
+        <translation>die Drehzahl ändert sich schneller, als die Vorhersage folgen kann</translation>
+    </message>
+    <message>
+        <source>the weight hung along one axis only; hang it at angles of both</source>
+        <translation>das Gewicht hing nur längs einer Achse; es bei Winkeln beider anhängen</translation>
+    </message>
+    <message>
+        <source>the zero needs samples, and none came; check the device</source>
+        <translation>der Nullpunkt braucht Messwerte, und es kamen keine; das Gerät prüfen</translation>
+    </message>
+    <message>
+        <source>there are no readings to take up; begin a calibration</source>
+        <translation>es gibt keine Messungen fortzusetzen; eine Kalibrierung beginnen</translation>
+    </message>
+    <message>
+        <source>there are no rolls to take up; begin a map</source>
+        <translation>es gibt keine Umläufe fortzusetzen; eine Karte beginnen</translation>
+    </message>
+    <message>
+        <source>there is no daily check to keep</source>
+        <translation>es gibt keine tägliche Prüfung aufzubewahren</translation>
+    </message>
+    <message>
+        <source>this reading is rejected already</source>
+        <translation>diese Messung ist schon verworfen</translation>
+    </message>
+    <message>
+        <source>this step cannot be left out</source>
+        <translation>dieser Schritt kann nicht ausgelassen werden</translation>
+    </message>
+    <message>
+        <source>too few</source>
+        <translation>zu wenige</translation>
+    </message>
+    <message>
+        <source>too much</source>
+        <translation>zu viel</translation>
+    </message>
+    <message>
+        <source>two-regimes</source>
+        <translation>zwei Bereiche</translation>
+    </message>
+    <message>
+        <source>uncertainty of the reference</source>
+        <translation>Unsicherheit der Referenz</translation>
+    </message>
+    <message>
+        <source>uncertainty of the sensitivity</source>
+        <translation>Unsicherheit der Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>uncertainty of the wear depth</source>
+        <translation>Unsicherheit der Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>unfollowed acceleration</source>
+        <translation>nicht gefolgte Beschleunigung</translation>
+    </message>
+    <message>
+        <source>usual {:.4g} to {:.4g} {}</source>
+        <translation>üblich {:.4g} bis {:.4g} {}</translation>
+    </message>
+    <message>
+        <source>waiting for samples</source>
+        <translation>wartet auf Messwerte</translation>
+    </message>
+    <message>
+        <source>warn</source>
+        <translation>warnen</translation>
+    </message>
+    <message>
+        <source>wear change revolution</source>
+        <translation>Umdrehung der Änderung des Verschleißes</translation>
+    </message>
+    <message>
+        <source>wear coefficient</source>
+        <translation>Verschleißkoeffizient</translation>
+    </message>
+    <message>
+        <source>wear coefficient high</source>
+        <translation>Verschleißkoeffizient, obere Grenze</translation>
+    </message>
+    <message>
+        <source>wear coefficient low</source>
+        <translation>Verschleißkoeffizient, untere Grenze</translation>
+    </message>
+    <message>
+        <source>wear consistency</source>
+        <translation>Stimmigkeit des Verschleißes</translation>
+    </message>
+    <message>
+        <source>wear departure revolution</source>
+        <translation>Umdrehung, seit der es anders verschleißt</translation>
+    </message>
+    <message>
+        <source>wear depth</source>
+        <translation>Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>wear depth of the model</source>
+        <translation>Verschleißtiefe des Modells</translation>
+    </message>
+    <message>
+        <source>wear depth of the model by the measured force</source>
+        <translation>Verschleißtiefe des Modells aus der gemessenen Kraft</translation>
+    </message>
+    <message>
+        <source>wear model</source>
+        <translation>Verschleißmodell</translation>
+    </message>
+    <message>
+        <source>wear model weight</source>
+        <translation>Wahrscheinlichkeit des Verschleißmodells</translation>
+    </message>
+    <message>
+        <source>wear rate</source>
+        <translation>Verschleißrate</translation>
+    </message>
+    <message>
+        <source>weights: none are named; write for example 5x8, 2, 2, 1, 0.5</source>
+        <translation>Gewichte: keine genannt; zum Beispiel 5x8, 2, 2, 1, 0.5 schreiben</translation>
+    </message>
+    <message>
+        <source>what is known of the wear coefficient is drawn here.</source>
+        <translation>Hier wird gezeichnet, was vom Verschleißkoeffizienten bekannt ist.</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>{:.1f} N at {:.0f}°</source>
+        <translation>{:.1f} N bei {:.0f}°</translation>
+    </message>
+    <message>
+        <source>{:.1f} s ago</source>
+        <translation>vor {:.1f} s</translation>
+    </message>
+    <message>
+        <source>{:.2f} of {:.2f} rpm</source>
+        <translation>{:.2f} von {:.2f} rpm</translation>
+    </message>
+    <message>
+        <source>{:.2f} to {:.2f} (95 %)</source>
+        <translation>{:.2f} bis {:.2f} (95 %)</translation>
+    </message>
+    <message>
+        <source>{action} when {quantity} is {side} {value} in {revolutions} revolutions</source>
+        <translation>{action} bei {quantity} {side} {value} in {revolutions} Umdrehungen</translation>
+    </message>
+    <message>
+        <source>{note} ends {back} inside</source>
+        <translation>{note} endet {back} innerhalb</translation>
+    </message>
+    <message>
+        <source>{value} can never come: the drive goes off at {most}. Type a value below that.</source>
+        <translation>{value} kann nie eintreten: Der Antrieb geht bei {most} aus. Einen Wert darunter eingeben.</translation>
+    </message>
+    <message>
+        <source>{} (copy)</source>
+        <translation>{} (Kopie)</translation>
+    </message>
+    <message>
+        <source>{} a decade</source>
+        <translation>{} je Dekade</translation>
+    </message>
+    <message>
+        <source>{} above {}</source>
+        <translation>{} über {}</translation>
+    </message>
+    <message>
+        <source>{} against cycle is drawn here.</source>
+        <translation>Hier wird {} über dem Zyklus gezeichnet.</translation>
+    </message>
+    <message>
+        <source>{} at least {}, {}</source>
+        <translation>{}, mindestens {}, {}</translation>
+    </message>
+    <message>
+        <source>{} at {:g} rpm</source>
+        <translation>{} bei {:g} rpm</translation>
+    </message>
+    <message>
+        <source>{} at {}</source>
+        <translation>{} bei {}</translation>
+    </message>
+    <message>
+        <source>{} below {}</source>
+        <translation>{} unter {}</translation>
+    </message>
+    <message>
+        <source>{} changes not part of {}</source>
+        <translation>{} Änderungen nicht Teil von {}</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>{} fehlt</translation>
+    </message>
+    <message>
+        <source>{} is missing; type {}</source>
+        <translation>{} fehlt; einzugeben: {}</translation>
+    </message>
+    <message>
+        <source>{} less means {}</source>
+        <translation>{} weniger Mittelwerte {}</translation>
+    </message>
+    <message>
+        <source>{} maximum</source>
+        <translation>{} Maximum</translation>
+    </message>
+    <message>
+        <source>{} mistakes</source>
+        <translation>{} Fehler</translation>
+    </message>
+    <message>
+        <source>{} must be a number, not {}</source>
+        <translation>{} muss eine Zahl sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} must be a whole number, not {}</source>
+        <translation>{} muss eine ganze Zahl sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} must be two numbers, not {}</source>
+        <translation>{} müssen zwei Zahlen sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} of the limits cannot be used.</source>
+        <translation>{} der Grenzen sind nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>{} of {} lines</source>
+        <translation>{} von {} Zeilen</translation>
+    </message>
+    <message>
+        <source>{} of {}, {}</source>
+        <translation>{} von {}, {}</translation>
+    </message>
+    <message>
+        <source>{} old</source>
+        <translation>{} alt</translation>
+    </message>
+    <message>
+        <source>{} over one turn of the crank is drawn here.</source>
+        <translation>Hier wird {} über eine Kurbelumdrehung gezeichnet.</translation>
+    </message>
+    <message>
+        <source>{} revolutions</source>
+        <translation>{} Umdrehungen</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
+        <source>{} to {} revolutions (95 %)</source>
+        <translation>{} bis {} Umdrehungen (95 %)</translation>
+    </message>
+    <message>
+        <source>{} was changed by another program since it was opened. Save it as another file, or open it again, which loses what was changed here.</source>
+        <translation>{} wurde seit dem Öffnen von einem anderen Programm geändert. Als andere Datei speichern oder neu öffnen; dabei geht verloren, was hier geändert wurde.</translation>
+    </message>
+    <message>
+        <source>{} when {} is above</source>
+        <translation>{} bei {} über</translation>
+    </message>
+    <message>
+        <source>{} when {} is below</source>
+        <translation>{} bei {} unter</translation>
+    </message>
+    <message>
+        <source>{} {} in {}</source>
+        <translation>{} {} in {}</translation>
+    </message>
+    <message>
+        <source>{}, mean {}</source>
+        <translation>{}, Mittelwert {}</translation>
+    </message>
+    <message>
+        <source>{}: no whole cycle is saved yet</source>
+        <translation>{}: noch kein ganzer Zyklus gespeichert</translation>
+    </message>
+    <message>
+        <source>|F|, any sample</source>
+        <translation>|F|, jeder Messwert</translation>
+    </message>
+    <message>
+        <source>µm per 1000 rev</source>
+        <translation>µm je 1000 U</translation>
     </message>
     <message>
         <source>Δ model</source>
@@ -664,6 +2528,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
 </translation>
     </message>
     <message>
+        <source> (By cycle {}.)</source>
+        <translation> (Bis Zyklus {}.)</translation>
+    </message>
+    <message>
         <source> ({} mistakes; each stands at its field)</source>
         <translation> ({} Fehler; jeder steht an seinem Feld)</translation>
     </message>
@@ -681,11 +2549,15 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source> With both probes the stage moves along the follower first, then across it.</source>
-        <translation> Bei beiden Wegsensoren fährt der Tisch erst längs, dann quer zur Schwinge.</translation>
+        <translation> Bei beiden Wegsensoren fährt der Tisch erst längs, dann quer zur Koppel.</translation>
     </message>
     <message>
         <source> With one speed only, what inertia adds to the run-out is not known.</source>
         <translation> Mit nur einer Drehzahl ist nicht bekannt, was die Trägheit zum Rundlauf beiträgt.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -721,7 +2593,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>&amp;Go on with it</source>
-        <translation>&amp;Damit fortfahren</translation>
+        <translation>Damit &amp;fortfahren</translation>
     </message>
     <message>
         <source>&amp;Go on with this one…</source>
@@ -826,6 +2698,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Acknowledge the alarm that is told in full</source>
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
+    </message>
+    <message>
+        <source>Action critical</source>
+        <translation>Aktion, kritisch</translation>
+    </message>
+    <message>
+        <source>Action warning</source>
+        <translation>Aktion bei Warnung</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
     </message>
     <message>
         <source>All results</source>
@@ -992,6 +2876,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kurbelwinkel (Grad)</translation>
     </message>
     <message>
+        <source>Critical above</source>
+        <translation>Kritisch über</translation>
+    </message>
+    <message>
+        <source>Critical below</source>
+        <translation>Kritisch unter</translation>
+    </message>
+    <message>
         <source>Cycles</source>
         <translation>Zyklen</translation>
     </message>
@@ -1002,6 +2894,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Data are missing or doubtful</source>
         <translation>Daten fehlen oder sind zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
     </message>
     <message>
         <source>Depth, µm</source>
@@ -1073,11 +2969,11 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>F on the follower, across the crank, counter-clockwise (the cell: the opposite)</source>
-        <translation>F auf die Koppel, quer zur Kurbel, gegen den Uhrzeigersinn (Aufnehmer: umgekehrt)</translation>
+        <translation>F auf die Koppel, quer zur Kurbel, gegen den Uhrzeigersinn (Kraftsensor: umgekehrt)</translation>
     </message>
     <message>
         <source>F on the follower, away from the crank&apos;s centre (the cell feels the opposite)</source>
-        <translation>F auf die Koppel, weg von der Kurbelmitte (der Aufnehmer spürt das Umgekehrte)</translation>
+        <translation>F auf die Koppel, weg von der Kurbelmitte (der Kraftsensor spürt das Umgekehrte)</translation>
     </message>
     <message>
         <source>Faults</source>
@@ -1220,6 +3116,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wie der Versuch endete</translation>
     </message>
     <message>
+        <source>Hysteresis</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
         <source>Idle</source>
         <translation>Ruhe</translation>
     </message>
@@ -1228,20 +3128,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kommt es wieder: Kabel, Schirm und Versorgung des Drehgebers prüfen.</translation>
     </message>
     <message>
-        <source>In revolution {revolution} the count at the index differs from a whole turn.</source>
-        <translation>In Umdrehung {revolution} weicht die Zählung am Index von einer ganzen Umdrehung ab.</translation>
-    </message>
-    <message>
         <source>Input saturated</source>
         <translation>Eingang übersteuert</translation>
-    </message>
-    <message>
-        <source>Input saturated: {}</source>
-        <translation>Eingang übersteuert: {}</translation>
-    </message>
-    <message>
-        <source>Input {kind}</source>
-        <translation>Eingang: {kind}</translation>
     </message>
     <message>
         <source>Internal failure</source>
@@ -1253,7 +3141,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Is the follower on the pin, the bushing unworn, every hand away? Then begin.</source>
-        <translation>Ist die Schwinge auf dem Bolzen, die Buchse neu, keine Hand in der Nähe? Dann beginnen.</translation>
+        <translation>Ist die Koppel auf dem Bolzen, die Buchse neu, keine Hand in der Nähe? Dann beginnen.</translation>
     </message>
     <message>
         <source>Is the test usable?</source>
@@ -1270,6 +3158,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Joint</source>
         <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>Joint force against crank angle</source>
+        <translation>Gelenkkraft über dem Kurbelwinkel</translation>
     </message>
     <message>
         <source>Jul</source>
@@ -1380,16 +3272,12 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kraftsensor defekt</translation>
     </message>
     <message>
-        <source>Load cell input saturated: {}</source>
-        <translation>Eingang des Kraftsensors übersteuert: {}</translation>
-    </message>
-    <message>
         <source>Load cell signal invalid</source>
         <translation>Signal des Kraftsensors ungültig</translation>
     </message>
     <message>
         <source>Load cell, probes, daily check.</source>
-        <translation>Kraftaufnehmer, Taster, Tagesprüfung.</translation>
+        <translation>Kraftsensor, Wegsensoren, tägliche Prüfung.</translation>
     </message>
     <message>
         <source>Local &amp;gravity</source>
@@ -1474,6 +3362,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>May</source>
         <translation>Mai</translation>
+    </message>
+    <message>
+        <source>Measured minus model against crank angle</source>
+        <translation>Messung minus Modell über dem Kurbelwinkel</translation>
     </message>
     <message>
         <source>Measured − model</source>
@@ -1584,10 +3476,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine Alarme.</translation>
     </message>
     <message>
-        <source>No answer from {}</source>
-        <translation>Keine Antwort von {}</translation>
-    </message>
-    <message>
         <source>No data</source>
         <translation>Keine Daten</translation>
     </message>
@@ -1654,10 +3542,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Note: </source>
         <translation>Hinweis: </translation>
-    </message>
-    <message>
-        <source>Nothing has been measured or predicted for stop.{} in many revolutions.</source>
-        <translation>Für stop.{} wurde seit vielen Umdrehungen nichts gemessen oder vorhergesagt.</translation>
     </message>
     <message>
         <source>Nothing is lost; the test goes on and is recorded.</source>
@@ -1845,7 +3729,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Probe 1, along the follower</source>
-        <translation>Wegsensor 1, längs der Schwinge</translation>
+        <translation>Wegsensor 1, längs der Koppel</translation>
     </message>
     <message>
         <source>Probe 2 (V)</source>
@@ -1853,7 +3737,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Probe 2, across the follower</source>
-        <translation>Wegsensor 2, quer zur Schwinge</translation>
+        <translation>Wegsensor 2, quer zur Koppel</translation>
     </message>
     <message>
         <source>Probe and plan</source>
@@ -1886,6 +3770,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Quality of the link</source>
         <translation>Güte der Verbindung</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Quantity of the trend</source>
@@ -2144,6 +4032,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Routine: einmal auf und ab</translation>
     </message>
     <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
         <source>Run</source>
         <translation>Lauf</translation>
     </message>
@@ -2188,10 +4080,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Messwerte können unbemerkt verloren sein; die Umdrehung ist gekennzeichnet.</translation>
     </message>
     <message>
-        <source>Samples of {device} have waited {age_s:.1f} s to be looked at; the limit is {limit_s:g} s.</source>
-        <translation>Messwerte von {device} warteten {age_s:.1f} s auf ihre Prüfung; die Grenze ist {limit_s:g} s.</translation>
-    </message>
-    <message>
         <source>Sat</source>
         <translation>Sa</translation>
     </message>
@@ -2230,6 +4118,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Save the test file</source>
         <translation>Die Versuchsdatei speichern</translation>
+    </message>
+    <message>
+        <source>Schema</source>
+        <translation>Schema</translation>
     </message>
     <message>
         <source>Sensitivity of the daily checks</source>
@@ -2289,7 +4181,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Show mechanism and materials</source>
-        <translation>Mechanismus und Werkstoffe zeigen</translation>
+        <translation>Getriebe und Werkstoffe zeigen</translation>
     </message>
     <message>
         <source>Show only lines with this text</source>
@@ -2342,10 +4234,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Simulated or replayed</source>
         <translation>Simuliert oder wiedergegeben</translation>
-    </message>
-    <message>
-        <source>Since about revolution {since:.0f} the joint wears {how} than the revolutions before let expect. Of 100 tests of 21,377 revolutions without a change fewer than 1 is told this.</source>
-        <translation>Etwa seit Umdrehung {since:.0f} verschleißt das Gelenk {how}, als die Umdrehungen davor erwarten lassen. Von 100 Versuchen mit 21 377 Umdrehungen ohne Änderung meldet dies weniger als einer.</translation>
     </message>
     <message>
         <source>Since when</source>
@@ -2509,19 +4397,11 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Stop</source>
-        <translation>Ende</translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Stop at the safe angle; the test can be resumed</source>
         <translation>Am sicheren Winkel anhalten; der Versuch kann fortgesetzt werden</translation>
-    </message>
-    <message>
-        <source>Stop criterion not judged: {name}</source>
-        <translation>Abbruchkriterium nicht beurteilt: {name}</translation>
-    </message>
-    <message>
-        <source>Stop criterion: {name}</source>
-        <translation>Abbruchkriterium: {name}</translation>
     </message>
     <message>
         <source>Stop other programs that write to this disk; look at its health and its network.</source>
@@ -2696,22 +4576,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Der Kurbelwinkel ist unbekannt; der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
-        <source>The crank encoder shows {encoder_rpm:.1f} rpm, the drive {drive_rpm:.1f} rpm: spindle.gear_ratio, the drive&apos;s counts per revolution or encoder.counts_per_revolution is not what the rig has, or a belt or coupling slips.</source>
-        <translation>Der Drehgeber der Kurbel zeigt {encoder_rpm:.1f} rpm, der Antrieb {drive_rpm:.1f} rpm: spindle.gear_ratio, die Schritte des Antriebs je Umdrehung oder encoder.counts_per_revolution stimmen nicht mit dem Prüfstand überein, oder ein Riemen oder eine Kupplung rutscht.</translation>
-    </message>
-    <message>
-        <source>The crank turns at {speed_rpm:.1f} rpm instead of {target_rpm:g} rpm after the time granted for the start.</source>
-        <translation>Die Kurbel dreht nach der Zeit für den Anlauf mit {speed_rpm:.1f} rpm statt {target_rpm:g} rpm.</translation>
-    </message>
-    <message>
-        <source>The crank turns at {speed_rpm:.1f} rpm while the test is paused.</source>
-        <translation>Die Kurbel dreht mit {speed_rpm:.1f} rpm, obwohl der Versuch in Pause ist.</translation>
-    </message>
-    <message>
-        <source>The crank turns at {speed_rpm:.1f} rpm; {target_rpm:g} rpm are set.</source>
-        <translation>Die Kurbel dreht mit {speed_rpm:.1f} rpm; eingestellt sind {target_rpm:g} rpm.</translation>
-    </message>
-    <message>
         <source>The daily check is passed</source>
         <translation>Die tägliche Prüfung ist bestanden</translation>
     </message>
@@ -2724,20 +4588,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Es gibt kein Programm für {}; die Datei ist {}</translation>
     </message>
     <message>
-        <source>The device&apos;s samples lag {seconds:.2f} s more behind this computer&apos;s clock than before.</source>
-        <translation>Die Messwerte des Geräts hängen {seconds:.2f} s mehr hinter der Uhr dieses Rechners als zuvor.</translation>
-    </message>
-    <message>
-        <source>The disk takes {seconds:.1f} s or longer to make the data safe.</source>
-        <translation>Die Festplatte braucht {seconds:.1f} s oder länger, um die Daten zu sichern.</translation>
-    </message>
-    <message>
         <source>The drive may switch off by itself soon.</source>
         <translation>Der Antrieb könnte bald selbst abschalten.</translation>
-    </message>
-    <message>
-        <source>The drive reports {speed_rpm:.1f} rpm, but the crank encoder does not move.</source>
-        <translation>Der Antrieb meldet {speed_rpm:.1f} rpm, aber der Drehgeber der Kurbel bewegt sich nicht.</translation>
     </message>
     <message>
         <source>The drive was switched off and the test ended.</source>
@@ -2756,10 +4608,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Dauer</translation>
     </message>
     <message>
-        <source>The encoder counted {revolutions:.1f} revolutions without its index pulse.</source>
-        <translation>Der Drehgeber zählte {revolutions:.1f} Umdrehungen ohne Indexpuls.</translation>
-    </message>
-    <message>
         <source>The encoder shows {:.2f} degrees.</source>
         <translation>Der Drehgeber zeigt {:.2f} Grad.</translation>
     </message>
@@ -2772,8 +4620,8 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Steuerung ging zu Ende, während {test} im Zustand „{state}“ war; eine neue wurde gestartet. Der Wächter des Antriebs hält die Spindel selbst an. {saved} Umdrehungen sind sicher in {file}. Zum Fortsetzen: Ergebnisse (Strg+8), „Fortsetzen“.</translation>
     </message>
     <message>
-        <source>The engine&apos;s thread {} failed: {sentence}.</source>
-        <translation>Der Teil {} der Steuerung ist ausgefallen: {sentence}.</translation>
+        <source>The engine was shut down during the test</source>
+        <translation>Die Steuerung wurde während des Versuchs beendet</translation>
     </message>
     <message>
         <source>The faults of the simulated rig are not known: {}</source>
@@ -2794,10 +4642,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The force is not known, so the drive was switched off.</source>
         <translation>Die Kraft ist nicht bekannt; der Antrieb wurde abgeschaltet.</translation>
-    </message>
-    <message>
-        <source>The joint force reached {force_N:.1f} N; the limit is {limit_N:g} N.</source>
-        <translation>Die Gelenkkraft erreichte {force_N:.1f} N; die Grenze ist {limit_N:g} N.</translation>
     </message>
     <message>
         <source>The joint wears otherwise than before</source>
@@ -2826,10 +4670,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The preload is d&amp;one</source>
         <translation>Die V&amp;orlast ist getan</translation>
-    </message>
-    <message>
-        <source>The queue behind {device} was full; {blocks} blocks were dropped.</source>
-        <translation>Die Warteschlange hinter {device} war voll; {blocks} Blöcke wurden verworfen.</translation>
     </message>
     <message>
         <source>The record counts when {} names it: section [{}], {} = {}</source>
@@ -2865,7 +4705,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>The spindle turns slowly with the follower on the pin and an unworn bushing, whose probes then see the pin&apos;s own run-out. Two speeds tell inertia from run-out.</source>
-        <translation>Die Spindel dreht langsam, mit der Schwinge auf dem Bolzen und einer neuen Buchse; die Wegsensoren sehen dann den Rundlauf des Bolzens selbst. Zwei Drehzahlen trennen Trägheit und Rundlauf.</translation>
+        <translation>Die Spindel dreht langsam, mit der Koppel auf dem Bolzen und einer neuen Buchse; die Wegsensoren sehen dann den Rundlauf des Bolzens selbst. Zwei Drehzahlen trennen Trägheit und Rundlauf.</translation>
     </message>
     <message>
         <source>The spindle turns. Keep your hands away.</source>
@@ -2934,10 +4774,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The value</source>
         <translation>Der Wert</translation>
-    </message>
-    <message>
-        <source>The {by} shows {speed_rpm:.1f} rpm; the limit is {limit_rpm:g} rpm.</source>
-        <translation>{by} zeigt {speed_rpm:.1f} rpm; die Grenze ist {limit_rpm:g} rpm.</translation>
     </message>
     <message>
         <source>Their statistics are kept, their samples are not.</source>
@@ -3080,6 +4916,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Warten: Die Spindel wird angehalten und die Datei abgeschlossen.</translation>
     </message>
     <message>
+        <source>Warning above</source>
+        <translation>Warnung über</translation>
+    </message>
+    <message>
+        <source>Warning below</source>
+        <translation>Warnung unter</translation>
+    </message>
+    <message>
         <source>Warnings of the device</source>
         <translation>Warnungen des Geräts</translation>
     </message>
@@ -3113,7 +4957,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Wear depth by the probes, with its expanded uncertainty (k = 2)</source>
-        <translation>Verschleißtiefe der Taster mit erweiterter Unsicherheit (k = 2)</translation>
+        <translation>Verschleißtiefe der Wegsensoren mit erweiterter Unsicherheit (k = 2)</translation>
     </message>
     <message>
         <source>Wear law</source>
@@ -3376,8 +5220,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>ein kritischer Alarm, dessen Bedingung vorbei ist; er verbietet einen Start, bis er quittiert und zurückgesetzt ist</translation>
     </message>
     <message>
+        <source>a share of 1</source>
+        <translation>ein Anteil von 1</translation>
+    </message>
+    <message>
         <source>a test</source>
         <translation>ein Versuch</translation>
+    </message>
+    <message>
+        <source>a test is under way; stop it first</source>
+        <translation>ein Versuch ist im Gang; ihn erst stoppen</translation>
     </message>
     <message>
         <source>a warning whose condition is over before anybody has acknowledged it; acknowledging takes it off the list</source>
@@ -3433,7 +5285,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>by the probes, k = 2</source>
-        <translation>von den Tastern, k = 2</translation>
+        <translation>von den Wegsensoren, k = 2</translation>
     </message>
     <message>
         <source>circle</source>
@@ -3456,12 +5308,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Verbinden</translation>
     </message>
     <message>
+        <source>critical</source>
+        <translation>kritisch</translation>
+    </message>
+    <message>
         <source>cycle {} at {:.0f}°</source>
         <translation>Zyklus {} bei {:.0f}°</translation>
     </message>
     <message>
+        <source>days</source>
+        <translation>Tage</translation>
+    </message>
+    <message>
         <source>default</source>
-        <translation>üblich</translation>
+        <translation>üblicher Wert</translation>
     </message>
     <message>
         <source>diamond</source>
@@ -3478,6 +5338,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>drive off</source>
         <translation>Antrieb aus</translation>
+    </message>
+    <message>
+        <source>driven wear depth</source>
+        <translation>Verschleißtiefe aus der gemessenen Kraft</translation>
     </message>
     <message>
         <source>ends {}</source>
@@ -3552,6 +5416,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>unterbrochen</translation>
     </message>
     <message>
+        <source>it does not end</source>
+        <translation>er endet nicht</translation>
+    </message>
+    <message>
         <source>its U</source>
         <translation>seine U</translation>
     </message>
@@ -3580,6 +5448,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Grenze aus der Vorgeschichte</translation>
     </message>
     <message>
+        <source>limits are changed in the test file while no test is under way</source>
+        <translation>ohne laufenden Versuch werden Grenzen in der Versuchsdatei geändert</translation>
+    </message>
+    <message>
         <source>making the ports</source>
         <translation>Anschlüsse werden angelegt</translation>
     </message>
@@ -3590,6 +5462,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>measured by the probes, k = 2</source>
         <translation>von den Wegsensoren, k = 2</translation>
+    </message>
+    <message>
+        <source>measured wear depth</source>
+        <translation>gemessene Verschleißtiefe</translation>
+    </message>
+    <message>
+        <source>measured wear depth uncertainty</source>
+        <translation>Unsicherheit der gemessenen Verschleißtiefe</translation>
     </message>
     <message>
         <source>metres per second squared</source>
@@ -3610,6 +5490,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>no data yet</source>
         <translation>noch keine Daten</translation>
+    </message>
+    <message>
+        <source>no devices are connected; connect first</source>
+        <translation>keine Geräte sind verbunden; erst verbinden</translation>
+    </message>
+    <message>
+        <source>no drive is connected</source>
+        <translation>kein Antrieb ist verbunden</translation>
     </message>
     <message>
         <source>no force was recorded</source>
@@ -3680,6 +5568,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>jetzt</translation>
     </message>
     <message>
+        <source>overload</source>
+        <translation>Überlast</translation>
+    </message>
+    <message>
+        <source>overspeed</source>
+        <translation>Überdrehzahl</translation>
+    </message>
+    <message>
         <source>pause</source>
         <translation>Pause</translation>
     </message>
@@ -3736,6 +5632,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>zurücksetzen</translation>
     </message>
     <message>
+        <source>residual</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>residual 1</source>
+        <translation>Abweichung 1</translation>
+    </message>
+    <message>
+        <source>residual 2</source>
+        <translation>Abweichung 2</translation>
+    </message>
+    <message>
         <source>resume</source>
         <translation>fortsetzen</translation>
     </message>
@@ -3746,6 +5654,18 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>returned</source>
         <translation>zurückgekehrt</translation>
+    </message>
+    <message>
+        <source>revolutions</source>
+        <translation>Umdrehungen</translation>
+    </message>
+    <message>
+        <source>revolutions/h</source>
+        <translation>Umdrehungen/h</translation>
+    </message>
+    <message>
+        <source>revolutions/s</source>
+        <translation>Umdrehungen/s</translation>
     </message>
     <message>
         <source>running</source>
@@ -3824,8 +5744,16 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>vom Bediener angehalten</translation>
     </message>
     <message>
+        <source>stopped the test</source>
+        <translation>hat den Versuch gestoppt</translation>
+    </message>
+    <message>
         <source>stopping</source>
         <translation>Auslauf</translation>
+    </message>
+    <message>
+        <source>switched the drive off</source>
+        <translation>hat den Antrieb ausgeschaltet</translation>
     </message>
     <message>
         <source>take command</source>
@@ -3838,6 +5766,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the condition holds, and somebody has acknowledged it</source>
         <translation>die Bedingung gilt, und jemand hat sie quittiert</translation>
+    </message>
+    <message>
+        <source>the connection to the devices is broken; connect first</source>
+        <translation>die Verbindung zu den Geräten ist unterbrochen; erst verbinden</translation>
     </message>
     <message>
         <source>the critical alarm that came first since the last reset: look there first</source>
@@ -3854,6 +5786,22 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>the load cell</source>
         <translation>den Kraftsensor</translation>
+    </message>
+    <message>
+        <source>the log of this test has no room left for notes; alarms are still kept</source>
+        <translation>das Protokoll dieses Versuchs hat keinen Platz mehr für Notizen; Alarme werden weiter aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>the note is empty</source>
+        <translation>die Notiz ist leer</translation>
+    </message>
+    <message>
+        <source>the number of revolutions is changed while a test runs or is paused</source>
+        <translation>die Zahl der Umdrehungen wird geändert, während ein Versuch läuft oder in Pause ist</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>der Bediener</translation>
     </message>
     <message>
         <source>the other probe</source>
@@ -3880,12 +5828,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>die Prüfstandsdatei</translation>
     </message>
     <message>
+        <source>the tare is set</source>
+        <translation>der Nullpunkt ist gesetzt</translation>
+    </message>
+    <message>
         <source>these are no measurements</source>
         <translation>dies sind keine Messungen</translation>
     </message>
     <message>
         <source>they come</source>
         <translation>sie kommen</translation>
+    </message>
+    <message>
+        <source>this is looked at</source>
+        <translation>danach wird gesehen</translation>
     </message>
     <message>
         <source>this record</source>
@@ -3920,6 +5876,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kalibrierung verwenden</translation>
     </message>
     <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
         <source>was {}; {}</source>
         <translation>war: {}; {}</translation>
     </message>
@@ -3933,11 +5893,11 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>with a micrometer across the follower</source>
-        <translation>mit einer Messschraube quer zur Schwinge</translation>
+        <translation>mit einer Messschraube quer zur Koppel</translation>
     </message>
     <message>
         <source>with a micrometer along the follower</source>
-        <translation>mit einer Messschraube längs der Schwinge</translation>
+        <translation>mit einer Messschraube längs der Koppel</translation>
     </message>
     <message>
         <source>with a micrometer stage; finds how the probes stand as well</source>
@@ -3960,34 +5920,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{:g}-fach</translation>
     </message>
     <message>
-        <source>{device} on {port} has sent no samples for {age_s:.1f} s.</source>
-        <translation>{device} an {port} hat seit {age_s:.1f} s keine Messwerte gesandt.</translation>
-    </message>
-    <message>
-        <source>{device} on {port}: {words}.</source>
-        <translation>{device} an {port}: {words}.</translation>
-    </message>
-    <message>
-        <source>{device}: {sentence}</source>
-        <translation>{device}: {sentence}</translation>
-    </message>
-    <message>
-        <source>{drive} on {port}: {sentence}</source>
-        <translation>{drive} an {port}: {sentence}</translation>
-    </message>
-    <message>
-        <source>{drive} reports that the emergency stop is pressed.</source>
-        <translation>{drive} meldet, dass der Not-Halt gedrückt ist.</translation>
-    </message>
-    <message>
-        <source>{drive} reports: {faults}.</source>
-        <translation>{drive} meldet: {faults}.</translation>
-    </message>
-    <message>
-        <source>{drive} warns: {warnings}.</source>
-        <translation>{drive} warnt: {warnings}.</translation>
-    </message>
-    <message>
         <source>{name} is in command</source>
         <translation>{name} hat das Kommando</translation>
     </message>
@@ -3998,18 +5930,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{name} loses command; it is recorded in the log</source>
         <translation>{name} verliert das Kommando; das Protokoll hält es fest</translation>
-    </message>
-    <message>
-        <source>{number} whole cycles had no reserved room in the file.</source>
-        <translation>{number} ganze Zyklen hatten keinen reservierten Platz in der Datei.</translation>
-    </message>
-    <message>
-        <source>{sentence}</source>
-        <translation>{sentence}</translation>
-    </message>
-    <message>
-        <source>{} ({wired} of {device}) is at the end of its range, {span}: its cable or plug, its range, or a signal beyond it.</source>
-        <translation>{} ({wired} von {device}) ist am Ende seines Bereichs, {span}: Kabel oder Stecker, der Bereich, oder ein Signal darüber hinaus.</translation>
     </message>
     <message>
         <source>{} above limit</source>
@@ -4061,7 +5981,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>{} is armed as it is saved. One draft limit is not part of it.</source>
-        <translation>{} ist scharf, wie gespeichert. Ein Grenzentwurf gehört nicht dazu.</translation>
+        <translation>{} ist scharf, wie gespeichert. Eine Grenze im Entwurf gehört nicht dazu.</translation>
     </message>
     <message>
         <source>{} is in {}</source>
@@ -4088,10 +6008,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>{} ist {}, unter der Grenze ({}) von {}.</translation>
     </message>
     <message>
-        <source>{} lost</source>
-        <translation>{} ausgefallen</translation>
-    </message>
-    <message>
         <source>{} must be a number, not {}.</source>
         <translation>{} muss eine Zahl sein, nicht {}.</translation>
     </message>
@@ -4110,14 +6026,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{} of {} tests in {}</source>
         <translation>{} von {} Versuchen in {}</translation>
-    </message>
-    <message>
-        <source>{} on {port} has told nothing for {age_s:.0f} s{why}.</source>
-        <translation>{} an {port} hat seit {age_s:.0f} s nichts gemeldet{why}.</translation>
-    </message>
-    <message>
-        <source>{} on {port}: {sentence}</source>
-        <translation>{} an {port}: {sentence}</translation>
     </message>
     <message>
         <source>{} on {}</source>
@@ -4224,6 +6132,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>▲ Warnung</translation>
     </message>
     <message>
+        <source>▲ pressed</source>
+        <translation>▲ gedrückt</translation>
+    </message>
+    <message>
         <source>◆ Critical</source>
         <translation>◆ Kritisch</translation>
     </message>
@@ -4242,6 +6154,993 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>✗ There is no result</source>
         <translation>✗ Es gibt kein Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>told</name>
+    <message>
+        <source>&quot;{}&quot; is on the alarm list: acknowledge and reset it first</source>
+        <translation>„{}“ steht auf der Alarmliste: erst quittieren und zurücksetzen</translation>
+    </message>
+    <message>
+        <source># rejected ({}): {}</source>
+        <translation># verworfen ({}): {}</translation>
+    </message>
+    <message>
+        <source>--plan {}: choose {}</source>
+        <translation>--plan {}: zu wählen ist {}</translation>
+    </message>
+    <message>
+        <source>--probe {}: choose {}</source>
+        <translation>--probe {}: zu wählen ist {}</translation>
+    </message>
+    <message>
+        <source>Acknowledge &quot;{}&quot; and {} more: say that you have seen it.</source>
+        <translation>„{}“ und {} weitere quittieren: bestätigen, dass es gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Acknowledge &quot;{}&quot;: say that you have seen it.</source>
+        <translation>„{}“ quittieren: bestätigen, dass es gesehen wurde.</translation>
+    </message>
+    <message>
+        <source>Calibration of {}</source>
+        <translation>Kalibrierung: {}</translation>
+    </message>
+    <message>
+        <source>Changed at revolution {:.0f} ({:.0f} to {:.0f}): the wear coefficient was {} before and is {} since</source>
+        <translation>Geändert bei Umdrehung {} ({} bis {}): Der Verschleißkoeffizient war vorher {} und ist seither {}</translation>
+    </message>
+    <message>
+        <source>Channel {}</source>
+        <translation>Kanal {}</translation>
+    </message>
+    <message>
+        <source>Circle: axis 1, triangle: axis 2. Last {} N; largest {:.2f} N at reading {} of those that stand</source>
+        <translation>Kreis: Achse 1, Dreieck: Achse 2. Letzte {} N; größte {} N bei Messung {} von denen, die gelten</translation>
+    </message>
+    <message>
+        <source>Circle: probe 1, triangle: probe 2. Last {:+.2f} µm; largest {:+.2f} µm at {:g} µm of probe {}</source>
+        <translation>Kreis: Wegsensor 1, Dreieck: Wegsensor 2. Letzte {} µm; größte {} µm bei {} µm von Wegsensor {}</translation>
+    </message>
+    <message>
+        <source>Coming back reads {:+.3f} um against going out</source>
+        <translation>Der Rückweg zeigt {} um gegenüber dem Hinweg</translation>
+    </message>
+    <message>
+        <source>Creep: from no load, {} Hang it without a pause, and go on as soon as it hangs still: from then on the time counts</source>
+        <translation>Kriechen: ohne Last beginnen, {} Ohne Pause anhängen und fortfahren, sobald es ruhig hängt: Von da an zählt die Zeit</translation>
+    </message>
+    <message>
+        <source>Device {}</source>
+        <translation>Gerät {}</translation>
+    </message>
+    <message>
+        <source>Elastic motion of the pin with the force, by the model of the unworn bushing, taken off: up to {:.2f} um about its mean</source>
+        <translation>Elastische Bewegung des Bolzens mit der Kraft, nach dem Modell der neuen Buchse, abgezogen: bis {} um um ihr Mittel</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty at {:g} N: {:.2f} N (k = {:.2f}); U(F) = {:.2f} N + {:.5f} F</source>
+        <translation>Erweiterte Unsicherheit bei {} N: {} N (k = {}); U(F) = {} N + {} F</translation>
+    </message>
+    <message>
+        <source>Force on the pin = matrix (signal - zero), pin frame; matrix in N per {}</source>
+        <translation>Kraft auf den Bolzen = Matrix (Signal - Nullpunkt), Bezugssystem Bolzen; Matrix in N je {}</translation>
+    </message>
+    <message>
+        <source>Free {:.0f} MB or keep fewer whole cycles</source>
+        <translation>{} MB frei machen oder weniger ganze Zyklen behalten</translation>
+    </message>
+    <message>
+        <source>Go on with the test in {}, or start another one.</source>
+        <translation>Den Versuch in {} fortsetzen oder einen anderen starten.</translation>
+    </message>
+    <message>
+        <source>In revolution {revolution} the count at the index differs from a whole turn.</source>
+        <translation>In Umdrehung {revolution} weicht die Zählung am Index von einer ganzen Umdrehung ab.</translation>
+    </message>
+    <message>
+        <source>Input saturated: {}</source>
+        <translation>Eingang übersteuert: {}</translation>
+    </message>
+    <message>
+        <source>Input {kind}</source>
+        <translation>Eingang: {kind}</translation>
+    </message>
+    <message>
+        <source>Leave the {:g} kg hanging: they are read after {:g} s</source>
+        <translation>Die {} kg hängen lassen: Sie werden nach {} s gelesen</translation>
+    </message>
+    <message>
+        <source>Linearity {:.3f} % of the range; expanded uncertainty {:.2f} um (k = {:.2f})</source>
+        <translation>Linearität {} % des Bereichs; erweiterte Unsicherheit {} um (k = {})</translation>
+    </message>
+    <message>
+        <source>Load cell input saturated: {}</source>
+        <translation>Eingang des Kraftsensors übersteuert: {}</translation>
+    </message>
+    <message>
+        <source>Motion with the speed, taken off the slowest roll: up to {:.2f} um</source>
+        <translation>Bewegung mit der Drehzahl, vom langsamsten Umlauf abgezogen: bis {} um</translation>
+    </message>
+    <message>
+        <source>No answer from {}</source>
+        <translation>Keine Antwort von {}</translation>
+    </message>
+    <message>
+        <source>Nothing has been measured or predicted for stop.{} in many revolutions.</source>
+        <translation>Für stop.{} wurde seit vielen Umdrehungen nichts gemessen oder vorhergesagt.</translation>
+    </message>
+    <message>
+        <source>One wear coefficient, {}, explains all readings so far: neither running-in nor a change is told from it at odds of 20 to 1</source>
+        <translation>Ein Verschleißkoeffizient, {}, erklärt alle bisherigen Messungen: Weder Einlauf noch eine Änderung ist mit 20 zu 1 davon zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>Position = {:.4f} um/V (voltage {:+.5f} V)</source>
+        <translation>Position = {} um/V (Spannung {} V)</translation>
+    </message>
+    <message>
+        <source>Probe 1 stands {:+.2f} degrees from the follower&apos;s axis, probe 2 {:+.2f} degrees from across it (u = {:.2f} and {:.2f} degrees)</source>
+        <translation>Wegsensor 1 steht {} Grad von der Achse der Koppel, Wegsensor 2 {} Grad von der Querrichtung (u = {} und {} Grad)</translation>
+    </message>
+    <message>
+        <source>Probe 1 {:+.4f} V, probe 2 {:+.4f} V. By the calibration in use probe {:g} stands at {:+.1f} µm</source>
+        <translation>Wegsensor 1 {} V, Wegsensor 2 {} V. Nach der verwendeten Kalibrierung steht Wegsensor {} bei {} µm</translation>
+    </message>
+    <message>
+        <source>Probe {}: run-out {:.2f} um from lowest to highest, expanded uncertainty {:.2f} um (k = {:.2f})</source>
+        <translation>Wegsensor {}: Rundlauf {} um vom tiefsten zum höchsten Punkt, erweiterte Unsicherheit {} um (k = {})</translation>
+    </message>
+    <message>
+        <source>Probe {}: {}</source>
+        <translation>Wegsensor {}: {}</translation>
+    </message>
+    <message>
+        <source>Put the micrometer&apos;s target before probe {}, at right angles to it, and turn the micrometer until probe {} shows about 0 V: that is position 0. Nothing may move before the other probe</source>
+        <translation>Das Ziel der Messschraube rechtwinklig vor Wegsensor {} stellen und die Messschraube drehen, bis Wegsensor {} etwa 0 V zeigt: Das ist Position 0. Vor dem anderen Wegsensor darf sich nichts bewegen</translation>
+    </message>
+    <message>
+        <source>Residual standard deviation: {:.3f} N</source>
+        <translation>Standardabweichung der Abweichungen: {} N</translation>
+    </message>
+    <message>
+        <source>Running-in: the wear coefficient {} from {} to {}, by two thirds within {:.0f} revolutions</source>
+        <translation>Einlauf: Der Verschleißkoeffizient {} von {} auf {}, zu zwei Dritteln innerhalb von {} Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Samples of {device} have waited {age_s:.1f} s to be looked at; the limit is {limit_s:g} s.</source>
+        <translation>Messwerte von {device} warteten {age_s:.1f} s auf ihre Prüfung; die Grenze ist {limit_s:g} s.</translation>
+    </message>
+    <message>
+        <source>Signal 1 (N per {})</source>
+        <translation>Signal 1 (N je {})</translation>
+    </message>
+    <message>
+        <source>Signal 2 (N per {})</source>
+        <translation>Signal 2 (N je {})</translation>
+    </message>
+    <message>
+        <source>Signals {:+.5f}, {:+.5f} {}: the cell feels {:.1f} N</source>
+        <translation>Signale {}, {} {}: Der Kraftsensor spürt {} N</translation>
+    </message>
+    <message>
+        <source>Since about revolution {since:.0f} the joint wears {how} than the revolutions before let expect. Of 100 tests of 21,377 revolutions without a change fewer than 1 is told this.</source>
+        <translation>Etwa seit Umdrehung {since:.0f} verschleißt das Gelenk {how}, als die Umdrehungen davor erwarten lassen. Von 100 Versuchen mit 21 377 Umdrehungen ohne Änderung meldet dies weniger als einer.</translation>
+    </message>
+    <message>
+        <source>Slow roll at {:g} rpm for the run-out map</source>
+        <translation>Langsamer Umlauf bei {} rpm für die Rundlaufkarte</translation>
+    </message>
+    <message>
+        <source>Stop criterion not judged: {name}</source>
+        <translation>Abbruchkriterium nicht beurteilt: {name}</translation>
+    </message>
+    <message>
+        <source>Stop criterion: {name}</source>
+        <translation>Abbruchkriterium: {name}</translation>
+    </message>
+    <message>
+        <source>Take all weights off and turn the pin to {:.0f} degrees</source>
+        <translation>Alle Gewichte abnehmen und den Bolzen auf {} Grad drehen</translation>
+    </message>
+    <message>
+        <source>The angle between them is {:.2f} degrees (u = {:.2f})</source>
+        <translation>Der Winkel zwischen ihnen ist {} Grad (u = {})</translation>
+    </message>
+    <message>
+        <source>The cell is off by {:.2f} N, {:.2f} N are allowed: axis {} tells {:+.2f} % of the force along axis {}{}. Check the weight that hung; if it was right, calibrate the load cell again</source>
+        <translation>Der Kraftsensor weicht um {} N ab, {} N sind erlaubt: Achse {} zeigt {} % der Kraft längs Achse {}{}. Das angehängte Gewicht prüfen; war es richtig, den Kraftsensor neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>The cell tells the weight within {:.2f} N ({:.2f} N are allowed)</source>
+        <translation>Der Kraftsensor zeigt das Gewicht auf {} N genau ({} N sind erlaubt)</translation>
+    </message>
+    <message>
+        <source>The crank encoder shows {encoder_rpm:.1f} rpm, the drive {drive_rpm:.1f} rpm: spindle.gear_ratio, the drive&apos;s counts per revolution or encoder.counts_per_revolution is not what the rig has, or a belt or coupling slips.</source>
+        <translation>Der Drehgeber der Kurbel zeigt {encoder_rpm:.1f} rpm, der Antrieb {drive_rpm:.1f} rpm: spindle.gear_ratio, die Schritte des Antriebs je Umdrehung oder encoder.counts_per_revolution stimmen nicht mit dem Prüfstand überein, oder ein Riemen oder eine Kupplung rutscht.</translation>
+    </message>
+    <message>
+        <source>The crank has turned for {:.4g} h; {:g} h were planned</source>
+        <translation>Die Kurbel hat sich {} h gedreht; {} h waren geplant</translation>
+    </message>
+    <message>
+        <source>The crank turns at {speed_rpm:.1f} rpm instead of {target_rpm:g} rpm after the time granted for the start.</source>
+        <translation>Die Kurbel dreht nach der Zeit für den Anlauf mit {speed_rpm:.1f} rpm statt {target_rpm:g} rpm.</translation>
+    </message>
+    <message>
+        <source>The crank turns at {speed_rpm:.1f} rpm while the test is paused.</source>
+        <translation>Die Kurbel dreht mit {speed_rpm:.1f} rpm, obwohl der Versuch in Pause ist.</translation>
+    </message>
+    <message>
+        <source>The crank turns at {speed_rpm:.1f} rpm; {target_rpm:g} rpm are set.</source>
+        <translation>Die Kurbel dreht mit {speed_rpm:.1f} rpm; eingestellt sind {target_rpm:g} rpm.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s samples lag {seconds:.2f} s more behind this computer&apos;s clock than before.</source>
+        <translation>Die Messwerte des Geräts hängen {seconds:.2f} s mehr hinter der Uhr dieses Rechners als zuvor.</translation>
+    </message>
+    <message>
+        <source>The disk takes {seconds:.1f} s or longer to make the data safe.</source>
+        <translation>Die Festplatte braucht {seconds:.1f} s oder länger, um die Daten zu sichern.</translation>
+    </message>
+    <message>
+        <source>The drive reports {speed_rpm:.1f} rpm, but the crank encoder does not move.</source>
+        <translation>Der Antrieb meldet {speed_rpm:.1f} rpm, aber der Drehgeber der Kurbel bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>The encoder counted {revolutions:.1f} revolutions without its index pulse.</source>
+        <translation>Der Drehgeber zählte {revolutions:.1f} Umdrehungen ohne Indexpuls.</translation>
+    </message>
+    <message>
+        <source>The engine is not reachable ({})</source>
+        <translation>Die Steuerung ist nicht erreichbar ({})</translation>
+    </message>
+    <message>
+        <source>The engine was shut down, but {}</source>
+        <translation>Die Steuerung wurde beendet, aber {}</translation>
+    </message>
+    <message>
+        <source>The engine&apos;s thread {} failed: {sentence}.</source>
+        <translation>Der Teil {} der Steuerung ist ausgefallen: {sentence}.</translation>
+    </message>
+    <message>
+        <source>The joint force reached {force_N:.1f} N; the limit is {limit_N:g} N.</source>
+        <translation>Die Gelenkkraft erreichte {force_N:.1f} N; die Grenze ist {limit_N:g} N.</translation>
+    </message>
+    <message>
+        <source>The joint wears {} than before: it was told at revolution {:.0f}, and began about revolution {:.0f}</source>
+        <translation>Das Gelenk verschleißt {} als zuvor: gemeldet bei Umdrehung {}, begonnen etwa bei Umdrehung {}</translation>
+    </message>
+    <message>
+        <source>The queue behind {device} was full; {blocks} blocks were dropped.</source>
+        <translation>Die Warteschlange hinter {device} war voll; {blocks} Blöcke wurden verworfen.</translation>
+    </message>
+    <message>
+        <source>The result {}. The largest part is {} (u = {:.3g} N): correct its setting, or measure it better</source>
+        <translation>Das Ergebnis {}. Den größten Anteil hat {} (u = {} N): die Einstellung berichtigen oder besser messen</translation>
+    </message>
+    <message>
+        <source>The test did not start: {}</source>
+        <translation>Der Versuch begann nicht: {}</translation>
+    </message>
+    <message>
+        <source>The test has lasted {:.4g} h; it was planned for {:g} h</source>
+        <translation>Der Versuch hat {} h gedauert; geplant waren {} h</translation>
+    </message>
+    <message>
+        <source>The wear coefficient cannot be told yet, because its limits are a factor of {:.2g} apart: the depth so far, {:.2g} um, is too small against its uncertainty</source>
+        <translation>Der Verschleißkoeffizient lässt sich noch nicht angeben, weil seine Grenzen um den Faktor {} auseinanderliegen: Die bisherige Tiefe, {} um, ist zu klein gegen ihre Unsicherheit</translation>
+    </message>
+    <message>
+        <source>The wear coefficient is not constant. Whether the joint runs in or changed at one time cannot be told, because the odds are {:.2g} to 1 only; {} now</source>
+        <translation>Der Verschleißkoeffizient ist nicht konstant. Ob das Gelenk einläuft oder sich zu einer Zeit geändert hat, lässt sich nicht sagen, denn es steht nur {} zu 1; jetzt {}</translation>
+    </message>
+    <message>
+        <source>The wear rate over {} revolutions was {:.4g} um per 1000 revolutions; the limit is {:g}</source>
+        <translation>Die Verschleißrate über {} Umdrehungen war {} um je 1000 Umdrehungen; die Grenze ist {}</translation>
+    </message>
+    <message>
+        <source>The zero of axis {} stands {:+.2f} N off that of the calibration, {:.2f} N are allowed: was the cell overloaded, or is a cable off? Zero it; if it moves again, have it looked after</source>
+        <translation>Der Nullpunkt von Achse {} liegt {} N neben dem der Kalibrierung, {} N sind erlaubt: War der Kraftsensor überlastet, oder ist ein Kabel ab? Nullen; wandert er wieder, ihn prüfen lassen</translation>
+    </message>
+    <message>
+        <source>The {by} shows {speed_rpm:.1f} rpm; the limit is {limit_rpm:g} rpm.</source>
+        <translation>{by} zeigt {speed_rpm:.1f} rpm; die Grenze ist {limit_rpm:g} rpm.</translation>
+    </message>
+    <message>
+        <source>Turn the micrometer {}</source>
+        <translation>Die Messschraube {} drehen</translation>
+    </message>
+    <message>
+        <source>Write metadata.{}, so that the file tells</source>
+        <translation>metadata.{} schreiben, damit die Datei es sagt</translation>
+    </message>
+    <message>
+        <source>Zero ({})</source>
+        <translation>Nullpunkt ({})</translation>
+    </message>
+    <message>
+        <source>Zero: {} {}.  Model: {}</source>
+        <translation>Nullpunkt: {} {}.  Modell: {}</translation>
+    </message>
+    <message>
+        <source>a number of {} digits</source>
+        <translation>eine Zahl mit {} Stellen</translation>
+    </message>
+    <message>
+        <source>a piece of {:g} kg hangs but is not in the set</source>
+        <translation>ein Stück von {} kg hängt, gehört aber nicht zum Satz</translation>
+    </message>
+    <message>
+        <source>action_critical = &apos;none&apos; would do nothing at {} = {:g}; choose warn, pause, stop or drive_off, or give a warning level in its place</source>
+        <translation>action_critical = &apos;none&apos; täte nichts bei {} = {}; warn, pause, stop oder drive_off wählen oder statt dessen eine Warngrenze angeben</translation>
+    </message>
+    <message>
+        <source>allowed is {}</source>
+        <translation>erlaubt ist {}</translation>
+    </message>
+    <message>
+        <source>cannot be judged: {}</source>
+        <translation>nicht zu beurteilen: {}</translation>
+    </message>
+    <message>
+        <source>critical_{} = {:g} must lie beyond warning_{} = {:g}</source>
+        <translation>critical_{} = {} muss jenseits von warning_{} = {} liegen</translation>
+    </message>
+    <message>
+        <source>devices.{}.port is &apos;simulated&apos; but there is no [simulation]; name the port or add the section</source>
+        <translation>devices.{}.port ist &apos;simulated&apos;, aber es gibt kein [simulation]; den Anschluss nennen oder den Abschnitt hinzufügen</translation>
+    </message>
+    <message>
+        <source>devices.{}.port is empty; name the port</source>
+        <translation>devices.{}.port ist leer; den Anschluss nennen</translation>
+    </message>
+    <message>
+        <source>did you mean {}? Then write {:.6g}</source>
+        <translation>war {} gemeint? Dann {} schreiben</translation>
+    </message>
+    <message>
+        <source>does not follow from its readings ({})</source>
+        <translation>folgt nicht aus seinen Messungen ({})</translation>
+    </message>
+    <message>
+        <source>drive off above {:g} N, full scale of the cell {:g} N</source>
+        <translation>Antrieb aus über {} N, Nennkraft des Kraftsensors {} N</translation>
+    </message>
+    <message>
+        <source>encoder, load_cell and probes must come from one device, so that their samples are taken together; they name {}</source>
+        <translation>encoder, load_cell und probes müssen von einem Gerät kommen, damit ihre Messwerte zusammen genommen werden; genannt sind {}</translation>
+    </message>
+    <message>
+        <source>expired on {}</source>
+        <translation>abgelaufen am {}</translation>
+    </message>
+    <message>
+        <source>hang {}</source>
+        <translation>{} anhängen</translation>
+    </message>
+    <message>
+        <source>Check cable and power of {}, or go on without its channels</source>
+        <translation>Kabel und Versorgung von {} prüfen oder ohne seine Kanäle fortfahren</translation>
+    </message>
+    <message>
+        <source>Check cable and power of {}, reconnect</source>
+        <translation>Kabel und Versorgung von {} prüfen, neu verbinden</translation>
+    </message>
+    <message>
+        <source>is of a load cell of {:g} N, the rig file says {:g} N</source>
+        <translation>gehört zu einem Kraftsensor von {} N, die Prüfstandsdatei nennt {} N</translation>
+    </message>
+    <message>
+        <source>it cannot be recorded now: {}</source>
+        <translation>jetzt lässt sich nicht aufnehmen: {}</translation>
+    </message>
+    <message>
+        <source>limit {} changed{}</source>
+        <translation>Grenze {} geändert{}</translation>
+    </message>
+    <message>
+        <source>limits.overspeed_rpm = {:g} is not above run.speed_rpm = {:g}; the test would trip at once</source>
+        <translation>limits.overspeed_rpm = {} liegt nicht über run.speed_rpm = {}; der Versuch würde sofort auslösen</translation>
+    </message>
+    <message>
+        <source>line {} of the journal is not usable: {}</source>
+        <translation>Zeile {} des Journals ist nicht brauchbar: {}</translation>
+    </message>
+    <message>
+        <source>load cell zeroed{}</source>
+        <translation>Kraftsensor genullt{}</translation>
+    </message>
+    <message>
+        <source>load_cell.resolution_N = {:g} is not below load_cell.full_scale_N = {:g}</source>
+        <translation>load_cell.resolution_N = {} liegt nicht unter load_cell.full_scale_N = {}</translation>
+    </message>
+    <message>
+        <source>load_cell.zero_mV_per_V {} = {:g} is not within load_cell.range_mV_per_V = {:g}</source>
+        <translation>load_cell.zero_mV_per_V {} = {} liegt nicht innerhalb von load_cell.range_mV_per_V = {}</translation>
+    </message>
+    <message>
+        <source>no level is given; give one of {}</source>
+        <translation>es ist keine Grenze angegeben; eine von {} angeben</translation>
+    </message>
+    <message>
+        <source>no record for {}: the numbers of the rig file count</source>
+        <translation>kein Kalibrierdatensatz für {}: es gelten die Zahlen der Prüfstandsdatei</translation>
+    </message>
+    <message>
+        <source>no value for {:.0f} s</source>
+        <translation>seit {} s kein Wert</translation>
+    </message>
+    <message>
+        <source>no value lies above {:g} and below {:g}</source>
+        <translation>kein Wert liegt über {} und unter {}</translation>
+    </message>
+    <message>
+        <source>no word from the engine for {:.0f} s</source>
+        <translation>seit {} s keine Meldung der Steuerung</translation>
+    </message>
+    <message>
+        <source>now comes {}, not {}: {}</source>
+        <translation>jetzt kommt {}, nicht {}: {}</translation>
+    </message>
+    <message>
+        <source>only the load_cell can be zeroed, not {}</source>
+        <translation>nur load_cell kann genullt werden, nicht {}</translation>
+    </message>
+    <message>
+        <source>overspeed_rpm = {:g} must be above the set speed {:g} rpm</source>
+        <translation>overspeed_rpm = {} muss über der eingestellten Drehzahl {} rpm liegen</translation>
+    </message>
+    <message>
+        <source>pausing for {}</source>
+        <translation>hält an für {}</translation>
+    </message>
+    <message>
+        <source>probe {:g} is set up, not {:g}</source>
+        <translation>Wegsensor {} ist eingerichtet, nicht {}</translation>
+    </message>
+    <message>
+        <source>probe {} shows {:+.2f} V</source>
+        <translation>Wegsensor {} zeigt {} V</translation>
+    </message>
+    <message>
+        <source>probes.run_out_cos_um {} has {} orders and probes.run_out_sin_um {} has {}; give as many</source>
+        <translation>probes.run_out_cos_um {} hat {} Ordnungen und probes.run_out_sin_um {} hat {}; gleich viele angeben</translation>
+    </message>
+    <message>
+        <source>read after {:.0f} s</source>
+        <translation>nach {} s gelesen</translation>
+    </message>
+    <message>
+        <source>readings are missing: {}</source>
+        <translation>Messungen fehlen: {}</translation>
+    </message>
+    <message>
+        <source>record {} {}, used all the same: {}</source>
+        <translation>Kalibrierdatensatz {} {}, trotzdem verwendet: {}</translation>
+    </message>
+    <message>
+        <source>record {}, due {}</source>
+        <translation>Kalibrierdatensatz {}, fällig {}</translation>
+    </message>
+    <message>
+        <source>reset by {}</source>
+        <translation>zurückgesetzt von {}</translation>
+    </message>
+    <message>
+        <source>revolution {} is made already; the test can end after a later one than {}</source>
+        <translation>Umdrehung {} ist schon gemacht; der Versuch kann nur nach einer späteren als {} enden</translation>
+    </message>
+    <message>
+        <source>run-out: {}</source>
+        <translation>Rundlauf: {}</translation>
+    </message>
+    <message>
+        <source>run.speed_rpm = {:g}: {:g} samples/s give {:.0f} samples a revolution, {} are needed; raise the sample rate</source>
+        <translation>run.speed_rpm = {}: {} Messwerte/s geben {} Messwerte je Umdrehung, {} sind nötig; die Abtastrate erhöhen</translation>
+    </message>
+    <message>
+        <source>series repeated: {}</source>
+        <translation>Reihe wiederholt: {}</translation>
+    </message>
+    <message>
+        <source>series {} has no reading without weights</source>
+        <translation>Reihe {} hat keine Messung ohne Gewichte</translation>
+    </message>
+    <message>
+        <source>series {} is under way; finish it first, then reject and repeat series {}</source>
+        <translation>Reihe {} ist im Gang; sie erst beenden, dann Reihe {} verwerfen und wiederholen</translation>
+    </message>
+    <message>
+        <source>series {}, {:g} um</source>
+        <translation>Reihe {}, {} um</translation>
+    </message>
+    <message>
+        <source>settings: {}</source>
+        <translation>Einstellungen: {}</translation>
+    </message>
+    <message>
+        <source>signal {}</source>
+        <translation>Signal {}</translation>
+    </message>
+    <message>
+        <source>started by {}</source>
+        <translation>gestartet von {}</translation>
+    </message>
+    <message>
+        <source>steady; {} s of the waiting time are left</source>
+        <translation>ruhig; noch {} s der Wartezeit</translation>
+    </message>
+    <message>
+        <source>step {} of {}, {} left</source>
+        <translation>Schritt {} von {}, noch {}</translation>
+    </message>
+    <message>
+        <source>stop.force_N = {:g} can never be met, because limits.overload_N = {:g} switches the drive off before; lower stop.force_N</source>
+        <translation>stop.force_N = {} kann nie erreicht werden, weil limits.overload_N = {} den Antrieb vorher abschaltet; stop.force_N senken</translation>
+    </message>
+    <message>
+        <source>stop.{} {}, but prediction.enabled is false; enable the prediction or leave the criterion out</source>
+        <translation>stop.{} {}, aber prediction.enabled ist false; die Vorhersage einschalten oder das Kriterium weglassen</translation>
+    </message>
+    <message>
+        <source>take 1 to {} runs up and down</source>
+        <translation>1 bis {} Durchgänge auf und ab nehmen</translation>
+    </message>
+    <message>
+        <source>take off {}</source>
+        <translation>{} abnehmen</translation>
+    </message>
+    <message>
+        <source>take {} to {} positions</source>
+        <translation>{} bis {} Positionen nehmen</translation>
+    </message>
+    <message>
+        <source>the calibration record {} of {} {}; calibrate again, or write calibration_override with the reason</source>
+        <translation>der Kalibrierdatensatz {} von {} {}; neu kalibrieren oder calibration_override mit dem Grund schreiben</translation>
+    </message>
+    <message>
+        <source>the depth is known in {} bins of revolutions so far, and {} are needed: wait</source>
+        <translation>die Tiefe ist bisher in {} Abschnitten von Umdrehungen bekannt, {} sind nötig: warten</translation>
+    </message>
+    <message>
+        <source>the devices are not released: {}</source>
+        <translation>die Geräte sind nicht freigegeben: {}</translation>
+    </message>
+    <message>
+        <source>the drive keeps its fault: {}</source>
+        <translation>der Antrieb behält seine Störung: {}</translation>
+    </message>
+    <message>
+        <source>the encoder shows {:.1f} degrees with the crank level; it should show about 0. Is it the right flat? Else correct encoder.index_angle_deg in the rig file</source>
+        <translation>der Drehgeber zeigt {} Grad bei waagerechter Kurbel; er sollte etwa 0 zeigen. Ist es die richtige Fläche? Sonst encoder.index_angle_deg in der Prüfstandsdatei berichtigen</translation>
+    </message>
+    <message>
+        <source>the encoder shows {:.1f} degrees; turn the pin to {:.0f} degrees</source>
+        <translation>der Drehgeber zeigt {} Grad; den Bolzen auf {} Grad drehen</translation>
+    </message>
+    <message>
+        <source>the engine did not answer within {:.0f} s</source>
+        <translation>die Steuerung antwortete nicht innerhalb von {} s</translation>
+    </message>
+    <message>
+        <source>the load cell shows {:.0f} N, limits.overload_N is {:g} N; unload the pin or take the zero</source>
+        <translation>der Kraftsensor zeigt {} N, limits.overload_N ist {} N; den Bolzen entlasten oder nullen</translation>
+    </message>
+    <message>
+        <source>the load cell shows {} mV/V at rest before the start</source>
+        <translation>der Kraftsensor zeigt vor dem Start in Ruhe {} mV/V</translation>
+    </message>
+    <message>
+        <source>the load hangs for {:.0f} s, {:g} s were wanted: take it off, the creep begins again</source>
+        <translation>die Last hängt seit {} s, gefordert waren {} s: abnehmen, das Kriechen beginnt neu</translation>
+    </message>
+    <message>
+        <source>the pin stands at {:.1f} degrees</source>
+        <translation>der Bolzen steht bei {} Grad</translation>
+    </message>
+    <message>
+        <source>the plan is not possible: {}</source>
+        <translation>der Plan ist nicht möglich: {}</translation>
+    </message>
+    <message>
+        <source>the probes have no calibration record that states {}: calibrate them, or give the test their record</source>
+        <translation>die Wegsensoren haben keinen Kalibrierdatensatz, der {} angibt: sie kalibrieren oder dem Versuch ihren Datensatz geben</translation>
+    </message>
+    <message>
+        <source>the reading is not a number{}; check cable and amplifier</source>
+        <translation>die Messung ist keine Zahl{}; Kabel und Verstärker prüfen</translation>
+    </message>
+    <message>
+        <source>the test shall end after {} revolutions{}</source>
+        <translation>der Versuch soll nach {} Umdrehungen enden{}</translation>
+    </message>
+    <message>
+        <source>the two angles differ by {:.2f} degrees; was the level on the same flat both times, and the bubble in the middle?</source>
+        <translation>die beiden Winkel unterscheiden sich um {} Grad; lag die Wasserwaage beide Male auf derselben Fläche, mit der Blase in der Mitte?</translation>
+    </message>
+    <message>
+        <source>the weights cannot make {:g} kg; the nearest is {:g} kg of {:g} kg in all</source>
+        <translation>die Gewichte ergeben keine {} kg; am nächsten sind {} kg von zusammen {} kg</translation>
+    </message>
+    <message>
+        <source>the zero is taken before a test, not while {}</source>
+        <translation>genullt wird vor einem Versuch, nicht im Zustand {}</translation>
+    </message>
+    <message>
+        <source>the {:g} kg do not hang yet</source>
+        <translation>die {} kg hängen noch nicht</translation>
+    </message>
+    <message>
+        <source>the {} ended after {} of {} revolutions: {}; {} holds what was recorded</source>
+        <translation>der {} endete nach {} von {} Umdrehungen: {}; {} enthält, was aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>there is no reading number {}</source>
+        <translation>es gibt keine Messung Nummer {}</translation>
+    </message>
+    <message>
+        <source>there is no such quantity; did you mean {}?</source>
+        <translation>eine solche Größe gibt es nicht; war {} gemeint?</translation>
+    </message>
+    <message>
+        <source>these readings come from the rig {}, this is {}; name another journal</source>
+        <translation>diese Messungen kommen vom Prüfstand {}, dies ist {}; ein anderes Journal nennen</translation>
+    </message>
+    <message>
+        <source>unknown event {}</source>
+        <translation>unbekanntes Ereignis {}</translation>
+    </message>
+    <message>
+        <source>was taken on the rig {}, this is {}</source>
+        <translation>wurde am Prüfstand {} aufgenommen, dies ist {}</translation>
+    </message>
+    <message>
+        <source>was taken on {}, this is {}</source>
+        <translation>wurde an {} aufgenommen, dies ist {}</translation>
+    </message>
+    <message>
+        <source>weights: {} is not a mass; write for example 5x8, 2, 2, 1, 0.5 (eight pieces of 5 kg and four others)</source>
+        <translation>Gewichte: {} ist keine Masse; zum Beispiel 5x8, 2, 2, 1, 0.5 schreiben (acht Stücke von 5 kg und vier andere)</translation>
+    </message>
+    <message>
+        <source>weights: {}: give 1 to 64 pieces of up to 50 kg</source>
+        <translation>Gewichte: {}: 1 bis 64 Stücke bis 50 kg angeben</translation>
+    </message>
+    <message>
+        <source>what should hang weighs {:.1f} N</source>
+        <translation>was hängen sollte, wiegt {} N</translation>
+    </message>
+    <message>
+        <source>{:+.5f} V (the calibration in use makes {:+.1f} um of it)</source>
+        <translation>{} V (die verwendete Kalibrierung macht daraus {} um)</translation>
+    </message>
+    <message>
+        <source>{:,} revolutions at {:g} rpm</source>
+        <translation>{} Umdrehungen bei {} rpm</translation>
+    </message>
+    <message>
+        <source>{:.0f} MB needed, {:.1f} GB free</source>
+        <translation>{} MB nötig, {} GB frei</translation>
+    </message>
+    <message>
+        <source>{:.0f} samples a revolution at {:g} Hz</source>
+        <translation>{} Messwerte je Umdrehung bei {} Hz</translation>
+    </message>
+    <message>
+        <source>{:.1f} s old</source>
+        <translation>{} s alt</translation>
+    </message>
+    <message>
+        <source>{:.3g} {} is at the end of the range</source>
+        <translation>{} {} ist am Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>{:.5f}, {:.5f} {} (the calibration in use makes {:.1f} N of it)</source>
+        <translation>{}, {} {} (die verwendete Kalibrierung macht daraus {} N)</translation>
+    </message>
+    <message>
+        <source>{:.9g} to {:.9g} {}</source>
+        <translation>{} bis {} {}</translation>
+    </message>
+    <message>
+        <source>{:g} N can never be seen: the inputs are full before</source>
+        <translation>{} N können nie gesehen werden: Die Eingänge sind vorher übersteuert</translation>
+    </message>
+    <message>
+        <source>{:g} kg</source>
+        <translation>{} kg</translation>
+    </message>
+    <message>
+        <source>{:g} kg at {:.1f} degrees</source>
+        <translation>{} kg bei {} Grad</translation>
+    </message>
+    <message>
+        <source>{:g} rpm for {} revolutions; {} records it</source>
+        <translation>{} rpm über {} Umdrehungen; {} zeichnet es auf</translation>
+    </message>
+    <message>
+        <source>{:g} rpm of {:g} rpm that the rig allows</source>
+        <translation>{} rpm von {} rpm, die der Prüfstand erlaubt</translation>
+    </message>
+    <message>
+        <source>{:g} rpm, the rig allows {:g} rpm</source>
+        <translation>{} rpm, der Prüfstand erlaubt {} rpm</translation>
+    </message>
+    <message>
+        <source>{:g} rpm: revolution {} of {}</source>
+        <translation>{} rpm: Umdrehung {} von {}</translation>
+    </message>
+    <message>
+        <source>{:g} um</source>
+        <translation>{} um</translation>
+    </message>
+    <message>
+        <source>{device} on {port} has sent no samples for {age_s:.1f} s.</source>
+        <translation>{device} an {port} hat seit {age_s:.1f} s keine Messwerte gesandt.</translation>
+    </message>
+    <message>
+        <source>{device} on {port}: {words}.</source>
+        <translation>{device} an {port}: {words}.</translation>
+    </message>
+    <message>
+        <source>{drive} on {port}: {sentence}</source>
+        <translation>{drive} an {port}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{drive} reports that the emergency stop is pressed.</source>
+        <translation>{drive} meldet, dass der Not-Halt gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>{drive} reports: {faults}.</source>
+        <translation>{drive} meldet: {faults}.</translation>
+    </message>
+    <message>
+        <source>{drive} warns: {warnings}.</source>
+        <translation>{drive} warnt: {warnings}.</translation>
+    </message>
+    <message>
+        <source>{number} whole cycles had no reserved room in the file.</source>
+        <translation>{number} ganze Zyklen hatten keinen reservierten Platz in der Datei.</translation>
+    </message>
+    <message>
+        <source>{} (its test)</source>
+        <translation>{} (sein Versuch)</translation>
+    </message>
+    <message>
+        <source>{} ({wired} of {device}) is at the end of its range, {span}: its cable or plug, its range, or a signal beyond it.</source>
+        <translation>{} ({wired} von {device}) ist am Ende seines Bereichs, {span}: Kabel oder Stecker, der Bereich, oder ein Signal darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>{} ({} to {}) mm^3/(N m)</source>
+        <translation>{} ({} bis {}) mm^3/(N m)</translation>
+    </message>
+    <message>
+        <source>{} = {} cannot be inverted; two rows say the same, or nothing</source>
+        <translation>{} = {} ist nicht umkehrbar; zwei Zeilen sagen dasselbe oder nichts</translation>
+    </message>
+    <message>
+        <source>{} = {} is not a finite number{}</source>
+        <translation>{} = {} ist keine endliche Zahl{}</translation>
+    </message>
+    <message>
+        <source>{} = {} is not a number{}</source>
+        <translation>{} = {} ist keine Zahl{}</translation>
+    </message>
+    <message>
+        <source>{} = {} is not a whole number{}</source>
+        <translation>{} = {} ist keine ganze Zahl{}</translation>
+    </message>
+    <message>
+        <source>{} = {} is not readable; write 1</source>
+        <translation>{} = {} ist nicht lesbar; 1 schreiben</translation>
+    </message>
+    <message>
+        <source>{} = {} is outside {}{}</source>
+        <translation>{} = {} liegt außerhalb von {}{}</translation>
+    </message>
+    <message>
+        <source>{} This only exercises the cell; nothing is read</source>
+        <translation>{} Dies belastet den Kraftsensor nur vor; nichts wird gelesen</translation>
+    </message>
+    <message>
+        <source>{} Wait until it hangs still</source>
+        <translation>{} Warten, bis es ruhig hängt</translation>
+    </message>
+    <message>
+        <source>{} above limit</source>
+        <translation>{} über der Grenze</translation>
+    </message>
+    <message>
+        <source>{} back past the position, to {}, then forward to {}</source>
+        <translation>{} zurück über die Position hinaus, bis {}, dann vor bis {}</translation>
+    </message>
+    <message>
+        <source>{} back to {}, then forward to {}</source>
+        <translation>{} zurück bis {}, dann vor bis {}</translation>
+    </message>
+    <message>
+        <source>{} before a test, with the devices connected</source>
+        <translation>{} vor einem Versuch, bei verbundenen Geräten</translation>
+    </message>
+    <message>
+        <source>{} below limit</source>
+        <translation>{} unter der Grenze</translation>
+    </message>
+    <message>
+        <source>{} both name {}; each needs an input of its own</source>
+        <translation>{} nennen beide {}; jeder braucht einen eigenen Eingang</translation>
+    </message>
+    <message>
+        <source>{} does not exist or cannot be written to</source>
+        <translation>{} gibt es nicht oder ist nicht beschreibbar</translation>
+    </message>
+    <message>
+        <source>{} forward to {}. Do not turn past it</source>
+        <translation>{} vor bis {}. Nicht darüber hinaus drehen</translation>
+    </message>
+    <message>
+        <source>{} holds the control character \u{:04x}; take it out</source>
+        <translation>{} enthält das Steuerzeichen \u{}; es herausnehmen</translation>
+    </message>
+    <message>
+        <source>{} holds the {} at {:g} rpm already; for a new one name another record</source>
+        <translation>{} enthält den {} bei {} rpm schon; für einen neuen einen anderen Datensatz nennen</translation>
+    </message>
+    <message>
+        <source>{} in {}</source>
+        <translation>{} in {}</translation>
+    </message>
+    <message>
+        <source>{} is {}, above the {} limit {}.</source>
+        <translation>{} ist {}, über der Grenze ({}) von {}.</translation>
+    </message>
+    <message>
+        <source>{} is {}, below the {} limit {}.</source>
+        <translation>{} ist {}, unter der Grenze ({}) von {}.</translation>
+    </message>
+    <message>
+        <source>{} lost</source>
+        <translation>{} ausgefallen</translation>
+    </message>
+    <message>
+        <source>{} of this test, beside overload, overspeed and stale data</source>
+        <translation>{} dieses Versuchs, neben Überlast, Überdrehzahl und veralteten Daten</translation>
+    </message>
+    <message>
+        <source>{} on {port} has told nothing for {age_s:.0f} s{why}.</source>
+        <translation>{} an {port} hat seit {age_s:.0f} s nichts gemeldet{why}.</translation>
+    </message>
+    <message>
+        <source>{} on {port}: {sentence}</source>
+        <translation>{} an {port}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{} pieces are more than {}; name fewer</source>
+        <translation>{} Stücke sind mehr als {}; weniger nennen</translation>
+    </message>
+    <message>
+        <source>{} was at or {} {:g} {} in one revolution, {:.4g} {} in the last one</source>
+        <translation>{} lag bei oder {} {} {} in einer Umdrehung, zuletzt bei {} {}</translation>
+    </message>
+    <message>
+        <source>{} was at or {} {:g} {} in {} revolutions in a row, {:.4g} {} in the last one</source>
+        <translation>{} lag bei oder {} {} {} in {} Umdrehungen in Folge, zuletzt bei {} {}</translation>
+    </message>
+    <message>
+        <source>{} {}: give {} or more different speeds from {:g} to {:g} rpm</source>
+        <translation>{} {}: {} oder mehr verschiedene Drehzahlen von {} bis {} rpm angeben</translation>
+    </message>
+    <message>
+        <source>{} {}: write speeds in rpm, such as 3,6</source>
+        <translation>{} {}: Drehzahlen in rpm schreiben, zum Beispiel 3,6</translation>
+    </message>
+    <message>
+        <source>{}, law {}: {}</source>
+        <translation>{}, Gesetz {}: {}</translation>
+    </message>
+    <message>
+        <source>{}, {:.0f} s after loading</source>
+        <translation>{}, {} s nach dem Belasten</translation>
+    </message>
+    <message>
+        <source>{}.device = {} is not among the devices ({})</source>
+        <translation>{}.device = {} ist nicht unter den Geräten ({})</translation>
+    </message>
+    <message>
+        <source>{}.initial_wear_coefficient_mm3_per_Nm = {:g} is below bushing.wear_coefficient_mm3_per_Nm = {:g}, to which it falls</source>
+        <translation>{}.initial_wear_coefficient_mm3_per_Nm = {} liegt unter bushing.wear_coefficient_mm3_per_Nm = {}, auf das er fällt</translation>
+    </message>
+    <message>
+        <source>{}.law = {} needs bushing.wear_coefficient_mm3_per_Nm above 0</source>
+        <translation>{}.law = {} braucht bushing.wear_coefficient_mm3_per_Nm über 0</translation>
+    </message>
+    <message>
+        <source>{}.{} is missing; the law {} needs it</source>
+        <translation>{}.{} fehlt; das Gesetz {} braucht es</translation>
+    </message>
+    <message>
+        <source>{}.{} means nothing with law = {}; take it out or choose the law that reads it</source>
+        <translation>{}.{} bedeutet nichts bei law = {}; herausnehmen oder das Gesetz wählen, das es liest</translation>
+    </message>
+    <message>
+        <source>{}: another program records this run; let it end first</source>
+        <translation>{}: ein anderes Programm zeichnet diesen Lauf auf; ihn erst enden lassen</translation>
+    </message>
+    <message>
+        <source>{}: channels.{}.unit = {}, and the record {} is in {}; write its unit, or name another record</source>
+        <translation>{}: channels.{}.unit = {}, und der Datensatz {} ist in {}; seine Einheit schreiben oder einen anderen Datensatz nennen</translation>
+    </message>
+    <message>
+        <source>{}: exists and is not overwritten; name another record</source>
+        <translation>{}: gibt es schon und wird nicht überschrieben; einen anderen Datensatz nennen</translation>
+    </message>
+    <message>
+        <source>{}: holds revolution {} of {} planned; nothing is left to do</source>
+        <translation>{}: enthält Umdrehung {} von {} geplanten; es bleibt nichts zu tun</translation>
+    </message>
+    <message>
+        <source>{}: how its unit becomes SI is not known</source>
+        <translation>{}: wie seine Einheit zu SI wird, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>{}: it tells no rolls ({})</source>
+        <translation>{}: enthält keine Umläufe ({})</translation>
+    </message>
+    <message>
+        <source>{}: limits.overspeed_rpm = {:g} must be above run.speed_rpm = {:g}</source>
+        <translation>{}: limits.overspeed_rpm = {} muss über run.speed_rpm = {} liegen</translation>
+    </message>
+    <message>
+        <source>{}: nothing is left to do. {}</source>
+        <translation>{}: es bleibt nichts zu tun. {}</translation>
+    </message>
+    <message>
+        <source>{}: run.speed_rpm = {:g} is above the rig&apos;s spindle.maximum_speed_rpm = {:g}</source>
+        <translation>{}: run.speed_rpm = {} liegt über spindle.maximum_speed_rpm = {} des Prüfstands</translation>
+    </message>
+    <message>
+        <source>{}: the elastic motion of the pin cannot be taken off: {}; roll again with --test and the test file of this bushing</source>
+        <translation>{}: die elastische Bewegung des Bolzens lässt sich nicht abziehen: {}; noch einmal umlaufen, mit --test und der Versuchsdatei dieser Buchse</translation>
+    </message>
+    <message>
+        <source>{}: the map in use has expired, and an expired record forbids a start: take run_out out of [probes] for the roll</source>
+        <translation>{}: die verwendete Karte ist abgelaufen, und ein abgelaufener Datensatz verbietet den Start: run_out für den Umlauf aus [probes] herausnehmen</translation>
+    </message>
+    <message>
+        <source>{}: the record cannot be read ({})</source>
+        <translation>{}: der Datensatz ist nicht lesbar ({})</translation>
+    </message>
+    <message>
+        <source>{}: the record {} has no {}</source>
+        <translation>{}: der Datensatz {} hat kein {}</translation>
+    </message>
+    <message>
+        <source>{}: the record {} is in N per {}; the rig measures mV/V</source>
+        <translation>{}: der Datensatz {} ist in N je {}; der Prüfstand misst mV/V</translation>
+    </message>
+    <message>
+        <source>{}: this is the record of a {}, not of a {}</source>
+        <translation>{}: dies ist der Datensatz zu {}, nicht zu {}</translation>
+    </message>
+    <message>
+        <source>{}; check the device</source>
+        <translation>{}; das Gerät prüfen</translation>
+    </message>
+    <message>
+        <source>{}; move it or the target until it shows about 0 V</source>
+        <translation>{}; ihn oder das Ziel verschieben, bis er etwa 0 V zeigt</translation>
+    </message>
+    <message>
+        <source>{}limits.overload_N = {:g} can never be seen: the input of the load cell is full at {:.0f} N; lower the limit or raise load_cell.range_mV_per_V</source>
+        <translation>{}limits.overload_N = {} kann nie gesehen werden: Der Eingang des Kraftsensors ist bei {} N übersteuert; die Grenze senken oder load_cell.range_mV_per_V vergrößern</translation>
+    </message>
+    <message>
+        <source>{}limits.rule {} ({}): {}</source>
+        <translation>{}limits.rule {} ({}): {}</translation>
+    </message>
+    <message>
+        <source>{}{}: {:g} kg hang then</source>
+        <translation>{}{}: Dann hängen {} kg</translation>
     </message>
 </context>
 </TS>

@@ -386,7 +386,7 @@ class AlarmJournal(QFrame):
         self.table.show_rows(
             [
                 (
-                    time.strftime("%d %b %H:%M:%S", time.localtime(one.time)),
+                    _moment(one.time),
                     str(one.revolution),
                     one.text,
                     one.source,
@@ -394,6 +394,11 @@ class AlarmJournal(QFrame):
                 for one in lines
             ]
         )
+
+
+def _moment(seconds: float) -> str:
+    when = time.localtime(seconds)
+    return f"{when.tm_mday:02} {tr(time.strftime('%b', when))} {time.strftime('%H:%M:%S', when)}"
 
 
 def alarm_page(host: Host) -> QWidget:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredTest, load_history
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName, Spot
@@ -24,7 +25,7 @@ from rigapp.gui.widgets.build import choice, column, row
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.schema.channels import BASE
 
-CHOOSE = "Choose one or more tests above and press Compare."
+CHOOSE: Final[Text] = "Choose one or more tests above and press Compare."
 MOST = 6
 BUCKETS = 1500
 COLOURS = {
@@ -32,7 +33,10 @@ COLOURS = {
     "dark": ("#3f9be0", "#f0a050", "#7fe0b0", "#ffffff", "#f0e442", "#e15759"),
 }
 CYCLE = "cycle"
-AXES = {CYCLE: "Cycle", "measured_wear_depth": "Measured wear depth (µm)"}
+AXES: Final[dict[str, Text]] = {
+    CYCLE: "Cycle",
+    "measured_wear_depth": "Measured wear depth (µm)",
+}
 NOTHING = Drawn(np.empty(0), np.empty(0))
 
 
@@ -115,7 +119,7 @@ class ComparePanel(PlotPanel):
         """Read tests on the worker and draw them when they are there."""
         self._wanted = list(paths[:MOST])
         self._runs = []
-        self.message.show_text(f"Reading {len(self._wanted)} …")
+        self.message.show_text(tr("Reading {} …", len(self._wanted)))
         for path in self._wanted:
             self._worker.submit(
                 lambda path=path: load_history(path),  # type: ignore[misc]
@@ -123,7 +127,7 @@ class ComparePanel(PlotPanel):
                 lambda error, path=path: self._failed(path, error),  # type: ignore[misc]
             )
         if len(paths) > MOST:
-            self.message.show_text(f"Only the first {MOST} are compared.")
+            self.message.show_text(tr("Only the first {} are compared.", MOST))
 
     def _loaded(self, path: Path, history: StoredTest) -> None:
         if path in self._wanted and all(run.path != path for run in self._runs):
@@ -146,7 +150,7 @@ class ComparePanel(PlotPanel):
                 self.quantity.addItem(text, name)
 
     def _failed(self, path: Path, error: Exception) -> None:
-        self.message.show_text(f"{path.name} cannot be read: {error}")
+        self.message.show_text(tr("{} cannot be read: {}", path.name, error))
 
     def _draw(self) -> None:
         quantity, axis = str(self.quantity.currentData()), str(self.axis.currentData())
@@ -175,7 +179,7 @@ class ComparePanel(PlotPanel):
             bottom, top = self.plot.viewRange()[1]
             spots = [one for one in spots if not bottom <= one.y <= top]
         else:
-            missing = f"None of the chosen tests has {self.quantity.currentText()}."
+            missing = tr("None of the chosen tests has {}.", self.quantity.currentText())
             self.plot.empty(missing if self._runs else CHOOSE)
         self.plot.show_marks(names=tuple(names), spots=tuple(spots))
 

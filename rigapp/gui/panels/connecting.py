@@ -11,6 +11,7 @@ from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QWidget
 
 from rigapp.gui.data.news import News
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import Icon, icon
@@ -39,14 +40,14 @@ def connection_steps(news: News) -> list[ConnectionStep]:
     """Return the steps to a rig that is ready, in their order; the first one not done is next."""
     status = news.status
     if status is None:
-        looking = "looking for it, or starting it"
+        looking = marked("looking for it, or starting it")
         later = [ConnectionStep(name, "after the engine") for name in ("Devices", "First samples")]
         return _marked([ConnectionStep("Engine", looking), *later])
     steps = [ConnectionStep("Engine", status.rig, done=True)]
     waits = status.state is RunState.IDLE
     for device in status.devices:
         found = device.identity or tr("{} on {}", device.driver, device.port)
-        line = device.last_error or (found if device.connected else tr("finding {}", found))
+        line = retold(device.last_error) or (found if device.connected else tr("finding {}", found))
         steps.append(ConnectionStep(device.name, line, device.connected))
     if not status.devices:
         steps.append(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -16,6 +18,7 @@ from rigapp.gui.data.comparison import RevolutionCurves, statistics
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.recording import StoredRevolution
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.channelcurves import ChannelCurvePanel
@@ -23,27 +26,25 @@ from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.polar import PolarPanel
 from rigapp.gui.widgets.build import button, named, page, row, split, whole_number
 
-HEADINGS = tuple(
-    f"{statistic}\n{kind}"
-    for statistic in ("max", "min", "RMS")
-    for kind in ("meas.", "model", "diff.")
-)
+STATISTICS: Final[tuple[Text, ...]] = ("max", "min", "RMS")
+KINDS: Final[tuple[Text, ...]] = ("meas.", "model", "diff.")
 
 
 class ValueTable(QTableWidget):
     """Repeat in numbers what the overlay shows, for eyes, ears and the clipboard."""
 
     def __init__(self, prefix: str) -> None:
-        super().__init__(3, len(HEADINGS))
+        headings = [f"{tr(one)}\n{tr(kind)}" for one in STATISTICS for kind in KINDS]
+        super().__init__(3, len(headings))
         named(self, f"{prefix}_values", "Statistics of the revolution shown, in N")
-        self.setHorizontalHeaderLabels(list(HEADINGS))
+        self.setHorizontalHeaderLabels(headings)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setTabKeyNavigation(False)
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         for line in range(3):
-            for column in range(len(HEADINGS)):
+            for column in range(len(headings)):
                 item = QTableWidgetItem("–")
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 self.setItem(line, column, item)
@@ -51,9 +52,9 @@ class ValueTable(QTableWidget):
 
     def show_values(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
         """Fill the table, with dashes when nothing is shown."""
-        first, second = COMPONENT_NAMES[frame]
+        first, second = map(tr, COMPONENT_NAMES[frame])
         self.setVerticalHeaderLabels(["|F| (N)", f"{first} (N)", f"{second} (N)"])
-        unknown = [float("nan")] * len(HEADINGS)
+        unknown = [float("nan")] * self.columnCount()
         table = [unknown] * 3 if shown is None else [values for _, values in statistics(shown)]
         for line, values in enumerate(table):
             for column, value in enumerate(values):
@@ -152,7 +153,7 @@ def cycle_page(host: Host) -> QWidget:
     panel = host.add("cycle", CyclePanel(host.theme))
 
     def failed(error: Exception) -> None:
-        host.say(f"No stored revolution: {error}", False)
+        host.say(tr("No stored revolution: {}", error), False)
         panel.no_revolution()
 
     panel.revolution_wanted.connect(

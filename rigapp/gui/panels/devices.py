@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 from rigapp.gui.data.channels import value_text
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.texts import duration, grouped, unit_text
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, VALUE_PT, Theme
@@ -133,12 +134,12 @@ class DeviceCard(QFrame):
         self.chip.setText(tr(word))
         self.identity.setText(f"{device.identity or device.driver}, {device.port}")
         if not device.connected:
-            link = device.last_error or tr("not connected")
+            link = retold(device.last_error) or tr("not connected")
         elif device.sample_rate_Hz:
             link = tr("{}, {} samples/s", link, f"{device.sample_rate_Hz:g}")
         tell(self.link, "role", "caution" if disturbed or not device.connected else "")
         self.link.setText(link)
-        self.warnings.setText(device.advice or tr("no warning"))
+        self.warnings.setText(retold(device.advice) or tr("no warning"))
         self.details.setText(counted(device))
         self.setAccessibleDescription(f"{tr(word)}, {link}")
 
@@ -158,13 +159,16 @@ def _health(device: DeviceView, *, disturbed: bool) -> tuple[str, Text]:
 def counted(device: DeviceView) -> str:
     """Return everything that was counted of a device, a line each."""
     counters = {
-        "samples lost": device.lost_samples,
-        "errors": device.errors,
-        **{name.replace("_", " ").replace("crc", "CRC"): n for name, n in device.counters.items()},
+        tr("samples lost"): device.lost_samples,
+        tr("errors"): device.errors,
+        **{
+            tr(name.replace("_", " ").replace("crc", "CRC")): n
+            for name, n in device.counters.items()
+        },
     }
     lines = [f"{name}: {grouped(count)}" for name, count in counters.items()]
-    more = (device.wiring, f"last error: {device.last_error}" if device.last_error else "")
-    return "\n".join([*lines, *filter(None, more)])
+    error = tr("last error: {}", retold(device.last_error)) if device.last_error else ""
+    return "\n".join([*lines, *filter(None, (retold(device.wiring), error))])
 
 
 class DevicePanel(QWidget):
@@ -270,7 +274,7 @@ class DevicePanel(QWidget):
                 f"±{channel.uncertainty:.3g} {unit_text(channel.unit)}"
                 if channel.uncertainty
                 else tr("not known"),
-                channel.calibration,
+                tr(channel.calibration),
                 tr(SIGNS.get(channel.name, "")),
             )
             for channel in status.channels
@@ -280,10 +284,14 @@ class DevicePanel(QWidget):
     def _show_drive(self, status: Status) -> None:
         drive, warning = status.drive, self._theme.mark(critical=False)
         if drive is None:
-            self.drive.show_rows([("State", "not connected")], [warning])
+            self.drive.show_rows([(tr("State"), tr("not connected"))], [warning])
             return
-        rows: list[tuple[str, str, object]] = [
-            ("Speed", f"{drive.speed_rpm:.2f} of {drive.setpoint_rpm:.2f} rpm", False),
+        speed = tr("{:.2f} of {:.2f} rpm", drive.speed_rpm, drive.setpoint_rpm)
+        faults, warnings = (
+            ", ".join(map(retold, told)) or tr("none") for told in (drive.faults, drive.warnings)
+        )
+        rows: list[tuple[Text, Text, object]] = [
+            ("Speed", speed, False),
             ("Power", "on" if drive.enabled else "off", False),
             (
                 "Emergency stop",
@@ -293,25 +301,26 @@ class DevicePanel(QWidget):
             ("Current", f"{drive.current_A:.2f} A", False),
             ("Supply", f"{drive.supply_V:.1f} V", False),
             ("Temperature", f"{drive.temperature_C:.1f} °C", False),
-            ("Faults", ", ".join(drive.faults) or "none", drive.faults),
-            ("Warnings", ", ".join(drive.warnings) or "none", drive.warnings),
+            ("Faults", faults, drive.faults),
+            ("Warnings", warnings, drive.warnings),
         ]
         marks = [warning if bad else None for _, _, bad in rows]
-        self.drive.show_rows([(name, now) for name, now, _ in rows], marks)
+        self.drive.show_rows([(tr(name), tr(now)) for name, now, _ in rows], marks)
 
     def _show_health(self, status: Status | None, silence_s: float) -> None:
-        rows = [
-            ("Last word of the engine", f"{silence_s:.1f} s ago"),
+        rows: list[tuple[Text, str]] = [
+            ("Last word of the engine", tr("{:.1f} s ago", silence_s)),
             ("Stalls of this window over 50 ms", str(self._watchdog.stalls)),
             ("Longest stall", f"{1000.0 * self._watchdog.worst_s:.0f} ms"),
         ]
         if status is not None:
-            rows[1:1] = [
+            more: list[tuple[Text, str]] = [
                 ("Engine process", str(status.engine_pid)),
                 ("Rows not sent to this window", str(status.rows_dropped)),
                 ("Age of the prediction", value_text(status.twin_age_s, "s")),
             ]
-        self.health.show_rows(rows)
+            rows[1:1] = more
+        self.health.show_rows([(tr(name), value) for name, value in rows])
 
     def _enable(self) -> None:
         standing = self._state in (RunState.READY, RunState.STOPPED)
@@ -344,7 +353,7 @@ def _carded(title: Text, table: PlainTable) -> QFrame:
 
 def _value(view: ChannelView) -> str:
     text = value_text(view.value, view.unit)
-    return text if view.age_s is None else f"{text}, {duration(view.age_s)} old"
+    return text if view.age_s is None else text + tr(", {} old", duration(view.age_s))
 
 
 def device_page(host: Host) -> QWidget:

@@ -15,6 +15,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rules import ALWAYS, limit_refusal
 from rigapp.gui.data.levels import levels_of, unit_of_quantity
 from rigapp.gui.data.news import News, Takes
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.widgets.build import button, edit, filled, named, prose, row
 from rigapp.gui.widgets.numbers import number
@@ -72,7 +73,7 @@ class LimitPanel(QGroupBox):
     takes = Takes.HISTORY | Takes.LOG
 
     def __init__(self) -> None:
-        super().__init__("Limits of the running test")
+        super().__init__(tr("Limits of the running test"))
         self._shown: dict[str, ShownLimit] = {}
         self._active = False
         self._channels = BASE
@@ -143,20 +144,22 @@ class LimitPanel(QGroupBox):
 
     def _enable(self) -> None:
         name, number = self._name(), self._number()
-        if not self._active:
-            problem = "No test is under way; limits are changed in the test file."
-        elif name is None:
-            problem = "Choose a limit."
-        elif number is None:
-            problem = "The new value is not a number."
-        elif number == self._shown[name].value:
-            problem = "This is the present value."
-        elif not self.reason.text().strip():
-            problem = "Give the reason."
-        else:
-            problem = self._refusal(name, number)
-        self.problem.setText(problem)
+        problem = self._problem(name, number)
+        self.problem.setText(tr(problem))
         self.change.setEnabled(not problem)
+
+    def _problem(self, name: str | None, number: float | None) -> Text:
+        if not self._active:
+            return "No test is under way; limits are changed in the test file."
+        if name is None:
+            return "Choose a limit."
+        if number is None:
+            return "The new value is not a number."
+        if number == self._shown[name].value:
+            return "This is the present value."
+        if not self.reason.text().strip():
+            return "Give the reason."
+        return retold(self._refusal(name, number))
 
     def _refusal(self, name: str, number: float) -> str:
         if name == REVOLUTIONS:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from typing import Final
 
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from rigapp.gui.data.news import News, Takes
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.panel import Host
 from rigapp.gui.widgets.build import edit, filled, named, row
 from rigapp.gui.widgets.tables import PlainTable
 from rigapp.schema.messages import Event
 
-HEADINGS = ("Time", "Cycle", "What", "Who", "Before", "After", "Text")
+HEADINGS: Final[tuple[Text, ...]] = ("Time", "Cycle", "What", "Who", "Before", "After", "Text")
 SHOWN = 2000
 """Newest lines shown; all of them are in the file."""
 
@@ -29,7 +31,7 @@ class LogPanel(QWidget):
         named(self, "log_panel", "Log of the test")
         self.filter = edit("log_filter", "Show only lines with this text", self._show)
         self.filter.setClearButtonEnabled(True)
-        self.count = named(QLabel("The log is empty."), "log_count", "Lines of the log")
+        self.count = named(QLabel(tr("The log is empty.")), "log_count", "Lines of the log")
         self.table = PlainTable("log_table", "Log of the test, newest first", HEADINGS)
         top = row("F&ind", (self.filter, 1), (self.count, 1))
         filled(QVBoxLayout(self), (top, (self.table, 1)))
@@ -58,7 +60,7 @@ class LogPanel(QWidget):
             if not wanted or any(wanted in text.lower() for text in texts):
                 rows.append(texts)
         self.table.show_rows(rows[:SHOWN])
-        self.count.setText(f"{len(rows)} of {len(self._events)} lines")
+        self.count.setText(tr("{} of {} lines", len(rows), len(self._events)))
 
 
 def log_page(host: Host) -> QWidget:

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.data.texts import grouped
-from rigapp.gui.language.words import Text, tr
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.panels.compare import MOST, ComparePanel
@@ -75,7 +75,7 @@ class ResultsPanel(QWidget):
         self.words.setPlaceholderText(tr("Title, specimen, file, operator, reason"))
         self.words.setClearButtonEnabled(True)
         QShortcut(QKeySequence.StandardKey.Find, self, self.words.setFocus)
-        endings = [("All", None), *((HEADLINES[one], one) for one in HowEnded)]
+        endings = [(marked("All"), None), *((HEADLINES[one], one) for one in HowEnded)]
         self.ending = choice(
             "result_ending", "Show only tests that ended so", endings, self._filter
         )

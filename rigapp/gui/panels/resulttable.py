@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
 )
 
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import icon
@@ -170,7 +171,7 @@ class ResultModel(QAbstractTableModel):
                 return (result.title if result else "") or Path(path).name
             return made.text(result) if result else READING
         if role == Qt.ItemDataRole.ToolTipRole:
-            return f"{path}\n{result.reason}" if result else path
+            return f"{path}\n{retold(result.reason)}" if result else path
         if role == Qt.ItemDataRole.TextAlignmentRole and made.right:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         return None

@@ -14,10 +14,11 @@ from rigapp.gui.data.knownwear import KnownWear, known_wear, newest_wear
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.panel import Host
 from rigapp.gui.plots.knownwear import DepthBandPanel, NarrowingPanel
-from rigapp.gui.plots.plotting import NO_REVOLUTION
 from rigapp.gui.widgets.build import column, prose, split
 
 REST_S = 3.0
@@ -36,7 +37,7 @@ class WearPanel(QWidget):
         super().__init__()
         self._reader = read
         self._worker = worker
-        self._known = NOTHING
+        self._known, self._said = NOTHING, ""
         self._read: tuple[Path | None, float] = (None, float("nan"))
         self._busy = False
         self._not_before = 0.0
@@ -60,14 +61,16 @@ class WearPanel(QWidget):
         predictions = news.data.predictions
         newest = newest_wear(predictions)
         if self._read[0] != news.path:
-            self._known, self._read = NOTHING, (news.path, float("nan"))
+            self._known, self._said, self._read = NOTHING, "", (news.path, float("nan"))
         self._have_computed(news, newest.revolution)
-        waiting = f"{NO_REVOLUTION}: the wear depth with its predicted band is drawn here."
+        waiting = tr(
+            "No revolution measured yet: the wear depth with its predicted band is drawn here."
+        )
         if len(news.data.rows):
-            waiting = "What is known of the wear is being computed …"
-        sentence = self._known.sentence
+            waiting = tr("What is known of the wear is being computed …")
+        sentence = self._said
         if self._known.after:
-            sentence += f" (By cycle {grouped(self._known.after)}.)"
+            sentence += tr(" (By cycle {}.)", grouped(self._known.after))
         self.sentence.setText(sentence or waiting)
         self.bands.draw(self._known, news, waiting)
         self.narrowing.draw(self._known, sentence or waiting)
@@ -86,7 +89,7 @@ class WearPanel(QWidget):
         self._busy = self._worker.submit(
             lambda: self._reader(path, after),
             lambda known: self._computed(wanted, known),
-            lambda error: self._computed(wanted, KnownWear(f"Not computed: {error}")),
+            lambda error: self._computed(wanted, KnownWear(tr("Not computed: {}", error))),
         )
 
     def _computed(self, wanted: tuple[Path, float], known: KnownWear) -> None:
@@ -94,6 +97,7 @@ class WearPanel(QWidget):
         self._not_before = time.monotonic() + REST_S
         if self._read[0] == wanted[0]:
             self._read, self._known = wanted, known
+            self._said = retold(known.sentence)
 
 
 def wear_page(host: Host) -> QWidget:

@@ -6,13 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rigapp.gui.data.channels import span_of, title_of, words
+from rigapp.gui.data.channels import span_of, title_of
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import MeasuredCycle
 from rigapp.gui.data.texts import unit_text
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
@@ -38,8 +39,8 @@ def curve_groups(table: ChannelTable) -> tuple[CurveGroup, ...]:
     """Return what can be drawn: the pair of probes, then each free channel of its own."""
     names = table.names_of(PROBES)
     directions = zip(names, COMPONENT_NAMES[ForceFrame.FOLLOWER], strict=True)
-    texts = tuple(f"{words(name)}, {direction}" for name, direction in directions)
-    probes = CurveGroup("Pin position", tuple(table[n] for n in names), texts, centred=True)
+    texts = tuple(f"{title_of(table[name])}, {tr(direction)}" for name, direction in directions)
+    probes = CurveGroup(tr("Pin position"), tuple(table[n] for n in names), texts, centred=True)
     return probes, *(
         CurveGroup(title_of(one), (one,), (title_of(one),))
         for one in table.free
@@ -92,7 +93,7 @@ class ChannelCurvePanel(PlotPanel):
             if one.name in cycle.channels
         ]
         if not shown:
-            self._nothing(f"Revolution {cycle.revolution} does not have it")
+            self._nothing(tr("Revolution {} does not have it", cycle.revolution))
         self._means = tuple(float(values.mean()) for values in shown)
         if self.group.centred:
             shown = [values - mean for values, mean in zip(shown, self._means, strict=True)]
@@ -124,18 +125,18 @@ class ChannelCurvePanel(PlotPanel):
         self.plot.steady = SteadyRange(span_of(group.channels[0]), symmetric=group.centred)
         self.title.show_text("")
 
-    def _nothing(self, why: str) -> None:
+    def _nothing(self, why: Text) -> None:
         clear(*self._curves)
-        self.plot.empty(f"{why}: {self.group.title} over one turn of the crank is drawn here.")
+        waiting = tr("{} over one turn of the crank is drawn here.", self.group.title)
+        self.plot.empty(f"{tr(why)}: {waiting}")
 
     def _show_names(self, ends: list[float]) -> None:
         """Name the curves where they end; unit and means stand above."""
         group = self.group
         means = ", ".join(f"{mean:.1f}" for mean in self._means)
         unit = unit_text(group.channels[0].unit)
-        self.title.show_text(
-            f"{unit} less means {means}" if group.centred else f"{unit}, mean {means}"
-        )
+        mean = tr("{} less means {}") if group.centred else tr("{}, mean {}")
+        self.title.show_text(mean.format(unit, means))
         self.plot.show_marks(
             names=tuple(
                 CurveName(text.split(",")[0], LinePen(role), end)

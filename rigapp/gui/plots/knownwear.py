@@ -10,12 +10,13 @@ from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import limit_lines
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detail, heading
+from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, detail, plot_heading
 from rigapp.gui.widgets.build import column, row
 
 BUCKETS = 1200
@@ -58,9 +59,9 @@ class DepthBandPanel(PlotPanel):
         self._measured = self.plot.curve(MEASURED)
         self.title = detail("wear_band_title", "Unit")
         self.title.show_text("µm, to the planned end; bands 95 %")
-        column(row(heading("Wear depth"), (self.title, 1)), (self.plot, 1), on=self)
+        column(row(plot_heading("Wear depth"), (self.title, 1)), (self.plot, 1), on=self)
 
-    def draw(self, known: KnownWear, news: News, waiting: str) -> None:
+    def draw(self, known: KnownWear, news: News, waiting: Text) -> None:
         """Draw what is known, over the newest measured depths; waiting: why there is nothing."""
         predictions = news.data.predictions
         names = []
@@ -73,7 +74,8 @@ class DepthBandPanel(PlotPanel):
                 continue
             band.draw(shown.revolution, shown.low, shown.median, shown.high)
             highest = max(highest, float(np.nanmax(shown.high, initial=0.0)))
-            names.append(CurveName(f"from {grouped(shown.after)} on", pen, float(shown.median[-1])))
+            text = tr("from {} on", grouped(shown.after))
+            names.append(CurveName(text, pen, float(shown.median[-1])))
         flagged = Flagged(news.data.rows, EVERYTHING, BUCKETS)
         line = drawn(predictions, DEPTH, flagged, EVERYTHING, BUCKETS, UM_PER_MM)
         self._measured.setData(line.x, line.y)
@@ -81,7 +83,7 @@ class DepthBandPanel(PlotPanel):
         if not seen.size:
             self.plot.empty(waiting)
             return
-        names.append(CurveName("measured", MEASURED, float(line.y[seen[-1]])))
+        names.append(CurveName(tr("measured"), MEASURED, float(line.y[seen[-1]])))
         if np.isfinite(known.depth_um):
             highest = max(highest, known.depth_um)
         last = max(float(predictions.revolutions[-1]), float(known.planned), 1.0)
@@ -106,11 +108,12 @@ class NarrowingPanel(PlotPanel):
         self.plot.label("bottom", "Cycle, by decades")
         self.band = ShadedCurve(self.plot, MEASURED)
         self.title = detail("wear_narrowing_title", "Unit, and what the band is")
-        self.title.show_text(f"10⁻⁶ {UNIT}; band 95 %")
-        column(row(heading("Wear coefficient"), (self.title, 1)), (self.plot, 1), on=self)
-        self.plot.empty(f"{NO_REVOLUTION}: what is known of the wear coefficient is drawn here.")
+        self.title.show_text(tr("10⁻⁶ {}; band 95 %", UNIT))
+        column(row(plot_heading("Wear coefficient"), (self.title, 1)), (self.plot, 1), on=self)
+        waiting = tr("what is known of the wear coefficient is drawn here.")
+        self.plot.empty(f"{tr(NO_REVOLUTION)}: {waiting}")
 
-    def draw(self, known: KnownWear, waiting: str) -> None:
+    def draw(self, known: KnownWear, waiting: Text) -> None:
         """Draw the course of what was known; waiting: why there is nothing."""
         if not known.course:
             self.band.clear()

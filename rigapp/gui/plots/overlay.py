@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Final
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -19,25 +20,25 @@ from rigapp.gui.data.comparison import (
     uncertainty_of,
     values_at,
 )
-from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
+from rigapp.gui.data.frames import FRAME_NAMES, SHORT_NAMES, ForceFrame
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
 from rigapp.gui.data.series import Doubt, LiveData
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.limitlines import limit_lines
 from rigapp.gui.plots.marks import CurveName, Spot
 from rigapp.gui.plots.palette import MODEL, STALE_CURVE, LinePen
 from rigapp.gui.plots.plotting import (
-    NO_REVOLUTION,
     CursorPlot,
     NameRoom,
     PlotPanel,
     detail,
-    heading,
+    plot_heading,
 )
 from rigapp.gui.widgets.build import button, choice, column, row
 
@@ -47,11 +48,13 @@ RESIDUAL_BIN_DEG = 2.0
 PENS = dict(zip(CURVES, map(LinePen, ("main", "first", "second")), strict=True))
 OTHER = LinePen("frozen")
 """A revolution behind the newest one."""
-WAITING = f"{NO_REVOLUTION}: the joint force over one turn of the crank is drawn here."
-NO_PREDICTION = "No prediction yet: measured − model is drawn here."
-UNFOLLOWED = "the speed changes faster than the prediction can follow"
+WAITING: Final[Text] = (
+    "No revolution measured yet: the joint force over one turn of the crank is drawn here."
+)
+NO_PREDICTION: Final[Text] = "No prediction yet: measured − model is drawn here."
+UNFOLLOWED: Final[Text] = "the speed changes faster than the prediction can follow"
 WHOLE_TURN = np.array([0.0, 360.0])
-FROZEN, STORED = "frozen", "stored"
+FROZEN, STORED = marked("frozen"), marked("stored")
 """What a revolution behind the newest one is: of a moment ago, or from the file."""
 
 
@@ -100,8 +103,8 @@ class OverlayPanel(PlotPanel):
         self.plot, self.residual_plot = (
             AnglePlot(f"{prefix}_{name}_plot", spoken, theme, self.set_cursor, room=room)
             for name, spoken in (
-                ("force", "Joint force against crank angle"),
-                ("residual", "Measured minus model against crank angle"),
+                ("force", marked("Joint force against crank angle")),
+                ("residual", marked("Measured minus model against crank angle")),
             )
         )
         self.plot.show_crank_angle(label=False)
@@ -122,7 +125,7 @@ class OverlayPanel(PlotPanel):
 
     def _build(self, prefix: str) -> None:
         self.title = detail(f"{prefix}_overlay_title", "Revolutions shown")
-        frames = [(f"{frame.value} frame", frame) for frame in ForceFrame]
+        frames = [(text, frame) for frame, text in FRAME_NAMES.items()]
         self.frame_box = choice(
             f"{prefix}_frame", "Frame of the force components", frames, self._frame_chosen
         )
@@ -136,9 +139,9 @@ class OverlayPanel(PlotPanel):
         )
         self.readout = detail(f"{prefix}_cursor", "Values at the cursor")
         column(
-            row(heading("Force"), (self.title, 1), self.freeze, self.frame_box),
+            row(plot_heading("Force"), (self.title, 1), self.freeze, self.frame_box),
             (self.plot, 5),
-            row(heading("Measured − model"), (self.readout, 1)),
+            row(plot_heading("Measured − model"), (self.readout, 1)),
             (self.residual_plot, 2),
             on=self,
         )
@@ -274,14 +277,14 @@ class OverlayPanel(PlotPanel):
 
     def _show_words(self, shown: RevolutionCurves) -> None:
         """Write the title, and the names at the curves."""
-        title = f"N, cycle {grouped(shown.measured_revolution)}"
+        title = tr("N, cycle {}", grouped(shown.measured_revolution))
         if shown.model_revolution not in (None, shown.measured_revolution):
-            title += f", model {grouped(shown.model_revolution or 0)}"
-        self.title.show_text(title + (", HELD" if self.held else ""))
+            title += tr(", model {}", grouped(shown.model_revolution or 0))
+        self.title.show_text(title + (tr(", HELD") if self.held else ""))
         names = self._names(shown)
         place = int(np.argmax(shown.measured[SIZE]))
         angle, largest = float(shown.angle_deg[place]), float(shown.measured[SIZE][place])
-        peak = Spot(angle, largest, f"{largest:.1f} N at {angle:.0f}°", PENS[SIZE])
+        peak = Spot(angle, largest, tr("{:.1f} N at {:.0f}°", largest, angle), PENS[SIZE])
         self.plot.show_marks(names=tuple(names), spots=(peak,))
         both = joint_uncertainty(self._uncertainty, self._doubt.uncertainty_N)
         if shown.residual is not None and math.isfinite(both):
@@ -295,30 +298,26 @@ class OverlayPanel(PlotPanel):
             read = "" if values is None else f" {values[name][0]:.1f}"
             found.append(CurveName(text + read, pen, float(shown.measured[name][-1])))
         if shown.model is not None:
-            text = "model (stale)" if self._stale else "model"
+            text = tr("model (stale)") if self._stale else tr("model")
             text += "" if values is None else f" {values[SIZE][1]:.1f}"
             if math.isfinite(self._doubt.uncertainty_N):
                 text += f" ± {self._doubt.uncertainty_N:.2g}"
             found.append(CurveName(text, self._model_pen, float(shown.model[SIZE][-1])))
         for kind, other in self._others.items():
-            text = f"{kind} {grouped(other.cycle.revolution)}"
+            text = f"{tr(kind)} {grouped(other.cycle.revolution)}"
             found.append(CurveName(text, OTHER, float(other.cycle.channels[SIZE][-1])))
         return found
 
     @property
     def _words(self) -> tuple[str, ...]:
         """Return what the curves are called; the frame stands above the plot."""
-        short = (
-            one.removesuffix(" crank").removesuffix(" follower")
-            for one in COMPONENT_NAMES[self.frame]
-        )
-        return ("|F|", *short)
+        return ("|F|", *(tr(one) for one in SHORT_NAMES[self.frame]))
 
     def _read_out(self) -> None:
         """Say below the plot what is measured less what the model says, at the cursor."""
-        text = "N, grey: every sample"
+        text = tr("N, grey: every sample")
         if self._doubt.unfollowed:
-            text = f"▲ {UNFOLLOWED}"
+            text = f"▲ {tr(UNFOLLOWED)}"
         elif self.shown is not None and self._cursor is not None and self.shown.model is not None:
             values = values_at(self.shown, self._cursor)
             text = "N: " + ", ".join(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF, QSize, Qt
@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.texts import grouped
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.tokens import BODY_PT, GAP, STEP, Theme
 from rigapp.gui.plots.axes import QuietAxis
@@ -74,7 +75,7 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
     def __init__(
         self,
         name: str,
-        spoken: str,
+        spoken: Text,
         theme: Theme,
         *,
         lane: bool = False,
@@ -121,9 +122,9 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         for item, pen in self._pens.items():
             item.setPen(pen.of(theme))
 
-    def label(self, side: str, text: str) -> None:
+    def label(self, side: str, text: Text) -> None:
         """Write an axis label; the unit is part of the text."""
-        axis = self._axes[side]
+        axis, text = self._axes[side], tr(text)
         if text != axis.text:
             axis.caption(text)
             self._repaint()
@@ -133,8 +134,9 @@ class QuietPlot(pg.PlotWidget):  # type: ignore[misc]
         """Return the sentence that stands in place of axes and curves, empty when these show."""
         return self._instead.text()
 
-    def empty(self, sentence: str) -> None:
+    def empty(self, sentence: Text) -> None:
         """Show a sentence in place of axes and curves, which mean nothing yet; "": show these."""
+        sentence = tr(sentence)
         if sentence == self._instead.text():
             return
         self._instead.setText(sentence)
@@ -279,7 +281,7 @@ class CursorPlot(QuietPlot):
     def __init__(
         self,
         name: str,
-        spoken: str,
+        spoken: Text,
         theme: Theme,
         pointed: Pointed,
         *,
@@ -289,7 +291,7 @@ class CursorPlot(QuietPlot):
         super().__init__(name, spoken, theme, lane=lane, room=room)
         self._pointed = pointed
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setToolTip("Click, or Tab to it and use ← →, to read values; Esc ends it.")
+        self.setToolTip(tr("Click, or Tab to it and use ← →, to read values; Esc ends it."))
         self.cursor_line = self.guide(0.0, horizontal=False)
         self.draw_with(LinePen("text"), self.cursor_line)
         self.cursor_line.hide()
@@ -326,14 +328,14 @@ class CursorPlot(QuietPlot):
             self._pointed(float(view.mapSceneToView(event.scenePos()).x()))
 
 
-NO_REVOLUTION = "No revolution measured yet"
+NO_REVOLUTION: Final[Text] = "No revolution measured yet"
 """The beginning of the sentence of a plot that waits for the first one."""
 
 
 class PlotPanel(QWidget):
     """A panel of plots: in a new theme every plot on it is drawn anew."""
 
-    def __init__(self, name: str, spoken: str) -> None:
+    def __init__(self, name: str, spoken: Text) -> None:
         super().__init__()
         named(self, name, spoken).setProperty("role", "card")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -345,14 +347,14 @@ class PlotPanel(QWidget):
             plot.dress(theme)
 
 
-def heading(text: str) -> QLabel:
+def plot_heading(text: Text) -> QLabel:
     """Return the title of a card, or of a part of it."""
-    made = QLabel(text)
+    made = QLabel(tr(text))
     made.setFont(sized(made.font(), BODY_PT, QFont.Weight.DemiBold))
     return made
 
 
-def detail(name: str, spoken: str) -> ElidedLabel:
+def detail(name: str, spoken: Text) -> ElidedLabel:
     """Return what stands beside a title: unit, revolution."""
     made = ElidedLabel(name, spoken)
     made.setProperty("role", "secondary")

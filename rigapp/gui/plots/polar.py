@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
 from rigapp.gui.data.channels import COMPONENTS, SIZE
 from rigapp.gui.data.comparison import RevolutionCurves
 from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
 from rigapp.gui.data.ranges import nice_step
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.palette import MODEL, LinePen
-from rigapp.gui.plots.plotting import NO_REVOLUTION, PlotPanel, QuietPlot, heading
+from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, plot_heading
 from rigapp.gui.widgets.build import column
 
 CIRCLE = np.linspace(0.0, 2.0 * np.pi, 91)
 POINTS = 720
-WAITING = f"{NO_REVOLUTION}: the force is drawn here where it points."
+WAITING: Final[Text] = "No revolution measured yet: the force is drawn here where it points."
 
 
 class PolarPanel(PlotPanel):
@@ -32,7 +35,7 @@ class PolarPanel(PlotPanel):
         self.plot.empty(WAITING)
         self._measured = self.plot.curve(LinePen("main"))
         self._model = self.plot.curve(MODEL)
-        column(heading("Force vector"), (self.plot, 1), on=self)
+        column(plot_heading("Force vector"), (self.plot, 1), on=self)
 
     def refresh(self, shown: RevolutionCurves | None, frame: ForceFrame) -> None:
         """Draw the revolution that the overlay shows."""
@@ -44,9 +47,9 @@ class PolarPanel(PlotPanel):
             self.plot.empty(WAITING)
             return
         self.plot.empty("")
-        first, second = COMPONENT_NAMES[frame]
-        self.plot.label("bottom", f"Force {first} (N)")
-        self.plot.label("left", f"Force {second} (N)")
+        first, second = map(tr, COMPONENT_NAMES[frame])
+        self.plot.label("bottom", tr("Force {} (N)", first))
+        self.plot.label("left", tr("Force {} (N)", second))
         step = max(1, len(shown.angle_deg) // POINTS)
         self._measured.setData(*(shown.measured[name][::step] for name in COMPONENTS))
         if shown.model is not None:

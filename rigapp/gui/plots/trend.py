@@ -17,6 +17,7 @@ from rigapp.gui.data.quantities import TrendLine, TrendQuantity, trend_quantitie
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.series import LiveData, SeriesTable
 from rigapp.gui.data.texts import duration, grouped
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import ShadedBand, Trace
 from rigapp.gui.plots.limitlines import limit_lines
@@ -123,14 +124,18 @@ class TrendPanel(PlotPanel):
             self.modes = {
                 mode: self._mode_button(prefix, mode, text, spoken)
                 for mode, text, spoken in (
-                    (WHOLE, "Who&le test", "Show the whole test"),
-                    (LAST, f"Last &{grouped(FOLLOWED)}", f"Follow the last {FOLLOWED} cycles"),
+                    (WHOLE, marked("Who&le test"), marked("Show the whole test")),
+                    (
+                        LAST,
+                        tr("Last &{}", grouped(FOLLOWED)),
+                        tr("Follow the last {} cycles", FOLLOWED),
+                    ),
                 )
             }
         self.title = detail(f"{prefix}_trend_title", "Unit of the trend")
         column(row(self.choice, (self.title, 1), *self.modes.values()), (self.plot, 1), on=self)
 
-    def _mode_button(self, prefix: str, mode: str, text: str, spoken: str) -> QPushButton:
+    def _mode_button(self, prefix: str, mode: str, text: Text, spoken: Text) -> QPushButton:
         made = button(f"{prefix}_trend_{mode}", text, None, spoken, checkable=True)
         made.setChecked(mode == self.view.mode)
         made.clicked.connect(lambda: self.view.show(mode))
@@ -195,11 +200,12 @@ class TrendPanel(PlotPanel):
                     names.append(CurveName(text, pen, value))
                     texts.append(text)
                 elif self.view.cursor is not None:
-                    texts.append(f"model {text}")
+                    texts.append(tr("model {}", text))
             if curve.predicted and both and line is self.quantity.predicted[0]:
                 last = one.y[-1] if len(one.y) else np.nan
                 if np.isfinite(last):
-                    names.append(CurveName("model ± U" if curve.band else "model", pen, last))
+                    model = tr("model ± U") if curve.band else tr("model")
+                    names.append(CurveName(model, pen, last))
             spots += [
                 Spot(*at, f"{at[1]:.4g} {self.quantity.unit}", FLAGGED)
                 for at in (one.above, one.under)
@@ -211,7 +217,7 @@ class TrendPanel(PlotPanel):
             names=tuple(names), limits=limits, moments=moments(news.events), spots=tuple(spots)
         )
         cursor = self.view.cursor
-        when = "Now" if cursor is None else f"At cycle {cursor:.0f}"
+        when = tr("Now") if cursor is None else tr("At cycle {:.0f}", cursor)
         self.words = f"{when}: " + ", ".join(texts) if texts else ""
         self.title.show_text(self.quantity.unit)
 
@@ -219,9 +225,10 @@ class TrendPanel(PlotPanel):
         """Return why nothing is drawn."""
         title = self.quantity.title
         if not revolutions:
-            return f"{NO_REVOLUTION}: {title} against cycle is drawn here."
-        teller = "" if self.quantity.measured else ", which the model beside the test tells"
-        return f"No value yet of {title}{teller}."
+            return f"{tr(NO_REVOLUTION)}: {tr('{} against cycle is drawn here.', title)}"
+        if self.quantity.measured:
+            return tr("No value yet of {}.", title)
+        return tr("No value yet of {}, which the model beside the test tells.", title)
 
     def _offer(self, table: ChannelTable) -> None:
         """Offer what a table has; what was chosen stays, where it is still there."""
@@ -247,7 +254,7 @@ class TrendPanel(PlotPanel):
     def _doubt(self, table: SeriesTable, line: TrendLine) -> str:
         doubt = self.quantity.scale * self._value(table, line.doubt) if line.doubt else np.nan
         age_s = self._value(table, line.age) if line.age else float("nan")
-        old = f", {duration(age_s)} old" if np.isfinite(age_s) else ""
+        old = tr(", {} old", duration(age_s)) if np.isfinite(age_s) else ""
         return f" ± {doubt:.2g}" if np.isfinite(doubt) else old
 
     def _place_view(self, rows: SeriesTable, predictions: SeriesTable) -> None:

@@ -7,6 +7,8 @@ point, and say so.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,18 +18,32 @@ from rigapp.gui.data.profiles import ANGLES_DEG as RECORDED_DEG
 from rigapp.gui.data.profiles import ShownProfile
 from rigapp.gui.data.quantities import UM_PER_MM
 from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.curves import clear
 from rigapp.gui.plots.marks import CurveName
 from rigapp.gui.plots.palette import MODEL, LinePen
-from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, detail, heading
+from rigapp.gui.plots.plotting import PlotPanel, QuietPlot, detail, plot_heading
 from rigapp.gui.widgets.build import column, row
 
 Floats = NDArray[np.float64]
 
-NO_DEPTH = "No depth of wear known yet: the worn profile of the bushing is drawn here."
+NO_DEPTH: Final[Text] = "No depth of wear known yet: the worn profile of the bushing is drawn here."
 MEASURED = LinePen("first")
 ANGLES_DEG = np.linspace(-180.0, 180.0, 721)
+
+
+MEASURED_DEPTH: Final[tuple[Text, Text]] = ("measured {}", "measured: not known")
+MODEL_DEPTH: Final[tuple[Text, Text]] = ("model {}", "model: not known")
+"""A curve with its largest depth, and where there is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """What is said of a curve; not known: it has no depth to stand at."""
+
+    text: str
+    known: bool = True
 
 
 def worn_profile(depth_mm: float, pin_radius_mm: float, bushing_radius_mm: float) -> Floats:
@@ -62,8 +78,8 @@ class WearProfilePanel(PlotPanel):
         self._model = self.plot.curve(MODEL)
         self.plot.steady = SteadyRange(2.0)
         self.title = detail(f"{prefix}_profile_title", "Depths, and what of the bushing was seen")
-        column(row(heading("Worn profile"), (self.title, 1)), (self.plot, 1), on=self)
-        self._show_entries("measured: not known", "model: not known", "")
+        column(row(plot_heading("Worn profile"), (self.title, 1)), (self.plot, 1), on=self)
+        self._show_entries(_depth(MEASURED_DEPTH, math.nan), _depth(MODEL_DEPTH, math.nan), "")
         self.plot.empty(NO_DEPTH)
 
     def show_news(self, news: News) -> None:
@@ -93,9 +109,9 @@ class WearProfilePanel(PlotPanel):
             self.plot.empty(NO_DEPTH)
         self.plot.fit(0.0, UM_PER_MM * deepest)
         self._show_entries(
-            _depth("measured", measured),
-            _depth("model", predicted),
-            "no profile is recorded: the pin's circle sunk in by the depth",
+            _depth(MEASURED_DEPTH, measured),
+            _depth(MODEL_DEPTH, predicted),
+            tr("no profile is recorded: the pin's circle sunk in by the depth"),
         )
 
     def _refresh_recorded(self, profile: ShownProfile) -> None:
@@ -112,12 +128,15 @@ class WearProfilePanel(PlotPanel):
             most = UM_PER_MM * profile.measured[place]
             depth = f"{most:.1f} ± {UM_PER_MM * profile.uncertainty[place]:.1f}"
             extent = RECORDED_DEG[seen]
-            measured = f"measured {depth}"
-            words = f"seen {extent[0]:.0f}° to {extent[-1]:.0f}°, cycle {profile.revolution}"
+            words = tr(
+                "seen {:.0f}° to {:.0f}°, cycle {}", extent[0], extent[-1], profile.revolution
+            )
+            measured = Entry(tr("measured {}", depth))
         else:
-            measured, words = f"measured: not known yet, cycle {profile.revolution}", ""
-        deepest = np.nanmax(profile.predicted, initial=-1.0)
-        model = f"model {UM_PER_MM * deepest:.1f}" if deepest >= 0.0 else "model: not known"
+            text = tr("measured: not known yet, cycle {}", profile.revolution)
+            measured, words = Entry(text, known=False), ""
+        deepest = float(np.nanmax(profile.predicted, initial=-1.0))
+        model = _depth(MODEL_DEPTH, deepest if deepest >= 0.0 else math.nan)
         self._show_entries(measured, model, words)
 
     def _draw_band(self, profile: ShownProfile | None) -> None:
@@ -129,20 +148,21 @@ class WearProfilePanel(PlotPanel):
         doubt = UM_PER_MM * profile.uncertainty[seen]
         self._band.setData(angle, np.maximum(depth - doubt, 0.0), depth + doubt)
 
-    def _show_entries(self, measured: str, model: str, words: str) -> None:
+    def _show_entries(self, measured: Entry, model: Entry, words: str) -> None:
         """Name both curves, where they are deepest, and say what was seen."""
         names = [
-            CurveName(text, pen, np.nanmax(curve.y, initial=0.0))
-            for text, pen, curve in (
+            CurveName(entry.text, pen, np.nanmax(curve.y, initial=0.0))
+            for entry, pen, curve in (
                 (measured, MEASURED, self._measured),
                 (model, MODEL, self._model),
             )
-            if "known" not in text
+            if entry.known
         ]
         self.plot.show_marks(names=tuple(names))
-        unknown = [text for text in (measured, model) if "known" in text]
+        unknown = [entry.text for entry in (measured, model) if not entry.known]
         self.title.show_text(", ".join(("µm", *unknown, *filter(None, (words,)))))
 
 
-def _depth(name: str, depth: float) -> str:
-    return f"{name} {UM_PER_MM * depth:.1f}" if math.isfinite(depth) else f"{name}: not known"
+def _depth(texts: tuple[Text, Text], depth: float) -> Entry:
+    known = math.isfinite(depth)
+    return Entry(tr(texts[0], f"{UM_PER_MM * depth:.1f}") if known else tr(texts[1]), known)

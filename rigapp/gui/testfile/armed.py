@@ -12,6 +12,8 @@ from rigapp.config.loading import judged_test
 from rigapp.config.reading import read_text
 from rigapp.config.recipe import TestFile
 from rigapp.config.toml import toml_tree
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import tr
 from rigapp.gui.testfile.fields import differences, in_form_words
 
 
@@ -37,9 +39,9 @@ class ArmedTest:
             text = read_text(self.path)
             if text == self.text:
                 return []
-            return differences(self.tree, toml_tree(text, self.path)) or ["comments only"]
+            return differences(self.tree, toml_tree(text, self.path)) or [tr("comments only")]
         except UnusableInput as error:
-            return [str(error)]
+            return [retold(str(error))]
 
 
 def read_armed(path: Path, text: str | None = None) -> ArmedTest:
@@ -47,4 +49,4 @@ def read_armed(path: Path, text: str | None = None) -> ArmedTest:
     text = read_text(path) if text is None else text
     tree = toml_tree(text, path)
     test, wrong = judged_test(tree)
-    return ArmedTest(path, text, tree, test, in_form_words(wrong[0]) if wrong else "")
+    return ArmedTest(path, text, tree, test, retold(in_form_words(wrong[0])) if wrong else "")

@@ -8,7 +8,7 @@ import typing
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -16,9 +16,11 @@ from rigapp.config.ranges import Key, keys_of, refusal, unit_of
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.levels import levels_of
 from rigapp.gui.data.texts import unit_text
+from rigapp.gui.language.keys import key_name
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.schema.channels import BASE
-from rigapp.schema.units import stem_of
 
 HIDDEN = ("schema", "model.schema", "limits.rule")
 """Keys that the form keeps as they are or shows in a table of their own."""
@@ -54,10 +56,13 @@ class FieldSpec(Key):
 
     @property
     def label(self) -> str:
+        """Return what the form calls the field."""
+        return tr(self.name)
+
+    @property
+    def name(self) -> Text:
         """Return the key in words, without its unit."""
-        words = stem_of(self.key).replace("_", " ").replace("youngs", "Young's")
-        words = words.replace("poissons", "Poisson's")
-        return words[:1].upper() + words[1:]
+        return key_name(self.key)
 
     @property
     def needed(self) -> bool:
@@ -69,10 +74,16 @@ class FieldSpec(Key):
         """Return range, default and what its values mean."""
         parts = []
         if math.isfinite(self.range.low):
-            parts.append(f"{self.range.low:g} to {self.range.high:g} {self.unit}".rstrip())
+            low, high = f"{self.range.low:g}", f"{self.range.high:g} {self.unit}".rstrip()
+            parts.append(tr("{} to {}", low, high))
         if not self.needed and self.kind != "str":
-            parts.append(f"default {show_value(self.default) or 'off'}")
-        return "; ".join(filter(None, (*parts, self.words)))
+            parts.append(tr("default {}", self.default_words))
+        return "; ".join(filter(None, (*parts, tr(self.words))))
+
+    @property
+    def default_words(self) -> str:
+        """Return what holds where the file says nothing."""
+        return tr(show_value(self.default).replace("_", " ") or "off")
 
     @property
     def hint(self) -> str:
@@ -85,6 +96,13 @@ def form_fields() -> tuple[FieldSpec, ...]:
     """Return the fields of a test file in the order of the file."""
     shown = (one for one in keys_of(TestFile) if not one.path.startswith(HIDDEN))
     return tuple(FieldSpec(*(getattr(one, name) for name in Key.__slots__)) for one in shown)
+
+
+WANTED: Final[dict[str, Text]] = {
+    "int": "{} must be a whole number, not {}",
+    "float": "{} must be a number, not {}",
+    "pair": "{} must be two numbers, not {}",
+}
 
 
 def parse_value(field: FieldSpec, text: str) -> Any:
@@ -101,12 +119,12 @@ def parse_value(field: FieldSpec, text: str) -> Any:
         else:
             return text
     except ValueError:
-        wanted = {"int": "a whole number", "float": "a number", "pair": "two numbers"}[field.kind]
-        raise ValueError(f"{where} must be {wanted}, not {text!r}") from None
+        said = tr(WANTED[field.kind], where, repr(text))
+        raise ValueError(said) from None
     for one in value if field.kind == "pair" else (value,):
         wrong = refusal(field.path, one)
         if wrong:
-            raise ValueError(f"{where}: {wrong}")
+            raise ValueError(f"{where}: {retold(wrong)}")
     return value
 
 
@@ -169,9 +187,9 @@ def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str
         [one.sentence(BASE) for one in levels_of(rules_in(get_path(tree, rule)))]
         for tree in (before, after)
     )
-    lines += [f"new limit: {one}" for one in new if one not in old]
-    lines += [f"limit gone: {one}" for one in old if one not in new]
-    return lines or (["the order of the limits"] if _other_rules(before, after) else [])
+    lines += [tr("new limit: {}", one) for one in new if one not in old]
+    lines += [tr("limit gone: {}", one) for one in old if one not in new]
+    return lines or ([tr("the order of the limits")] if _other_rules(before, after) else [])
 
 
 def _other_rules(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
@@ -196,7 +214,7 @@ def fields_named(sentence: str) -> list[str]:
 
 
 def _word(value: Any) -> str:
-    return "none" if value is None else show_value(value)
+    return tr("none") if value is None else show_value(value)
 
 
 def _flat(tree: Any, prefix: str) -> Iterator[tuple[str, Any]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, Final
 
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from rigapp.gui.language.words import Text, tr
+from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.testfile.fields import (
     FieldSpec,
@@ -34,7 +34,7 @@ CAPTION_WIDTH = 22 * STEP
 WIDTHS = {"int": 14 * STEP, "float": 14 * STEP, "pair": 18 * STEP}
 """Of the fields for numbers; texts take what room there is."""
 
-TITLES: dict[str, Text] = {
+TITLES: Final[dict[str, Text]] = {
     "": "Test",
     "run": "Run",
     "metadata": "Who and what",
@@ -52,8 +52,9 @@ TITLES: dict[str, Text] = {
     "model.pairing": "Where the pairing may run: beyond, a warning; what is empty is off",
 }
 
+IN_A_ROW, OVER = marked("in a row"), marked("over")
 BESIDE = {
-    f"stop.{one.count or one.window}": (f"stop.{key}", "in a row" if one.count else "over")
+    f"stop.{one.count or one.window}": (f"stop.{key}", IN_A_ROW if one.count else OVER)
     for key, one in CRITERIA.items()
     if one.count or one.window
 }
@@ -94,10 +95,10 @@ class FieldLine(QWidget):
         column(self._line, below, on=self)
         self.show_errors({})
 
-    def join(self, field: FieldSpec, word: str, editor: Editor) -> None:
+    def join(self, field: FieldSpec, word: Text, editor: Editor) -> None:
         """Put another field into the line."""
         self.fields.append(field)
-        label = QLabel(word)
+        label = QLabel(tr(word))
         label.setBuddy(editor)
         self._line.insertWidget(self._line.count() - 1, label)
         self._add(field, editor, self._line.count() - 1)
@@ -130,7 +131,7 @@ class FieldForm:
 
     def section(self, name: str) -> QGroupBox:
         """Return a new card with the fields of a section."""
-        title = TITLES.get(name, name.replace("_", " ").replace(".", ", ").capitalize())
+        title = TITLES[name]
         box = named(QGroupBox(tr(title)), f"section_{name or 'test'}", title)
         self.sections[name] = box
         lines: list[QWidget] = []
@@ -163,7 +164,7 @@ class FieldForm:
         else:
             editor = QLineEdit()
             if not field.needed and field.kind != "str":
-                editor.setPlaceholderText(show_value(field.default) or "off")
+                editor.setPlaceholderText(field.default_words)
             editor.textEdited.connect(self._changed)
             if field.kind in WIDTHS:
                 editor.setFixedWidth(WIDTHS[field.kind])
@@ -215,8 +216,9 @@ class FieldForm:
         if not text and field.kind != "str":
             if not field.needed:
                 return None
-            allowed = f"; type {field.allowed}" if field.allowed else ""
-            raise ValueError(f"{field.label} is missing{allowed}")
+            if not field.allowed:
+                raise ValueError(tr("{} is missing", field.label))
+            raise ValueError(tr("{} is missing; type {}", field.label, field.allowed))
         return parse_value(field, text)
 
     def is_typed(self, path: str) -> bool:

@@ -7,6 +7,7 @@ from collections import Counter
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import marked, tr
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.widgets.build import column, named, prose, row, scrolling, tell
@@ -46,11 +47,13 @@ class CheckRow(QFrame):
         good = check.verdict is Checked.GOOD
         tell(self, "role", ROLES[check.verdict])
         self.mark.setText(MARKS[check.verdict])
-        self.what.setText(check.what if good else f"{check.what}: {check.verdict}")
-        self.finding.setText(check.finding)
-        self.action.setText(check.action)
-        self.action.setVisible(bool(check.action))
-        self.setAccessibleName(f"{check.what}: {check.verdict}, {check.finding} {check.action}")
+        what, finding, action = map(retold, (check.what, check.finding, check.action))
+        verdict = tr(check.verdict.value)
+        self.what.setText(what if good else f"{what}: {verdict}")
+        self.finding.setText(finding)
+        self.action.setText(action)
+        self.action.setVisible(bool(action))
+        self.setAccessibleName(f"{what}: {verdict}, {finding} {action}")
 
 
 class PreflightPanel(QFrame):

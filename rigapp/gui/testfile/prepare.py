@@ -16,6 +16,7 @@ from rigapp.config.loading import read_rig
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.news import News, Takes
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.language.words import tr
 from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.panel import Host
 from rigapp.gui.testfile.preflight import PreflightPanel
@@ -112,7 +113,9 @@ class PreparePanel(QWidget):
             yield Check("File", Checked.BLOCKS, armed.problem, "Correct it in the form and save")
         count = len(self.recipe.unsaved())
         if count:
-            finding = f"{count} change{'s' if count > 1 else ''} not part of {armed.path.name}"
+            name = armed.path.name
+            one = tr("1 change not part of {}", name)
+            finding = tr("{} changes not part of {}", count, name) if count > 1 else one
             yield Check("Form", Checked.ATTENTION, finding, "Save, or start without")
         if self.recipe.rules.draft is not None:
             yield Check("Draft limit", Checked.ATTENTION, "not part of the test", "Add or discard")

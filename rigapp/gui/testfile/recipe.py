@@ -25,6 +25,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import judged_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.writing import whole_file
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
 from rigapp.gui.testfile.armed import ArmedTest, read_armed
@@ -45,11 +46,11 @@ from rigapp.gui.testfile.unsaved import UnsavedBar
 from rigapp.gui.widgets.build import button, column, named, prose, row, scrolling, tell
 from rigapp.gui.widgets.labels import ElidedLabel
 
-NO_FILE = "New test, not saved yet"
+NO_FILE: Final[Text] = "New test, not saved yet"
 LEAST_HEIGHT = 24 * STEP
 """Of a step, which scrolls: three lines of it."""
 EMPTY: Final = {"schema": 1, "title": ""}
-CHECKS = "Checks"
+CHECKS: Final[Text] = "Checks"
 """The step behind the last one, where the checks have no room beside the form."""
 
 
@@ -151,7 +152,7 @@ class RecipePanel(QWidget):
         if rules:
             set_path(tree, "limits.rule", rules)
         if wrong:
-            errors["limits.rule"] = f"{wrong} of the limits cannot be used."
+            errors["limits.rule"] = tr("{} of the limits cannot be used.", wrong)
         return tree, errors
 
     def save(self, path: Path) -> bool:
@@ -167,11 +168,12 @@ class RecipePanel(QWidget):
             tree = _explicit(self._read()[0], self._tree)
             text = edited(self._text, tree, self._optional)
             if armed is not None and path == armed.path and path.exists() and armed.on_disk():
-                self._say(
-                    f"{path} was changed by another program since it was opened. Save it as"
-                    " another file, or open it again, which loses what was changed here.",
-                    good=False,
+                changed = tr(
+                    "{} was changed by another program since it was opened. Save it as another"
+                    " file, or open it again, which loses what was changed here.",
+                    path,
                 )
+                self._say(changed, good=False)
                 return False
             with whole_file(path) as part:
                 part.write_text(text, encoding="utf-8")
@@ -308,7 +310,7 @@ class RecipePanel(QWidget):
         others = []
         for fault in wrong:
             named_fields = [path for path in fields_named(fault) if path in self.form.editors]
-            sentence = f"{in_form_words(fault).rstrip('.')}."
+            sentence = f"{retold(in_form_words(fault).rstrip('.'))}."
             if any(path in errors for path in named_fields):
                 continue  # said already, or a consequence of what stands there
             if named_fields:
@@ -329,7 +331,7 @@ class RecipePanel(QWidget):
             self._words = [one.words(self.test) for one in STEPS]
         texts = list(self._words)
         if self.rules.draft is not None:
-            texts[[one.title for one in STEPS].index("Limits")] += ", 1 draft"
+            texts[[one.title for one in STEPS].index("Limits")] += tr(", 1 draft")
         told, blocking = self._checked
         self.steps.show_steps(self._now, [*texts, told], [*counts, blocking])
         self.buttons["back"].setEnabled(self._now > 0)
@@ -339,7 +341,7 @@ class RecipePanel(QWidget):
         self, errors: dict[str, str], others: list[str], differences: list[str]
     ) -> None:
         self.name.show_text(self.path.name if self.path else NO_FILE)
-        self.name.setToolTip(str(self.path) if self.path else NO_FILE)
+        self.name.setToolTip(str(self.path) if self.path else tr(NO_FILE))
         if errors or others:
             count = len(errors) + len(others)
             where = " ".join([*others, *list(errors.values())[: 1 if not others else 0]])
@@ -373,12 +375,13 @@ class RecipePanel(QWidget):
     def _ask_new(self) -> None:
         """Begin an empty test with the model of the open one: the mechanism is the rig's."""
         model = self._tree.get("model", {})
-        self.ask_before("a new test", lambda: self.begin({**EMPTY, "model": model}))
+        self.ask_before(tr("a new test"), lambda: self.begin({**EMPTY, "model": model}))
 
     def _duplicate(self) -> None:
         """Begin a test like the one in the form, what is not saved included."""
         self._begun = self._tree
-        self.form.edit("title", f"{self.test.title if self.test is not None else ''} (copy)")
+        title = self.test.title if self.test is not None else ""
+        self.form.edit("title", tr("{} (copy)", title))
         self._arm(None)
 
     def _ask_open(self) -> None:
@@ -388,7 +391,7 @@ class RecipePanel(QWidget):
 
     def open_wanted(self, path: Path) -> bool:
         """Open a file, after a question where changes would be lost; return whether it is open."""
-        return self.ask_before(f"opening {path.name}", lambda: self._open(path))
+        return self.ask_before(tr("opening {}", path.name), lambda: self._open(path))
 
     def _open(self, path: Path) -> None:
         self.open_file(path)
@@ -407,7 +410,7 @@ class RecipePanel(QWidget):
         return dialog
 
 
-def _scrolling(page: QWidget, title: str) -> QWidget:
+def _scrolling(page: QWidget, title: Text) -> QWidget:
     return scrolling(f"step_area_{title.lower()}", title, page)
 
 

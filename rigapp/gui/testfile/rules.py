@@ -5,11 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any
+from string import Formatter
+from typing import Any, Final
 
 import numpy as np
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QFrame, QGroupBox, QLabel, QLineEdit, QVBoxLayout
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QGroupBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
 
 from rigapp.config.recipe import LimitsSection
 from rigapp.gui.data.levels import (
@@ -24,11 +34,19 @@ from rigapp.gui.data.levels import (
     unit_of_quantity,
 )
 from rigapp.gui.data.news import News
+from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import STEP
 from rigapp.gui.testfile.fields import show_value
 from rigapp.gui.widgets.build import button, choice, column, edit, filled, named, prose, row, tell
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.schema.channels import BASE, ChannelTable
+
+SENTENCE: Final[Text] = "{action} when {quantity} is {side} {value} in {revolutions} revolutions"
+ENDS: Final[Text] = "{note} ends {back} inside"
+"""The lines of a limit, with its fields in the place of the braces."""
+NUMBER: Final[Text] = "Type a number in place of {}."
+WHOLE_NUMBER: Final[Text] = "Type a whole number in place of {}."
+SIDES: Final[tuple[tuple[Text, str], ...]] = (("above", "above"), ("below", "below"))
 
 NUMBER_WIDTH = 9 * STEP
 COUNT_WIDTH = 7 * STEP
@@ -51,26 +69,28 @@ class LevelRow(QFrame):
         self._table = table
         self._usual = ""
         name = f"limit_{place}"
-        named(self, name, f"Limit {place}")
+        named(self, name, tr("Limit {}", place))
         actions = [(text, pair) for pair, text in ACTIONS.items()]
         pair = (level.severity, level.action)
         if pair not in ACTIONS:
             actions.append((OTHER_ACTIONS[pair], pair))
-        self.action = choice(f"{name}_action", f"What limit {place} does", actions)
-        self.quantity = choice(f"{name}_quantity", f"Quantity of limit {place}", ())
+        self.action = choice(f"{name}_action", tr("What limit {} does", place), actions)
+        self.quantity = choice(f"{name}_quantity", tr("Quantity of limit {}", place), ())
         self.quantity.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         self.quantity.setMinimumContentsLength(QUANTITY_LETTERS)
-        sides = (("above", "above"), ("below", "below"))
-        self.side = choice(f"{name}_side", f"Side of limit {place}", sides)
-        self.value = edit(f"{name}_value", f"Value of limit {place}")
-        self.revolutions = edit(f"{name}_revolutions", f"Revolutions in a row of limit {place}")
-        self.back = edit(f"{name}_back", f"How far inside limit {place} its alarm ends")
+        self.side = choice(f"{name}_side", tr("Side of limit {}", place), SIDES)
+        self.value = edit(f"{name}_value", tr("Value of limit {}", place))
+        self.revolutions = edit(
+            f"{name}_revolutions", tr("Revolutions in a row of limit {}", place)
+        )
+        self.back = edit(f"{name}_back", tr("How far inside limit {} its alarm ends", place))
         self.units = [QLabel(), QLabel()]
-        self.note = prose(f"{name}_note", f"What is wrong with limit {place}, or its usual range")
+        wrong = tr("What is wrong with limit {}, or its usual range", place)
+        self.note = prose(f"{name}_note", wrong)
         self.note.setProperty("role", "caption")
-        self.remove = button(f"{name}_remove", "Remove", spoken=f"Remove limit {place}")
+        self.remove = button(f"{name}_remove", "Remove", spoken=tr("Remove limit {}", place))
         self.remove.setProperty("rank", "quiet")
         for line, width in (
             (self.value, NUMBER_WIDTH),
@@ -88,18 +108,30 @@ class LevelRow(QFrame):
         self.quantity.currentIndexChanged.connect(self._show_unit)
 
     def _lay_out(self) -> None:
-        first = row(
-            self.action, QLabel("when"), (self.quantity, 1), QLabel("is"), self.side,
-            self.value, self.units[0], QLabel("in"), self.revolutions, QLabel("revolutions"),
-        )  # fmt: skip
-        ends = QLabel("ends")
-        ends.setBuddy(self.back)
-        second = row((self.note, 1), ends, self.back, self.units[1], QLabel("inside"), self.remove)
+        first = self._line(SENTENCE, self.quantity, self.units[0])
+        second = self._line(ENDS, self.note, self.units[1])
+        second.addWidget(self.remove)
         for line in (first, second):
             line.setSpacing(STEP)
         made = column(first, second, on=self)
         made.setContentsMargins(0, STEP, 0, STEP)
         made.setSpacing(STEP // 2)
+
+    def _line(self, sentence: Text, wide: QWidget, unit: QLabel) -> QHBoxLayout:
+        """Return a sentence with the fields that it names; the unit follows the number."""
+        made = row()
+        for words, name, _, _ in Formatter().parse(tr(sentence)):
+            label = QLabel(words.strip())
+            if label.text():
+                made.addWidget(label)
+            if name is None:
+                continue
+            field: QWidget = getattr(self, name)
+            label.setBuddy(field)
+            made.addWidget(field, 1 if field is wide else 0)
+            if field in (self.value, self.back):
+                made.addWidget(unit)
+        return made
 
     def _fill(self, pair: tuple[str, str]) -> None:
         level = self.level
@@ -141,14 +173,14 @@ class LevelRow(QFrame):
             severity=severity,
             action=action,
             side=self.side.currentData(),
-            value=self._number(self.value, number, "a number", wrong, None),
-            revolutions=self._number(self.revolutions, whole, "a whole number", wrong, 1),
-            hysteresis=self._number(self.back, number, "a number", wrong, 0.0),
+            value=self._number(self.value, number, NUMBER, wrong, None),
+            revolutions=self._number(self.revolutions, whole, WHOLE_NUMBER, wrong, 1),
+            hysteresis=self._number(self.back, number, NUMBER, wrong, 0.0),
         )
         return self.level, wrong
 
     def _number(
-        self, line: QLineEdit, parse: Callable[[str], Any], what: str, wrong: list[str], empty: Any
+        self, line: QLineEdit, parse: Callable[[str], Any], what: Text, wrong: list[str], empty: Any
     ) -> Any:
         text = line.text().strip()
         tell(line, "wrong", False)
@@ -158,7 +190,7 @@ class LevelRow(QFrame):
             return parse(text)
         except ValueError:
             tell(line, "wrong", True)
-            wrong.append(f"Type {what} in place of {text!r}.")
+            wrong.append(tr(what, repr(text)))
             return empty
 
     def say(self, wrong: Sequence[str], caution: str = "") -> None:
@@ -179,7 +211,7 @@ class LevelRow(QFrame):
                 if len(known):
                     low, high = np.percentile(known, USUAL_PERCENT)
                     unit = unit_of_quantity(self.level.quantity, self._table)
-                    text = f"usual {low:.4g} to {high:.4g} {unit}".rstrip()
+                    text = tr("usual {:.4g} to {:.4g} {}", low, high, unit).rstrip()
                 break
         if text != self._usual:
             if self.note.text() == self._usual:
@@ -193,7 +225,7 @@ class LimitSentences(QGroupBox):
     changed = Signal()
 
     def __init__(self) -> None:
-        super().__init__("Limits of this test")
+        super().__init__(tr("Limits of this test"))
         named(self, "section_rules", "Limits of this test")
         self._given: list[dict[str, Any]] = []
         self._table = BASE
@@ -205,7 +237,7 @@ class LimitSentences(QGroupBox):
         self.add = button("rule_add", "Add a limit", self.begin)
         self.keep = button("draft_add", "Add limit", self._keep, rank="primary")
         self.discard = button("draft_discard", "Discard", self._discard, "Discard the draft")
-        self.chip = QLabel("Draft, not yet part of the test")
+        self.chip = QLabel(tr("Draft, not yet part of the test"))
         self.chip.setProperty("role", "caption")
         self.none = prose(
             "no_limits", "No limits", "None yet: a limit tells when the joint changes."
@@ -260,7 +292,7 @@ class LimitSentences(QGroupBox):
             never = never_comes(level, self._limits)
             wrong = [*faults_of(rule, self._table), *([never] if never else [])]
         if any((one.quantity, one.bound) == (level.quantity, level.bound) for one in levels):
-            wrong.append("There is such a limit already; change that one.")
+            wrong.append(tr("There is such a limit already; change that one."))
         self.draft.say(wrong)
         self.keep.setEnabled(not wrong)
         self.keep.setToolTip(" ".join(wrong))

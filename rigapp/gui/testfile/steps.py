@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFontMetrics
@@ -35,8 +36,10 @@ class PrepareStep:
 def _record_words(test: TestFile) -> str:
     cycles = test.cycles
     if cycles.schedule == "every":
-        return f"every {grouped(cycles.every_revolutions)}th"
-    return f"{cycles.per_decade} a decade" if cycles.schedule == "logarithmic" else "no cycles"
+        return tr("every {}th", grouped(cycles.every_revolutions))
+    if cycles.schedule == "logarithmic":
+        return tr("{} a decade", cycles.per_decade)
+    return tr("no cycles")
 
 
 def _stop_words(test: TestFile) -> str:
@@ -44,16 +47,18 @@ def _stop_words(test: TestFile) -> str:
     for key, one in CRITERIA.items():
         level = getattr(test.stop, key)
         if level is not None:
-            return f"{one.title} {level:g} {unit_text(unit_of(f'stop.{key}'))}"
-    return "after the last one"
+            return f"{tr(one.title)} {level:g} {unit_text(unit_of(f'stop.{key}'))}"
+    return tr("after the last one")
 
 
 STEPS = (
-    PrepareStep("Specimen", ("", "metadata"), lambda test: test.metadata.specimen or "not named"),
+    PrepareStep(
+        "Specimen", ("", "metadata"), lambda test: test.metadata.specimen or tr("not named")
+    ),
     PrepareStep(
         "Run",
         ("run",),
-        lambda test: f"{grouped(test.run.revolutions)} at {test.run.speed_rpm:g} rpm",
+        lambda test: tr("{} at {:g} rpm", grouped(test.run.revolutions), test.run.speed_rpm),
     ),
     PrepareStep(
         "Stop",
@@ -65,18 +70,20 @@ STEPS = (
     PrepareStep(
         "Model",
         ("prediction",),
-        lambda test: test.prediction.joint if test.prediction.enabled else "off",
+        lambda test: tr(test.prediction.joint) if test.prediction.enabled else tr("off"),
     ),
 )
 """The last one has, folded, every section that stands in no other."""
 
 MODEL = len(STEPS) - 1
 
+STATES: Final[dict[str, Text]] = {"done": "done", "now": "now", "later": "later", "wrong": "wrong"}
+
 
 class StepButton(QPushButton):
     """Show one step: a tick when it is right, its number, or a cross; name and a few words."""
 
-    def __init__(self, place: int, title: str) -> None:
+    def __init__(self, place: int, title: Text) -> None:
         super().__init__()
         self._place, self._title = place, title
         named(self, f"step_{title.lower()}", title).setProperty("rank", "step")
@@ -108,7 +115,7 @@ class StepButton(QPushButton):
         self.mark.setText({"done": "\u2713", "wrong": "\u2717"}.get(state, str(self._place + 1)))
         self.words.show_text(words)
         self.setAccessibleName(tr("Step {}, {}: {}", self._place + 1, tr(self._title), words))
-        self.setAccessibleDescription(state)
+        self.setAccessibleDescription(tr(STATES[state]))
 
 
 class StepBar(QFrame):
@@ -116,7 +123,7 @@ class StepBar(QFrame):
 
     chosen = Signal(int)
 
-    def __init__(self, titles: Sequence[str]) -> None:
+    def __init__(self, titles: Sequence[Text]) -> None:
         super().__init__()
         named(self, "steps", "Steps of preparing a test").setProperty("role", "card")
         self.buttons = [StepButton(place, title) for place, title in enumerate(titles)]
@@ -135,5 +142,5 @@ class StepBar(QFrame):
         for place, (one, text, count) in enumerate(zip(self.buttons, words, wrong, strict=True)):
             one.setChecked(place == now)
             state = "wrong" if count else "now" if place == now else "done" if text else "later"
-            mistakes = f"{count} mistake" + ("s" if count > 1 else "")
+            mistakes = tr("{} mistakes", count) if count > 1 else tr("1 mistake")
             one.show_step(state, mistakes if count else text)

@@ -65,4 +65,4 @@ def listed(changes: Sequence[str]) -> str:
     """Return changes in one sentence."""
     text = "; ".join(changes[:NAMED])
     more = len(changes) - NAMED
-    return f"{text}; and {more} more." if more > 0 else f"{text}."
+    return text + (tr("; and {} more", more) if more > 0 else "") + "."

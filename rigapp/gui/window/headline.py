@@ -11,6 +11,7 @@ from pathlib import PurePath
 
 from rigapp.gui.data.channels import SIZE
 from rigapp.gui.data.connection import ConnectionState
+from rigapp.gui.data.levels import quantity_text
 from rigapp.gui.data.margins import overload_limit
 from rigapp.gui.data.news import News, is_stale
 from rigapp.gui.data.texts import duration, grouped
@@ -111,7 +112,7 @@ def headline(
     """Return what the header shows for a status (None: never heard of the engine)."""
     unknown = TileText("–")
     if status is None:
-        state = TileText("Attaching", connection_reason)
+        state = TileText("Attaching", retold(connection_reason))
         return Headline(
             StateShape.ARROWS, state, unknown, 0.0, unknown, 0.0, unknown, unknown, unknown
         )
@@ -136,12 +137,12 @@ def _state(
 ) -> tuple[StateShape, TileText]:
     if connection is ConnectionState.LOST:
         return StateShape.BROKEN, TileText(
-            "No engine", tr("{}; trying again", connection_reason), Level.CRITICAL
+            "No engine", tr("{}; trying again", retold(connection_reason)), Level.CRITICAL
         )
     if connection is ConnectionState.SILENT:
         word = tr(status.state.value)
         return StateShape.BROKEN, TileText(
-            "Silent", tr("was {}; {}", word, connection_reason), Level.WARNING
+            "Silent", tr("was {}; {}", word, retold(connection_reason)), Level.WARNING
         )
     word, shape, level = _STATES[status.state]
     return shape, TileText(word, retold(status.reason), level)
@@ -199,10 +200,16 @@ def _force(status: Status, measured: NewestMeasured) -> TileText:
         level = Level.WARNING
     return TileText(
         value,
-        tr("least margin {:.0f} %, {}", percent, tr(status.worst_margin.replace("_", " "))),
+        tr("least margin {:.0f} %, {}", percent, _limit_words(status.worst_margin)),
         level,
         tr("margin {:.0f} %", percent),
     )
+
+
+def _limit_words(name: str) -> str:
+    """Return the name of a limit in words: its quantity, how bad passing it is, its side."""
+    quantity, _, rest = name.partition(" ")
+    return " ".join((quantity_text(quantity), *map(tr, rest.split())))
 
 
 def _used(measured: NewestMeasured) -> float:

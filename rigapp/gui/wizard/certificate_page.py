@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWizardPage
 from rigapp.calibrating.records_in_use import RecordPlace
 from rigapp.calibrating.rig_file import name_record
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.widgets.build import button, filled, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
@@ -113,7 +114,7 @@ class CertificatePage(QWizardPage):
             copy = name_record(file, outcome.saved, self._place)
         except UnusableInput as error:
             self._leave()
-            self.used.setText(str(error))
+            self.used.setText(retold(str(error)))
             return
         self._asked = False
         self.use.hide()

@@ -17,6 +17,7 @@ from rigapp.calibrating.session import LiveSession, Outcome, Rig
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.data.tasks import TaskWorker
+from rigapp.gui.language.told import retold
 from rigapp.schema.messages import Reply
 
 LOOK_MS = 150
@@ -158,7 +159,7 @@ class LiveCalibration(QObject):
         if not reply.ok:
             self.window = self.readiness = None
             if self.session is not None:
-                self.said.emit(reply.sentence)
+                self.said.emit(retold(reply.sentence))
             self.looked.emit()
             return
         self.view = reply.result
@@ -192,7 +193,7 @@ class LiveCalibration(QObject):
         try:
             act(self.session)
         except (ProcedureError, UnusableInput) as error:
-            self.said.emit(str(error))
+            self.said.emit(retold(str(error)))
             self.moved.emit()
             return False
         self.said.emit("")
@@ -210,7 +211,7 @@ class LiveCalibration(QObject):
 
     def run(self, work: Callable[[], Any], done: Callable[[Any], None]) -> None:
         """Do work off the screen's thread; a failure is said."""
-        self._worker.submit(work, done, lambda error: self.said.emit(str(error)))
+        self._worker.submit(work, done, lambda error: self.said.emit(retold(str(error))))
 
     def ask(self, verb: str, handler: Callable[[Reply], None]) -> None:
         """Ask the engine for something without arguments; the handler is called later."""
@@ -259,4 +260,4 @@ class LiveCalibration(QObject):
 
     def _failed(self, sentence: str) -> None:
         self.goes_ahead = False
-        self.said.emit(sentence)
+        self.said.emit(retold(sentence))

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from calibration.taking.signals import Readiness, SignalState
 from rigapp.calibrating.session import ResidualsSoFar
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.palette import line_pen
@@ -141,7 +142,8 @@ class Stability(QWidget):
         words = readiness.words if readiness is not None else tr(otherwise)
         self.sign.show_state(state)
         self.word.setText(tr(WORDS[state]))
-        self.why.setText("" if words == "steady" else words)
+        words = "" if words == "steady" else retold(words)
+        self.why.setText(words)
         self.setAccessibleDescription(f"{tr(WORDS[state])}: {words}")
 
 
@@ -182,4 +184,4 @@ class ResidualPlot(QWidget):
             item.setData(x, residual)
         self.plot.setXRange(*found.span, padding=0.0)
         self.plot.setYRange(-found.reach, found.reach, padding=0.0)
-        self.words.setText(found.words)
+        self.words.setText(retold(found.words))

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 from rigapp.config.calibration_settings import CalibrationFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.widgets.build import button, choice, edit, filled, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
@@ -178,7 +179,7 @@ class PlanPage(QWizardPage):
                 self._given = read_document(Path(name), type(self._given)).record
                 self._show_settings()
             except UnusableInput as error:
-                self.problem.setText(str(error))
+                self.problem.setText(retold(str(error)))
                 return
             self.problem.clear()
         self.summarise()
@@ -218,7 +219,7 @@ class PlanPage(QWizardPage):
             plan = None if chosen else self.wanted()
             live.open(self.settings_now(), Path(chosen) if chosen else new, plan)
         except UnusableInput as error:
-            self.problem.setText(str(error))
+            self.problem.setText(retold(str(error)))
             self.fields[self.asks.culprit].setFocus()
             return False
         self.problem.clear()

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from rigapp.calibrating.daily_history import STORE, DailyHistory
 from rigapp.calibrating.session import NumberTable, Outcome
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import edit, filled, named, row
@@ -93,7 +94,7 @@ class ResultPage(QWizardPage):
         try:
             self._live.outcome = session.save(outcome, Path(self.target.text().strip()))
         except UnusableInput as error:
-            self.problem.setText(str(error))
+            self.problem.setText(retold(str(error)))
             self.target.setFocus()
             return False
         return True
@@ -113,7 +114,7 @@ class ResultPage(QWizardPage):
         words: tuple[Text, Text] = ("Accepted", "Refused")
         if outcome.check is not None:
             words = (marked("The daily check is passed"), marked("The check failed"))
-            self.problems.setText("\n".join(outcome.lines))
+            self.problems.setText("\n".join(map(retold, outcome.lines)))
             self._live.run(lambda: session.keep_check(outcome, self._store), self._show_history)
         else:
             self._show_calibration(outcome)
@@ -130,11 +131,11 @@ class ResultPage(QWizardPage):
 
     def _show_calibration(self, outcome: Outcome) -> None:
         notes = [
-            ("• " if one["blocks"] else tr("Note: ")) + str(one["sentence"])
+            ("• " if one["blocks"] else tr("Note: ")) + retold(str(one["sentence"]))
             for one in outcome.result["problems"]
         ]
         if not outcome.accepted:
-            notes.append(self._live.session.refused)
+            notes.append(retold(self._live.session.refused))
         self.problems.setText("\n".join(notes))
         for widget in (self.target, self.target_label):
             widget.setVisible(outcome.accepted)
@@ -145,13 +146,13 @@ class ResultPage(QWizardPage):
         if outcome.table is not None:
             self._fill(outcome.table)
         lines = outcome.lines[outcome.table.in_lines if outcome.table is not None else 0 :]
-        self.words.setText("\n".join(lines).replace(" um", " µm"))
+        self.words.setText("\n".join(map(retold, lines)).replace(" um", " µm"))
 
     def _fill(self, table: NumberTable) -> None:
         self.matrix.setRowCount(len(table.rows))
         self.matrix.setColumnCount(len(table.columns) - 1)
-        self.matrix.setHorizontalHeaderLabels(table.columns[1:])
-        self.matrix.setVerticalHeaderLabels([name for name, *_ in table.rows])
+        self.matrix.setHorizontalHeaderLabels([retold(one) for one in table.columns[1:]])
+        self.matrix.setVerticalHeaderLabels([retold(name) for name, *_ in table.rows])
         self.matrix.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         for axis, (_, *texts) in enumerate(table.rows):
             for place, text in enumerate(texts):

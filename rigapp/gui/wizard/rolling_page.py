@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWizardPage
 
 from rigapp.config.errors import UnusableInput
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, filled, named, row
@@ -36,7 +37,7 @@ class RollingCalibration(LiveCalibration):
         self._asked = False
         self.view = reply.result if reply.ok else None
         if not reply.ok:
-            self.said.emit(reply.sentence)
+            self.said.emit(retold(reply.sentence))
         elif self.rolling and self.session is not None:
             self._go_on(self.session, reply.result)
         self.looked.emit()
@@ -62,7 +63,7 @@ class RollingCalibration(LiveCalibration):
 
     def _end(self, sentence: str) -> None:
         self.rolling = False
-        self.said.emit(sentence)
+        self.said.emit(retold(sentence))
         self.moved.emit()
 
 
@@ -115,7 +116,7 @@ class RollingPage(QWizardPage):
         elif rolling:
             told = tr("The spindle turns. Keep your hands away.")
         self.instruction.setText(tr(told))
-        self.words.setText(runs.words)
+        self.words.setText(retold(runs.words))
         self.progress.setRange(0, runs.planned)
         self.progress.setValue(runs.turned)
         self.roll.setEnabled(not rolling and not runs.done)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from calibration.taking.procedure import StepKind
+from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.tokens import Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row
@@ -122,7 +123,7 @@ class TakingPage(QWizardPage):
     def _show_step(self) -> None:
         """Show what to do and how far it is, offer the position to which it leads."""
         procedure = self.live_calibration.session.procedure
-        self.instruction.setText(procedure.instruction.replace(" um", " µm"))
+        self.instruction.setText(retold(procedure.instruction).replace(" um", " µm"))
         self.progress.setRange(0, len(procedure.steps))
         self.progress.setValue(procedure.position)
         for widget in (self.stability, self.record):
@@ -135,7 +136,8 @@ class TakingPage(QWizardPage):
         if self._words.read_off:
             self.shown.setValue(1e6 * procedure.step.value)
             self.shown.setEnabled(procedure.step.kind is StepKind.READING)
-        self.left.setText(procedure.progress[:1].upper() + procedure.progress[1:])
+        progress = retold(procedure.progress)
+        self.left.setText(progress[:1].upper() + progress[1:])
         button = tr(self._words.buttons.get(procedure.step.kind, RECORD))
         if procedure.step.kind is StepKind.PRELOAD and procedure.step.optional:
             button = tr(LOADED)
@@ -165,7 +167,7 @@ class TakingPage(QWizardPage):
         elif self.record.isEnabled() and self.focusWidget() in (None, self, self.record):
             self.record.setFocus()
         known = readiness is not None and not math.isnan(readiness.felt)
-        self.live.setText(live.session.told_live(readiness) if known else "")
+        self.live.setText(retold(live.session.told_live(readiness)) if known else "")
 
     def _fill(self) -> None:
         """Show all readings."""

@@ -1,0 +1,40 @@
+"""What keys of a test file and columns of its results are called, where nothing else says it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+from rigapp.config.ranges import keys_of
+from rigapp.config.recipe import TestFile
+from rigapp.config.rules import quantities
+from rigapp.gui.language.words import Text
+from rigapp.schema.channels import BASE, STATISTICS
+from rigapp.schema.units import stem_of
+
+ENDINGS: Final = sorted(STATISTICS, key=len, reverse=True)
+"""Ends of the columns of a channel, the longest first."""
+
+
+def key_name(key: str) -> Text:
+    """Return a key in words, without its unit."""
+    words = stem_of(key).replace("_", " ").replace("youngs", "Young's")
+    words = words.replace("poissons", "Poisson's")
+    return words[:1].upper() + words[1:]
+
+
+def key_texts() -> Iterator[Text]:
+    """Yield the names of the keys of a test file, what their values mean, and their choices."""
+    for one in keys_of(TestFile):
+        yield key_name(one.path.rsplit(".", 1)[-1])
+        yield one.words
+        yield from (choice.replace("_", " ") for choice in one.choices)
+
+
+def column_texts() -> Iterator[Text]:
+    """Yield the words for columns that belong to no channel, without their statistics."""
+    for column in quantities(BASE):
+        ending = next((one for one in ENDINGS if column.endswith(f"_{one}")), "")
+        name = column.removesuffix(f"_{ending}")
+        if name not in BASE:
+            yield name.replace("_", " ")
