@@ -10,9 +10,8 @@ from typing import Any
 # The source before the tests, whose folders bear the names of its packages.
 sys.path.insert(0, str(Path(__file__).parents[1]))
 sys.path.insert(0, str(Path(__file__).parents[2]))
-sys.path.insert(0, str(Path(__file__).parent))
 
-import conftest
+import snapshots
 
 from rigapp.gui.window.app import main
 from rigapp.schema.messages import Reply, RunState
@@ -35,13 +34,13 @@ class TalkingClient:
     def poll(self) -> Any:
         """Return a snapshot of the present state."""
         running = self._state is RunState.RUNNING
-        snapshot = conftest.make_snapshot(
+        snapshot = snapshots.make_snapshot(
             first=self._row,
             count=2 if running else 0,
             curves=running,
             state=self._state,
             file="",
-            alarms=(conftest.ALARM,) if running else (),
+            alarms=(snapshots.ALARM,) if running else (),
         )
         self._row += 2 if running else 0
         return snapshot

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from snapshots import ALARM, REVOLUTION_NAMES, make_snapshot
 
 from rigapp.config.loading import parse_test
 from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, banded, drawn
@@ -26,7 +27,6 @@ from rigapp.gui.plots.trend import TrendPanel
 from rigapp.gui.plots.trendview import TrendView
 from rigapp.schema.loglines import AlarmChange, alarm_line
 from rigapp.schema.messages import Event, Flag, Severity
-from tests.gui.conftest import ALARM, REVOLUTION_NAMES, make_snapshot
 
 QUICK = (Path(__file__).parents[2] / "examples" / "quick.toml").read_text(encoding="utf-8")
 RULES = (

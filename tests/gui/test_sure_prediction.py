@@ -7,12 +7,12 @@ from typing import Any
 import msgspec
 import numpy as np
 import pytest
+from snapshots import PREDICTION_NAMES, make_predictions, make_snapshot
 
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import LiveData
 from rigapp.gui.look.tokens import LIGHT
 from rigapp.gui.plots.overlay import OverlayPanel
-from tests.gui.conftest import PREDICTION_NAMES, make_predictions, make_snapshot
 
 
 def seen(overlay: OverlayPanel, **columns: float) -> str:
