@@ -602,6 +602,32 @@ def status(
 
 
 @app.command()
+def page(
+    rig: Annotated[
+        list[Path] | None,
+        _option("--rig", "Rig file, or entry of an engine elsewhere; repeatable. Else all here."),
+    ] = None,
+    bind: Annotated[
+        str,
+        _option(
+            "--bind",
+            "Where to listen; beyond this computer only with token, certificate and key.",
+            metavar="ADDRESS:PORT",
+        ),
+    ] = "127.0.0.1:8750",
+    token: Annotated[
+        Path | None, _option("--token", "File of mode 0600 with what a visitor must know.")
+    ] = None,
+    certificate: Annotated[Path | None, _option("--certificate", "Certificate (PEM).")] = None,
+    key: Annotated[Path | None, _option("--key", "Its private key (PEM), mode 0600.")] = None,
+) -> int:
+    """Show the engines that run as a read-only page, and as metrics for Prometheus."""
+    from rigapp.commands.page import serve_page
+
+    return serve_page(rig or [], bind, token, certificate, key)
+
+
+@app.command()
 def keys() -> None:
     """Make this user's key pair as a viewer of rigs elsewhere; print the file to hand over."""
     from rigapp.service.registry import lasting_folder

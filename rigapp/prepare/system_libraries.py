@@ -36,8 +36,9 @@ SCREEN_TEST = {
     "import": "imagemagick",
     "openbox": "openbox",
     "h5dump": "hdf5-tools",
+    "chromium": "chromium",
 }
-"""Program that the tests on a real X server call -> Debian package."""
+"""Program that the tests of window, file and page call -> Debian package."""
 
 
 def missing_packages(for_tests: bool) -> list[str]:

@@ -58,3 +58,13 @@ def read_own(path: Path) -> bytes | None:
         return None
     finally:
         os.close(descriptor)
+
+
+def read_secret(path: Path) -> bytes:
+    """Return a file of ours that nobody else can read; raise UnusableInput."""
+    text = read_own(path)
+    if text is None:
+        raise UnusableInput(f"{path}: is no small file of yours; a link is not followed.")
+    if hasattr(os, "getuid") and stat.S_IMODE(path.lstat().st_mode) & 0o077:
+        raise UnusableInput(f"{path}: others can read this secret; chmod 600 it.")
+    return text

@@ -27,6 +27,7 @@ from rigapp.service.private import private_folder
 DOMAIN = "rigapp"
 OWN = "this-computer.key"
 
+Address = ipaddress.IPv4Address | ipaddress.IPv6Address
 Context = zmq.Context[Any]
 Socket = zmq.Socket[Any]
 
@@ -62,20 +63,28 @@ def parse_bind(text: str) -> Bind:
     found = re.fullmatch(r"tcp://(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", text)
     if found is None:
         raise UnusableInput(f"--bind {text}: give tcp://ADDRESS:PORT.")
-    name, port = found[1] or found[2], int(found[3])
-    try:
-        address = ipaddress.ip_address("127.0.0.1" if name == "localhost" else name)
-    except ValueError as error:
-        raise UnusableInput(
-            f"--bind {text}: {name} is not an IP address; give the number of one interface."
-        ) from error
-    if address.is_unspecified:
-        raise UnusableInput(f"--bind {text}: name the address of one interface, not all of them.")
+    address, port = interface_address(f"--bind {text}", found[1] or found[2]), int(found[3])
     if port > 65534:
         raise UnusableInput(
             f"--bind {text}: the port and the next one are used; give at most 65534."
         )
     return Bind(str(address), port, curve=not address.is_loopback)
+
+
+def interface_address(option: str, name: str) -> Address:
+    """Return the address of one interface by its number, or "localhost"; raise UnusableInput.
+
+    option: as it was given, for the sentence.
+    """
+    try:
+        address = ipaddress.ip_address("127.0.0.1" if name == "localhost" else name)
+    except ValueError as error:
+        raise UnusableInput(
+            f"{option}: {name} is not an IP address; give the number of one interface."
+        ) from error
+    if address.is_unspecified:
+        raise UnusableInput(f"{option}: name the address of one interface, not all of them.")
+    return address
 
 
 def server_keys(folder: Path) -> KeyPair:

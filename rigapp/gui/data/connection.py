@@ -185,8 +185,10 @@ class EngineConnection:
         self._attached_at = self._clock()
 
     def _not_attached(self, error: Exception) -> None:
-        log.warning("No engine: %s", error)
-        self._reason = str(error) or type(error).__name__
+        reason = str(error) or type(error).__name__
+        if reason != self._reason:
+            log.warning("No engine: %s", reason)
+        self._reason = reason
         self._schedule()
 
     def _schedule(self) -> None:

@@ -1,0 +1,33 @@
+"""`rigapp page`: the read-only page of the engines that run."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+from rigapp.process.ending import ending_as_interrupt
+
+
+def serve_page(
+    rigs: Sequence[Path], bind: str, token: Path | None, certificate: Path | None, key: Path | None
+) -> int:
+    """Serve the page until somebody asks for the end; print its address first. Exit status."""
+    try:
+        from rigapp.page.serving import page_server
+    except ImportError as error:
+        raise UnusableInput(
+            f"The page's libraries are missing ({error}); install them: pip install 'rigapp[page]'."
+        ) from error
+    server = page_server(rigs, bind, token, certificate, key)
+    print(f"The page is at {server.address}", flush=True)
+    try:
+        with ending_as_interrupt():
+            server.serve_until_asked()
+    except KeyboardInterrupt:
+        return 0
+    if server.failure:
+        print(f"rigapp: {server.failure}", file=sys.stderr)
+        return 1
+    return 0

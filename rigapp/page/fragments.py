@@ -1,0 +1,86 @@
+"""Set what is known of a rig as fragments of HTML, the same for every page that is open.
+
+A fragment is the inside of one element; the page takes it as it is. Words come from engines and
+files, so the templates escape every one of them; only ``drawing`` makes elements of its own.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import msgspec
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from rigapp.gui.data.texts import duration, grouped
+from rigapp.gui.look.tokens import DARK, LIGHT, Theme
+from rigapp.page.plots import Plot
+from rigapp.page.view import RigView
+
+RESTART_TOLD_S = 600.0
+"""So long the page says that the engine was started anew; who looks later sees a running test."""
+PARTS = ("head", "force", "trends", "log")
+"""The fragments of a rig, in the order in which they stand."""
+
+
+@cache
+def _templates() -> Environment:
+    found = Environment(
+        loader=PackageLoader("rigapp.page", "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    found.filters["clock"] = lambda at: time.strftime("%d %b %H:%M:%S", time.localtime(at))
+    found.filters["grouped"] = grouped
+    found.filters["duration"] = duration
+    return found
+
+
+def head(view: RigView, now: float) -> str:
+    """Return state, tiles and limits of a rig; now: UTC seconds since 1970."""
+    fresh_start = view.restarts > 0 and now - view.restarted_at < RESTART_TOLD_S
+    return _templates().get_template("head.html").render(view=view, fresh_start=fresh_start)
+
+
+def log(view: RigView) -> str:
+    """Return the alarms that stand and the last notes."""
+    return _templates().get_template("log.html").render(view=view)
+
+
+def pictures(plots: Sequence[Plot | None]) -> str:
+    """Return plots with their titles and legends; None: not there yet."""
+    return _templates().get_template("plots.html").render(plots=[one for one in plots if one])
+
+
+def page(rigs: Mapping[str, Mapping[str, str]], boot: str) -> str:
+    """Return the whole page: by rig the fragments as they are now; boot: of this server."""
+    return _templates().get_template("page.html").render(rigs=rigs, boot=boot, parts=PARTS)
+
+
+def style(sheet: str) -> str:
+    """Return the style sheet with the colours of the window, light and dark."""
+    light, dark = _variables(LIGHT), _variables(DARK)
+    return (
+        f":root{{color-scheme:light;{light}}}\n"
+        f"@media (prefers-color-scheme:dark){{:root{{color-scheme:dark;{dark}}}}}\n"
+        f":root[data-theme=light]{{color-scheme:light;{light}}}\n"
+        f":root[data-theme=dark]{{color-scheme:dark;{dark}}}\n{sheet}"
+    )
+
+
+def _variables(theme: Theme) -> str:
+    colours: dict[str, Any] = {
+        name: value for name in theme.__slots__ if isinstance(value := getattr(theme, name), str)
+    }
+    colours |= {f"curve-{role}": colour for role, colour in theme.curves.items()}
+    del colours["name"]
+    return "".join(f"--{name.replace('_', '-')}:{value};" for name, value in colours.items())
+
+
+def frame(event: str, data: Any) -> bytes:
+    """Return one server-sent event."""
+    return b"event: %s\ndata: %s\n\n" % (event.encode(), msgspec.json.encode(data))

@@ -1,0 +1,298 @@
+"""What is known of every rig as Prometheus metrics, in a registry of its own.
+
+Numbers are collected when they are asked for, from what the watching thread knew last: a scrape
+reaches no engine. A rig whose engine does not speak keeps ``rigapp_up`` 0 and its silence alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from prometheus_client import CollectorRegistry, ProcessCollector, generate_latest
+from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily, Metric
+from prometheus_client.registry import Collector
+
+from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING
+from rigapp.page.view import RigView
+from rigapp.schema.messages import RunState, Severity
+
+M_PER_MM = 1e-3
+Samples = list[tuple[dict[str, str], float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A metric of a rig: its name, what it means, its samples by their labels beside ``rig``.
+
+    silent: it is told of a rig whose engine does not speak, too.
+    """
+
+    name: str
+    words: str
+    samples: Callable[[RigView], Samples]
+    labels: tuple[str, ...] = ()
+    counter: bool = False
+    silent: bool = False
+
+
+def _one(pick: Callable[[RigView], float | None]) -> Callable[[RigView], Samples]:
+    def samples(view: RigView) -> Samples:
+        value = pick(view)
+        return [] if value is None or math.isnan(value) else [({}, float(value))]
+
+    return samples
+
+
+def _column(column: str, scale: float = 1.0) -> Callable[[RigView], Samples]:
+    return _one(lambda view: scale * view.values.get(column, math.nan))
+
+
+def _statistics(stem: str) -> Callable[[RigView], Samples]:
+    def samples(view: RigView) -> Samples:
+        return [
+            ({"statistic": one}, view.values[f"{stem}_{one}"])
+            for one in ("max", "min", "rms", "mean")
+            if f"{stem}_{one}" in view.values
+        ]
+
+    return samples
+
+
+def _with_limits(stem: str) -> Callable[[RigView], Samples]:
+    def samples(view: RigView) -> Samples:
+        names = (("estimate", stem), ("low", f"{stem}_low"), ("high", f"{stem}_high"))
+        return [({"bound": word}, view.wear[name]) for word, name in names if name in view.wear]
+
+    return samples
+
+
+def _process(pick: str) -> Callable[[RigView], Samples]:
+    return _one(lambda view: getattr(view.process, pick) if view.process is not None else None)
+
+
+def _states(view: RigView) -> Samples:
+    return [({"state": one.value}, float(view.state == one.value)) for one in RunState]
+
+
+def _limits_used(view: RigView) -> Samples:
+    # Two levels of one limit are told by the one that comes next, so each is there once.
+    return [
+        (
+            {"quantity": one.title, "action": one.action, "limit": f"{one.limit:g} {one.unit}"},
+            one.used,
+        )
+        for one in view.limits
+    ]
+
+
+def _alarms(view: RigView) -> Samples:
+    return [
+        (
+            {"severity": one.value, "acknowledged": word},
+            float(
+                sum(
+                    alarm.severity is one and alarm.acknowledged is seen and alarm.active
+                    for alarm in view.alarms
+                )
+            ),
+        )
+        for one in Severity
+        for word, seen in (("yes", True), ("no", False))
+    ]
+
+
+def _devices(pick: str) -> Callable[[RigView], Samples]:
+    return lambda view: [({"device": one.name}, float(getattr(one, pick))) for one in view.devices]
+
+
+TOLD = (
+    Told("rigapp_up", "1 while the engine speaks", _one(lambda v: float(v.attached)), silent=True),
+    Told(
+        "rigapp_silence_seconds",
+        "time since the engine's last word",
+        _one(lambda v: v.silence_s),
+        silent=True,
+    ),
+    Told(
+        "rigapp_engine_restarts_total",
+        "how often another engine came in place of the one before",
+        _one(lambda v: v.restarts),
+        counter=True,
+        silent=True,
+    ),
+    Told("rigapp_state", "1 for the state of the run", _states, ("state",)),
+    Told("rigapp_revolution", "number of the newest revolution", _one(lambda v: v.revolution)),
+    Told("rigapp_revolutions_planned", "planned revolutions", _one(lambda v: v.planned)),
+    Told("rigapp_rows_committed", "rows safe in the file of the test", _one(lambda v: v.committed)),
+    Told(
+        "rigapp_rows_dropped_total",
+        "rows that were not sent to viewers in time; the file has them",
+        _one(lambda v: v.rows_dropped),
+        counter=True,
+    ),
+    Told("rigapp_data_age_seconds", "age of the newest sample", _one(lambda v: v.data_age_s)),
+    Told("rigapp_prediction_age_seconds", "age of the prediction", _one(lambda v: v.twin_age_s)),
+    Told(
+        "rigapp_speed_rpm", "speed of the crank, revolutions a minute", _one(lambda v: v.speed_rpm)
+    ),
+    Told("rigapp_target_speed_rpm", "speed that is wanted", _one(lambda v: v.target_rpm)),
+    Told(
+        "rigapp_planned_end_timestamp_seconds",
+        "when the planned revolutions are done, UTC",
+        _one(lambda v: v.expected_end_at or None),
+    ),
+    Told(
+        "rigapp_smallest_margin_percent",
+        "distance of the newest revolution to the nearest limit",
+        _one(lambda v: v.worst_margin_percent),
+    ),
+    Told(
+        "rigapp_limit_used_ratio",
+        "how much of the way to a limit is used, 1 at the limit",
+        _limits_used,
+        ("quantity", "action", "limit"),
+    ),
+    Told(
+        "rigapp_force_newtons",
+        "size of the joint's force over the newest revolution",
+        _statistics("force"),
+        ("statistic",),
+    ),
+    Told("rigapp_residual_newtons", "RMS of measured less predicted", _column("residual_rms")),
+    Told(
+        "rigapp_wear_depth_metres",
+        "wear depth from the probes",
+        _column("measured_wear_depth", M_PER_MM),
+    ),
+    Told(
+        "rigapp_wear_depth_uncertainty_metres",
+        "its expanded uncertainty (k = 2)",
+        _column("measured_wear_depth_uncertainty", M_PER_MM),
+    ),
+    Told(
+        "rigapp_model_wear_depth_metres", "wear depth by the model", _column("wear_depth", M_PER_MM)
+    ),
+    Told(
+        "rigapp_wear_coefficient_mm3_per_newton_metre",
+        "wear coefficient with its 95 % limits",
+        _with_limits(COEFFICIENT),
+        ("bound",),
+    ),
+    Told(
+        "rigapp_remaining_revolutions",
+        "revolutions until the final wear depth with their 95 % limits",
+        _with_limits(REMAINING),
+        ("bound",),
+    ),
+    Told("rigapp_alarms", "active alarms", _alarms, ("severity", "acknowledged")),
+    Told("rigapp_device_connected", "1 while connected", _devices("connected"), ("device",)),
+    Told(
+        "rigapp_device_lost_samples_total",
+        "samples lost since the connection",
+        _devices("lost_samples"),
+        ("device",),
+        counter=True,
+    ),
+    Told(
+        "rigapp_device_errors_total",
+        "errors of the device since the connection",
+        _devices("errors"),
+        ("device",),
+        counter=True,
+    ),
+    Told("rigapp_disk_free_bytes", "room on the file's disk", _one(lambda v: v.disk_free_bytes)),
+    Told("rigapp_disk_size_bytes", "size of that disk", _one(lambda v: v.disk_total_bytes)),
+    Told(
+        "rigapp_engine_cpu_seconds_total",
+        "processor time of the engine",
+        _process("cpu_seconds"),
+        counter=True,
+    ),
+    Told(
+        "rigapp_engine_resident_memory_bytes",
+        "memory of the engine",
+        _process("resident_memory_bytes"),
+    ),
+    Told("rigapp_engine_threads", "threads of the engine", _process("threads")),
+    Told(
+        "rigapp_engine_start_timestamp_seconds",
+        "when the engine began, UTC",
+        _process("started_at"),
+    ),
+)
+"""Every metric of a rig; each has the label ``rig``."""
+
+
+@dataclass(frozen=True, slots=True)
+class PageNumbers:
+    """How the page itself is: open pages, connections, connections dropped as too slow."""
+
+    readers: int
+    connections: int
+    dropped: int
+
+
+class RigCollector(Collector):
+    """Make the metrics from what is known when they are asked for."""
+
+    def __init__(
+        self, views: Callable[[], Sequence[RigView]], page: Callable[[], PageNumbers]
+    ) -> None:
+        self._views = views
+        self._page = page
+
+    def collect(self) -> Iterator[Metric]:
+        """Yield every metric with a sample."""
+        views = self._views()
+        rigs = _apart(views)
+        for told in TOLD:
+            family = _family(told.name, told.words, ("rig", *told.labels), counter=told.counter)
+            for view in views:
+                for labels, value in told.samples(view) if view.attached or told.silent else ():
+                    values = [rigs[view.identity], *(labels[name] for name in told.labels)]
+                    family.add_metric(values, value)
+            if family.samples:
+                yield family
+        page = self._page()
+        for name, words, value, counter in (
+            ("rigapp_page_readers", "pages that are open", page.readers, False),
+            ("rigapp_page_connections", "open connections", page.connections, False),
+            ("rigapp_page_dropped_total", "connections dropped as too slow", page.dropped, True),
+        ):
+            family = _family(name, words, (), counter=counter)
+            family.add_metric([], value)
+            yield family
+
+
+def _apart(views: Sequence[RigView]) -> dict[str, str]:
+    """Return the names of rigs by their identity, those of one name told apart by it."""
+    times = Counter(view.name for view in views)
+    return {
+        view.identity: view.name if times[view.name] == 1 else f"{view.name} ({view.identity})"
+        for view in views
+    }
+
+
+def _family(
+    name: str, words: str, labels: Sequence[str], *, counter: bool
+) -> CounterMetricFamily | GaugeMetricFamily:
+    kind = CounterMetricFamily if counter else GaugeMetricFamily
+    return kind(name, words, labels=labels)
+
+
+class Metrics:
+    """A registry of the rigs, the page and its process."""
+
+    def __init__(
+        self, views: Callable[[], Sequence[RigView]], page: Callable[[], PageNumbers]
+    ) -> None:
+        self._registry = CollectorRegistry(auto_describe=False)
+        self._registry.register(RigCollector(views, page))
+        ProcessCollector(registry=self._registry)
+
+    def text(self) -> bytes:
+        """Return all of them as Prometheus reads them."""
+        return generate_latest(self._registry)

@@ -1,0 +1,175 @@
+"""The plots of a rig: force over the crank angle beside the model, and trends with bands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rigapp.gui.data.channels import SIZE
+from rigapp.gui.data.comparison import CURVES, RevolutionCurves, binned, compose, stacked
+from rigapp.gui.data.frames import COMPONENT_NAMES, ForceFrame
+from rigapp.gui.data.judged import EVERYTHING, Drawn, Flagged, banded, drawn, rows_in_view
+from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, UNIT, newest_wear
+from rigapp.gui.data.news import News
+from rigapp.gui.data.quantities import (
+    LARGEST,
+    TrendLine,
+    TrendQuantity,
+    trend_quantities,
+)
+from rigapp.gui.data.ranges import SteadyRange
+from rigapp.gui.data.series import SeriesTable
+from rigapp.page.drawing import Curve, Drawing, Ribbon, svg
+
+Floats = NDArray[np.float64]
+
+BIN_DEG = 2.0
+"""On a telephone a revolution is less than 360 pixels wide."""
+BUCKETS = 150
+"""So many pairs of minimum and maximum fill a drawing's width."""
+FORCE_SPAN_N = 5.0
+"""As small a range as the window draws: about twice the noise of a good load cell."""
+FEWEST_ROWS = 2
+"""A line has two points."""
+
+_NAMES = dict(zip(CURVES, ("|F|", *COMPONENT_NAMES[ForceFrame.CRANK]), strict=True))
+_ROLES = dict(zip(CURVES, ("main", "first", "second"), strict=True))
+_LIMITED = {
+    COEFFICIENT: TrendQuantity(
+        "Wear coefficient, 95 %", f"K (10⁻⁴ {UNIT})", 0.1, (), (TrendLine("", "first", ""),), 1e4
+    ),
+    REMAINING: TrendQuantity(
+        "Revolutions that remain, 95 %", "Revolutions", 100.0, (), (TrendLine("", "first", ""),)
+    ),
+}
+"""What is known with limits of its own, in columns of their own."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plot:
+    """A drawing with what stands above it: title and legend (role and words)."""
+
+    title: str
+    legend: tuple[tuple[str, str], ...]
+    picture: str
+
+
+class Painter:
+    """Draw the plots of one rig; axes keep still from one time to the next."""
+
+    def __init__(self) -> None:
+        self._steady: dict[str, SteadyRange] = {}
+
+    def forget(self) -> None:
+        """Start with new axes: another test is shown."""
+        self._steady.clear()
+
+    def force(self, news: News) -> Plot | None:
+        """Return the newest revolution beside the model, None before the first one."""
+        cycle, prediction = news.data.cycle, news.data.prediction
+        if prediction is not None:
+            cycle = news.data.partner(prediction) or cycle
+        if cycle is None or len(cycle.angle_deg) < FEWEST_ROWS:
+            return None
+        if prediction is not None and SIZE not in prediction.curves:
+            prediction = None
+        shown = compose(cycle, prediction, ForceFrame.CRANK, None)
+        title = f"Force over the crank angle, revolution {shown.measured_revolution}"
+        curves = list(_revolution(shown, stale=news.stale))
+        return self._plot("force", _fitted(title, "Crank angle (°)", "Force (N)", curves), 0.0)
+
+    def trends(self, news: News) -> list[Plot]:
+        """Return the trends of which something is known."""
+        quantities = trend_quantities(news.data.channels)
+        free = [one.name for one in news.data.channels.free]
+        names = [one for one in (LARGEST, "wear", "residual", *free) if one in quantities]
+        asked = {name: quantities[name] for name in names} | _LIMITED
+        found = (self._trend(name, one, news) for name, one in asked.items())
+        return [one for one in found if one is not None]
+
+    def _trend(self, name: str, quantity: TrendQuantity, news: News) -> Plot | None:
+        rows, predictions = news.data.rows, news.data.predictions
+        if len(rows) < FEWEST_ROWS or (name in _LIMITED and not newest_wear(predictions).known):
+            return None
+        flagged = Flagged(rows, EVERYTHING, BUCKETS)
+        if name in _LIMITED:
+            lines = [(TrendLine(name, "first", "most likely"), predictions)]
+        else:
+            lines = [(line, rows) for line in quantity.measured]
+            lines += [(line, predictions) for line in quantity.predicted]
+        lines = [(line, table) for line, table in lines if line.column in table.names]
+        seen = [
+            (line, table, drawn(table, line.column, flagged, EVERYTHING, BUCKETS, quantity.scale))
+            for line, table in lines
+        ]
+        seen = [one for one in seen if np.isfinite(one[2].low)]
+        if not seen:
+            return None
+        ribbons = [
+            ribbon for line, table, _ in seen for ribbon in _ribbons(name, line, table, quantity)
+        ]
+        lows, highs = zip(*((one.low, one.high) for _, _, one in seen), strict=True)
+        drawing = Drawing(
+            quantity.title,
+            "Revolution",
+            quantity.axis,
+            (float(rows.revolutions[0]), float(rows.revolutions[-1])),
+            min(lows),
+            max(highs),
+            [_curve(line, table is predictions, one) for line, table, one in seen],
+            ribbons,
+        )
+        return self._plot(name, drawing, quantity.minimum_span)
+
+    def _plot(self, name: str, drawing: Drawing, span: float) -> Plot:
+        steady = self._steady.setdefault(name, SteadyRange(span or FORCE_SPAN_N))
+        legend = tuple((one.role, one.text) for one in drawing.curves if one.text)
+        return Plot(drawing.title, legend, svg(drawing, steady))
+
+
+def _revolution(shown: RevolutionCurves, *, stale: bool) -> Iterator[Curve]:
+    """Yield the model below the measurement."""
+    if shown.model is not None and shown.model_angle_deg is not None:
+        words = f"model of revolution {shown.model_revolution}"
+        role = "stale" if stale else "model"
+        for name in CURVES:
+            text = (f"{words}, behind" if stale else words) if name == SIZE else ""
+            yield Curve(shown.model_angle_deg, shown.model[name], role, text)
+    angle, means = binned(shown.angle_deg, stacked(shown.measured), BIN_DEG)
+    for name, values in zip(CURVES, means, strict=True):
+        yield Curve(angle, values, _ROLES[name], _NAMES[name])
+
+
+def _fitted(title: str, x_axis: str, y_axis: str, curves: list[Curve]) -> Drawing:
+    """Return a drawing of one revolution whose axis takes in every curve."""
+    values = np.concatenate([one.y for one in curves])
+    values = values[np.isfinite(values)]
+    low, high = (float(values.min()), float(values.max())) if values.size else (np.nan, np.nan)
+    return Drawing(title, x_axis, y_axis, (0.0, 360.0), low, high, curves)
+
+
+def _curve(line: TrendLine, predicted: bool, one: Drawn) -> Curve:
+    """Return a trend's line: what the model says has its colour, whatever it is beside."""
+    measured = not predicted or line.column.startswith(("measured_", "residual", *_LIMITED))
+    role = line.role if measured else "model"
+    return Curve(one.x, one.y, role, line.text if measured else "model")
+
+
+def _ribbons(
+    name: str, line: TrendLine, table: SeriesTable, quantity: TrendQuantity
+) -> Iterable[Ribbon]:
+    """Return the band of a line, if it has one: its uncertainty, or limits of its own."""
+    if name in _LIMITED:
+        rows = rows_in_view(table, EVERYTHING)
+        low, high = (
+            table.series(f"{name}_{side}").envelope(*rows, BUCKETS) for side in ("low", "high")
+        )
+        least, most = (quantity.scale * one.astype(np.float64) for one in (low.low, high.high))
+        yield Ribbon(table.revolutions[low.first], least, most, line.role)
+    elif line.doubt and line.doubt in table.names:
+        x, least, most = banded(table, line.column, line.doubt, EVERYTHING, BUCKETS, quantity.scale)
+        measured = line.column.startswith("measured_")
+        yield Ribbon(x, least, most, line.role if measured else "model")

@@ -1,0 +1,185 @@
+"""Look at one engine: attach when it is there, attach again when it comes back, ask it nothing."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from rigapp.config.loading import read_rig
+from rigapp.gui.data.connection import EngineConnection
+from rigapp.gui.data.news import News
+from rigapp.gui.data.showntest import ShownTest
+from rigapp.gui.data.tasks import TaskWorker
+from rigapp.schema.messages import Reply, Snapshot
+from rigapp.service.client import Client, EngineUnreachable
+from rigapp.service.launch import find_engine
+from rigapp.service.registry import EngineEntry, read_entry, running_engines
+
+DISK_EVERY_S = 10.0
+"""A disk fills in hours; asking one that hangs must not be asked twice."""
+
+Find = Callable[[], EngineEntry]
+"""Return the entry of the engine that runs; raise EngineUnreachable or UnusableInput."""
+
+
+@dataclass(frozen=True, slots=True)
+class DiskSpace:
+    """The disk of a test's file, bytes."""
+
+    free: int
+    total: int
+
+
+class Onlooker:
+    """Take an engine's snapshots. What it is asked to request it refuses itself."""
+
+    def __init__(self, entry: EngineEntry) -> None:
+        """Attach; raise EngineUnreachable for another version, UnusableInput without a key."""
+        self._client = Client(entry)
+
+    def poll(self) -> Snapshot | None:
+        """Return what is new since the last poll, or None; never waits."""
+        return self._client.poll()
+
+    def request(
+        self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 0.0
+    ) -> Reply:
+        """Refuse: nothing is sent to the engine."""
+        return Reply(ok=False, sentence=f"The page only looks on: {verb} is not asked for.")
+
+    def close(self) -> None:
+        """Detach; the engine goes on."""
+        self._client.close()
+
+
+def engine_named(given: Path) -> tuple[str, Find]:
+    """Return the name and the finder of the engine of a rig file, or of an entry file (.json).
+
+    Raises UnusableInput when the file cannot be read.
+    """
+    if given.suffix == ".json":
+        entry = read_entry(given)
+        return Path(entry.rig).stem, partial(read_entry, given)
+    return read_rig(given).record.name, partial(_found, given)
+
+
+def engines_here() -> dict[str, tuple[str, Find]]:
+    """Return by rig file the name and the finder of every engine that runs on this computer.
+
+    ``RIGAPP_ENGINE`` names one that runs elsewhere.
+    """
+    elsewhere = os.environ.get("RIGAPP_ENGINE")
+    entries = [read_entry(Path(elsewhere))] if elsewhere else running_engines()
+    rigs = {entry.rig: Path(entry.rig) for entry in entries}
+    return {key: (rig.stem, partial(_found, rig)) for key, rig in rigs.items()}
+
+
+def _found(rig: Path) -> EngineEntry:
+    entry = find_engine(rig)
+    if entry is None:
+        raise EngineUnreachable(f"no engine runs for {rig.name}")
+    return entry
+
+
+class WatchedRig:
+    """The line to one engine and what it has told; every method is called by one thread."""
+
+    def __init__(self, identity: str, name: str, find: Find) -> None:
+        """Begin to look for the engine; identity: of its place on the page, name: before it."""
+        self.identity = identity
+        self._name = name
+        self._find = find
+        self._connection = EngineConnection(self._attach)
+        self._shown = ShownTest()
+        self._disk_worker = TaskWorker("page-disk", bound=1)
+        self._disk_at = 0.0
+        self._engine_pid = 0
+        self._local = False
+        self.disk: DiskSpace | None = None
+        self.restarts = 0
+        self.restarted_at = 0.0
+
+    def pump(self) -> bool:
+        """Take what is new; return whether another test is shown than before."""
+        snapshot = self._connection.pump()
+        changed = snapshot is not None and self._shown.take(snapshot)
+        if snapshot is not None:
+            self._look_for_restart(snapshot.status.engine_pid)
+        self._shown.deliver()
+        self._shown.follow_log()
+        self._look_at_disk()
+        return changed
+
+    @property
+    def name(self) -> str:
+        """Return what the engine calls the rig, else what was known of it before."""
+        status = self._connection.status
+        return (status.rig if status is not None else "") or self._name
+
+    @property
+    def line(self) -> tuple[str, str]:
+        """Return how the line to the engine is, and why, in words."""
+        return self._connection.state.value, self._connection.reason
+
+    @property
+    def problem(self) -> str:
+        """Return what hinders reading the test's file, empty where nothing does."""
+        return self._shown.problem or self._shown.log_problem
+
+    @property
+    def local_pid(self) -> int:
+        """Return the process of an engine of this computer, 0 for one elsewhere."""
+        return self._engine_pid if self._local else 0
+
+    def news(self) -> News:
+        """Return the newest of everything."""
+        connection, shown = self._connection, self._shown
+        return News(
+            status=connection.status,
+            data=shown.data,
+            recipe=shown.recipe,
+            path=shown.path,
+            events=shown.events,
+            log_problem=shown.log_problem,
+            silence_s=connection.silence_s(),
+            data_age_s=connection.data_age_s(),
+        )
+
+    def close(self) -> None:
+        """Let go of the engine, which goes on."""
+        self._connection.close()
+        self._shown.close()
+        self._disk_worker.close()
+
+    def _attach(self) -> Onlooker:
+        entry = self._find()
+        self._local = any(one.pid == entry.pid for one in running_engines())
+        return Onlooker(entry)
+
+    def _look_for_restart(self, pid: int) -> None:
+        if self._engine_pid not in (0, pid):
+            self.restarts += 1
+            self.restarted_at = time.time()
+        self._engine_pid = pid
+
+    def _look_at_disk(self) -> None:
+        self._disk_worker.deliver()
+        path, now = self._shown.path, time.monotonic()
+        if path is None or not self._local or now - self._disk_at < DISK_EVERY_S:
+            return
+        if self._disk_worker.submit(
+            lambda: shutil.disk_usage(path.parent), self._disk_known, lambda _: self._no_disk()
+        ):
+            self._disk_at = now
+
+    def _disk_known(self, usage: Any) -> None:
+        self.disk = DiskSpace(usage.free, usage.total)
+
+    def _no_disk(self) -> None:
+        self.disk = None

@@ -1,0 +1,242 @@
+"""What is known of a rig at one moment, as plain values: for the page, its API and the metrics."""
+
+from __future__ import annotations
+
+import math
+import time
+from contextlib import suppress
+
+import msgspec
+import psutil
+
+from rigapp.gui.data.channels import SIZE, FreeValue, free_values, value_text
+from rigapp.gui.data.connection import ConnectionState
+from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, newest_wear, wear_of
+from rigapp.gui.data.margins import margins, newest
+from rigapp.gui.data.news import News
+from rigapp.gui.data.quantities import UM_PER_MM
+from rigapp.gui.data.texts import duration, grouped
+from rigapp.page.rig import DiskSpace, WatchedRig
+from rigapp.schema.messages import Alarm, DeviceView, RunState
+
+NOTES = 5
+"""The last ones; all of them are in the log of the test."""
+NOTE_SHOWN = 300
+"""Characters: a screen of a telephone."""
+
+
+class LimitView(msgspec.Struct, frozen=True):
+    """A quantity beside its limit; used: share of the way to it, 0 to 1."""
+
+    title: str
+    value: float
+    limit: float
+    unit: str
+    action: str
+    used: float
+    passed: bool
+    text: str
+
+
+class NoteView(msgspec.Struct, frozen=True):
+    """A note of the log; time: UTC seconds since 1970."""
+
+    time: float
+    revolution: int
+    source: str
+    text: str
+
+
+class ProcessView(msgspec.Struct, frozen=True):
+    """How the engine's process is."""
+
+    pid: int
+    cpu_seconds: float
+    resident_memory_bytes: int
+    threads: int
+    started_at: float
+
+
+class RigView(msgspec.Struct, frozen=True):
+    """What is known of a rig at one moment.
+
+    line: attaching, attached, silent or lost, with why in ``sentence``. values: newest statistics
+    and predictions by the names of their columns, of those that are known. wear: those of the wear
+    coefficient (mm^3/(N m)) and of the revolutions that remain, with 95 % limits. NaN becomes null.
+    """
+
+    identity: str
+    name: str
+    line: str
+    sentence: str
+    restarts: int
+    restarted_at: float
+    silence_s: float
+    problem: str
+    state: str = "unknown"
+    reason: str = ""
+    test: str = ""
+    file: str = ""
+    revolution: int = 0
+    planned: int = 0
+    committed: int = 0
+    rows_dropped: int = 0
+    speed_rpm: float = math.nan
+    target_rpm: float = math.nan
+    started_at: float = 0.0
+    expected_end_at: float = 0.0
+    data_age_s: float = math.nan
+    twin_age_s: float = math.nan
+    worst_margin_percent: float = math.nan
+    worst_margin: str = ""
+    simulated: bool = False
+    next_step: str = ""
+    values: dict[str, float] = {}
+    wear: dict[str, float] = {}
+    limits: tuple[LimitView, ...] = ()
+    alarms: tuple[Alarm, ...] = ()
+    devices: tuple[DeviceView, ...] = ()
+    notes: tuple[NoteView, ...] = ()
+    tiles: tuple[tuple[str, str, str], ...] = ()
+    disk_free_bytes: int | None = None
+    disk_total_bytes: int | None = None
+    process: ProcessView | None = None
+
+    @property
+    def attached(self) -> bool:
+        """Tell whether the engine speaks."""
+        return self.line == ConnectionState.ATTACHED
+
+
+def view_of(rig: WatchedRig, news: News) -> RigView:
+    """Return what is known of a rig now."""
+    line, sentence = rig.line
+    shown = RigView(
+        rig.identity, rig.name, line, sentence, rig.restarts, rig.restarted_at,
+        news.silence_s, rig.problem,
+    )  # fmt: skip
+    status = news.status
+    if status is None:
+        return shown
+    taken = {name: getattr(status, name) for name in _FROM_STATUS}
+    disk = rig.disk or DiskSpace(0, 0)
+    return msgspec.structs.replace(
+        shown,
+        **taken,
+        state=status.state.value,
+        file=status.file.replace("\\", "/").rpartition("/")[2],
+        data_age_s=math.nan if news.data_age_s is None else news.data_age_s,
+        next_step=status.recovery.sentence,
+        values=_values(news),
+        wear=_wear(news),
+        limits=tuple(_limits(news)),
+        notes=tuple(_notes(news)),
+        tiles=tuple((one.title, one.value, one.detail) for one in _tiles(news)),
+        disk_free_bytes=disk.free if rig.disk is not None else None,
+        disk_total_bytes=disk.total if rig.disk is not None else None,
+        process=_process(rig.local_pid),
+    )
+
+
+_FROM_STATUS = (
+    "reason", "test", "revolution", "planned", "committed", "rows_dropped", "speed_rpm",
+    "target_rpm", "started_at", "expected_end_at", "twin_age_s", "worst_margin_percent",
+    "worst_margin", "simulated", "alarms", "devices",
+)  # fmt: skip
+
+
+def _values(news: News) -> dict[str, float]:
+    tables = (news.data.rows, news.data.predictions)
+    found = {name: table.last(name) for table in tables for name in table.names}
+    return {name: value for name, value in found.items() if math.isfinite(value)}
+
+
+def _wear(news: News) -> dict[str, float]:
+    known = newest_wear(news.data.predictions)
+    names = (f"{one}{suffix}" for one in (COEFFICIENT, REMAINING) for suffix in _SUFFIXES)
+    return {name: known[name] for name in names if math.isfinite(known[name])}
+
+
+_SUFFIXES = ("", "_low", "_high")
+
+
+def _limits(news: News) -> list[LimitView]:
+    return [
+        LimitView(
+            one.title, one.value, one.limit, one.unit, one.action, one.used, one.passed, one.text
+        )
+        for one in margins(news)
+    ]
+
+
+def _notes(news: News) -> list[NoteView]:
+    notes = [event for event in news.events if event.kind == "note"][-NOTES:]
+    return [
+        NoteView(one.time, one.revolution, one.source, one.text[:NOTE_SHOWN])
+        for one in reversed(notes)
+    ]
+
+
+def _tiles(news: News) -> list[FreeValue]:
+    """Return what is read first, each with a word below it."""
+    status, rows = news.status, news.data.rows
+    assert status is not None
+    share = f"{100.0 * status.revolution / status.planned:.1f} %" if status.planned else ""
+    planned = f"of {grouped(status.planned)}, {share}" if status.planned else ""
+    found = [
+        FreeValue("revolution", "Revolution", grouped(status.revolution), planned),
+        FreeValue("speed", "Speed", f"{status.speed_rpm:.1f} rpm", _wanted(status.target_rpm)),
+    ]
+    if status.state is RunState.RUNNING and status.expected_end_at > status.host_time:
+        ends = time.strftime("%a %d %b, %H:%M", time.localtime(status.expected_end_at))
+        left = duration(status.expected_end_at - status.host_time)
+        found.append(FreeValue("end", "Planned end", left, ends))
+    if len(rows):
+        force = value_text(rows.last(f"{SIZE}_max"), "N")
+        residual = newest(news, "residual_rms")
+        words = f"measured − model: {residual:.2f} N RMS" if math.isfinite(residual) else ""
+        found.append(FreeValue("force", "|F| maximum", force, words))
+    found += _depth(news)
+    found += wear_of(news, time.time())
+    if math.isfinite(status.worst_margin_percent):
+        margin = f"{status.worst_margin_percent:.0f} %"
+        found.append(FreeValue("margin", "Smallest margin", margin, status.worst_margin))
+    age = "–" if news.data_age_s is None else f"{news.data_age_s:.1f} s"
+    found.append(FreeValue("age", "Age of the data", age, ""))
+    found += free_values(news.data.channels, status.channels, lambda name: newest(news, name))
+    return found
+
+
+def _wanted(target_rpm: float) -> str:
+    return f"wanted: {target_rpm:.1f} rpm" if target_rpm else ""
+
+
+def _depth(news: News) -> list[FreeValue]:
+    """Return the tile of the wear depth, measured with its uncertainty, by the model without."""
+    depth, doubt, model = (
+        UM_PER_MM * newest(news, name)
+        for name in ("measured_wear_depth", "measured_wear_depth_uncertainty", "wear_depth")
+    )
+    words = f"model: {model:.2f} µm" if math.isfinite(model) else ""
+    if not math.isfinite(depth):
+        return [FreeValue("depth", "Wear depth by the model", f"{model:.2f} µm", "")] * bool(words)
+    sure = f" ± {doubt:.2f}" if math.isfinite(doubt) else ""
+    return [FreeValue("depth", "Wear depth", f"{depth:.2f}{sure} µm", words)]
+
+
+def _process(pid: int) -> ProcessView | None:
+    """Return how the engine's process is, None for one that ended or runs elsewhere."""
+    if not pid:
+        return None
+    with suppress(psutil.Error):
+        process = psutil.Process(pid)
+        with process.oneshot():
+            used = process.cpu_times()
+            return ProcessView(
+                pid,
+                used.user + used.system,
+                process.memory_info().rss,
+                process.num_threads(),
+                process.create_time(),
+            )
+    return None

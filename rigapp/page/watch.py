@@ -1,0 +1,131 @@
+"""Look at every rig in one thread: what pages show is made once, however many are open."""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from rigapp.config.errors import UnusableInput
+from rigapp.page import fragments
+from rigapp.page.plots import Painter
+from rigapp.page.rig import Find, WatchedRig
+from rigapp.page.view import RigView, view_of
+from rigapp.process.threads import Worker
+
+log = logging.getLogger(__name__)
+
+LOOK_S = 0.1  # as often takes the window what is new when nobody looks closely
+SHOW_S = 1.0  # what changes faster nobody reads from a wall
+TRENDS_S = 5.0  # a trend of thousands of revolutions moves by less than a pixel
+RIGS_S = 2.0  # an engine that starts is on the page before its first revolution
+MOST_RIGS = 16
+"""More do not fit on a wall, and each has four threads."""
+SILENCE_S = 10.0
+"""Of the watching thread, until ``/healthz`` says that it hangs: a slow computer takes two."""
+
+Rigs = Mapping[str, tuple[str, Find]]
+"""By a key: the name of a rig, and what finds its engine."""
+Publish = Callable[[Mapping[str, bytes]], None]
+
+
+@dataclass(slots=True)
+class _Shown:
+    """A rig with what was made of it last."""
+
+    rig: WatchedRig
+    painter: Painter = field(default_factory=Painter)
+    parts: dict[str, str] = field(default_factory=lambda: dict.fromkeys(fragments.PARTS, ""))
+    trends_at: float = 0.0
+
+
+class Watch:
+    """Own the rigs; ``views`` and ``page`` may be asked from any thread."""
+
+    def __init__(self, rigs: Callable[[], Rigs], on_death: Callable[[str], None]) -> None:
+        """Begin with nothing; rigs: told again and again, what was there once stays shown."""
+        self._find_rigs = rigs
+        self._on_death = on_death
+        self._publish: Publish = lambda frames: None
+        self._shown: dict[str, _Shown] = {}
+        self._rigs_at = self._show_at = 0.0
+        self._boot = f"{time.time():.3f}"
+        self._page = fragments.page({}, self._boot)
+        self.views: tuple[RigView, ...] = ()
+        self._worker = Worker("page", self._step, self._died, SILENCE_S)
+
+    def start(self, publish: Publish) -> None:
+        """Begin to look; publish: takes frames for pages, by the names of their slots."""
+        self._publish = publish
+        self._worker.start()
+
+    @property
+    def well(self) -> bool:
+        """Tell whether the thread lives and looks."""
+        return self._worker.well
+
+    def page(self) -> str:
+        """Return the page as it is now."""
+        return self._page
+
+    def close(self) -> None:
+        """End the thread and let go of the engines."""
+        self._worker.halt()
+        self._worker.join(SILENCE_S)
+        for one in self._shown.values():
+            one.rig.close()
+
+    def _step(self) -> None:
+        now = time.monotonic()
+        if now >= self._rigs_at:
+            self._rigs_at = now + RIGS_S
+            self._look_for_rigs()
+        for one in self._shown.values():
+            if one.rig.pump():
+                one.painter.forget()
+                one.trends_at = 0.0
+        if now >= self._show_at:
+            self._show_at = now + SHOW_S
+            self._show(now)
+        self._worker.pause(LOOK_S)
+
+    def _look_for_rigs(self) -> None:
+        try:
+            found = self._find_rigs()
+        except UnusableInput as error:
+            log.warning("%s", error)
+            return
+        for key, (name, find) in found.items():
+            if key not in self._shown and len(self._shown) < MOST_RIGS:
+                identity = f"rig{len(self._shown) + 1}"
+                self._shown[key] = _Shown(WatchedRig(identity, name, find))
+
+    def _show(self, now: float) -> None:
+        self.views = tuple(self._set(one, now) for one in self._shown.values())
+        rigs = {one.rig.identity: one.parts for one in self._shown.values()}
+        told = {"boot": self._boot, "rigs": list(rigs)}
+        frames = {"rigs": fragments.frame("rigs", told)}
+        for identity, parts in rigs.items():
+            for part, html in parts.items():
+                place = f"{identity}-{part}"
+                frames[place] = fragments.frame("fragment", {"place": place, "html": html})
+        frames["beat"] = fragments.frame("beat", time.time())
+        self._page = fragments.page(rigs, self._boot)
+        self._publish(frames)
+
+    def _set(self, one: _Shown, now: float) -> RigView:
+        """Make the fragments of a rig anew; what they are made of is returned."""
+        news = one.rig.news()
+        view = view_of(one.rig, news)
+        one.parts["head"] = fragments.head(view, time.time())
+        one.parts["log"] = fragments.log(view)
+        one.parts["force"] = fragments.pictures([one.painter.force(news)])
+        if now >= one.trends_at:
+            one.trends_at = now + TRENDS_S
+            one.parts["trends"] = fragments.pictures(one.painter.trends(news))
+        return view
+
+    def _died(self, worker: Worker, error: BaseException) -> None:
+        log.error("The page can show nothing any more: %s", error, exc_info=error)
+        self._on_death(f"The part of the page that looks at the rigs has died: {error!r}.")
