@@ -173,6 +173,17 @@ def check(
 
 
 @app.command()
+def notify(
+    rig: Annotated[Path | None, _option("--rig", "Rig file; else the user's ways alone.")] = None,
+    test: Annotated[bool, _option("--test", "Send one message by every way.")] = False,
+) -> int:
+    """Show by which ways an absent operator is told, and what waits; or try them."""
+    from rigapp.commands.notify import show_ways, try_ways
+
+    return try_ways(rig) if test else show_ways(rig)
+
+
+@app.command()
 def reset(rig: RigArgument) -> int:
     """Release a drive that holds its emergency stop or a fault, once its cause is removed."""
     from rigapp.commands.reset import reset_drive

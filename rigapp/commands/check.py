@@ -15,11 +15,12 @@ from drivers.registry import load_driver
 from rigapp.calibrating.records_in_use import RigRecords, with_records
 from rigapp.config.channels import channel_table
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_rig, read_test
+from rigapp.config.loading import Document, read_rig, read_test
 from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 from rigapp.config.rules import check_rules
 from rigapp.engine.devices import LoadDriver, make_devices, plan_devices
+from rigapp.notify.ways import inspected, ways_of
 from rigapp.schema.messages import Status
 from rigapp.service.preflight import Check, Checked, blocked, disk_facts, preflight
 from rigapp.simulation.handle import SimulationFailed
@@ -45,13 +46,25 @@ def check_rig(rig_path: Path, test_path: Path) -> int:
     checks = preflight(test, records, disk, status)
     if status is None:
         checks = [check for check in checks if check.what != "Engine"]
-    checks += found
+    checks += [*found, *message_checks(records.rig)]
     table = Table(show_header=False, box=None, pad_edge=False)
     for check in checks:
         text = f"{check.finding}. {check.action}" if check.action else check.finding
         table.add_row(MARKS[check.verdict], check.what, text)
     Console(width=None if sys.stdout.isatty() else PIPE_WIDTH).print(table)
     return 1 if blocked(checks) else 0
+
+
+def message_checks(rig: Document[RigFile]) -> list[Check]:
+    """Judge the ways to reach who is away, where any is set up; nothing is sent."""
+    ways = ways_of(rig)
+    if not ways:
+        return []
+    wrong = [Check("Messages", Checked.BLOCKS, sentence) for sentence in inspected(ways)]
+    names = ", ".join([*(way.name for way in ways.ways), *(["ping"] if ways.ping else [])])
+    return wrong or [
+        Check("Messages", Checked.GOOD, f"set up by {names}; try: rigapp notify --test")
+    ]
 
 
 def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check]]:

@@ -10,6 +10,7 @@ import msgspec
 
 from rigapp.config.channels import channel_faults, input_keys
 from rigapp.config.errors import UnusableInput
+from rigapp.config.notify import NotifyFile, notify_faults
 from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.ranges import refusals
 from rigapp.config.recipe import TestFile
@@ -35,6 +36,8 @@ def faults(record: msgspec.Struct) -> Iterator[str]:
         yield from _of_test(record)
     elif isinstance(record, ParameterFile):
         yield from _of_parameters(record, "")
+    if isinstance(record, RigFile | NotifyFile):
+        yield from notify_faults(record.notify, record.ping)
 
 
 def _of_texts(value: object, key: str) -> Iterator[str]:

@@ -14,6 +14,7 @@ import msgspec
 
 from rigapp.config.consistency import faults
 from rigapp.config.errors import UnusableInput, in_words
+from rigapp.config.notify import NotifyFile
 from rigapp.config.parameters import ParameterFile, to_parameters
 from rigapp.config.ranges import keys_of, refusals
 from rigapp.config.reading import read_text
@@ -47,6 +48,11 @@ def read_rig(path: Path) -> Document[RigFile]:
 def read_test(path: Path) -> Document[TestFile]:
     """Read a test file; raise UnusableInput."""
     return read_document(path, TestFile)
+
+
+def read_notify(path: Path) -> Document[NotifyFile]:
+    """Read a user's file of ways to be told; raise UnusableInput."""
+    return read_document(path, NotifyFile)
 
 
 def read_parameter_file(path: Path) -> Document[ParameterFile]:

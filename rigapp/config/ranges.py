@@ -16,6 +16,7 @@ from typing import Annotated, Any, Final, Literal
 
 import msgspec
 
+from rigapp.config.notify import NotifyFile
 from rigapp.config.numbers import ANY, Range
 from rigapp.config.parameters import ParameterFile
 from rigapp.config.recipe import TestFile
@@ -101,7 +102,7 @@ def _choices(hint: Any) -> Iterator[str]:
 
 RANGES: Final[Mapping[str, Range]] = {
     key.path: key.range
-    for kind in (TestFile, ParameterFile, RigFile)
+    for kind in (TestFile, ParameterFile, RigFile, NotifyFile)
     for key in keys_of(kind)
     if key.range is not ANY
 }

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 
+from rigapp.config.notify import NotifySection, PingSection
 from rigapp.config.numbers import COUNT, FACTOR, FORCE_N, LATENCY_MS, TURN_DEG, within
 
 Pair = tuple[float, float]
@@ -197,3 +198,5 @@ class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     probes: ProbesSection
     channels: dict[str, ChannelSection] = {}
     simulation: SimulationSection | None = None
+    notify: tuple[NotifySection, ...] = ()
+    ping: PingSection | None = None

@@ -413,6 +413,13 @@ class Engine:
         """Warn that viewers cannot be served."""
         self._core.act_on(because("service", sentence=sentence))
 
+    def messages_failed(self, sentence: str) -> None:
+        """Warn that somebody who is away may not be told; without a sentence that is over."""
+        if sentence:
+            self._core.warn(because("messages", sentence=sentence))
+        else:
+            self._core.alarms.clear("messages")
+
     def set_limit(self, name: str, value: float, operator: str = "", reason: str = "") -> None:
         """Change a limit of the test under way; the change is logged with before and after.
 

@@ -50,6 +50,7 @@ def build_status(
     rig = core.rig.record
     simulation = rig.simulation
     margin, margin_name = _margin(core, connection, active)
+    left, criterion = _criterion(core, active)
     speed = connection.processor.motion.speed_rpm() if connection is not None else 0.0
     prediction = active.prediction if active is not None else None
     predicted = {}
@@ -88,7 +89,18 @@ def build_status(
         operator=operator,
         engine_pid=os.getpid(),
         recovery=next_step(core, connection),
+        criterion_percent=left,
+        criterion=criterion,
     )
+
+
+def _criterion(core: Core, active: ActiveTest | None) -> tuple[float, str]:
+    """Return how far before its nearest end a test is, in percent of it, and which end that is."""
+    if active is None or core.state not in ACTIVE:
+        return math.nan, ""
+    run = active.run
+    last = (100.0 * (run.planned - run.number) / run.planned, "the last revolution")
+    return min(last, run.stops.nearest())
 
 
 def next_step(core: Core, connection: Connection | None) -> Recovery:

@@ -194,7 +194,11 @@ class DeviceView(msgspec.Struct, frozen=True):
 
 
 class Status(msgspec.Struct, frozen=True):
-    """Show the engine at one moment; what the window's header is made of."""
+    """Show the engine at one moment; what the window's header is made of.
+
+    criterion_percent: how far before its nearest planned end or stop criterion a test is, in
+    percent of it; NaN while nothing is known of any.
+    """
 
     state: RunState
     reason: str = ""
@@ -227,6 +231,8 @@ class Status(msgspec.Struct, frozen=True):
     rows_dropped: int = 0
     in_command: str = ""
     recovery: Recovery = Recovery()
+    criterion_percent: float = math.nan
+    criterion: str = ""
 
 
 class Cycle(msgspec.Struct, frozen=True):

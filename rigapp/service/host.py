@@ -26,6 +26,9 @@ from rigapp.config.rig import RigFile
 from rigapp.engine.devices import plan_devices
 from rigapp.engine.engine import Engine, LogEntry
 from rigapp.engine.starting import check_fit
+from rigapp.notify.facts import CourierSetup
+from rigapp.notify.link import CourierLink
+from rigapp.notify.ways import Ways, inspected, ways_of
 from rigapp.process.ending import Background, asked_to_end, finish_in_time
 from rigapp.process.logs import beside, in_file
 from rigapp.process.threads import OneAtATime
@@ -43,6 +46,7 @@ from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, Hand, Nothing, Resume, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import InCommand
+from rigapp.service.private import private_folder
 from rigapp.service.recorded import (
     checkpoint,
     compress_complete,
@@ -104,6 +108,10 @@ class EngineHost:
         bind: where to listen in place of this computer's sockets. Raises UnusableInput.
         """
         plan_devices(rig.record, str(rig.path))
+        ways = ways_of(rig)
+        unusable = inspected(ways)
+        if unusable:
+            raise UnusableInput(f"{rig.path}: {'; '.join(unusable)}.")
         self._simulated = SimulatedDevices(rig, speed)
         self._twin: TwinLink | None = None
         self._rig, self._records = rig, with_records(rig)
@@ -132,6 +140,21 @@ class EngineHost:
                 started=time.time(),
                 server_key=self._server.public_key,
             )
+        )
+        self._messages = self._courier(ways) if ways else None
+
+    def _courier(self, ways: Ways) -> CourierLink:
+        """Start what tells who is away; it hears what every viewer hears."""
+        folder = private_folder(lasting_folder() / "messages")
+        rig = str(self._rig.path.resolve())
+        run = f"{os.getpid()} {time.time()}"
+        return CourierLink(
+            CourierSetup(rig, ways.ways, ways.ping, str(folder), str(ways.secrets), run),
+            self.engine.watch(),
+            self.engine.status,
+            lambda text: self.engine.log("message", text, "messages"),
+            self.engine.messages_failed,
+            runtime_folder(),
         )
 
     def _listen(self, bind: Bind | None) -> Server:
@@ -344,6 +367,8 @@ class EngineHost:
             if self._twin is not None:
                 self._twin.close()
             self._simulated.close()
+            if self._messages is not None:
+                self._messages.close()
             self._server.close()
             withdraw(os.getpid())
             self._log.close()

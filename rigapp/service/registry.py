@@ -25,7 +25,8 @@ LONGEST_SOCKET_FOLDER = 80
 """Characters: the system allows 107 for the path of a socket, its name included."""
 
 LEFT_BEHIND = (
-    r"(?:engine-|starting-|twin-)?(?P<pid>\d+)(?:\.(?:json|part|commands|snapshots)|-[0-9a-f]+)"
+    r"(?:engine-|starting-|twin-|courier-)?(?P<pid>\d+)"
+    r"(?:\.(?:json|part|commands|snapshots)|-[0-9a-f]+)"
 )
 """Entries and sockets in the runtime folder, each with the process id of its owner."""
 

@@ -110,6 +110,7 @@ class _Watched:
             self.patience += self._number
         self._beyond = 0
         self.since_value = 0
+        self.left_percent = math.nan
 
     def look(self, number: int, at: At) -> Met | None:
         """Judge a revolution's value; what is not known neither fulfils nor interrupts."""
@@ -123,6 +124,8 @@ class _Watched:
                 return None
         self.since_value = 0
         met = value <= self._level if criterion.falls else value >= self._level
+        left = value - self._level if criterion.falls else self._level - value
+        self.left_percent = 100.0 * left / max(abs(self._level), 1e-12)
         self._beyond = self._beyond + 1 if met else 0
         if not self._beyond or self._beyond < self._needed:
             return None
@@ -208,6 +211,19 @@ class StopMonitor:
     def blind(self) -> list[str]:
         """Return the criteria that have had no value for too long."""
         return [one.criterion.key for one in self._judged if one.since_value >= one.patience]
+
+    def nearest(self) -> tuple[float, str]:
+        """Return how far before the nearest criterion it is, in percent of it, and its title.
+
+        Infinite and unnamed while nothing is known of any.
+        """
+        known = [
+            (one.left_percent, one.criterion.title)
+            for seen in self._seen.values()
+            for one in seen
+            if math.isfinite(one.left_percent)
+        ]
+        return min(known, default=(math.inf, ""))
 
     def _first(self, sight: Sight, number: int, at: At) -> Met | None:
         found: Met | None = None

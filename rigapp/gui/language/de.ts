@@ -3308,6 +3308,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versorgung, Temperatur und Last des Antriebs ansehen.</translation>
     </message>
     <message>
+        <source>Look at the network and the server, and at rigapp notify --test; what waits is kept.</source>
+        <translation>Netz und Server ansehen, und rigapp notify --test; was wartet, bleibt erhalten.</translation>
+    </message>
+    <message>
         <source>Look at the signal, its sensor, its range and its cable.</source>
         <translation>Das Signal, seinen Sensor, Bereich und Kabel ansehen.</translation>
     </message>
@@ -3382,6 +3386,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Messages do not get through</source>
+        <translation>Nachrichten kommen nicht durch</translation>
     </message>
     <message>
         <source>Micrometer &amp;shows</source>
@@ -4738,6 +4746,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The test goes on; wear and friction may be of another kind than in the range.</source>
         <translation>Der Versuch geht weiter; Verschleiß und Reibung können anderer Art sein als im Bereich.</translation>
+    </message>
+    <message>
+        <source>The test goes on; who is away may not be told what happens to it.</source>
+        <translation>Der Versuch geht weiter; wer nicht da ist, erfährt vielleicht nicht, was geschieht.</translation>
     </message>
     <message>
         <source>The test pauses at the safe angle.</source>

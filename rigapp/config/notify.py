@@ -1,0 +1,106 @@
+"""``[[notify]]`` and ``[ping]``: who is told of what, in a rig file or in the user's own file."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Final, Literal, get_args
+from urllib.parse import urlsplit
+
+import msgspec
+
+from rigapp.config.numbers import within
+
+When = Literal["critical", "warning", "end", "pause", "criterion", "silence", "disk", "daily"]
+
+REFERENCE: Final = re.compile(r"\{([a-z][a-z0-9_]*)\}")
+"""What stands in a URL in the place of a secret: its name in braces."""
+
+CLOCK: Final = re.compile(r"([01]\d|2[0-3]):([0-5]\d)")
+"""A time of the day, as ``daily_at`` has it."""
+
+WAY_NAME: Final = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
+"""What a way may be called: it stands in lines of the log."""
+
+
+class NotifySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[[notify]]: one way to reach somebody: by a URL of apprise, or by a command of one's own.
+
+    when: severities of alarms, and what else is told. daily_at: local time of the daily summary.
+    near_percent: a planned end or stop criterion counts as near so far before it. silent_after_s:
+    so long without a sign of life of the engine. recovered_after_s: so long must be over what was
+    raised before that is told; what comes again within it is told no second time.
+    """
+
+    url: str = ""
+    command: tuple[str, ...] = ()
+    when: tuple[When, ...] = ("critical", "end", "pause", "silence", "disk")
+    name: str = ""
+    daily_at: str = "07:00"
+    near_percent: Annotated[float, within(0.1, 50.0)] = 5.0
+    silent_after_s: Annotated[float, within(5.0, 86_400.0)] = 60.0
+    disk_free_GB: Annotated[float, within(0.01, 100_000.0, unit="GB")] = 2.0
+    recovered_after_s: Annotated[float, within(0.0, 3600.0)] = 10.0
+    most_per_hour: Annotated[int, within(1, 1000, unit="messages")] = 20
+
+
+class PingSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """[ping]: a URL that is asked for at an interval while all is well (a dead man's switch)."""
+
+    url: str
+    interval_s: Annotated[float, within(5.0, 86_400.0)] = 60.0
+
+
+class NotifyFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The user's own file: ways for every rig of this user."""
+
+    schema: int
+    notify: tuple[NotifySection, ...] = ()
+    ping: PingSection | None = None
+
+
+def notify_faults(ways: Sequence[NotifySection], ping: PingSection | None) -> Iterator[str]:
+    """Yield what is wrong with ways and ping, each as a sentence that repeats no URL."""
+    for number, way in enumerate(ways, 1):
+        yield from (f"notify {number} {fault}" for fault in _of_way(way))
+    for name, count in Counter(way.name for way in ways if way.name).items():
+        if count > 1:
+            yield f"notify.name = {name!r} stands {count} times; each way needs its own"
+    if ping is not None and not REFERENCE.fullmatch(ping.url):
+        if urlsplit(ping.url).scheme not in ("http", "https"):
+            yield "ping.url begins neither with http:// nor with https://"
+        elif _password_in(ping.url):
+            yield f"ping.url holds a password; {_ELSEWHERE}"
+
+
+_ELSEWHERE = (
+    "write {NAME} in its place, and the secret under that name into the keyring or secrets.toml"
+)
+
+
+def _of_way(way: NotifySection) -> Iterator[str]:
+    if bool(way.url) == bool(way.command):
+        yield "needs either url or command"
+    if way.url and not REFERENCE.fullmatch(way.url):
+        if not re.match(r"[A-Za-z][A-Za-z0-9+.-]*://", way.url):
+            yield "url begins with no scheme, as in mailtos:// or json://"
+        elif _password_in(way.url):
+            yield f"url holds a password; {_ELSEWHERE}"
+    if way.command and not way.command[0].strip():
+        yield "command names no program"
+    if not way.when:
+        yield f"when is empty; choose of {', '.join(get_args(When))}"
+    if way.name and not WAY_NAME.fullmatch(way.name):
+        yield "name may hold letters, digits, blanks and . _ - only, 40 at most"
+    if not CLOCK.fullmatch(way.daily_at):
+        yield f"daily_at = {way.daily_at!r} is no time of the day; write it as 07:00"
+
+
+def _password_in(url: str) -> bool:
+    """Tell whether a URL holds a password that is no reference."""
+    try:
+        password = urlsplit(REFERENCE.sub("", url)).password
+    except ValueError:
+        return False
+    return bool(password)

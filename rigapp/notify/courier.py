@@ -1,0 +1,379 @@
+"""The courier's process: hears of the rig, judges what is to be told, and sees to it that it is.
+
+Started by ``rigapp.notify.link`` as ``python -m rigapp.notify.courier ADDRESS ENGINE_PID``. It does
+not end with its engine: it tells that the engine is gone, and what waits, for ``LINGER_S``; what
+waits longer is sent by the courier of the next engine of the rig.
+"""
+
+from __future__ import annotations
+
+import datetime
+import logging
+import os
+import shutil
+import sys
+import time
+from collections.abc import Sequence
+from contextlib import ExitStack, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+import msgspec
+import zmq
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.notify import NotifySection
+from rigapp.notify.attempt import AttemptRequest, AttemptResult
+from rigapp.notify.facts import (
+    CourierAnswer,
+    CourierSetup,
+    DiskSeen,
+    Fact,
+    Farewell,
+    SignOfLife,
+    Silence,
+)
+from rigapp.notify.message import Message, clock
+from rigapp.notify.outbox import due, failed, put, sent
+from rigapp.notify.rules import hear, pass_time
+from rigapp.notify.store import (
+    CourierState,
+    WayState,
+    identity,
+    owned,
+    read_state,
+    settled,
+    state_file,
+    write_state,
+)
+from rigapp.notify.ways import address, attempt, tell
+from rigapp.process.ending import Background
+from rigapp.process.logs import in_file
+from rigapp.schema.messages import RunState, Severity
+
+log = logging.getLogger(__name__)
+
+LOOK_MS = 200
+LINGER_S = 3600.0
+"""An engine that has ended leaves its courier so long for what waits."""
+LOCK_S = 300.0
+"""A courier waits so long for the one before it, which may be in the midst of an attempt."""
+DISK_EVERY_S = 60.0
+WELL_S = 30.0
+"""All is well only where the newest sign of life is younger; one comes every few seconds."""
+FAILING_S = 300.0
+"""A way that fails for so long is an alarm of the rig: somebody counts on it."""
+STANDSTILL_S = 5.0
+"""A pass that took longer shows that the whole computer stood still, which is no silence."""
+
+
+@dataclass(slots=True)
+class _OnItsWay:
+    """What is being sent by a way."""
+
+    batch: tuple[Message, ...]
+    work: Background[AttemptResult]
+
+
+class Courier:
+    """Turn facts into messages and deliver them; ``step`` is called again and again."""
+
+    def __init__(self, setup: CourierSetup) -> None:
+        """Take up the state that the last courier of the rig left."""
+        self._setup = setup
+        self._file = state_file(Path(setup.folder), setup.rig)
+        self._ways = {identity(way): way for way in setup.ways}
+        self._going: dict[str, _OnItsWay] = {}
+        self._sign: SignOfLife | None = None
+        self._sign_at = self._passed_at = time.monotonic()
+        self._disk: Background[int] | None = None
+        self._ping: Background[AttemptResult] | None = None
+        self._disk_at = self._ping_at = -1e9
+        self._ping_fails = False
+        self._said: list[str] = []
+        self._wrong = ""
+        self._unsaved = ""
+        self.farewell = False
+        self.take_up()
+
+    def take_up(self) -> None:
+        """Read the state anew: another courier may have sent of it meanwhile."""
+        found = read_state(self._file)
+        same = found.run == self._setup.run
+        ways = {name: found.ways.get(name, WayState()) for name in self._ways}
+        self.state = CourierState(ways, self._setup.run, found.heard if same else 0)
+        self._kept = settled(found)
+
+    @property
+    def idle(self) -> bool:
+        """Tell whether nothing waits and nothing is on its way."""
+        return not self._going and not any(one.outbox.waiting for one in self.state.ways.values())
+
+    @property
+    def busy(self) -> bool:
+        """Tell whether something is on its way."""
+        return bool(self._going)
+
+    def step(self, facts: Sequence[Fact], *, gone: bool = False) -> CourierAnswer | None:
+        """Hear facts, see what has come of attempts, begin others; return what is to be said.
+
+        gone: the engine's process is there no more.
+        """
+        now = time.time()
+        heard = self.state.heard
+        for fact in facts:
+            if fact.number > self.state.heard:
+                self._hear(fact)
+                heard = fact.number
+        self.state = msgspec.structs.replace(self.state, heard=heard)
+        for fact in self._own_facts(now, gone):
+            self._hear(fact)
+        for name, way in self._ways.items():
+            one = self.state.ways[name]
+            book, messages = pass_time(way, one.book, now, datetime.datetime.now())
+            self._note(name, msgspec.structs.replace(one, book=book), messages)
+            self._deliver(name, way, now)
+        if not gone and not self.farewell:
+            self._look_after_ping()
+        self._keep()
+        return self._answer(bool(facts), now)
+
+    # --- what is seen ----------------------------------------------------------------------------
+
+    def _hear(self, fact: Fact) -> None:
+        if isinstance(fact.seen, SignOfLife):
+            self._sign, self._sign_at = fact.seen, time.monotonic()
+        self.farewell |= isinstance(fact.seen, Farewell)
+        for name, way in self._ways.items():
+            one = self.state.ways[name]
+            book, messages = hear(way, one.book, fact)
+            self._note(name, msgspec.structs.replace(one, book=book), messages)
+
+    def _note(self, name: str, one: WayState, messages: Sequence[Message]) -> None:
+        outbox = one.outbox
+        for message in messages:
+            outbox = put(outbox, message)
+        changed = msgspec.structs.replace(one, outbox=outbox)
+        ways = {**self.state.ways, name: changed}
+        self.state = msgspec.structs.replace(self.state, ways=ways)
+
+    def _own_facts(self, now: float, gone: bool) -> list[Fact]:
+        """Return what the courier sees by itself: silence of the engine, room on the disk."""
+        passed, self._passed_at = time.monotonic() - self._passed_at, time.monotonic()
+        if passed > STANDSTILL_S:
+            self._sign_at += passed
+        facts = []
+        silent = time.monotonic() - self._sign_at
+        if not self.farewell and (gone or silent > 1.0):
+            facts.append(Fact(now, Silence(silent, gone)))
+        free = self._disk_seen()
+        return [*facts, Fact(now, free)] if free is not None else facts
+
+    def _disk_seen(self) -> DiskSeen | None:
+        """Return the room where the test's file is, looked at in the background: it may hang."""
+        if self._sign is None or not self._sign.file:
+            return None
+        folder = Path(self._sign.file).absolute().parent
+        wanted = any("disk" in way.when for way in self._ways.values())
+        if self._disk is None:
+            if wanted and time.monotonic() - self._disk_at > DISK_EVERY_S:
+                self._disk_at = time.monotonic()
+                self._disk = Background(lambda: shutil.disk_usage(folder).free, "look at the disk")
+            return None
+        if not self._disk.done:
+            return None
+        done, self._disk = self._disk, None
+        return DiskSeen(str(folder), done.result()) if done.error is None else None
+
+    # --- what is sent ----------------------------------------------------------------------------
+
+    def _deliver(self, name: str, way: NotifySection, now: float) -> None:
+        going = self._going.get(name)
+        if going is not None:
+            if going.work.done:
+                del self._going[name]
+                self._took(name, way, going, now)
+            return
+        batch = due(self.state.ways[name].outbox, now, way.most_per_hour)
+        if batch:
+            self._keep()  # before it goes: what was told must not be told again by the next one
+            secrets, rig, lost = Path(self._setup.secrets), self._rig_name, ()
+            if self.state.ways[name].outbox.lost:
+                lost = (_lost(self.state.ways[name].outbox.lost, now),)
+            work = Background(
+                lambda: tell(way, secrets, rig, (*batch, *lost)), f"tell by {way.name}"
+            )
+            self._going[name] = _OnItsWay(batch, work)
+
+    @property
+    def _rig_name(self) -> str:
+        return self._sign.rig if self._sign is not None else Path(self._setup.rig).stem
+
+    def _took(self, name: str, way: NotifySection, going: _OnItsWay, now: float) -> None:
+        """Take note of what has become of an attempt."""
+        one = self.state.ways[name]
+        error = going.work.error
+        result = (
+            going.work.result() if error is None else AttemptResult(False, type(error).__name__)
+        )
+        titles = ", ".join(f"{it.title} ({it.turn})" for it in going.batch)
+        where = way.command[0] if way.command else address(way.url)
+        if result.ok:
+            outbox = sent(one.outbox, going.batch, now)
+            tries = f", at attempt {one.outbox.failures + 1}" if one.outbox.failures else ""
+            self._say(f"told by {way.name}, {where}{tries}: {titles}")
+        else:
+            outbox = failed(one.outbox, now)
+            if not one.outbox.failures:
+                self._say(
+                    f"{way.name}, {where}, could not be told: {titles}."
+                    f" {result.reason.rstrip('.')}; it is tried again and again"
+                )
+        changed = msgspec.structs.replace(one, outbox=outbox)
+        ways = {**self.state.ways, name: changed}
+        self.state = msgspec.structs.replace(self.state, ways=ways)
+
+    def _look_after_ping(self) -> None:
+        """Ping while all is well, no more often than wanted."""
+        ping = self._setup.ping
+        if ping is None:
+            return
+        if self._ping is not None:
+            if self._ping.done:
+                result = self._ping.result() if self._ping.error is None else AttemptResult(False)
+                self._note_ping(result, address(ping.url))
+                self._ping = None
+        elif time.monotonic() - self._ping_at >= ping.interval_s and self._well():
+            self._ping_at = time.monotonic()
+            request = AttemptRequest("ping", ping.url, self._setup.secrets)
+            self._ping = Background(lambda: attempt(request), "ping")
+
+    def _well(self) -> bool:
+        sign = self._sign
+        return (
+            sign is not None
+            and time.monotonic() - self._sign_at < WELL_S
+            and sign.state is not RunState.FAULT
+            and not any(one.severity is Severity.CRITICAL for one in sign.alarms)
+        )
+
+    def _note_ping(self, result: AttemptResult, where: str) -> None:
+        if result.ok is self._ping_fails:
+            why = "arrives" if result.ok else f"does not arrive: {result.reason}"
+            self._say(f"the ping to {where} {why}")
+        self._ping_fails = not result.ok
+
+    # --- what is kept and said -------------------------------------------------------------------
+
+    def _keep(self) -> None:
+        """Write the state where it has changed; what cannot be written is kept in memory."""
+        kept = settled(self.state)
+        if msgspec.structs.replace(kept, heard=0) == msgspec.structs.replace(self._kept, heard=0):
+            return
+        try:
+            write_state(self._file, kept)
+        except UnusableInput as error:
+            self._unsaved = str(error)
+        else:
+            self._kept, self._unsaved = kept, ""
+
+    def _say(self, sentence: str) -> None:
+        log.info("%s", sentence)
+        self._said.append(sentence)
+
+    def _answer(self, heard: bool, now: float) -> CourierAnswer | None:
+        wrong = self._unsaved or next(
+            (
+                f"{way.name} has failed since {clock(outbox.failing_since)}."
+                for name, way in self._ways.items()
+                if (outbox := self.state.ways[name].outbox).failing_since
+                and now - outbox.failing_since > FAILING_S
+            ),
+            "",
+        )
+        if not heard and not self._said and wrong == self._wrong:
+            return None
+        said, self._said = tuple(self._said), []
+        changed = None if wrong == self._wrong else wrong
+        self._wrong = wrong
+        return CourierAnswer(self.state.heard, said, changed)
+
+
+def _lost(number: int, now: float) -> Message:
+    text = f"{number} messages before these had no room and were dropped."
+    return Message("lost", "told", "warning", "Messages lost", text, now)
+
+
+def serve(socket: zmq.Socket[bytes], setup: CourierSetup, engine: int) -> None:
+    """Deliver while the engine lives, and for a while after it."""
+    file = state_file(Path(setup.folder), setup.rig)
+    with ExitStack() as holding:
+        deadline = time.monotonic() + LOCK_S
+        while not holding.enter_context(owned(file)):
+            holding.pop_all().close()
+            if time.monotonic() > deadline:
+                return
+            time.sleep(LOOK_MS / 1e3)
+        courier = Courier(setup)
+        while os.getppid() == engine and not courier.farewell:
+            facts = _received(socket)
+            answer = courier.step(facts)
+            if answer is not None:
+                with suppress(zmq.ZMQError):  # of an engine that has just gone
+                    socket.send(msgspec.msgpack.encode(answer))
+        courier.step(_left(socket), gone=not courier.farewell)
+        while courier.busy:
+            time.sleep(LOOK_MS / 1e3)
+            courier.step((), gone=not courier.farewell)
+    _linger(courier, file)
+
+
+def _linger(courier: Courier, file: Path) -> None:
+    """Send what waits, unless another courier of the rig has taken it over."""
+    deadline = time.monotonic() + LINGER_S
+    while not courier.idle and time.monotonic() < deadline:
+        with owned(file) as ours:
+            if not ours:
+                return
+            courier.take_up()
+            courier.step(())
+            while courier.busy:
+                time.sleep(LOOK_MS / 1e3)
+                courier.step(())
+        time.sleep(1.0)
+
+
+def _received(socket: zmq.Socket[bytes]) -> list[Fact]:
+    """Return the facts that have come, after a wait for the first."""
+    return _left(socket) if socket.poll(LOOK_MS) else []
+
+
+def _left(socket: zmq.Socket[bytes]) -> list[Fact]:
+    found = []
+    while socket.poll(0):
+        found.append(msgspec.msgpack.decode(socket.recv(), type=Fact))
+    return found
+
+
+def main(arguments: list[str]) -> int:
+    """Serve one engine."""
+    context = zmq.Context()
+    socket = context.socket(zmq.PAIR)
+    socket.setsockopt(zmq.LINGER, 0)
+    socket.setsockopt(zmq.SNDTIMEO, 1000)
+    socket.connect(arguments[0])
+    engine = int(arguments[1])
+    try:
+        while not socket.poll(LOOK_MS):
+            if os.getppid() != engine:
+                return 0
+        setup = msgspec.msgpack.decode(socket.recv(), type=CourierSetup)
+        with in_file(Path(setup.folder) / "messages.log"):
+            serve(socket, setup, engine)
+    finally:
+        context.destroy(linger=0)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,86 @@
+"""What the engine's side tells the courier of the rig, and what is said about the deliveries.
+
+No record here holds a secret: the engine and the courier never know one.
+"""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+
+from rigapp.config.notify import NotifySection, PingSection
+from rigapp.schema.messages import Alarm, RunState
+from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
+
+
+class SignOfLife(msgspec.Struct, frozen=True, tag_field="event", tag="sign"):
+    """A sign of life of the engine, with the rig at that moment.
+
+    criterion_percent: how far the nearest planned end or stop criterion is, in percent of it; NaN
+    where nothing is known. alarms: those whose condition holds.
+    """
+
+    rig: str
+    state: RunState
+    test: str = ""
+    file: str = ""
+    revolution: int = 0
+    planned: int = 0
+    expected_end_at: float = 0.0
+    worst_margin_percent: float = math.nan
+    worst_margin: str = ""
+    criterion_percent: float = math.nan
+    criterion: str = ""
+    alarms: tuple[Alarm, ...] = ()
+
+
+class Farewell(msgspec.Struct, frozen=True, tag_field="event", tag="farewell"):
+    """The engine ends as it should."""
+
+
+class DiskSeen(msgspec.Struct, frozen=True, tag_field="event", tag="disk"):
+    """So much is free where the test's file is."""
+
+    folder: str
+    free_bytes: int
+
+
+class Silence(msgspec.Struct, frozen=True, tag_field="event", tag="silence"):
+    """The engine has given no sign of life. gone: its process is there no more."""
+
+    silent_s: float
+    gone: bool
+
+
+Seen = StateChanged | AlarmChanged | Finished | SignOfLife | Farewell | DiskSeen | Silence
+
+
+class Fact(msgspec.Struct, frozen=True):
+    """Something that was seen, and when (UTC s); number: counted within a run of the engine."""
+
+    at: float
+    seen: Seen
+    number: int = 0
+
+
+class CourierSetup(msgspec.Struct, frozen=True):
+    """Tell the courier its ways, where its state is kept, and which run of an engine this is."""
+
+    rig: str
+    ways: tuple[NotifySection, ...]
+    ping: PingSection | None
+    folder: str
+    secrets: str
+    run: str
+
+
+class CourierAnswer(msgspec.Struct, frozen=True):
+    """Say how far facts are heard, and what the log should say of deliveries.
+
+    wrong: why somebody may not be told, empty while all is well; None when that has not changed.
+    """
+
+    heard: int = 0
+    said: tuple[str, ...] = ()
+    wrong: str | None = None

@@ -1,0 +1,92 @@
+"""A message, and how it is worded for a person who is far from the rig."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from typing import Literal
+
+import msgspec
+
+from rigapp.notify.facts import SignOfLife
+from rigapp.schema.messages import Alarm
+from rigapp.schema.notices import Finished
+
+Turn = Literal["raised", "recovered", "told"]
+Level = Literal["critical", "warning", "information"]
+
+MOST_CHARACTERS = 3000
+"""Of a text: more than any alarm has, less than every service takes."""
+
+
+class Message(msgspec.Struct, frozen=True):
+    """What somebody is told. turn: of a condition that comes and goes, or told once. at: UTC s."""
+
+    key: str
+    turn: Turn
+    level: Level
+    title: str
+    text: str
+    at: float
+
+
+def alarm_message(alarm: Alarm) -> tuple[str, str]:
+    """Return title and text of an alarm that rises."""
+    place = f" At revolution {alarm.revolution:,}." if alarm.revolution else ""
+    text = f"{alarm.cause}{place}\n{alarm.consequence}\nWhat to do: {alarm.action}"
+    return alarm.title, text
+
+
+def finished_message(end: Finished) -> tuple[str, str]:
+    """Return title and text of the end of a test."""
+    text = f"{end.sentence}\n{end.revolutions:,} revolutions are safe in {end.file}."
+    return f"Test {end.status}", text
+
+
+def summary_message(sign: SignOfLife, made: int) -> tuple[str, str]:
+    """Return title and text of the daily summary; made: revolutions since the last one."""
+    lines = [f"State: {sign.state.value}."]
+    if sign.test:
+        lines.append(f"Test: {sign.test}, in {sign.file}.")
+        lines.append(
+            f"Revolution {sign.revolution:,} of {sign.planned:,}; {max(0, made):,} since the last"
+            " summary."
+        )
+    if sign.expected_end_at > 0.0:
+        lines.append(f"Expected end: {clock(sign.expected_end_at)}.")
+    if sign.criterion:
+        lines.append(f"Nearest end: {sign.criterion}, {sign.criterion_percent:.3g} % before it.")
+    if sign.worst_margin:
+        lines.append(f"Least margin: {sign.worst_margin_percent:.3g} % to {sign.worst_margin}.")
+    names = ", ".join(alarm.title for alarm in sign.alarms)
+    lines.append(f"Alarms: {names or 'none'}.")
+    return "Daily summary", "\n".join(lines)
+
+
+def headline(rig: str, message: Message) -> str:
+    """Return the title under which a message arrives."""
+    word = {"raised": message.level.upper(), "recovered": "OVER", "told": ""}[message.turn]
+    return f"{rig}: {word}{': ' if word else ''}{message.title}"
+
+
+def worded(rig: str, batch: Sequence[Message]) -> tuple[str, str]:
+    """Return title and text of what is sent: one message, or several in one."""
+    if len(batch) == 1:
+        message = batch[0]
+        return headline(rig, message), f"{message.text}\n{clock(message.at)}"[:MOST_CHARACTERS]
+    parts = [f"{clock(one.at)}  {headline(rig, one)}\n{one.text}" for one in batch]
+    share = MOST_CHARACTERS // len(parts)
+    return f"{rig}: {len(batch)} messages", "\n\n".join(part[:share] for part in parts)
+
+
+def worst_level(batch: Sequence[Message]) -> Level:
+    """Return how bad the worst of some messages is; what is over is no longer bad."""
+    levels = {one.level for one in batch if one.turn != "recovered"}
+    if "critical" in levels:
+        return "critical"
+    return "warning" if "warning" in levels else "information"
+
+
+def clock(at: float) -> str:
+    """Return a moment as this computer's clock shows it, with its distance to UTC."""
+    return time.strftime("%Y-%m-%d %H:%M:%S %z", time.localtime(at))

@@ -1,0 +1,88 @@
+"""What waits to be sent by one way, and when it may go: bounded, no oftener than wanted, patient.
+
+All here is pure: an outbox goes in, an outbox comes out.
+"""
+
+from __future__ import annotations
+
+import msgspec
+
+from rigapp.notify.message import Message
+
+MOST_WAITING = 200
+"""Messages that wait for one way: a week of trouble, and less than a megabyte."""
+
+MOST_IN_ONE = 20
+"""Messages that go in one when the hour has no room for each; each keeps some lines."""
+
+FIRST_WAIT_S, LONGEST_WAIT_S = 5.0, 900.0
+"""After a failure it is tried again so long later, twice as long each time: soon after a hiccup,
+and within a quarter of an hour after an outage of any length."""
+
+HOUR_S = 3600.0
+
+
+class Outbox(msgspec.Struct, frozen=True):
+    """Messages in their order; when the last hour's were sent, how often it failed since.
+
+    sent_at: UTC s, of the last hour. not_before: UTC s. failing_since: 0 while it works. lost:
+    messages that had no room since the last one was sent.
+    """
+
+    waiting: tuple[Message, ...] = ()
+    sent_at: tuple[float, ...] = ()
+    failures: int = 0
+    not_before: float = 0.0
+    failing_since: float = 0.0
+    lost: int = 0
+
+
+def put(outbox: Outbox, message: Message) -> Outbox:
+    """Add a message; of too many the oldest goes that tells of nothing critical."""
+    waiting, lost = [*outbox.waiting, message], outbox.lost
+    while len(waiting) > MOST_WAITING:
+        minor = (place for place, one in enumerate(waiting) if one.level != "critical")
+        del waiting[next(minor, 0)]
+        lost += 1
+    return msgspec.structs.replace(outbox, waiting=tuple(waiting), lost=lost)
+
+
+def due(outbox: Outbox, now: float, most_per_hour: int) -> tuple[Message, ...]:
+    """Return what is to be sent now: the oldest message, or several in one; nothing: wait.
+
+    Several go in one when the hour has less room than messages wait, so that none waits for long
+    and none is left out.
+    """
+    left = most_per_hour - len(_of_last_hour(outbox, now))
+    if not outbox.waiting or left <= 0:
+        return ()
+    if 0.0 < outbox.not_before - now <= LONGEST_WAIT_S:
+        return ()
+    if len(outbox.waiting) <= left:
+        return outbox.waiting[:1]
+    return outbox.waiting[:MOST_IN_ONE]
+
+
+def sent(outbox: Outbox, batch: tuple[Message, ...], now: float) -> Outbox:
+    """Return the outbox after a batch has arrived."""
+    gone = set(batch)
+    return Outbox(
+        waiting=tuple(one for one in outbox.waiting if one not in gone),
+        sent_at=(*_of_last_hour(outbox, now), now),
+    )
+
+
+def failed(outbox: Outbox, now: float) -> Outbox:
+    """Return the outbox after an attempt in vain: it waits, longer each time."""
+    wait = min(FIRST_WAIT_S * 2.0 ** min(outbox.failures, 30), LONGEST_WAIT_S)
+    return msgspec.structs.replace(
+        outbox,
+        failures=outbox.failures + 1,
+        not_before=now + wait,
+        failing_since=outbox.failing_since or now,
+    )
+
+
+def _of_last_hour(outbox: Outbox, now: float) -> tuple[float, ...]:
+    """Return when the last hour's messages went; times to come are of a clock that was wrong."""
+    return tuple(at for at in outbox.sent_at if 0.0 <= now - at < HOUR_S)

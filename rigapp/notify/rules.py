@@ -1,0 +1,259 @@
+"""Which fact becomes which message: conditions come in pairs, the rest is told once.
+
+Of every condition is told once that it came and once that it is over. What comes again within
+``recovered_after_s`` never was over. All here is pure: a book goes in, a book and messages come
+out.
+"""
+
+from __future__ import annotations
+
+import datetime
+import math
+from collections.abc import Iterator, Mapping
+from typing import assert_never
+
+import msgspec
+
+from rigapp.config.notify import NotifySection
+from rigapp.notify.facts import DiskSeen, Fact, Farewell, SignOfLife, Silence
+from rigapp.notify.message import (
+    Level,
+    Message,
+    alarm_message,
+    clock,
+    finished_message,
+    summary_message,
+)
+from rigapp.schema.messages import Alarm, RunState, Severity
+from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
+from rigapp.schema.states import ACTIVE
+
+FAR_AGAIN = 1.5
+"""A criterion is near no longer when it is so many times as far as where it became near: what
+flickers about a level is told once."""
+
+LATE_SUMMARY_S = 3600.0
+"""A summary that could not be made at its time, as no engine ran, is made so long after it."""
+
+MOST_OPEN = 200
+"""Conditions that are open at a time; of more the oldest are forgotten, so that the book is
+bounded whatever happens."""
+
+KNOWING = frozenset(RunState) - {RunState.IDLE, RunState.CONNECTING}
+"""States in which an engine has looked at its devices, and so knows which alarms there are."""
+
+
+class Raised(msgspec.Struct, frozen=True):
+    """What was told and is not yet told to be over. over_at: since when it is, None while not."""
+
+    title: str
+    level: Level
+    over_at: float | None = None
+    how: str = "Over"
+
+
+class Book(msgspec.Struct, frozen=True):
+    """What one way was told: open conditions by key, day and revolution of the last summary."""
+
+    open: Mapping[str, Raised] = {}
+    summary_on: str = ""
+    summary_revolution: int = 0
+    sign: SignOfLife | None = None
+
+
+Step = tuple[Book, tuple[Message, ...]]
+
+
+def hear(way: NotifySection, book: Book, fact: Fact) -> Step:
+    """Return the book after a fact, and what is to be told because of it."""
+    told: list[Message] = []
+    for change in _changes(way, book, fact):
+        if isinstance(change, Message):
+            told.append(change)
+        elif isinstance(change, _Came):
+            book, messages = _came(book, change, fact.at)
+            told += messages
+        else:
+            book = _went(book, change, fact.at)
+    if isinstance(fact.seen, SignOfLife):
+        book = msgspec.structs.replace(book, sign=fact.seen)
+    return book, tuple(told)
+
+
+def pass_time(way: NotifySection, book: Book, now: float, local: datetime.datetime) -> Step:
+    """Return the book and what is to be told because time has passed; local: now, on the wall."""
+    told = []
+    for key, one in list(book.open.items()):
+        if one.over_at is not None and not 0.0 <= now - one.over_at < way.recovered_after_s:
+            text = f"{one.how} ({clock(one.over_at)})."
+            told.append(Message(key, "recovered", one.level, one.title, text, now))
+            book = _without(book, key)
+    if "daily" in way.when and _summary_due(way, book, local):
+        sign = book.sign
+        if sign is not None:
+            title, text = summary_message(sign, sign.revolution - book.summary_revolution)
+            told.append(Message("daily", "told", "information", title, text, now))
+            book = msgspec.structs.replace(
+                book, summary_on=local.date().isoformat(), summary_revolution=sign.revolution
+            )
+    return book, tuple(told)
+
+
+class _Came(msgspec.Struct, frozen=True):
+    key: str
+    level: Level
+    title: str
+    text: str
+
+
+class _Went(msgspec.Struct, frozen=True):
+    key: str
+    how: str = "Over"
+    untold: bool = False
+
+
+_Change = _Came | _Went | Message
+
+
+def _changes(way: NotifySection, book: Book, fact: Fact) -> Iterator[_Change]:
+    seen = fact.seen
+    match seen:
+        case AlarmChanged():
+            yield from _of_alarm(way, seen.alarm)
+        case StateChanged():
+            yield from _of_state(way, seen.state, seen.reason)
+        case Finished():
+            yield _Went("criterion", untold=True)
+            if "end" in way.when:
+                title, text = finished_message(seen)
+                level: Level = "information" if seen.status == "complete" else "critical"
+                yield Message("end", "told", level, title, text, fact.at)
+        case SignOfLife():
+            yield from _of_sign(way, book, seen)
+        case DiskSeen():
+            yield from _of_disk(way, seen)
+        case Silence():
+            yield from _of_silence(way, book, seen)
+        case Farewell():
+            pass
+        case _:
+            assert_never(seen)
+
+
+def _of_alarm(way: NotifySection, alarm: Alarm) -> Iterator[_Change]:
+    """What an alarm becomes: a shelved one is hidden, but that it is over is told all the same."""
+    key = f"alarm:{alarm.key}"
+    if not alarm.active:
+        waits = (
+            "; the alarm stays on the list until it is reset" if alarm.state == "latched" else ""
+        )
+        yield _Went(key, f"Its condition is over{waits}")
+    elif alarm.severity.value in way.when and alarm.state != "shelved":
+        title, text = alarm_message(alarm)
+        level: Level = "critical" if alarm.severity is Severity.CRITICAL else "warning"
+        yield _Came(key, level, title, text)
+
+
+def _of_state(way: NotifySection, state: RunState, reason: str) -> Iterator[_Change]:
+    if state is RunState.PAUSED and "pause" in way.when:
+        why = f"Why: {reason.strip()}." if reason.strip() else "No reason was given."
+        yield _Came("pause", "warning", "Test paused", f"The spindle stands. {why}")
+    elif state is RunState.RUNNING:
+        yield _Went("pause", "The test runs again")
+    elif state not in ACTIVE:
+        yield _Went("pause", untold=True)
+
+
+def _of_sign(way: NotifySection, book: Book, sign: SignOfLife) -> Iterator[_Change]:
+    yield _Went("silence", "The engine is heard again")
+    if sign.state in KNOWING:
+        # What neither rises nor clears before our ears, as we were not there, shows in the list.
+        listed = {f"alarm:{alarm.key}" for alarm in sign.alarms}
+        for alarm in sign.alarms:
+            yield from _of_alarm(way, alarm)
+        for key in book.open:
+            if key.startswith("alarm:") and key not in listed:
+                yield _Went(key, "The engine sees it no more")
+    yield from _of_criterion(way, sign)
+
+
+def _of_criterion(way: NotifySection, sign: SignOfLife) -> Iterator[_Change]:
+    left = sign.criterion_percent
+    if sign.state not in ACTIVE or math.isnan(left):
+        return
+    if "criterion" in way.when and left <= way.near_percent:
+        text = f"{left:.3g} % are left to: {sign.criterion}. Revolution {sign.revolution:,}."
+        if sign.expected_end_at > 0.0:
+            text += f" Expected end: {clock(sign.expected_end_at)}."
+        yield _Came("criterion", "information", "The end of the test is near", text)
+    elif left > FAR_AGAIN * way.near_percent:
+        yield _Went("criterion", "The end is further away again")
+
+
+def _of_disk(way: NotifySection, seen: DiskSeen) -> Iterator[_Change]:
+    free_GB = seen.free_bytes / 1e9
+    if "disk" in way.when and free_GB < way.disk_free_GB:
+        text = f"{free_GB:.3g} GB are free in {seen.folder}; told below {way.disk_free_GB:g} GB."
+        yield _Came("disk", "warning", "Disk nearly full", text)
+    elif free_GB > FAR_AGAIN * way.disk_free_GB:
+        yield _Went("disk", f"{free_GB:.3g} GB are free")
+
+
+def _of_silence(way: NotifySection, book: Book, seen: Silence) -> Iterator[_Change]:
+    if "silence" not in way.when or not (seen.gone or seen.silent_s >= way.silent_after_s):
+        return
+    last, what = book.sign, "The engine's process has ended without a word."
+    if not seen.gone:
+        what = f"The engine has given no sign of life for {seen.silent_s:.0f} s."
+    if last is not None and last.test:
+        what += f" It was {last.state.value}, {last.test} at revolution {last.revolution:,}."
+    yield _Came(
+        "silence",
+        "critical",
+        "No sign of life",
+        f"{what}\nThe drive's own watchdog stops the spindle when its engine is dead."
+        "\nWhat to do: look at the rig before anything else.",
+    )
+
+
+def _came(book: Book, change: _Came, at: float) -> Step:
+    """Open a condition and tell it; one that is open stays so, and was not over."""
+    known = book.open.get(change.key)
+    if known is not None:
+        if known.over_at is None:
+            return book, ()
+        return _with(book, change.key, Raised(known.title, known.level)), ()
+    while len(book.open) >= MOST_OPEN:
+        book = _without(book, next(iter(book.open)))
+    book = _with(book, change.key, Raised(change.title, change.level))
+    return book, (Message(change.key, "raised", change.level, change.title, change.text, at),)
+
+
+def _went(book: Book, change: _Went, at: float) -> Book:
+    """Take note that an open condition is over."""
+    known = book.open.get(change.key)
+    if known is None:
+        return book
+    if change.untold:
+        return _without(book, change.key)
+    if known.over_at is not None:
+        return book
+    over = msgspec.structs.replace(known, over_at=at, how=change.how)
+    return _with(book, change.key, over)
+
+
+def _with(book: Book, key: str, condition: Raised) -> Book:
+    return msgspec.structs.replace(book, open={**book.open, key: condition})
+
+
+def _without(book: Book, key: str) -> Book:
+    left = {name: one for name, one in book.open.items() if name != key}
+    return msgspec.structs.replace(book, open=left)
+
+
+def _summary_due(way: NotifySection, book: Book, local: datetime.datetime) -> bool:
+    if book.summary_on >= local.date().isoformat():
+        return False
+    hour, minute = (int(part) for part in way.daily_at.split(":"))
+    due = local.replace(hour=hour, minute=minute, second=0, microsecond=0)
+    return 0.0 <= (local - due).total_seconds() < LATE_SUMMARY_S

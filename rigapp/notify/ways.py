@@ -1,0 +1,160 @@
+"""The ways to reach somebody: what stands in rig file and user's file, looked at and used."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import msgspec
+import platformdirs
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import Document, read_notify
+from rigapp.config.notify import REFERENCE, NotifySection, PingSection
+from rigapp.config.rig import RigFile
+from rigapp.notify.attempt import AttemptRequest, AttemptResult
+from rigapp.notify.message import Message, worded, worst_level
+
+ATTEMPT_S = 120.0
+"""An attempt that takes longer is ended: a healthy server answers within seconds, and a computer
+that is busy takes its time to begin."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ways:
+    """All ways of a rig: its own and those of the user, each with a name; the ping, if any."""
+
+    ways: tuple[NotifySection, ...] = ()
+    ping: PingSection | None = None
+    secrets: Path = Path()
+
+    def __bool__(self) -> bool:
+        """Tell whether anybody is told of anything."""
+        return bool(self.ways) or self.ping is not None
+
+
+def user_folder() -> Path:
+    """Return where the user's ``notify.toml`` and ``secrets.toml`` are."""
+    return platformdirs.user_config_path("rigapp")
+
+
+def ways_of(rig: Document[RigFile] | None) -> Ways:
+    """Return the ways of a rig, of the user alone without one; raise UnusableInput."""
+    own = user_folder() / "notify.toml"
+    user = read_notify(own).record if own.exists() else None
+    found = [*(rig.record.notify if rig is not None else ()), *(user.notify if user else ())]
+    named = tuple(
+        msgspec.structs.replace(way, name=way.name or f"way {number}")
+        for number, way in enumerate(found, 1)
+    )
+    names = [way.name for way in named]
+    for name in names:
+        if names.count(name) > 1:
+            raise UnusableInput(f"{own}: notify.name = {name!r} stands in the rig file, too.")
+    ping = rig.record.ping if rig is not None and rig.record.ping is not None else None
+    return Ways(named, ping or (user.ping if user else None), user_folder() / "secrets.toml")
+
+
+def address(url: str) -> str:
+    """Return where a URL leads, for the log: scheme and host, no secret and no path."""
+    if REFERENCE.fullmatch(url):
+        return url
+    try:
+        parts = urlsplit(url)
+        return f"{parts.scheme}://{parts.hostname or ''}"
+    except ValueError:
+        return url.partition("://")[0]
+
+
+def inspected(ways: Ways) -> list[str]:
+    """Return why ways cannot be used as they stand, one sentence each; nothing is sent."""
+    asked: list[tuple[str, NotifySection | PingSection]] = [(one.name, one) for one in ways.ways]
+    asked += [("ping", ways.ping)] if ways.ping is not None and "{" in ways.ping.url else []
+    if not asked:
+        return []
+    with ThreadPoolExecutor(len(asked)) as pool:
+        results = list(pool.map(lambda one: _inspect(one[1], ways.secrets), asked))
+    return [
+        f"notify, {name}: {one.reason}"
+        for (name, _), one in zip(asked, results, strict=True)
+        if not one.ok
+    ]
+
+
+def _inspect(way: NotifySection | PingSection, secrets: Path) -> AttemptResult:
+    if isinstance(way, PingSection) or way.url:
+        what = "inspect" if isinstance(way, NotifySection) else "look up"
+        return attempt(AttemptRequest(what, way.url, str(secrets)))  # type: ignore[arg-type]
+    if shutil.which(way.command[0]) is None:
+        return AttemptResult(False, f"there is no program {way.command[0]}")
+    return AttemptResult(True)
+
+
+def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) -> AttemptResult:
+    """Send messages by a way as one, within ATTEMPT_S; never raises."""
+    title, text = worded(rig, batch)
+    level = worst_level(batch)
+    if way.url:
+        return attempt(AttemptRequest("send", way.url, str(secrets), title, text, level))
+    told = {
+        "rig": rig,
+        "title": title,
+        "text": text,
+        "level": level,
+        "messages": msgspec.to_builtins(batch),
+    }
+    try:
+        status, _ = _bounded(way.command, json.dumps(told).encode(), keep=False)
+    except OSError as error:
+        return AttemptResult(False, f"{way.command[0]} cannot be started ({error.strerror})")
+    if status is None:
+        return AttemptResult(False, f"{way.command[0]} took longer than {ATTEMPT_S:g} s")
+    return AttemptResult(status == 0, "" if status == 0 else f"it ended with status {status}")
+
+
+def attempt(request: AttemptRequest) -> AttemptResult:
+    """Let a process of its own make an attempt, and end it when it takes too long."""
+    argv = (sys.executable, "-m", "rigapp.notify.attempt")
+    try:
+        status, answer = _bounded(argv, msgspec.json.encode(request), keep=True)
+        if status is None:
+            return AttemptResult(False, f"no answer within {ATTEMPT_S:g} s")
+        return msgspec.json.decode(answer, type=AttemptResult)
+    except (OSError, ValueError) as error:
+        return AttemptResult(False, f"the attempt failed ({type(error).__name__})")
+
+
+def _bounded(argv: Sequence[str], given: bytes, *, keep: bool) -> tuple[int | None, bytes]:
+    """Run a program; return its exit status, None when it took too long, and what it wrote."""
+    process = subprocess.Popen(
+        argv,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE if keep else subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    try:
+        written, _ = process.communicate(given, ATTEMPT_S)
+    except subprocess.TimeoutExpired:
+        return None, b""
+    finally:
+        if process.returncode is None:
+            with suppress(OSError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.kill()
+            process.wait()
+            for stream in (process.stdin, process.stdout):
+                if stream is not None:
+                    with suppress(OSError):
+                        stream.close()
+    return process.returncode, written or b""
