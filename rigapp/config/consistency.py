@@ -45,6 +45,9 @@ def _of_texts(value: object, key: str) -> Iterator[str]:
     if isinstance(value, msgspec.Struct):
         for name in value.__struct_fields__:
             yield from _of_texts(getattr(value, name), f"{key}.{name}".lstrip("."))
+    elif isinstance(value, tuple):
+        for place, one in enumerate(value, 1):
+            yield from _of_texts(one, f"{key} {place}")
     elif isinstance(value, str):
         control = next((one for one in value if one < " " and one not in "\n\t"), "")
         if control:

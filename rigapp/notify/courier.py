@@ -51,7 +51,7 @@ from rigapp.process.ending import Background
 from rigapp.process.logs import in_file
 from rigapp.schema.messages import RunState, Severity
 
-log = logging.getLogger(__name__)
+log = logging.getLogger("rigapp.notify.courier")  # its process calls the module __main__
 
 LOOK_MS = 200
 LINGER_S = 3600.0

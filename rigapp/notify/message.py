@@ -65,8 +65,10 @@ def summary_message(sign: SignOfLife, made: int) -> tuple[str, str]:
 
 def headline(rig: str, message: Message) -> str:
     """Return the title under which a message arrives."""
-    word = {"raised": message.level.upper(), "recovered": "OVER", "told": ""}[message.turn]
-    return f"{rig}: {word}{': ' if word else ''}{message.title}"
+    if message.turn == "recovered":
+        return f"{rig}: OVER: {message.title}"
+    level = "" if message.level == "information" else f"{message.level.upper()}: "
+    return f"{rig}: {level}{message.title}"
 
 
 def worded(rig: str, batch: Sequence[Message]) -> tuple[str, str]:

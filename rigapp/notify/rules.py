@@ -24,7 +24,7 @@ from rigapp.notify.message import (
     finished_message,
     summary_message,
 )
-from rigapp.schema.messages import Alarm, RunState, Severity
+from rigapp.schema.messages import Alarm, FinishReason, RunState, Severity
 from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
 from rigapp.schema.states import ACTIVE
 
@@ -126,7 +126,8 @@ def _changes(way: NotifySection, book: Book, fact: Fact) -> Iterator[_Change]:
             yield _Went("criterion", untold=True)
             if "end" in way.when:
                 title, text = finished_message(seen)
-                level: Level = "information" if seen.status == "complete" else "critical"
+                meant = seen.status == "complete" or seen.reason is FinishReason.OPERATOR
+                level: Level = "information" if meant else "critical"
                 yield Message("end", "told", level, title, text, fact.at)
         case SignOfLife():
             yield from _of_sign(way, book, seen)

@@ -83,8 +83,8 @@ EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 
 LONELY_S = 60.0  # a window may be closed and opened again meanwhile
 START_WAIT_S = 10.0  # a second start waits so long for the first to be refused or begun
-CLOSE_S = 90.0
-"""Stopping a test under way may take 60 s of it."""
+CLOSE_S = 120.0
+"""Stopping a test under way may take 60 s of it, and a courier 30 s to hear of it."""
 TWIN_START_S = 15.0
 """A test waits so long for its twin, so that the first revolutions are predicted, then goes on."""
 

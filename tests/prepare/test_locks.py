@@ -27,9 +27,9 @@ def test_a_larger_lock_keeps_the_versions_of_the_smaller(smaller: str, larger: s
 @pytest.mark.parametrize(
     ("lock", "extras"),
     [
-        (LOCKS[0], ("gui", "page", "build")),
-        (LOCKS[1], ("gui", "page", "build", "test")),
-        (LOCKS[2], ("gui", "page", "build", "test", "bench")),
+        (LOCKS[0], ("gui", "notify", "page", "build")),
+        (LOCKS[1], ("gui", "notify", "page", "build", "test")),
+        (LOCKS[2], ("gui", "notify", "page", "build", "test", "bench")),
     ],
 )
 def test_a_lock_holds_every_package_of_its_extras(lock: str, extras: tuple[str, ...]) -> None:
