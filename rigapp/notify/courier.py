@@ -103,6 +103,9 @@ class Courier:
         ways = {name: found.ways.get(name, WayState()) for name in self._ways}
         self.state = CourierState(ways, self._setup.run, found.heard if same else 0)
         self._kept = settled(found)
+        left = sum(len(one.outbox.waiting) for name, one in found.ways.items() if name not in ways)
+        if left:
+            self._say(f"{left} messages waited for a way that is set up no more; they are dropped")
 
     @property
     def idle(self) -> bool:

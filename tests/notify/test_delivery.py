@@ -181,6 +181,18 @@ def test_what_waits_survives_the_courier_and_comes_in_pairs(
     ]  # fmt: skip
 
 
+def test_what_waits_for_a_way_goes_by_no_other(tmp_path: Path, receiver: Receiver) -> None:
+    receiver.answer = 503
+    first = Post(tmp_path, hook(receiver))
+    first.hear(changed("a"))
+    first.until(lambda: first.said, "it fails")
+    receiver.answer = 200
+    other = Post(tmp_path, way(hook(receiver).url, "another"))
+    other.step()
+    assert other.said == ["1 messages waited for a way that is set up no more; they are dropped"]
+    assert other.courier.idle
+
+
 def test_a_fact_that_is_handed_over_twice_counts_once(tmp_path: Path, receiver: Receiver) -> None:
     post = Post(tmp_path, hook(receiver))
     facts = [Fact(0.0, changed("a"), 1), Fact(0.0, changed("a", active=False), 2)]
