@@ -200,12 +200,10 @@ class Courier:
         batch = due(self.state.ways[name].outbox, now, way.most_per_hour)
         if batch:
             self._keep()  # before it goes: what was told must not be told again by the next one
-            secrets, rig, lost = Path(self._setup.secrets), self._rig_name, ()
-            if self.state.ways[name].outbox.lost:
-                lost = (_lost(self.state.ways[name].outbox.lost, now),)
-            work = Background(
-                lambda: tell(way, secrets, rig, (*batch, *lost)), f"tell by {way.name}"
-            )
+            lost = self.state.ways[name].outbox.lost
+            whole = (*batch, _lost(lost, now)) if lost else batch
+            secrets, rig = Path(self._setup.secrets), self._rig_name
+            work = Background(lambda: tell(way, secrets, rig, whole), f"tell by {way.name}")
             self._going[name] = _OnItsWay(batch, work)
 
     @property
