@@ -202,13 +202,9 @@ class Courier:
             self._keep()  # before it goes: what was told must not be told again by the next one
             lost = self.state.ways[name].outbox.lost
             whole = (*batch, _lost(lost, now)) if lost else batch
-            secrets, rig = Path(self._setup.secrets), self._rig_name
+            secrets, rig = Path(self._setup.secrets), self._setup.name
             work = Background(lambda: tell(way, secrets, rig, whole), f"tell by {way.name}")
             self._going[name] = _OnItsWay(batch, work)
-
-    @property
-    def _rig_name(self) -> str:
-        return self._sign.rig if self._sign is not None else Path(self._setup.rig).stem
 
     def _took(self, name: str, way: NotifySection, going: _OnItsWay, now: float) -> None:
         """Take note of what has become of an attempt."""

@@ -65,7 +65,10 @@ class Fact(msgspec.Struct, frozen=True):
 
 
 class CourierSetup(msgspec.Struct, frozen=True):
-    """Tell the courier its ways, where its state is kept, and which run of an engine this is."""
+    """Tell the courier its ways, where its state is kept, and which run of an engine this is.
+
+    rig: the path of its file, name: as its messages call it.
+    """
 
     rig: str
     ways: tuple[NotifySection, ...]
@@ -73,6 +76,7 @@ class CourierSetup(msgspec.Struct, frozen=True):
     folder: str
     secrets: str
     run: str
+    name: str
 
 
 class CourierAnswer(msgspec.Struct, frozen=True):

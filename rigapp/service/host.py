@@ -147,9 +147,9 @@ class EngineHost:
         """Start what tells who is away; it hears what every viewer hears."""
         folder = private_folder(lasting_folder() / "messages")
         rig = str(self._rig.path.resolve())
-        run = f"{os.getpid()} {time.time()}"
+        run, name = f"{os.getpid()} {time.time()}", self._rig.record.name
         return CourierLink(
-            CourierSetup(rig, ways.ways, ways.ping, str(folder), str(ways.secrets), run),
+            CourierSetup(rig, ways.ways, ways.ping, str(folder), str(ways.secrets), run, name),
             self.engine.watch(),
             self.engine.status,
             lambda text: self.engine.log("message", text, "messages"),

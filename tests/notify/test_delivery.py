@@ -46,7 +46,7 @@ class Post:
     """A courier that is stepped by the test, with a number for each fact."""
 
     def __init__(self, folder: Path, *told: NotifySection, ping: PingSection | None = None) -> None:
-        self.setup = CourierSetup("/rigs/rig.toml", told, ping, str(folder), "", "run 1")
+        self.setup = CourierSetup("/rigs/rig.toml", told, ping, str(folder), "", "run 1", "Rig")
         self.courier = Courier(self.setup)
         self.said: list[str] = []
         self.wrong = ""
@@ -353,7 +353,7 @@ def engine(tmp_path: Path, receiver: Receiver) -> Any:
     """A process with a link, as an engine has one."""
     folder = tmp_path / "messages"
     folder.mkdir()
-    setup = CourierSetup("/rigs/rig.toml", (hook(receiver),), None, str(folder), "", "run 1")
+    setup = CourierSetup("/rigs/rig.toml", (hook(receiver),), None, str(folder), "", "run 1", "Rig")
     (tmp_path / "setup.json").write_bytes(msgspec.json.encode(setup))
     process = subprocess.Popen(
         [sys.executable, "-c", ENGINE, str(tmp_path / "setup.json"), str(tmp_path)],
