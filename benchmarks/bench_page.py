@@ -7,6 +7,7 @@ processor time and age of its data in both, and their ratios.
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import selectors
@@ -17,7 +18,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 import psutil
@@ -25,7 +26,8 @@ import psutil
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
 
-from rigapp.service.client import Client  # noqa: E402
+from rigapp.schema.messages import RunState  # noqa: E402
+from rigapp.service.client import Client, EngineUnreachable  # noqa: E402
 from rigapp.service.launch import find_engine  # noqa: E402
 from rigapp.service.registry import EngineEntry  # noqa: E402
 
@@ -62,6 +64,18 @@ def entry_of(rig: Path) -> EngineEntry:
             raise TimeoutError(f"no engine within {START_S:g} s")
         time.sleep(0.2)
     return entry
+
+
+def at_speed(client: Client) -> None:
+    """Wait until the test runs and has data."""
+    deadline = time.monotonic() + START_S
+    while time.monotonic() < deadline:
+        with suppress(EngineUnreachable):
+            status = client.request("status").result
+            if status["state"] == RunState.RUNNING and math.isfinite(status["data_age_s"]):
+                return
+        time.sleep(ASK_EVERY_S)
+    raise TimeoutError(f"the test does not run after {START_S:g} s")
 
 
 def turn(client: Client, pid: int) -> tuple[float, list[float]]:
@@ -130,6 +144,7 @@ def main() -> int:
         )  # fmt: skip
         entry = entry_of(RIG)
         client = Client(entry, look=False)
+        at_speed(client)
         alone, watched = [], []
         for _ in range(TURNS):
             alone.append(turn(client, entry.pid))
