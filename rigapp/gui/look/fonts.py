@@ -1,6 +1,13 @@
-"""The font of the window: Inter, with figures of one width, so that a changing number stands."""
+"""The font of the window: Inter, with figures of one width, so that a changing number stands.
+
+The package has Inter as one file of all weights, of which a style sheet reaches none but the usual
+one (Qt 6.11). Its semi-bold therefore stands here as a file of its own (OFL 1.1), made by
+``fonttools varLib.instancer "Inter[opsz,wght].ttf" wght=600 opsz=14`` and ``fonttools subset``.
+"""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import fontpkg
 from PySide6.QtGui import QFont, QFontDatabase
@@ -8,6 +15,7 @@ from PySide6.QtGui import QFont, QFontDatabase
 from rigapp.gui.look.tokens import BODY_PT
 
 FAMILY = "Inter"
+SEMI_BOLD = Path(__file__).with_name("Inter-SemiBold.ttf")
 
 
 def window_font() -> QFont:
@@ -36,4 +44,5 @@ def sized(font: QFont, points: float, weight: QFont.Weight = QFont.Weight.Normal
 
 
 def _loaded() -> bool:
-    return QFontDatabase.addApplicationFont(str(fontpkg.path(FAMILY))) >= 0
+    files = (fontpkg.path(FAMILY), SEMI_BOLD)
+    return all(QFontDatabase.addApplicationFont(str(one)) >= 0 for one in files)
