@@ -423,6 +423,20 @@ def test_alarms_stand_in_the_side_column_while_there_are_any(
     assert glance.isHidden()
 
 
+def test_a_recorded_alarm_cannot_be_acknowledged(
+    qtbot: Any, alarm: Alarm, make_status: Any
+) -> None:
+    panel, glance = AlarmPanel(), AlarmGlance()
+    for one in (panel, glance):
+        qtbot.addWidget(one)
+    for replayed in (False, True, False):
+        panel.show_news(News(make_status(alarms=(alarm,)), is_replay=replayed))
+        glance.show_alarms((alarm,), recorded=replayed)
+        for one in (panel.all, panel.acknowledge, glance.acknowledge):
+            assert one.isEnabled() is not replayed
+            assert ("replay" in one.toolTip()) is replayed
+
+
 def test_the_newest_critical_alarm_is_chosen_and_all_are_acknowledged_at_once(
     qtbot: Any, qapp: Any, alarm: Any, asked: list[Any]
 ) -> None:

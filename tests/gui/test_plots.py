@@ -162,6 +162,28 @@ def test_trends_of_a_page_move_and_point_together_and_start_afresh(qtbot: Any) -
         assert not panel.plot.cursor_line.isVisible()
 
 
+def test_after_a_trip_its_revolution_stands_over_the_last_good_one(
+    qtbot: Any, make_status: Any
+) -> None:
+    overlay = OverlayPanel("x", LIGHT)
+    qtbot.addWidget(overlay)
+    data, well = LiveData(), make_status()
+    critical = msgspec.structs.replace(ALARM, severity=Severity.CRITICAL)
+    trip = make_status(alarms=(critical,))
+    for number in (7, 8):
+        data.take(make_snapshot(number, 1))
+        overlay.show_news(News(data=data, status=well))
+    # The trip is told of after its own revolution was drawn.
+    overlay.show_news(News(data=data, status=trip))
+    assert "last good 7" in [one.text for one in overlay.plot.marks.names]
+    data.take(make_snapshot(9, 1))
+    overlay.show_news(News(data=data, status=trip))
+    assert "last good 8" in [one.text for one in overlay.plot.marks.names]
+    data.take(make_snapshot(10, 1))
+    overlay.show_news(News(data=data, status=well))
+    assert not any("last good" in one.text for one in overlay.plot.marks.names)
+
+
 def test_the_force_is_shown_with_its_limits_and_over_a_frozen_revolution(qtbot: Any) -> None:
     overlay = OverlayPanel("x", LIGHT)
     qtbot.addWidget(overlay)

@@ -233,6 +233,19 @@ TREES = st.dictionaries(
 )
 
 
+@pytest.mark.parametrize("below", ["", "\n[prediction]\nenabled = false\n"])
+@pytest.mark.parametrize("known", [0, 1])
+def test_a_new_table_of_an_array_stands_between_empty_lines(below: str, known: int) -> None:
+    text = "[limits]\noverload_N = 380\n" + known * "\n[[limits.rule]]\nquantity = 1\n" + below
+    tree = tomllib.loads(text)
+    tree["limits"]["rule"] = [*tree["limits"].get("rule", []), {"quantity": 2}]
+    found = edited(text, tree)
+    assert tomllib.loads(found) == tree
+    assert "\n\n[[limits.rule]]\nquantity = 2\n" in found
+    assert "\n\n\n" not in found
+    assert not below or found.endswith(below)
+
+
 @given(TREES, TREES)
 def test_an_edited_text_means_the_tree(before: dict[str, Any], after: dict[str, Any]) -> None:
     text = edited("# first\n", before)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rigapp.config.recipe import TestFile
 from rigapp.gui.data.series import LiveData
-from rigapp.schema.messages import Event, RunState, Status
+from rigapp.schema.messages import Event, RunState, Severity, Status
 
 STALE_PREDICTION_S = 5.0
 """Predictions come once a revolution: at the usual 30 rpm, two dozen are missing by then."""
@@ -61,6 +61,11 @@ class News:
     def stale(self) -> bool:
         """Tell whether the prediction has fallen behind a running test."""
         return self.status is not None and is_stale(self.status)
+
+
+def tripped(status: Status) -> bool:
+    """Tell whether a critical alarm stands: then the plots show what happened."""
+    return any(alarm.severity is Severity.CRITICAL for alarm in status.alarms)
 
 
 def is_stale(status: Status) -> bool:

@@ -46,6 +46,7 @@ LINES: Final[dict[str, Text]] = {
 }
 """Fields of an alarm that are told in full, as a card names them."""
 
+RECORDED: Final[Text] = "This is a replay: what was recorded stays as it was"
 JOURNAL_LINES = 500
 """Newest lines of the journal; all of them are in the log."""
 
@@ -236,6 +237,7 @@ class AlarmGlance(QFrame):
 
     def __init__(self) -> None:
         super().__init__()
+        self._recorded = False
         named(self, "alarm_glance", "Alarms").setProperty("role", "card")
         self.title = named(QLabel(tr("Alarms")), "alarm_glance_title", "Alarms")
         self.title.setProperty("role", "title")
@@ -252,16 +254,19 @@ class AlarmGlance(QFrame):
         made.setSpacing(STEP)
         self.hide()
 
-    def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
-        """Show the alarms."""
+    def show_alarms(self, alarms: tuple[Alarm, ...], *, recorded: bool = False) -> None:
+        """Show the alarms; recorded ones cannot be acknowledged."""
+        self._recorded = recorded
         self.cards.show_alarms(alarms)
+        self._enable()
         used = bool(self.cards.alarms)
         if self.isHidden() == used:
             self.setVisible(used)
 
     def _enable(self) -> None:
-        alarm = self.cards.chosen()
+        alarm = None if self._recorded else self.cards.chosen()
         self.acknowledge.setEnabled(alarm is not None and not alarm.acknowledged)
+        self.acknowledge.setToolTip(tr(RECORDED) if self._recorded else "")
 
     def _acknowledge(self) -> None:
         alarm = self.cards.chosen()
@@ -277,6 +282,7 @@ class AlarmPanel(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
+        self._recorded = False
         named(self, "alarm_panel", "Alarms")
         self.cards = AlarmCards("all", large=True)
         self.cards.changed.connect(self._enable)
@@ -320,14 +326,17 @@ class AlarmPanel(QWidget):
 
     def show_news(self, news: News) -> None:
         """Show the alarms of a status."""
+        self._recorded = news.is_replay
         if news.status is not None:
             self.show_alarms(news.status.alarms)
             self.show_state(news.status.state)
+            self._enable_buttons()
 
     def show_state(self, state: RunState | None) -> None:
         """Offer the reset after a trip, and whenever an alarm waits for it."""
         latched = any(one.severity is Severity.CRITICAL for one in self.cards.alarms)
-        self.reset.setEnabled(latched or state in (RunState.FAULT, RunState.STOPPED))
+        ended = state in (RunState.FAULT, RunState.STOPPED)
+        self.reset.setEnabled((latched or ended) and not self._recorded)
 
     def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
         """Show the alarms."""
@@ -339,9 +348,16 @@ class AlarmPanel(QWidget):
             card = self.cards.cards[self.cards.alarms.index(alarm)]
             # Once the cards are laid out.
             QTimer.singleShot(0, card, partial(self.area.ensureWidgetVisible, card))
-        self.all.setEnabled(waiting(self.cards.alarms))
+        self._enable_buttons()
+
+    def _enable_buttons(self) -> None:
+        """Offer what can be done with the chosen alarm; nothing can with a recorded one."""
+        alarm = None if self._recorded else self.cards.chosen()
+        self.all.setEnabled(waiting(self.cards.alarms) and not self._recorded)
         self.acknowledge.setEnabled(alarm is not None and not alarm.acknowledged)
         self.shelve.setEnabled(alarm is not None and bool(self.reason.text().strip()))
+        for one in (self.all, self.acknowledge):
+            one.setToolTip(tr(RECORDED) if self._recorded else "")
 
     def _acknowledge(self) -> None:
         alarm = self.cards.chosen()
@@ -409,4 +425,4 @@ def alarm_page(host: Host) -> QWidget:
     for panel in (alarms, limits):
         panel.wanted.connect(host.ask)
     below = split("alarm_below", Qt.Orientation.Horizontal, [460, 460], journal, limits)
-    return split("alarm_split", Qt.Orientation.Vertical, [400, 300], alarms, below)
+    return split("alarm_split", Qt.Orientation.Vertical, [360, 340], alarms, below)

@@ -92,8 +92,8 @@ class LimitPanel(QGroupBox):
             "limit_change", "Chan&ge limit", self._change, "Change the chosen limit", guarded=True
         )
         self.problem = prose("limit_problem", "Why the limit cannot be changed")
-        first = row("New value", (self.value, 1), self.change)
-        filled(QVBoxLayout(self), ((self.table, 1), first, self.reason, self.problem))
+        first = row("New value", (self.value, 1), (self.reason, 3), self.change)
+        filled(QVBoxLayout(self), ((self.table, 1), first, self.problem))
         self._enable()
 
     def show_news(self, news: News) -> None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from typing import Final
+from weakref import ref
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -21,7 +23,7 @@ from rigapp.gui.data.comparison import (
     values_at,
 )
 from rigapp.gui.data.frames import FRAME_NAMES, SHORT_NAMES, ForceFrame
-from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.news import News, Takes, tripped
 from rigapp.gui.data.pyramid import thinned
 from rigapp.gui.data.ranges import SteadyRange
 from rigapp.gui.data.recording import StoredRevolution
@@ -54,8 +56,9 @@ WAITING: Final[Text] = (
 NO_PREDICTION: Final[Text] = "No prediction yet: measured − model is drawn here."
 UNFOLLOWED: Final[Text] = "the speed changes faster than the prediction can follow"
 WHOLE_TURN = np.array([0.0, 360.0])
-FROZEN, STORED = marked("frozen"), marked("stored")
-"""What a revolution behind the newest one is: of a moment ago, or from the file."""
+FROZEN, STORED, GOOD = marked("frozen"), marked("stored"), marked("last good")
+"""What a revolution behind the newest one is: of a moment ago, from the file, before a trip."""
+BEHIND = (FROZEN, STORED, GOOD)
 
 
 class AnglePlot(CursorPlot):
@@ -90,7 +93,9 @@ class OverlayPanel(PlotPanel):
         self._cursor: float | None = None
         self._others: dict[str, StoredRevolution] = {}
         self._newest: StoredRevolution | None = None
-        self._data: LiveData | None = None
+        self._before: deque[StoredRevolution] = deque(maxlen=2)
+        # Weakly: a panel that nobody looks at keeps no test that is over.
+        self._data: ref[LiveData] | None = None
         self._drawn: tuple[object, ...] = ()
         self.frame = ForceFrame.CRANK
         self.held = False
@@ -116,9 +121,7 @@ class OverlayPanel(PlotPanel):
         self._model_bands = {name: self.plot.shade(MODEL) for name in CURVES}
         self._band = self.residual_plot.shade(MODEL)
         self._raw_residual = self.residual_plot.curve(LinePen("strong"))
-        self._behind = {
-            kind: {name: self.plot.curve(OTHER) for name in CURVES} for kind in (FROZEN, STORED)
-        }
+        self._behind = {kind: {name: self.plot.curve(OTHER) for name in CURVES} for kind in BEHIND}
         self._measured = {name: self.plot.curve(pen) for name, pen in PENS.items()}
         self._model = {name: self.plot.curve(MODEL) for name in CURVES}
         self._residual = {name: self.residual_plot.curve(pen) for name, pen in PENS.items()}
@@ -165,7 +168,7 @@ class OverlayPanel(PlotPanel):
         """Draw the newest revolution if it is not drawn yet and the picture is not held."""
         self.set_mechanism(news.crank_over_follower)
         data = news.data
-        if data is not self._data:
+        if self._data is None or data is not self._data():
             self._start_afresh(data)
         if news.status is not None:
             self._uncertainty = uncertainty_of(news.status.channels)
@@ -190,23 +193,37 @@ class OverlayPanel(PlotPanel):
             repr((doubt, self._uncertainty)),
             len(news.events),
             news.recipe is None,
+            news.status is not None and tripped(news.status),
         )
         if token != self._drawn:
             self._drawn, self._doubt = token, doubt
             self._newest = StoredRevolution(cycle, prediction)
+            self._keep_last_good(news, self._newest)
             self._draw_others()
             self.draw(compose(cycle, prediction, self.frame, self._ratio))
             largest = float(cycle.channels[SIZE].max())
             self.plot.show_marks(limits=limit_lines(news, {f"{SIZE}_max"}, largest))
 
+    def _keep_last_good(self, news: News, newest: StoredRevolution) -> None:
+        """Put the revolution before a trip behind it; the trip may be told of after its own."""
+        self._others.pop(GOOD, None)
+        if news.status is None or not tripped(news.status):
+            self._before.append(newest)
+            return
+        number = newest.cycle.revolution
+        good = [one for one in self._before if one.cycle.revolution < number]
+        if good:
+            self._others[GOOD] = good[-1]
+
     def _start_afresh(self, data: LiveData) -> None:
         """Forget what is of another test: ranges, marks, and what stands behind."""
         if self._data is not None:
             self._others.clear()
+            self._before.clear()
             self.freeze.setChecked(False)
             for plot in (self.plot, self.residual_plot):
                 plot.start_afresh()
-        self._data, self._drawn = data, ()
+        self._data, self._drawn = ref(data), ()
 
     def _clear(self) -> None:
         self.title.show_text("")

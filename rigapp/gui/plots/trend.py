@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from weakref import ref
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -102,7 +103,8 @@ class TrendPanel(PlotPanel):
         self._quantities = trend_quantities(BASE)
         self._drawn: tuple[object, ...] = ()
         self._curves: list[_Curve] = []
-        self._data: LiveData | None = None
+        # Weakly: a panel that nobody looks at keeps no test that is over.
+        self._data: ref[LiveData] | None = None
         self.words = ""
         self.view = view or TrendView()
         self.view.changed.append(self._view_changed)
@@ -149,11 +151,11 @@ class TrendPanel(PlotPanel):
     def show_news(self, news: News) -> None:
         """Draw if rows, quantity or view have changed since the last time."""
         data = news.data
-        if data is not self._data:
+        if self._data is None or data is not self._data():
             if self._data is not None:
                 self.plot.start_afresh()
                 self.view.start_afresh()
-            self._data, self._drawn = data, ()
+            self._data, self._drawn = ref(data), ()
         if data.channels is not self._channels:
             self._offer(data.channels)
         self._place_view(data.rows, data.predictions)
@@ -272,8 +274,9 @@ class TrendPanel(PlotPanel):
             one.setChecked(name == self.view.mode)
         self.plot.show_cursor(self.view.cursor)
         self._drawn = ()
-        if self._data is not None:
-            self._place_view(self._data.rows, self._data.predictions)
+        data = None if self._data is None else self._data()
+        if data is not None:
+            self._place_view(data.rows, data.predictions)
 
     def _quantity_chosen(self) -> None:
         self._name = str(self.choice.currentData())

@@ -407,6 +407,7 @@ class RecipePanel(QWidget):
         dialog = QFileDialog(self, title, folder, tr("Tests (*.toml)"))
         dialog.setAcceptMode(mode)
         dialog.setModal(False)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         return dialog
 
 

@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Mapping
 from typing import Any
 
-from tomlkit import aot, document, dumps, item, parse, table
+from tomlkit import aot, document, dumps, item, nl, parse, table
 from tomlkit.items import AoT
 
 
@@ -81,6 +81,11 @@ def _edit_tables(container: Any, key: str, rows: list[Mapping[str, Any]]) -> Non
         else:
             fresh = table()
             _edit(fresh, row, "", frozenset())
+            last = old[len(old) - 1] if len(old) else container
+            if last.as_string().endswith("\n\n"):
+                fresh.add(nl())  # the empty line before it is there, and one shall be after it
+            else:
+                fresh.trivia.indent = "\n"
             old.append(fresh)
 
 

@@ -7,7 +7,7 @@ import time
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFont
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QProgressBar, QScrollArea, QWidget
 
 from rigapp.gui.data.channels import SIZE, FreeValue, free_values
@@ -32,6 +32,9 @@ NARROW_WINDOW = 1440
 MOST_MARGINS = 8
 """Limits that are listed; all of them stand on their page."""
 
+
+TICK = 0.9
+"""Of a bar's width, where the limit is: there is room beyond it for what has passed it."""
 
 WIDE = dict.fromkeys((COEFFICIENT, REMAINING)).keys()
 """Values whose words need the whole width, in their order."""
@@ -139,8 +142,31 @@ class LiveCard(QFrame):
             self._grid.addWidget(values[name], below + number, 0, 1, 2)
 
 
+class MarginBar(QProgressBar):
+    """Fill towards a tick, which is the limit; beyond it only once the limit is passed."""
+
+    def __init__(self, name: str, theme: Theme) -> None:
+        super().__init__()
+        named(self, name, "Way to the limit")
+        self.theme, self.passed = theme, False
+        self.setTextVisible(False)
+        self.setMaximum(1000)
+        self.setFixedHeight(STEP)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint track, way and tick."""
+        theme, painter = self.theme, QPainter(self)
+        tick = round(TICK * self.width())
+        share = 1.0 if self.passed else TICK * self.value() / self.maximum()
+        painter.fillRect(0, 2, self.width(), 4, QColor(theme.track))
+        way = QColor(theme.critical if self.passed else theme.bar)
+        painter.fillRect(0, 2, round(share * self.width()), 4, way)
+        painter.fillRect(tick, 0, 2, self.height(), QColor(theme.text))
+        painter.end()
+
+
 class MarginRow(QWidget):
-    """A limit: quantity, value and limit in words, and a bar that is full at the limit."""
+    """A limit: quantity, value and limit in words, and a bar with a tick at the limit."""
 
     def __init__(self, number: int, theme: Theme) -> None:
         super().__init__()
@@ -150,10 +176,7 @@ class MarginRow(QWidget):
         self.title = ElidedLabel(f"margin_{number}_title", "Limited quantity")
         self.text = ElidedLabel(f"margin_{number}_text", "Value and limit")
         self.text.setFont(sized(self.font(), CAPTION_PT))
-        self.bar = named(QProgressBar(), f"margin_{number}_bar", "Way to the limit")
-        self.bar.setTextVisible(False)
-        self.bar.setMaximum(1000)
-        self.bar.setFixedHeight(4)
+        self.bar = MarginBar(f"margin_{number}_bar", theme)
         column(self.title, self.text, self.bar, on=self).setSpacing(2)
         self.dress(theme)
 
@@ -162,11 +185,8 @@ class MarginRow(QWidget):
         self._theme = theme
         colour = theme.critical if self._passed else theme.secondary
         self.text.setStyleSheet(f"color: {colour};")
-        fill = theme.critical if self._passed else theme.bar
-        self.bar.setStyleSheet(
-            f"QProgressBar {{ background: {theme.track}; border-radius: 2px; }}"
-            f" QProgressBar::chunk {{ background: {fill}; border-radius: 2px; }}"
-        )
+        self.bar.theme, self.bar.passed = theme, self._passed
+        self.bar.update()
 
     def show_margin(self, margin: Margin) -> None:
         """Show a limit."""
@@ -252,7 +272,7 @@ class SideColumn(QScrollArea):
         """Show what is newest; limits give way to the recovery, before a test to the connection."""
         self.live.show_news(news)
         if news.status is not None:
-            self.alarms.show_alarms(news.status.alarms)
+            self.alarms.show_alarms(news.status.alarms, recorded=news.is_replay)
         before = not news.is_replay and (news.status is None or news.status.state in BEFORE)
         normal = self.recover.isHidden()
         for card, wanted in (

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
-from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.news import News, Takes, tripped
 from rigapp.gui.data.showntest import ShownTest
 from rigapp.gui.data.tasks import TaskWorker
 from rigapp.gui.language.words import Text, tr
@@ -32,16 +32,10 @@ from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import named
 from rigapp.gui.window.places import PageName, RailPlace
-from rigapp.schema.messages import Severity, Status
 from rigapp.schema.states import ACTIVE
 
 TURN_MS = 10
 """Between two parts of a long drawing, so that keys and the state bar come in between."""
-
-
-def tripped(status: Status) -> bool:
-    """Tell whether a critical alarm stands: then the plots show what happened."""
-    return any(alarm.severity is Severity.CRITICAL for alarm in status.alarms)
 
 
 def _always(news: News) -> bool:
