@@ -99,8 +99,8 @@ def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: A
 
 
 def _probes(line: Line, folder: Path, rig: Path, images: Path, application: Any) -> None:
-    which = {"subject": "probes", "which": "both"}
-    with _opened(line, folder, rig, application, **which) as (wizard, pump):
+    both = {"subject": "probes", "fields": {"which": "both"}}
+    with _opened(line, folder, rig, application, **both) as (wizard, pump):
         live, reach = wizard.live, wizard.plan.fields["reach"]
         pump(lambda: reach.value() > LEAST_REACH_UM, "the probes' range")
         wizard.next()

@@ -135,7 +135,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
 
     # --- what a face shows -----------------------------------------------------------------------
 
-    def expected_force(self) -> float:
+    def expected(self) -> float:
         """Return the force (N) of what should hang at the present step."""
         mass = 0.0 if self.procedure.done else self.procedure.step.value
         return float(weight_force(mass, self.settings.weights, self.settings.place))
@@ -155,7 +155,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         unit, procedure = self.given.cell.signal_unit, self.procedure
         text = f"Signals {one:+.5f}, {two:+.5f} {unit}: the cell feels {found.felt:.1f} N"
         if not procedure.done and procedure.step.kind is not StepKind.SET_UP:
-            text += f"; what should hang weighs {self.expected_force():.1f} N"
+            text += f"; what should hang weighs {self.expected():.1f} N"
         return f"{text}."
 
     def recorded(self, found: Readiness) -> str:

@@ -102,6 +102,10 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         except ValueError as error:
             raise ProcedureError("Enter, a position in um, r or q.") from error
 
+    def expected(self) -> float:
+        """Return the position (m) to which the present step leads."""
+        return 0.0 if self.procedure.done else self.procedure.step.value
+
     def describe(self, reading: TakenReading) -> str:
         """Return series and position of a reading in words."""
         series = self.procedure.steps[reading.step].series

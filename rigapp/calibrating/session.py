@@ -209,6 +209,10 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     # --- what a face shows -----------------------------------------------------------------------
 
     @abstractmethod
+    def expected(self) -> float:
+        """Return what should be felt at the present step: N, m."""
+
+    @abstractmethod
     def describe(self, reading: TakenReading) -> str:
         """Return what names a reading among the others, in words."""
 

@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 import pytest
 from PySide6.QtCore import QRect, Qt
-from PySide6.QtWidgets import QAbstractButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QDialog, QWidget
 
 from rigapp.config.loading import read_test
 from rigapp.config.recipe import LimitRule
@@ -23,7 +23,16 @@ from rigapp.gui.window.places import RailPlace
 from rigapp.gui.window.tabs import TABS
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange
-from rigapp.schema.messages import Alarm, Event, Recovery, Remedy, RunState, Severity, Status
+from rigapp.schema.messages import (
+    Alarm,
+    Event,
+    Recovery,
+    Remedy,
+    Reply,
+    RunState,
+    Severity,
+    Status,
+)
 
 Attach = Callable[[], None]
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -53,6 +62,21 @@ def test_each_place_is_reached_by_its_key_and_shows_the_page_seen_last(
     assert window.tabs.currentIndex() == 0
 
 
+def test_the_focus_of_the_rail_goes_to_the_place_that_is_shown(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.say(count=3)
+    attach()
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    window.rail.buttons[RailPlace.WATCH].setFocus()
+    qtbot.keyClick(window, Qt.Key.Key_4, Qt.KeyboardModifier.AltModifier)
+    assert window.focusWidget() is window.rail.buttons[RailPlace.RESULTS]
+    window.controls.text.setFocus()
+    qtbot.keyClick(window, Qt.Key.Key_1, Qt.KeyboardModifier.AltModifier)
+    assert window.focusWidget() is window.controls.text
+
+
 def test_every_tab_stands_in_a_place_and_calibration_under_rig(
     window: MainWindow, engine: Any, attach: Attach
 ) -> None:
@@ -62,6 +86,41 @@ def test_every_tab_stands_in_a_place_and_calibration_under_rig(
     assert not window.calibrate_button.isVisible()
     window.rail.buttons[RailPlace.RIG].click()
     assert window.calibrate_button.isVisible()
+
+
+def test_a_calibration_stands_in_the_window_and_is_left_and_come_back_to(
+    window: MainWindow, engine: Any, attach: Attach, qtbot: Any
+) -> None:
+    engine.reply = Reply(ok=False, sentence="There are no signals.")
+    engine.say(count=0, curves=False, state=RunState.READY, file="")
+    attach()
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    qtbot.keyClick(window, Qt.Key.Key_F3)
+    assert window.stage.guiding
+    assert window.tabs.place is RailPlace.RIG
+    qtbot.keyClick(window.focusWidget(), Qt.Key.Key_Space)
+    wizard = window._calibration
+    assert wizard is not None
+    assert wizard.isVisible()
+    stop = window.controls.buttons["stop"]
+    assert stop.isVisible()
+    assert "&" not in stop.text(), "the letters are the wizard's"
+    assert not any(one.isWindow() for one in window.findChildren(QDialog) if one.isVisible())
+    qtbot.keyClick(window, Qt.Key.Key_3, Qt.KeyboardModifier.AltModifier)
+    assert not window.stage.guiding
+    assert "&" in stop.text()
+    window.dress(DARK)
+    qtbot.keyClick(window, Qt.Key.Key_F3)
+    assert window.stage.guiding
+    assert wizard.isVisible()
+    window.rail.buttons[RailPlace.WATCH].click()
+    assert not wizard.isVisible()
+    qtbot.keyClick(window, Qt.Key.Key_F3)
+    qtbot.keyClick(wizard, Qt.Key.Key_Escape)
+    assert not window.stage.guiding
+    assert window._calibration is None
+    window.dress(LIGHT)
 
 
 SITUATIONS = (

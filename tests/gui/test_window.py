@@ -67,7 +67,7 @@ def test_one_key_does_it(window: MainWindow, engine: Any, attach: Attach, qtbot:
         [
             (Qt.Key.Key_F4, "connect", RunState.IDLE),
             (Qt.Key.Key_F6, "pause", RunState.RUNNING),
-            (Qt.Key.Key_F7, "resume", RunState.PAUSED),
+            (Qt.Key.Key_F5, "resume", RunState.PAUSED),
             (Qt.Key.Key_F12, "stop", RunState.PAUSED),
         ]
     ):
@@ -114,6 +114,21 @@ def test_the_reason_for_going_on_with_a_file_goes_along(
     arguments = wait_for_verb(window, engine, qtbot, "resume_file")
     assert arguments == {"file": "x.h5", "reason": "cell was calibrated again"}
     assert window.controls.text.text() == ""
+
+
+def test_one_key_acknowledges_the_alarm_that_is_told_and_leads_to_where_it_is(
+    window: MainWindow, engine: Any, attach: Attach, alarm: Any, qtbot: Any
+) -> None:
+    engine.say(count=3, alarms=(alarm,))
+    attach()
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    window.tabs.show_page("results")
+    qtbot.keyClick(window, Qt.Key.Key_F7)
+    assert engine.verbs == []
+    assert window.tabs.panels["alarms"].isVisible()
+    qtbot.keyClick(window, Qt.Key.Key_F7)
+    assert wait_for_verb(window, engine, qtbot, "acknowledge") == {"key": alarm.key}
 
 
 def test_a_note_takes_one_key(window: MainWindow, engine: Any, attach: Attach, qtbot: Any) -> None:

@@ -94,7 +94,9 @@ def probes() -> ScriptedProbes:
 
 @pytest.fixture
 def wizard(qtbot: Any, probes: ScriptedProbes, tmp_path: Path) -> Iterator[CalibrationWizard]:
-    wizard = CalibrationWizard(probes.line, RIG, LIGHT, tmp_path, subject="probes", which="both")
+    wizard = CalibrationWizard(
+        probes.line, RIG, LIGHT, tmp_path, subject="probes", fields={"which": "both"}
+    )
     wizard.live._timer.stop()
     qtbot.addWidget(wizard)
     wizard.show()
@@ -231,7 +233,9 @@ def test_closed_wizard_is_taken_up_again(
     taken = len(wizard.live.session.procedure.taken)
     assert taken > 3
     wizard.reject()
-    again = CalibrationWizard(probes.line, RIG, LIGHT, tmp_path, subject="probes", which="1")
+    again = CalibrationWizard(
+        probes.line, RIG, LIGHT, tmp_path, subject="probes", fields={"which": "1"}
+    )
     again.live._timer.stop()
     qtbot.addWidget(again)
     again.show()

@@ -33,7 +33,7 @@ def pump(wizard: CalibrationWizard, line: HostLine, until: Callable[[], bool], w
 
 def opened(qtbot: Any, line: HostLine, folder: Path) -> CalibrationWizard:
     rig = Rig("Simulated slider-crank", True, "E. Sample", folder / "rig.toml", folder / "t.toml")
-    wizard = CalibrationWizard(line, rig, LIGHT, folder, subject="run-out", which="run-out")
+    wizard = CalibrationWizard(line, rig, LIGHT, folder, subject="run-out")
     qtbot.addWidget(wizard)
     wizard.live._timer.stop()
     wizard.show()

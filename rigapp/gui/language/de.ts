@@ -7154,5 +7154,161 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <source>{}{}: {:g} kg hang then</source>
         <translation>{}{}: Dann hängen {} kg</translation>
     </message>
+    <message>
+        <source>&amp;Daily check</source>
+        <translation>&amp;Tägliche Prüfung</translation>
+    </message>
+    <message>
+        <source>Every reading is saved as it is taken. You may close and go on tomorrow.</source>
+        <translation>Jede Messung ist gespeichert, sobald sie genommen ist. Sie können schließen und morgen weitermachen.</translation>
+    </message>
+    <message>
+        <source>It should be {:.1f} {}</source>
+        <translation>Es sollten {:.1f} {} sein</translation>
+    </message>
+    <message>
+        <source>Lay the level on the flat of the crank and turn the crank until the bubble is in the middle.</source>
+        <translation>Die Wasserwaage auf die Fläche der Kurbel legen und die Kurbel drehen, bis die Blase in der Mitte ist.</translation>
+    </message>
+    <message>
+        <source>
+| Key | Does |
+| --- | --- |
+{commands}
+| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
+| {recover} | Do the next step of the *Recover* panel |
+| F1 | This help |
+| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
+| F9 | Light or dark |
+| Ctrl+1 … Ctrl+9, Ctrl+W, Ctrl+0, Ctrl+R | Go to a page |
+| Alt + underlined letter | Press a button, go to a field |
+| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
+| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
+| Esc | Close the start bar or this window |
+
+The emergency stop is the red button on the rig. It works without this program, and no program
+replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
+</source>
+        <translation>
+| Taste | Wirkung |
+| --- | --- |
+{commands}
+| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
+| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
+| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
+| F1 | Diese Hilfe |
+| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
+| F9 | Hell oder dunkel |
+| Strg+1 … Strg+9, Strg+W, Strg+0, Strg+R | Zu einer Seite |
+| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
+| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
+| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
+| Esc | Die Startkarte oder dieses Fenster schließen |
+
+Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
+ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
+</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Practice: no waiting times</source>
+        <translation>Übung: keine Wartezeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Probe 1</source>
+        <translation>&amp;Wegsensor 1</translation>
+    </message>
+    <message>
+        <source>Prob&amp;e 2</source>
+        <translation>Wegs&amp;ensor 2</translation>
+    </message>
+    <message>
+        <source>Probe {}</source>
+        <translation>Wegsensor {}</translation>
+    </message>
+    <message>
+        <source>Revolutions turned</source>
+        <translation>Gedrehte Umdrehungen</translation>
+    </message>
+    <message>
+        <source>Steps of the calibration</source>
+        <translation>Schritte der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The cell feels</source>
+        <translation>Der Kraftsensor spürt</translation>
+    </message>
+    <message>
+        <source>The encoder is not known yet</source>
+        <translation>Der Drehgeber ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The encoder should show 0 degrees, or 360. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error. 0.2 degrees of a common angle error turn every force by as much, and no reading shows it. Only a level does.</source>
+        <translation>Der Drehgeber sollte 0 Grad zeigen, oder 360. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler. Ein gemeinsamer Winkelfehler von 0.2 Grad dreht jede Kraft um ebenso viel, und keine Messung zeigt ihn. Nur eine Wasserwaage tut es.</translation>
+    </message>
+    <message>
+        <source>The encoder shows</source>
+        <translation>Der Drehgeber zeigt</translation>
+    </message>
+    <message>
+        <source>The probe stands at</source>
+        <translation>Der Wegsensor steht bei</translation>
+    </message>
+    <message>
+        <source>This is a replay: what was recorded stays as it was</source>
+        <translation>Das ist eine Wiedergabe: Was aufgezeichnet ist, bleibt, wie es war</translation>
+    </message>
+    <message>
+        <source>What a certificate is</source>
+        <translation>Was ein Kalibrierschein ist</translation>
+    </message>
+    <message>
+        <source>What a roll is</source>
+        <translation>Was ein Umlauf ist</translation>
+    </message>
+    <message>
+        <source>What is calibrated</source>
+        <translation>Was kalibriert wird</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Was erhalten bleibt</translation>
+    </message>
+    <message>
+        <source>What it looks like</source>
+        <translation>Wie es aussieht</translation>
+    </message>
+    <message>
+        <source>What it should be</source>
+        <translation>Was es sein sollte</translation>
+    </message>
+    <message>
+        <source>What this is</source>
+        <translation>Was dies ist</translation>
+    </message>
+    <message>
+        <source>What will be done</source>
+        <translation>Was getan wird</translation>
+    </message>
+    <message>
+        <source>Why a level</source>
+        <translation>Warum eine Wasserwaage</translation>
+    </message>
+    <message>
+        <source>of the load cell, one weight at 4 pin angles</source>
+        <translation>des Kraftsensors, ein Gewicht bei 4 Bolzenwinkeln</translation>
+    </message>
+    <message>
+        <source>{device}: {sentence}</source>
+        <translation>{device}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{sentence}</source>
+        <translation>{sentence}</translation>
+    </message>
 </context>
 </TS>

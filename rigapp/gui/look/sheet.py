@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from string import Template
 
-from rigapp.gui.look.tokens import CAPTION_PT, CARD_RADIUS, RADIUS, Theme
+from rigapp.gui.look.tokens import CAPTION_PT, CARD_RADIUS, RADIUS, VALUE_PT, Theme
 
 _SHEET = Template(
     """
@@ -37,6 +37,7 @@ QPushButton[rank="dangerous"] {
 QPushButton[rank="dangerous"]:pressed { background: $critical; color: $on_critical; }
 QPushButton[rank="dangerous"]:focus { border: 3px solid $critical; padding: 0 10px; }
 QPushButton[rank="dangerous"]:disabled { color: $muted; border-color: $hairline; }
+QPushButton[large="true"] { min-height: 46px; font-size: ${value}pt; }
 QPushButton[rank="quiet"] { border: 0; background: transparent; padding: 0 8px; }
 QPushButton[rank="quiet"]:hover { background: $tint; }
 QPushButton[rank="quiet"]:focus { border: 2px solid $highlight; padding: 0 6px; }
@@ -145,5 +146,10 @@ def style_sheet(theme: Theme) -> str:
         name: getattr(theme, name) for name in Theme.__dataclass_fields__ if name != "curves"
     }
     return _SHEET.substitute(
-        colours, clear="#00ffffff", radius=RADIUS, card=CARD_RADIUS, caption=CAPTION_PT
+        colours,
+        clear="#00ffffff",
+        radius=RADIUS,
+        card=CARD_RADIUS,
+        caption=CAPTION_PT,
+        value=VALUE_PT,
     )

@@ -71,7 +71,7 @@ BUTTONS = (
     ButtonSpec(
         "resume",
         "&Resume",
-        "F7",
+        "F5",
         frozenset({RunState.PAUSED}),
         "Go on with the paused test",
         Icon.START,
@@ -112,6 +112,7 @@ class ControlRow(QFrame):
         self._armed = ""
         self._good = True
         self._tight = False
+        self._lent = False
         self._state: RunState | None = None
         self._waiting_start: tuple[dict[str, Any], float] | None = None
         named(self, "controls", "Control of the test")
@@ -129,6 +130,8 @@ class ControlRow(QFrame):
             tip="Write the text into the log of the test (Enter)",
         )
         QShortcut(QKeySequence("F8"), self, self._to_text)
+        for key in dict.fromkeys(spec.key for spec in BUTTONS):
+            QShortcut(QKeySequence(key), self, partial(self._press, key))
         self.answer = ElidedLabel("answer", "Answer to the last command")
         self.answer.hide()
         self.test = ElidedLabel("identity", "Test")
@@ -165,15 +168,24 @@ class ControlRow(QFrame):
     def make_room(self, *, tight: bool) -> None:
         """Leave out, in a tight window, what runs, the keys, and words that an icon says."""
         for spec in BUTTONS:
-            words = "" if tight and spec.verb == "connect" else tr(spec.text)
+            words = "" if tight and spec.verb == "connect" else self._words(spec.text)
             self.buttons[spec.verb].setText(words if tight else f"{words}  {spec.key}")
-        self.note.setText("" if tight else tr("&Note"))
+        self.note.setText("" if tight else self._words("&Note"))
         self.buttons["stop"].setFixedSize(TIGHT_STOP_SIZE if tight else STOP_SIZE)
         for one in (self.test, self.line, self.command_line):
             one.setVisible(not tight)
         self._tight = tight
         self._show_hint()
         self.start_place.updateGeometry()
+
+    def lend_letters(self, lent: bool) -> None:
+        """Leave the letters of the buttons to a guide that is shown; their keys stay."""
+        if lent is not self._lent:
+            self._lent = lent
+            self.make_room(tight=self._tight)
+
+    def _words(self, text: Text) -> str:
+        return tr(text).replace("&", "") if self._lent else tr(text)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -322,8 +334,14 @@ class ControlRow(QFrame):
             rank={"stop": "dangerous", "start": "primary", "resume": "primary"}.get(spec.verb, ""),
         )
         made.setFixedHeight(BUTTON_HEIGHT)
-        QShortcut(QKeySequence(spec.key), self).activated.connect(made.click)
         return made
+
+    def _press(self, key: str) -> None:
+        """Press the button of a key; of Start and Go on, the one that applies."""
+        for spec in BUTTONS:
+            if spec.key == key and self.buttons[spec.verb].isEnabled():
+                self.buttons[spec.verb].click()
+                return
 
     def _to_text(self) -> None:
         self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)

@@ -18,6 +18,7 @@ KEYS: Text = """
 | --- | --- |
 {commands}
 | F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
 | {recover} | Do the next step of the *Recover* panel |
 | F1 | This help |
 | F3 | Calibrate the load cell or the probes, map the pin's run-out |

@@ -108,9 +108,11 @@ class Rail(QFrame):
         self._theme = theme
 
     def show_place(self, place: RailPlace) -> None:
-        """Mark the place that is shown."""
+        """Mark the place that is shown; the focus of another one goes along."""
         if not self.buttons[place].isChecked():
             self.buttons[place].setChecked(True)
+            if any(one.hasFocus() for one in self.buttons.values()):
+                self.buttons[place].setFocus()
             self.dress(self._theme)
 
     def offer(self, places: Collection[RailPlace]) -> None:
@@ -176,7 +178,7 @@ class PageBar(QWidget):
         whole.setSpacing(GAP)
 
     def show_pages(self, place: RailPlace, pages: Sequence[PageName], now: int) -> None:
-        """Show the pages of a place, and which one is seen; nothing is done when they are."""
+        """Show the pages of a place, and which one is seen, -1 for none; nothing when they are."""
         if (place, tuple(pages), now) == self._told:
             return
         self._told = place, tuple(pages), now
@@ -197,7 +199,9 @@ class PageBar(QWidget):
             self.choice.blockSignals(False)
         for number, made in self.buttons.items():
             made.setChecked(number == now)
+        self.choice.blockSignals(True)
         self.choice.setCurrentIndex(self.choice.findData(now))
+        self.choice.blockSignals(False)
         follow_in_tab_order(self.choice, *self.buttons.values(), *(one for _, one in self._more))
         for where, other in self._more:
             other.setVisible(where is place)

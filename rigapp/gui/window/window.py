@@ -26,6 +26,7 @@ from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import apply_theme, dress_window
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP, THEMES, TIGHT_HEIGHT, TIGHT_WIDTH, Theme
 from rigapp.gui.panel import Act
+from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.panels.documents import launch_process
 from rigapp.gui.results.shelf import ResultShelf
 from rigapp.gui.widgets.build import button, column, follow_in_tab_order, named, row
@@ -44,6 +45,7 @@ from rigapp.gui.window.recover import KEY as RECOVER_KEY
 from rigapp.gui.window.recover import RecoverPanel
 from rigapp.gui.window.replaybar import ReplayBar
 from rigapp.gui.window.side import SideColumn
+from rigapp.gui.window.stage import Stage
 from rigapp.gui.window.startbar import StartBar
 from rigapp.gui.window.tabs import Tabs
 from rigapp.gui.window.watchdog import Watchdog
@@ -51,7 +53,6 @@ from rigapp.schema.messages import Snapshot, Status
 from rigapp.schema.states import ACTIVE
 
 if TYPE_CHECKING:
-    from rigapp.gui.wizard.chooser import CalibrationChooser
     from rigapp.gui.wizard.wizard import CalibrationWizard
 
 
@@ -67,6 +68,8 @@ PART_MS, IDLE_PART_MS = 25, 50
 
 FAST_EVERY = 4
 """Parts of a slow drawing between two looks at the newest revolution, for what was chosen there."""
+
+ACKNOWLEDGE_KEY = "F7"
 
 PROGRAM = "rigapp"
 
@@ -118,7 +121,6 @@ class MainWindow(QMainWindow):
         self._results_folder = results_folder
         self._rig_file = rig
         self._calibration: CalibrationWizard | None = None
-        self._chooser: CalibrationChooser | None = None
         self.theme = theme
         self.watchdog = Watchdog(self)
         named(self, "main_window", "Rig control").setWindowTitle(PROGRAM)
@@ -133,6 +135,7 @@ class MainWindow(QMainWindow):
         self.replay_bar.hide()
         self._results = ResultShelf(results_folder, self._reader)
         self.tabs = Tabs(test, theme, self._results, self._reader, self.watchdog)
+        self.stage = Stage(self.tabs)
         self.start_bar = StartBar(self.tabs.prepare.recipe, tests, results_folder)
         self.side = SideColumn(theme, self.recover)
         self.tabs.panels["side"] = self.side
@@ -276,6 +279,8 @@ class MainWindow(QMainWindow):
         bars = (self.header, self.notice, self.viewer_bar, self.messages, self.controls)
         for part in (*bars, self.replay_bar, self.rail, self.tabs):
             part.dress(theme)
+        if self._calibration is not None:
+            self._calibration.dress(theme)
         self._paint_frame()
         self.draw_now()
 
@@ -286,20 +291,20 @@ class MainWindow(QMainWindow):
         self._front(self._help)
 
     def calibrate(self) -> None:
-        """Ask what to calibrate, or bring the open wizard to the front; refused during a test."""
+        """Ask what to calibrate, or go back to the calibration under way; refused during a test."""
         from rigapp.gui.wizard.chooser import CalibrationChooser
 
+        if self._calibration is not None:
+            self._guide(self._calibration)
+            return
         if self._may_calibrate() is None:
             return
-        if self._calibration is not None and self._calibration.isVisible():
-            self._front(self._calibration)
-            return
-        if self._chooser is None:
-            self._chooser = CalibrationChooser(self)
-            self._chooser.chosen.connect(self.calibrate_what)
-            # Fits and statistics are loaded while somebody chooses, not before, and not here.
-            self._reader.submit(_load_wizards, lambda _: None, lambda _: None)
-        self._front(self._chooser)
+        chooser = CalibrationChooser(self)
+        chooser.chosen.connect(self.calibrate_what)
+        chooser.rejected.connect(self._end_calibration)
+        # Fits and statistics are loaded while somebody chooses, not before, and not here.
+        self._reader.submit(_load_wizards, lambda _: None, lambda _: None)
+        self._guide(chooser)
 
     def calibrate_what(self, which: str) -> None:
         """Open the wizard for the load cell, a probe or both (see ``chooser.CHOICES``)."""
@@ -309,16 +314,34 @@ class MainWindow(QMainWindow):
 
         status = self._may_calibrate()
         if status is None:
+            self._end_calibration()
             return
         operator = status.operator or getuser()
         test = self.tabs.prepare.recipe.path
         rig = Rig(status.rig, status.simulated, operator, self._rig_file, test)
         line, folder = self._connection.request, self._results_folder
-        subject = CHOICES[which].subject
+        choice = CHOICES[which]
         self._calibration = CalibrationWizard(
-            line, rig, self.theme, folder, parent=self, subject=subject, which=which
+            line, rig, self.theme, folder, parent=self, subject=choice.subject, fields=choice.fields
         )
-        self._front(self._calibration)
+        self._calibration.finished.connect(self._end_calibration)
+        self._guide(self._calibration)
+
+    def _guide(self, guide: QWidget) -> None:
+        """Show a guide in the place of the rig's pages; strip, Stop and notes stay."""
+        self.tabs.show_place(RailPlace.RIG)
+        self.stage.guide(guide)
+        self._show_place()
+
+    def _show_pages(self) -> None:
+        """Go from a guide to the pages; it can be come back to."""
+        self.stage.show_pages()
+        self._show_place()
+
+    def _end_calibration(self) -> None:
+        self._calibration = None
+        self.stage.end()
+        self._show_place()
 
     def _may_calibrate(self) -> Status | None:
         status = self._connection.status
@@ -357,7 +380,7 @@ class MainWindow(QMainWindow):
         self._reader.close()
         if self._help is not None:
             self._help.close()
-        if self._calibration is not None and self._calibration.isVisible():
+        if self._calibration is not None:
             self._calibration.reject()
         super().closeEvent(event)
 
@@ -462,7 +485,7 @@ class MainWindow(QMainWindow):
             guarded=True,
         )
         self.page_bar = PageBar(((RailPlace.RIG, self.calibrate_button),))
-        pages = column(self.page_bar, (self.tabs, 1))
+        pages = column(self.page_bar, (self.stage, 1))
         content = row((pages, 1), self.side)
         content.setContentsMargins(MARGIN, STEP, MARGIN, GAP)
         content.setSpacing(GAP)
@@ -504,7 +527,8 @@ class MainWindow(QMainWindow):
             self._show_side()
 
     def _show_side(self) -> None:
-        beside = self.tabs.place in BESIDE and (not self._tight or not self.recover.isHidden())
+        tight = self._tight or self.stage.guiding
+        beside = self.tabs.place in BESIDE and (not tight or not self.recover.isHidden())
         if self.side.isVisibleTo(self) != beside:
             self.side.setVisible(beside)
 
@@ -525,8 +549,10 @@ class MainWindow(QMainWindow):
 
     def _show_place(self) -> None:
         self._show_side()
+        self.controls.lend_letters(self.stage.guiding)
         self.rail.show_place(self.tabs.place)
-        self.page_bar.show_pages(self.tabs.place, self.tabs.pages(), self.tabs.currentIndex())
+        now = -1 if self.stage.guiding else self.tabs.currentIndex()
+        self.page_bar.show_pages(self.tabs.place, self.tabs.pages(), now)
 
     def _name_armed(self) -> None:
         path = self.tabs.prepare.recipe.path
@@ -535,7 +561,8 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         self.rail.chosen.connect(self.tabs.show_place)
         self.page_bar.chosen.connect(self.tabs.setCurrentIndex)
-        self.tabs.currentChanged.connect(self._show_place)
+        for chosen in (self.rail.chosen, self.page_bar.chosen, self.tabs.currentChanged):
+            chosen.connect(self._show_pages)
         self.controls.start_wanted.connect(self.start_bar.open)
         self.tabs.prepare.recipe.armed_changed.connect(self._name_armed)
         self._name_armed()
@@ -561,6 +588,18 @@ class MainWindow(QMainWindow):
             ("F3", self.calibrate),
         ):
             QShortcut(QKeySequence(key), self, call)
+        # On the bar of commands, which a replay has not: there F7 plays.
+        QShortcut(QKeySequence(ACKNOWLEDGE_KEY), self.controls, self._acknowledge)
+
+    def _acknowledge(self) -> None:
+        """Acknowledge the alarm that is told in full; go where it is told if it is not seen."""
+        page = self.tabs.panels["alarms"]
+        assert isinstance(page, AlarmPanel)
+        for told in (self.side.alarms, page):
+            if told.isVisible():
+                told.acknowledge.click()
+                return
+        self.tabs.show_page("limits")
 
     def _restore_layout(self) -> None:
         if self._settings is None:

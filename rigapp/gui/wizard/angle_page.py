@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import math
 
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QVBoxLayout, QWizardPage
 
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.tokens import Theme
-from rigapp.gui.widgets.build import button, filled, named, row
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import GAP, STEP, VALUE_PT, Theme
+from rigapp.gui.widgets.build import button, filled, named, prose, row
 from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
-from rigapp.gui.wizard.parts import Stability, field, number, sentence
+from rigapp.gui.wizard.parts import MeasuredCard, field, number, sentence
+from rigapp.gui.wizard.scenes import LevelScene, Picture
 
 TURN: Text = "&Keep this angle; I turn the level end for end"
 AGAIN: Text = "&Forget the first angle"
@@ -24,22 +27,26 @@ class AnglePage(QWizardPage):
         super().__init__()
         self._live = live
         self.setTitle(tr("Angle reference"))
-        self.setSubTitle(
-            tr(
-                "0.2 degrees of a common angle error turn every force by as much, and no reading"
-                " shows it. Only a level does."
-            )
-        )
-        self.instruction = sentence("angle_instruction", "What to do now", 1.5)
+        self.instruction = sentence("angle_instruction", "What to do now")
+        self.instruction.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
         self.instruction.setText(
             tr(
                 "Lay the level on the flat of the crank and turn the crank until the bubble is in"
-                " the middle. The encoder should show 0 degrees, or 360. Then turn the level end"
-                " for end and do it again: the mean is free of the level's own error."
+                " the middle."
             )
         )
-        self.live = sentence("angle_live", "Angle of the encoder now", 1.5, bold=True)
-        self.stability = Stability(theme)
+        why: Text = (
+            "The encoder should show 0 degrees, or 360. Then turn the level end for end and do it"
+            " again: the mean is free of the level's own error. 0.2 degrees of a common angle error"
+            " turn every force by as much, and no reading shows it. Only a level does."
+        )
+        self.why = prose("angle_why", "Why a level", why)
+        self.why.setProperty("role", "secondary")
+        self.picture = Picture("angle_picture", "What it looks like", theme)
+        self.measured = MeasuredCard("angle", "The encoder shows", theme)
+        self.live = sentence("angle_live", "Angle of the encoder now")
+        self.live.setProperty("role", "caption")
+        self.stability = self.measured.stability
         text: Text = "&Take the encoder's angle as it is now"
         self.follow = named(QCheckBox(tr(text)), "angle_follow", tr(text).replace("&", ""))
         self.follow.setChecked(True)
@@ -55,11 +62,16 @@ class AnglePage(QWizardPage):
         self.problem = sentence("angle_problem", "What is wrong on this page")
         self.hands = HandsPanel(live)
         form = QFormLayout()
+        form.setVerticalSpacing(STEP)
         form.addRow(self.follow)
         field(form, "&Encoder shows", self.shown)
         field(form, "Standard &uncertainty of the level", self.uncertainty)
-        upper = (self.instruction, self.live, self.stability, form, row(self.turn, None))
-        filled(QVBoxLayout(self), (*upper, self.first, None, self.problem, self.hands))
+        asked = (self.measured, self.live, form, row(self.turn, None), self.first)
+        now = filled(QVBoxLayout(), (*asked, None, self.problem))
+        look = row((self.picture, 5), (now, 4))
+        for one in (now, look):
+            one.setSpacing(GAP)
+        filled(QVBoxLayout(self), (self.instruction, self.why, (look, 1), self.hands))
         self.setCommitPage(True)
         self.follow.toggled.connect(self._follow)
         self._follow(True)
@@ -144,7 +156,7 @@ class AnglePage(QWizardPage):
 
     def _look(self) -> None:
         live = self._live
-        window = live.window
+        window, now = live.window, None
         self.stability.show_readiness(live.readiness, "no signals from the engine")
         self.turn.setEnabled(self._due() and self.isComplete())
         if not self._due() and live.session is not None:
@@ -152,9 +164,12 @@ class AnglePage(QWizardPage):
         elif window is None or window.angle is None:
             self.live.setText(tr("The encoder's angle is not known yet."))
         else:
-            degrees = math.degrees(window.angle)
+            now, degrees = window.angle, math.degrees(window.angle)
             self.live.setText(tr("The encoder shows {:.2f} degrees.", degrees))
             if self.follow.isChecked():
                 self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
         self._tell_first()
+        told = "" if now is None else f"{math.degrees(math.remainder(now, math.tau)):+.2f}°"
+        self.measured.show_value(told.replace("-", "\u2212"))
+        self.picture.show_scene(LevelScene(now, turned=self._first_deg is not None))
         self.completeChanged.emit()

@@ -9,7 +9,7 @@ from rigapp.calibrating.rig_file import name_record
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
-from rigapp.gui.widgets.build import button, filled, row
+from rigapp.gui.widgets.build import button, filled, prose, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import sentence
 
@@ -25,7 +25,8 @@ class CertificatePage(QWizardPage):
         self._live, self._place = live, place
         self.setTitle(tr("Certificate"))
         alone: Text = "The certificate is made from the record alone: the same bytes each time."
-        self.setSubTitle(tr(alone))
+        about = prose(f"{prefix}certificate_about", "What a certificate is", alone)
+        about.setProperty("role", "secondary")
         self.saved = sentence(f"{prefix}saved", "Where the record is", 1.15)
         for_pdf, for_html = (
             marked("Write the certificate as &PDF"),
@@ -39,7 +40,7 @@ class CertificatePage(QWizardPage):
         leave: Text = "Leave the rig file as it is"
         self.no = button(f"{prefix}leave_rig_file", "N&o, leave it", self._leave, leave)
         self.used = sentence(f"{prefix}use_words", "What happens to the rig file")
-        upper = (self.saved, row(self.pdf, self.html, None), self.words)
+        upper = (about, self.saved, row(self.pdf, self.html, None), self.words)
         filled(QVBoxLayout(self), (*upper, self.used, row(self.use, self.no, None), None))
         self._asked = False
         live.said.connect(self.words.setText)

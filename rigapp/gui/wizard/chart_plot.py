@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtWidgets import QWidget
 
 from rigapp.calibrating.daily_history import DailyHistory, verdict_lines
 from rigapp.gui.language.told import retold
@@ -13,7 +13,7 @@ from rigapp.gui.look.tokens import Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column
-from rigapp.gui.wizard.parts import sentence
+from rigapp.gui.wizard.parts import give_what_is_left, sentence
 
 
 class ChartPlot(QWidget):
@@ -25,8 +25,7 @@ class ChartPlot(QWidget):
         self.plot = QuietPlot("daily_chart", tr("Sensitivity of the daily checks"), theme)
         self.plot.label("left", tr("Felt / applied force"))
         self.plot.label("bottom", tr("Check"))
-        self.plot.setMinimumHeight(10 * self.fontMetrics().height())
-        self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        give_what_is_left(self.plot)
         colour = theme.curves["first"]
         self._line = pg.PlotDataItem(
             pen=line_pen(colour), symbol="o", symbolSize=8, symbolBrush=colour, symbolPen=colour

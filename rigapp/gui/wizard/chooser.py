@@ -2,36 +2,54 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import partial
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
 
 from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import button, filled
 from rigapp.gui.widgets.labels import scaled_font
 
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One thing to choose: its name with an access key, how it is done, and the subject it is."""
+    """One thing to choose: its name with an access key, how it is done, and the subject it is.
+
+    fields: what the first page says at the beginning, by the name of its field.
+    """
 
     text: Text
     words: Text
     subject: str
+    fields: Mapping[str, str] = field(default_factory=dict)
 
 
 CHOICES = {
     "load cell": Choice("&Load cell", "with weights, at several pin angles", "load cell"),
-    "1": Choice("Probe &1", "with a micrometer along the follower", "probes"),
-    "2": Choice("Probe &2", "with a micrometer across the follower", "probes"),
+    "daily": Choice(
+        "&Daily check",
+        "of the load cell, one weight at 4 pin angles",
+        "load cell",
+        {"plan": "daily"},
+    ),
+    "1": Choice("&Probe 1", "with a micrometer along the follower", "probes", {"which": "1"}),
+    "2": Choice("Prob&e 2", "with a micrometer across the follower", "probes", {"which": "2"}),
     "both": Choice(
-        "&Both probes", "with a micrometer stage; finds how the probes stand as well", "probes"
+        "&Both probes",
+        "with a micrometer stage; finds how the probes stand as well",
+        "probes",
+        {"which": "both"},
     ),
     "run-out": Choice("&Run-out of the pin", "by slow rolls of the spindle", "run-out"),
 }
 """What is chosen: the subject, or which of several things of it."""
+
+WIDEST = 80 * STEP
+"""Of a button: longer ones are read as lines, not pressed."""
 
 
 class CalibrationChooser(QDialog):
@@ -50,10 +68,12 @@ class CalibrationChooser(QDialog):
         for key, choice in CHOICES.items():
             text = f"{tr(choice.text)}: {tr(choice.words)}"
             made = button(f"choose_{key.replace(' ', '_')}", text, partial(self._choose, key))
-            made.setMinimumHeight(2 * made.fontMetrics().height())
-            made.setStyleSheet("text-align: left; padding-left: 1em; padding-right: 1em;")
+            made.setProperty("large", True)
+            made.setMaximumWidth(WIDEST)
+            made.setStyleSheet("text-align: left;")
             self.buttons[key] = made
-        filled(QVBoxLayout(self), (heading, *self.buttons.values()))
+        whole = filled(QVBoxLayout(self), (heading, *self.buttons.values(), None))
+        whole.setSpacing(GAP)
         self.buttons["load cell"].setFocus()
 
     def _choose(self, which: str) -> None:

@@ -29,6 +29,8 @@ from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import PlotNames, number
 from rigapp.gui.wizard.plan_page import RIG, Field, Questions, Values
 from rigapp.gui.wizard.rolling_page import RollingCalibration, RollingPage
+from rigapp.gui.wizard.scenes import Piece, ProbeScene, RollScene, Scene, WeightScene
+from rigapp.gui.wizard.stepscenes import probe_scene, weight_scene
 from rigapp.gui.wizard.taking_page import TakingPage, TakingWords
 
 MOST_POSITIONS = 41
@@ -41,14 +43,15 @@ class Face:
     """How the window shows a subject of ``SUBJECTS``.
 
     what: in the wizard's title. readings: the page on which they are taken. angle: there is an
-    angle reference. plot: of the residuals; fitted: it stands beside the result, too. session: of a
-    subject without steps. live: what listens to the engine.
+    angle reference. sketch: what will be done. plot: of the residuals; fitted: it stands beside the
+    result, too. session: of a subject without steps. live: what listens to the engine.
     """
 
     what: Text
     asks: Questions
     readings: Callable[[Any, Theme], TakingPage | RollingPage]
     plot: PlotNames
+    sketch: Scene
     angle: bool = False
     fitted: bool = True
     session: type[RollSession] | None = None
@@ -208,6 +211,9 @@ RUN_OUT_PLOT = PlotNames(
 WITH_WEIGHTS = TakingWords(
     stem=WEIGHING.stem,
     live="Signals now",
+    measured="The cell feels",
+    unit="N",
+    scene=weight_scene,
     reject="Reject the selected reading and repeat its series",
     reason="Rea&son",
     columns=("Series", "Step", "Mass (kg)", "Angle (deg)", "Signal 1", "Signal 2", "State"),
@@ -216,6 +222,10 @@ WITH_WEIGHTS = TakingWords(
 WITH_MICROMETER = TakingWords(
     stem=MEASURING.stem,
     live="Voltages now",
+    measured="The probe stands at",
+    unit="µm",
+    factor=1e6,
+    scene=probe_scene,
     reject="Reject the selected reading, repeat its series",
     reason="Re&ason",
     columns=("Series", "Step", "Position (µm)", "Probe 1 (V)", "Probe 2 (V)", "State"),
@@ -229,6 +239,7 @@ FACES = {
         asks=WEIGHING,
         readings=partial(TakingPage, words=WITH_WEIGHTS, plot=CELL_PLOT),
         plot=CELL_PLOT,
+        sketch=WeightScene(0.0, None, (Piece("5 kg"), Piece("2 kg"))),
         angle=True,
         fitted=False,
     ),
@@ -237,12 +248,14 @@ FACES = {
         asks=MEASURING,
         readings=partial(TakingPage, words=WITH_MICROMETER, plot=PROBE_PLOT),
         plot=PROBE_PLOT,
+        sketch=ProbeScene(1, 0.0, 800.0),
     ),
     "run-out": Face(
         what="the pin's run-out",
         asks=ROLLING,
         readings=RollingPage,
         plot=RUN_OUT_PLOT,
+        sketch=RollScene(""),
         session=RollSession,
         live=RollingCalibration,
     ),

@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QGroupBox
+from PySide6.QtWidgets import QFrame, QLabel
 
 from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import GAP, STEP
 from rigapp.gui.widgets.build import button, choice, named, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 
 
-class HandsPanel(QGroupBox):
+class HandsPanel(QFrame):
     """Do what the step asks, all by itself if wanted, with a mistake if wanted."""
 
     def __init__(
         self, live: LiveCalibration, name: str = "hands", do: Text = "&Do this step"
     ) -> None:
         """Take the calibration; name: of the widgets; do: what the button says."""
-        super().__init__(tr("Simulated hands (practice: no waiting times)"))
+        super().__init__()
         self._live = live
-        named(self, name, "Simulated hands")
+        named(self, name, "Simulated hands").setProperty("role", "card")
+        title = QLabel(tr("Simulated hands"))
+        title.setProperty("role", "title")
+        title.setToolTip(tr("Practice: no waiting times"))
         spoken: Text = "Let the simulated hands do this step"
         self.do = button(f"{name}_do", do, live.lend_a_hand, spoken)
         all_steps: Text = "Do and record all further steps"
@@ -30,7 +34,8 @@ class HandsPanel(QGroupBox):
             ((str(one), one) for one in mistakes),
             lambda _: live.plant(mistakes(self.mistake.currentData())),
         )
-        row(self.do, self.ahead, None, "&Mistake", self.mistake, on=self)
+        made = row(title, self.do, self.ahead, None, "&Mistake", self.mistake, on=self)
+        made.setContentsMargins(GAP, STEP, GAP, STEP)
         live.looked.connect(self._show)
 
     def _ahead(self, on: bool) -> None:

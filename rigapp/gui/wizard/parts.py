@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import (
     QDoubleSpinBox,
     QFormLayout,
+    QFrame,
     QLabel,
     QSizePolicy,
     QWidget,
@@ -20,11 +21,15 @@ from calibration.taking.signals import Readiness, SignalState
 from rigapp.calibrating.session import ResidualsSoFar
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import GAP, LARGE_PT, MARGIN, STEP, Theme
 from rigapp.gui.plots.palette import line_pen
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import column, named, prose, row
-from rigapp.gui.widgets.labels import scaled_font
+from rigapp.gui.widgets.labels import FittedLabel, scaled_font
+
+LEAST_PLOT = 15 * STEP
+"""Height of a plot below which its residuals are not told apart."""
 
 
 def prefix_of(stem: str) -> str:
@@ -76,6 +81,12 @@ def sentence(name: str, spoken: Text, factor: float = 1.0, *, bold: bool = False
     return label
 
 
+def give_what_is_left(plot: QWidget) -> None:
+    """Let a plot take the room that is left; a wizard would grow to what it likes best."""
+    plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+    plot.setMinimumHeight(LEAST_PLOT)
+
+
 class Sign(QWidget):
     """Paint the state of the signal as a shape: ring, wave, filled square."""
 
@@ -85,6 +96,11 @@ class Sign(QWidget):
         self._state = SignalState.WAITING
         side = 2 * QFontMetrics(self.font()).height()
         self.setFixedSize(QSize(side, side))
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.update()
 
     def show_state(self, state: SignalState) -> None:
         """Show a state."""
@@ -147,6 +163,31 @@ class Stability(QWidget):
         self.setAccessibleDescription(f"{tr(WORDS[state])}: {words}")
 
 
+class MeasuredCard(QFrame):
+    """What is measured now, to be read from where the hands are: number, wanted one, steadiness."""
+
+    def __init__(self, name: str, caption: Text, theme: Theme) -> None:
+        super().__init__()
+        named(self, f"{name}_measured", caption).setProperty("role", "card")
+        self.caption = QLabel(tr(caption))
+        self.caption.setProperty("role", "caption")
+        large = sized(self.font(), LARGE_PT, QFont.Weight.DemiBold)
+        self.value = FittedLabel(f"{name}_measured_value", caption, large)
+        self.wanted = sentence(f"{name}_measured_wanted", "What it should be")
+        self.stability = Stability(theme)
+        made = column(self.caption, self.value, self.wanted, self.stability, on=self)
+        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        made.setSpacing(STEP)
+        self.setMinimumWidth(28 * STEP)
+        self.show_value("")
+
+    def show_value(self, value: str, wanted: str = "") -> None:
+        """Show a number with its unit, and what it should be; without one a dash."""
+        self.value.show_text(value or "–")
+        if self.wanted.text() != wanted:
+            self.wanted.setText(wanted)
+
+
 @dataclass(frozen=True, slots=True)
 class PlotNames:
     """Of a residual plot: stem of the widgets' names, read aloud, unit, lower and left axis."""
@@ -167,7 +208,7 @@ class ResidualPlot(QWidget):
         self.plot = QuietPlot(f"{names.stem}_plot", tr(names.spoken), theme)
         self.plot.label("left", f"{tr(names.left)} ({names.unit})")
         self.plot.label("bottom", tr(names.bottom))
-        self.plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        give_what_is_left(self.plot)
         self.plot.guide(0.0, horizontal=True)
         self._points = []
         for role, symbol in (("first", "o"), ("second", "t")):

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QComboBox,
@@ -26,9 +27,11 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
-from rigapp.gui.widgets.build import button, choice, edit, filled, row
+from rigapp.gui.look.tokens import GAP, STEP, Theme
+from rigapp.gui.widgets.build import button, choice, edit, filled, prose, row
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import field, prefix_of, sentence
+from rigapp.gui.wizard.scenes import Picture, Scene
 
 NEW: Text = "Begin a new calibration"
 PLAN, RIG = "plan", "rig"
@@ -94,15 +97,23 @@ class PlanPage(QWizardPage):
         settings: Path | None,
         asks: Questions,
         planned: Callable[[Values, Any], Any],
-        which: str = "",
+        sketch: Scene,
+        theme: Theme,
+        chosen: Values | None = None,
     ) -> None:
-        """Make the fields of a subject; planned: its plan; which: of several things of it."""
+        """Make the fields of a subject; planned: its plan; chosen: what fields say at first.
+
+        sketch: what will be done.
+        """
         super().__init__()
         self._live, self._folder, self.asks, self._planned = live, folder, asks, planned
         self._given: Any = asks.given
         stem = asks.stem
         self.setTitle(tr(asks.title))
-        self.setSubTitle(tr(asks.subtitle))
+        self.subtitle = prose(f"{stem}_subtitle", "What this is", asks.subtitle)
+        self.subtitle.setProperty("role", "secondary")
+        self.picture = Picture(f"{stem}_sketch", "What will be done", theme)
+        self.picture.show_scene(sketch)
         self.begin = choice(f"{stem}_begin", "Begin or take up", (), self.summarise)
         spoken, hint = (
             marked("Settings file of the calibration"),
@@ -116,6 +127,7 @@ class PlanPage(QWizardPage):
         spoken = "What is wrong on this page"
         self.problem = sentence(f"{prefix_of(stem)}plan_problem", spoken)
         form = QFormLayout()
+        form.setVerticalSpacing(STEP)
         field(form, "&Begin or take up", self.begin)
         label = QLabel(tr("&Settings file"))
         label.setBuddy(self.settings)
@@ -123,7 +135,7 @@ class PlanPage(QWizardPage):
         self._asked = (*asks.fields, OPERATOR)
         self._typed: set[str] = set()
         self.fields: dict[str, Any] = {}
-        found = {"operator": live.rig.operator, "which": which, "test": live.rig.test}
+        found = {"operator": live.rig.operator, "test": live.rig.test, **(chosen or {})}
         for one in self._asked:
             widget = one.make(f"{stem}_{one.name}", tr(one.spoken) or tr(one.text).replace("&", ""))
             self.fields[one.name] = widget
@@ -132,7 +144,10 @@ class PlanPage(QWizardPage):
             for signal in ("textChanged", "valueChanged", "currentIndexChanged"):
                 if hasattr(widget, signal):
                     getattr(widget, signal).connect(self._changed)
-        filled(QVBoxLayout(self), (form, self.summary, None, self.problem))
+        left = filled(QVBoxLayout(), (form, self.summary, None, self.problem))
+        both = row((left, 3), (self.picture, 2))
+        both.setSpacing(2 * GAP)
+        filled(QVBoxLayout(self), (self.subtitle, (both, 1)))
         self.settings.editingFinished.connect(self.read_settings)
         live.looked.connect(self._propose)
         self.read_settings()
@@ -253,6 +268,7 @@ class PlanPage(QWizardPage):
         dialog.setObjectName(f"choose_{self.asks.stem}_settings")
         dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
         dialog.setModal(False)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.fileSelected.connect(self._chosen)
         dialog.show()
 

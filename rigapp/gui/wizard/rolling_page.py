@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from typing import Any
 
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWizardPage
 
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
-from rigapp.gui.look.tokens import Theme
-from rigapp.gui.widgets.build import button, filled, named, row
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import GAP, VALUE_PT, Theme
+from rigapp.gui.widgets.build import button, filled, named, prose, row, tell
 from rigapp.gui.wizard.live_calibration import LiveCalibration, Question
-from rigapp.gui.wizard.parts import sentence
+from rigapp.gui.wizard.parts import MeasuredCard, sentence
+from rigapp.gui.wizard.scenes import Picture, RollScene
 from rigapp.schema.messages import Reply
 
 
@@ -74,23 +77,30 @@ class RollingPage(QWizardPage):
         super().__init__()
         self._live = live
         self.setTitle(tr("Slow rolls"))
-        self.setSubTitle(
-            tr(
-                "Each roll is a test with all guards, and a file of its own. You can close the"
-                " wizard: the roll under way goes on to its end, and the map can be taken up again."
-            )
+        why: Text = (
+            "Each roll is a test with all guards, and a file of its own. You can close the"
+            " wizard: the roll under way goes on to its end, and the map can be taken up again."
         )
-        self.instruction = sentence("roll_instruction", "What to do now", 1.5, bold=True)
+        self.why = prose("roll_why", "What a roll is", why)
+        self.why.setProperty("role", "secondary")
+        self.instruction = sentence("roll_instruction", "What to do now")
+        self.instruction.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
+        self.picture = Picture("roll_picture", "What it looks like", theme)
+        self.measured = MeasuredCard("roll", "Revolutions turned", theme)
+        self.measured.stability.hide()
         self.words = sentence("roll_words", "How far it is")
         self.progress = named(QProgressBar(), "roll_progress", "Progress of the rolls")
         self.progress.setTextVisible(False)
-        self.roll = button("roll", "&Turn the spindle", live.roll)
-        self.roll.setMinimumHeight(2 * self.roll.fontMetrics().height() + 8)
+        self.roll = button("roll", "&Turn the spindle", live.roll, rank="primary")
+        self.roll.setProperty("large", True)
         self.stop = button("roll_stop", "&Stop the spindle", live.stop)
         self.problem = sentence("roll_problem", "What stands against it")
-        buttons = row(self.roll, self.stop, None)
-        shown = (self.instruction, self.words, self.progress, buttons, self.problem, None)
-        filled(QVBoxLayout(self), shown)
+        how = (self.measured, self.words, self.progress)
+        now = filled(QVBoxLayout(), (*how, None, self.problem, self.roll, self.stop))
+        look = row((self.picture, 5), (now, 4))
+        for one in (now, look):
+            one.setSpacing(GAP)
+        filled(QVBoxLayout(self), (self.instruction, self.why, (look, 1)))
         live.looked.connect(self._look)
         live.moved.connect(self._look)
         live.said.connect(self.problem.setText)
@@ -105,6 +115,11 @@ class RollingPage(QWizardPage):
         session = self._live.session
         return session is not None and bool(session.runs.done)
 
+    def progress_words(self) -> str:
+        """Return how many revolutions are turned, of how many."""
+        runs = self._live.session.runs
+        return tr("{} of {}", runs.turned, runs.planned)
+
     def _look(self) -> None:
         session = self._live.session
         if session is None:
@@ -117,6 +132,10 @@ class RollingPage(QWizardPage):
             told = tr("The spindle turns. Keep your hands away.")
         self.instruction.setText(tr(told))
         self.words.setText(retold(runs.words))
+        self.measured.show_value(self.progress_words())
+        speeds = ", ".join(f"{rpm:g}" for rpm in session.plan.speeds)
+        self.picture.show_scene(RollScene(f"{speeds} rpm", turning=rolling))
+        tell(self.roll, "rank", "" if runs.done else "primary")
         self.progress.setRange(0, runs.planned)
         self.progress.setValue(runs.turned)
         self.roll.setEnabled(not rolling and not runs.done)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -18,21 +20,24 @@ from PySide6.QtWidgets import (
 )
 
 from calibration.taking.procedure import StepKind
+from calibration.taking.signals import Readiness
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
-from rigapp.gui.look.tokens import Theme
-from rigapp.gui.widgets.build import button, edit, filled, named, row
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import CAPTION_PT, GAP, VALUE_PT, Theme
+from rigapp.gui.widgets.build import button, edit, filled, named, row, tell
 from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
 from rigapp.gui.wizard.parts import (
+    MeasuredCard,
     PlotNames,
     ResidualPlot,
-    Stability,
     labelled,
     number,
     prefix_of,
     sentence,
 )
+from rigapp.gui.wizard.scenes import Picture, Scene
 
 RECORD: Text = "&Record"
 LEAVE_OUT: Text = "Lea&ve the creep out"
@@ -44,16 +49,21 @@ class TakingWords:
     """Names and words of the page.
 
     stem: of the widgets' names; columns: of the table; buttons: kind of a step -> what the button
-    says, in place of ``RECORD``. do: what the simulated hands do. read_off: a position that the
-    operator reads off is entered.
+    says, in place of ``RECORD``. measured: caption of the number, which is shown times ``factor``
+    in ``unit``. scene (session, window, readiness): what the step looks like. do: what the
+    simulated hands do. read_off: a position that the operator reads off is entered.
     """
 
     stem: str
     live: Text
+    measured: Text
+    unit: str
+    scene: Callable[[Any, Any, Any], Scene | None]
     reject: Text
     reason: Text
     columns: tuple[Text, ...]
     buttons: Mapping[StepKind, Text] = field(default_factory=dict)
+    factor: float = 1.0
     do: Text = "&Do this step"
     read_off: bool = False
 
@@ -70,18 +80,23 @@ class TakingPage(QWizardPage):
         prefix = prefix_of(words.stem)
         self.setTitle(tr("Readings"))
         asked: Text = "What to do now"
-        self.instruction = sentence(f"{prefix}instruction", asked, 1.8, bold=True)
+        self.instruction = sentence(f"{prefix}instruction", asked)
+        self.instruction.setFont(sized(self.font(), VALUE_PT, QFont.Weight.DemiBold))
         self.instruction.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.instruction.setMinimumHeight(4 * self.instruction.fontMetrics().height())
+        # Two lines for the longest sentence, so that nothing below moves from step to step.
+        self.instruction.setMinimumHeight(2 * self.instruction.fontMetrics().lineSpacing())
         self.progress = named(
             QProgressBar(), f"{words.stem}_progress", "Progress of the calibration"
         )
         self.progress.setTextVisible(False)
         self.left = sentence(f"{prefix}time_left", "Progress and time left")
-        self.stability = Stability(theme)
+        self.picture = Picture(f"{prefix}picture", "What it looks like", theme)
+        self.measured = MeasuredCard(words.stem, words.measured, theme)
+        self.stability = self.measured.stability
         self.live = sentence(f"{prefix}live_signal", words.live)
-        self.record = button(f"{prefix}record", RECORD, self._record)
-        self.record.setMinimumHeight(2 * self.record.fontMetrics().height() + 8)
+        self.live.setProperty("role", "caption")
+        self.record = button(f"{prefix}record", RECORD, self._record, rank="primary")
+        self.record.setProperty("large", True)
         self.leave_out = button(f"{prefix}leave_out", LEAVE_OUT, self._leave_out)
         self.problem = sentence(f"{prefix}reading_problem", "What stands against it")
         self.table = _readings_table(f"{prefix}readings_table", words.columns)
@@ -96,13 +111,19 @@ class TakingPage(QWizardPage):
         self.shown = number(f"{prefix}shown", position, -20000.0, 20000.0, 1, 1.0, "µm")
         entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
         self.hands = HandsPanel(live, f"{prefix}hands", words.do)
-        what = (self.instruction, self.stability, self.live, entered)
+        beside = [one for one in (self.measured, self.live, entered) if one is not None]
         does = (self.record, self.leave_out, self.problem)
-        shown = [one for one in (*what, *does) if one is not None]
-        left = filled(QVBoxLayout(), (*shown, None, self.left, self.progress))
+        now = filled(QVBoxLayout(), (*beside, None, *does))
+        look = row((self.picture, 5), (now, 4))
+        how_far = row((self.left, 1), (self.progress, 2))
+        left = filled(QVBoxLayout(), (self.instruction, (look, 1), how_far))
         why = row(words.reason, (self.reason, 1), self.reject_button)
-        whole = ((row((left, 1), (self.plot, 1)), 1), (self.table, 1), why, self.hands)
-        filled(QVBoxLayout(self), whole)
+        right = filled(QVBoxLayout(), ((self.plot, 3), (self.table, 4), why))
+        for one in (left, right, now):
+            one.setSpacing(GAP)
+        both = row((left, 1), (right, 1))
+        both.setSpacing(GAP)
+        filled(QVBoxLayout(self), ((both, 1), self.hands))
         self.table.itemSelectionChanged.connect(self._enable)
         live.looked.connect(self._look)
         live.moved.connect(self._move)
@@ -120,6 +141,12 @@ class TakingPage(QWizardPage):
         session = self.live_calibration.session
         return session is not None and bool(session.procedure.done)
 
+    def progress_words(self) -> str:
+        """Return how many readings stand, of how many."""
+        procedure = self.live_calibration.session.procedure
+        wanted = sum(step.kind is StepKind.READING for step in procedure.steps)
+        return tr("{} of {}", len(procedure.standing(of=lambda step: True)), wanted)
+
     def _show_step(self) -> None:
         """Show what to do and how far it is, offer the position to which it leads."""
         procedure = self.live_calibration.session.procedure
@@ -128,6 +155,8 @@ class TakingPage(QWizardPage):
         self.progress.setValue(procedure.position)
         for widget in (self.stability, self.record):
             widget.setVisible(not procedure.done)
+        tell(self.record, "rank", "" if procedure.done else "primary")
+        self._show_scene()
         self.leave_out.setVisible(not procedure.done and procedure.step.optional)
         if procedure.done:
             self.left.setText(tr("All steps are done."))
@@ -168,6 +197,24 @@ class TakingPage(QWizardPage):
             self.record.setFocus()
         known = readiness is not None and not math.isnan(readiness.felt)
         self.live.setText(retold(live.session.told_live(readiness)) if known else "")
+        self._show_measured(readiness if known else None)
+        self._show_scene()
+
+    def _show_measured(self, readiness: Readiness | None) -> None:
+        """Show what is felt, and what it should be where something is set."""
+        session, words = self.live_calibration.session, self._words
+        if readiness is None:
+            self.measured.show_value("")
+            return
+        told = f"{words.factor * readiness.felt:.1f} {words.unit}".replace("-", "\u2212")
+        wanted = ""
+        if not session.procedure.done and session.procedure.step.kind is not StepKind.SET_UP:
+            wanted = tr("It should be {:.1f} {}", words.factor * session.expected(), words.unit)
+        self.measured.show_value(told, wanted.replace("-", "\u2212"))
+
+    def _show_scene(self) -> None:
+        live = self.live_calibration
+        self.picture.show_scene(self._words.scene(live.session, live.window, live.readiness))
 
     def _fill(self) -> None:
         """Show all readings."""
@@ -218,7 +265,8 @@ def _readings_table(name: str, columns: tuple[str, ...]) -> QTableWidget:
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-    table.setMinimumHeight(9 * table.fontMetrics().height())
+    table.setFont(sized(table.font(), CAPTION_PT))
+    table.setMinimumHeight(6 * table.fontMetrics().height())
     table.setTabKeyNavigation(False)
     table.verticalHeader().setAccessibleName(tr("Number of the reading"))
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)

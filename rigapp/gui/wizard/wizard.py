@@ -2,24 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSize
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget, QWizard, QWizardPage
 
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import dress_window
-from rigapp.gui.look.tokens import Theme
+from rigapp.gui.look.tokens import TIGHT_WIDTH, Theme
+from rigapp.gui.plots.plotting import QuietPlot
+from rigapp.gui.widgets.build import tell
+from rigapp.gui.widgets.steps import ShownStep
 from rigapp.gui.wizard.angle_page import AnglePage
 from rigapp.gui.wizard.certificate_page import CertificatePage
 from rigapp.gui.wizard.faces import FACES
 from rigapp.gui.wizard.live_calibration import AskLater
-from rigapp.gui.wizard.parts import ResidualPlot, prefix_of
+from rigapp.gui.wizard.parts import ResidualPlot, Sign, prefix_of
 from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import ResultPage
+from rigapp.gui.wizard.scenes import Picture
+from rigapp.gui.wizard.stepscolumn import WIDTH, StepsColumn
+
+FORWARD = (
+    QWizard.WizardButton.NextButton,
+    QWizard.WizardButton.CommitButton,
+    QWizard.WizardButton.FinishButton,
+)
+"""What leads on: the primary button of a page that asks for nothing more."""
 
 BUTTONS: dict[QWizard.WizardButton, tuple[Text, Text]] = {
     QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
@@ -43,9 +57,9 @@ class CalibrationWizard(QWizard):
         parent: QWidget | None = None,
         *,
         subject: str = "load cell",
-        which: str = "",
+        fields: Mapping[str, str] | None = None,
     ) -> None:
-        """Make the pages of a subject; which: of several things of it."""
+        """Make the pages of a subject; fields: what those of the first page say at first."""
         super().__init__(parent)
         of, face = SUBJECTS[subject], FACES[subject]
         session: Any = face.session or of.session
@@ -60,7 +74,9 @@ class CalibrationWizard(QWizard):
         self.setModal(False)
         dress_window(self, theme)
         self.live = face.live(line, rig, session)
-        self.plan = PlanPage(self.live, folder, settings, face.asks, of.plan, which)
+        self.plan = PlanPage(
+            self.live, folder, settings, face.asks, of.plan, face.sketch, theme, fields
+        )
         self.angle = AnglePage(self.live, theme) if face.angle else None
         self.readings: Any = face.readings(self.live, theme)
         plot = ResidualPlot(theme, face.plot) if face.fitted else None
@@ -68,12 +84,52 @@ class CalibrationWizard(QWizard):
         self.certificate = CertificatePage(self.live, prefix, of.place)
         before: list[QWizardPage] = [self.plan] if self.angle is None else [self.plan, self.angle]
         before[-1].setCommitPage(True)
-        for page in (*before, self.readings, self.result_page, self.certificate):
+        self._pages = (*before, self.readings, self.result_page, self.certificate)
+        self.steps = StepsColumn(tr("Calibration of {}", tr(face.what)), len(self._pages), theme)
+        self.setSideWidget(self.steps)
+        for page in self._pages:
             self.addPage(page)
+            page.completeChanged.connect(self._mark)
         for button, (text, spoken) in BUTTONS.items():
             self.setButtonText(button, tr(text))
             widget = self.button(button)
             widget.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
             widget.setAccessibleName(tr(spoken))
+        self.currentIdChanged.connect(self._mark)
+        self.live.moved.connect(self._mark)
         self.finished.connect(lambda _: self.live.close())
         self.resize(QSize(1040, 820))
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        dress_window(self, theme)
+        parts: list[Any] = [self.steps, *self.findChildren(Picture), *self.findChildren(Sign)]
+        for part in (*parts, *self.findChildren(QuietPlot)):
+            part.dress(theme)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave the room of the steps to the page where it is narrow."""
+        super().resizeEvent(event)
+        self.steps.setVisible(self.width() >= TIGHT_WIDTH - WIDTH)
+
+    def _mark(self) -> None:
+        """Mark what leads on, and in the column where the calibration stands."""
+        page = self.currentPage()
+        if page is None:
+            return
+        for one in FORWARD:
+            tell(self.button(one), "rank", "primary" if page.isComplete() else "")
+        here = self._pages.index(page)
+        self.steps.show_steps(
+            [
+                ShownStep(other.title(), self._line(other), place < here, place == here)
+                for place, other in enumerate(self._pages)
+            ]
+        )
+
+    def _line(self, page: QWizardPage) -> str:
+        """Return how far the readings are, nothing for the other pages."""
+        session = self.live.session
+        if page is not self.readings or session is None:
+            return ""
+        return str(page.progress_words())

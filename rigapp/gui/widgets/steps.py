@@ -1,0 +1,59 @@
+"""A step of several: done, now or later, in a sign and in words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QLabel, QWidget
+
+from rigapp.gui.language.words import Text, marked, tr
+from rigapp.gui.look.icons import Icon, icon
+from rigapp.gui.look.tokens import STEP, Theme
+from rigapp.gui.widgets.build import column, named, row
+from rigapp.gui.widgets.labels import ElidedLabel
+
+SIGN = QSize(2 * STEP + 4, 2 * STEP + 4)
+
+
+@dataclass(frozen=True, slots=True)
+class ShownStep:
+    """One step: its name, how it stands in words, and whether it is done or under way."""
+
+    name: Text
+    line: Text
+    done: bool = False
+    now: bool = False
+
+
+class StepRow(QWidget):
+    """A sign for done, now or later, the step, and how it stands."""
+
+    def __init__(self, prefix: str, number: int) -> None:
+        super().__init__()
+        named(self, f"{prefix}_step_{number}", "Step")
+        self._shown: tuple[ShownStep, str] | None = None
+        self.sign = QLabel()
+        self.sign.setFixedSize(SIGN)
+        self.name = ElidedLabel(f"{prefix}_name_{number}", "Step")
+        self.line = ElidedLabel(f"{prefix}_line_{number}", "How it stands")
+        self.line.setProperty("role", "caption")
+        words = column(self.name, self.line)
+        words.setSpacing(0)
+        row(self.sign, (words, 1), on=self).setContentsMargins(0, 0, 0, 0)
+
+    def show_step(self, step: ShownStep, theme: Theme) -> None:
+        """Show a step; nothing is drawn again when it is the one shown."""
+        if (step, theme.name) == self._shown:
+            return
+        self._shown = step, theme.name
+        meaning, colour, word = Icon.LATER, theme.muted, marked("later")
+        if step.done:
+            meaning, colour, word = Icon.COMPLETE, theme.secondary, marked("done")
+        elif step.now:
+            meaning, colour, word = Icon.NOW, theme.highlight, marked("now")
+        self.sign.setPixmap(icon(meaning, colour).pixmap(SIGN))
+        self.name.show_text(tr(step.name))
+        self.line.show_text(tr(step.line))
+        self.line.setVisible(bool(step.line))
+        self.setAccessibleDescription(f"{tr(step.name)}: {tr(word)}, {tr(step.line)}")

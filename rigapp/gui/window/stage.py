@@ -1,0 +1,48 @@
+"""Where the pages stand; a guide (a calibration) takes their room while it is under way."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QScrollArea, QStackedWidget, QWidget
+
+from rigapp.gui.widgets.build import named
+
+
+class Stage(QStackedWidget):
+    """The pages of the places, and one guide that can be left for them and come back to."""
+
+    def __init__(self, pages: QWidget) -> None:
+        super().__init__()
+        named(self, "stage", "Page")
+        self._area = named(QScrollArea(), "guide_area", "Calibration")
+        self._area.setWidgetResizable(True)
+        self._area.setFrameShape(QScrollArea.Shape.NoFrame)
+        self._area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.addWidget(pages)
+        self.addWidget(self._area)
+
+    @property
+    def guiding(self) -> bool:
+        """Tell whether the guide is seen."""
+        return self.currentIndex() == 1
+
+    def guide(self, guide: QWidget) -> None:
+        """Show a guide in the place of the pages, and of the guide before it."""
+        if self._area.widget() is not guide:
+            self.end()
+            guide.setWindowFlags(Qt.WindowType.Widget)
+            self._area.setWidget(guide)
+        guide.show()
+        self.setCurrentIndex(1)
+        (guide.focusWidget() or guide).setFocus()
+
+    def end(self) -> None:
+        """Let the guide go, and show the pages."""
+        over = self._area.takeWidget()
+        if over is not None:
+            over.deleteLater()
+        self.show_pages()
+
+    def show_pages(self) -> None:
+        """Show the pages; the guide goes on unseen."""
+        self.setCurrentIndex(0)

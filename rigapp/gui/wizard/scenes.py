@@ -1,0 +1,391 @@
+"""What a step looks like at the rig, drawn: crank and weights, the level, a probe, a slow roll."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.fonts import sized
+from rigapp.gui.look.tokens import BODY_PT, STEP, VALUE_PT, Theme
+from rigapp.gui.widgets.build import named
+
+LEAST = QSize(30 * STEP, 24 * STEP)
+"""Less than this and the words on the weights run into each other."""
+
+LINE, THIN = 2.0, 1.0
+HEAD = 1.4 * STEP
+ARM = 0.2
+"""Length of the crank, as a share of the picture's height."""
+
+
+class Scene(Protocol):
+    """Something to draw."""
+
+    def paint(self, brush: Brush, room: QRectF) -> None:
+        """Draw it into a room."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Equal weights that hang together: what they are, and whether they come, stay or go."""
+
+    words: str
+    comes: bool = False
+    goes: bool = False
+
+
+def stack_of(pieces: Sequence[float], before: Sequence[float] = ()) -> list[Piece]:
+    """Return what hangs (kg), heaviest first: what stays, what is hung now, what is taken off."""
+    now, was = Counter(pieces), Counter(before)
+    return [
+        *(Piece(words) for words in _named(now & was)),
+        *(Piece(f"+ {words}", comes=True) for words in _named(now - was)),
+        *(Piece(f"\u2212 {words}", goes=True) for words in _named(was - now)),
+    ]
+
+
+def _named(found: Counter[float]) -> list[str]:
+    ordered = sorted(found.items(), reverse=True)
+    return [
+        f"{count} \u00d7 {mass:g} kg" if count > 1 else f"{mass:g} kg" for mass, count in ordered
+    ]
+
+
+class Brush:
+    """Draw the parts of which scenes are made, in the colours of a theme."""
+
+    def __init__(self, painter: QPainter, theme: Theme, font: QFont) -> None:
+        self.painter, self.theme, self._font = painter, theme, font
+
+    def pen(self, colour: str, width: float = LINE, *, dashed: bool = False) -> None:
+        """Draw with a pen from now on, and fill nothing."""
+        pen = QPen(QColor(colour), width)
+        if dashed:
+            pen.setStyle(Qt.PenStyle.DashLine)
+        self.painter.setPen(pen)
+        self.painter.setBrush(Qt.BrushStyle.NoBrush)
+
+    def fill(self, colour: str) -> None:
+        """Fill what is drawn from now on."""
+        self.painter.setBrush(QColor(colour))
+
+    def words(self, at: QPointF, text: str, colour: str, points: float = BODY_PT) -> None:
+        """Write words with their middle at a place."""
+        font = sized(self._font, points, QFont.Weight.DemiBold)
+        self.painter.setFont(font)
+        self.painter.setPen(QColor(colour))
+        metrics = QFontMetricsF(font)
+        width, height = metrics.horizontalAdvance(text) + STEP, metrics.height()
+        place = QRectF(at.x() - width / 2, at.y() - height / 2, width, height)
+        self.painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+
+    def arrow(self, start: QPointF, end: QPointF, colour: str) -> None:
+        """Draw a straight arrow."""
+        self.pen(colour)
+        self.painter.drawLine(start, end)
+        self._head(end, math.atan2(end.y() - start.y(), end.x() - start.x()), colour)
+
+    def turn(self, middle: QPointF, radius: float, start: float, sweep: float, colour: str) -> None:
+        """Draw an arc with a head; start, sweep: rad, anticlockwise from the right."""
+        self.pen(colour)
+        box = QRectF(middle.x() - radius, middle.y() - radius, 2 * radius, 2 * radius)
+        degrees = [round(16 * math.degrees(one)) for one in (start, sweep)]
+        self.painter.drawArc(box, *degrees)
+        if sweep:
+            end = start + sweep
+            tip = on_circle(middle, radius, end)
+            way = end + math.copysign(math.pi / 2, sweep)
+            self._head(tip, -way, colour)
+
+    def _head(self, tip: QPointF, way: float, colour: str) -> None:
+        corners = [tip]
+        for side in (-0.45, 0.45):
+            back = way + math.pi + side
+            corners.append(tip + QPointF(math.cos(back), math.sin(back)) * HEAD)
+        self.fill(colour)
+        self.painter.drawPolygon(QPolygonF(corners))
+
+    def disc(self, middle: QPointF, radius: float) -> None:
+        """Draw a circle."""
+        self.painter.drawEllipse(middle, radius, radius)
+
+
+def on_circle(middle: QPointF, radius: float, angle: float) -> QPointF:
+    """Return a place on a circle; angle: rad, anticlockwise from the right."""
+    return middle + QPointF(math.cos(angle), -math.sin(angle)) * radius
+
+
+def paint_crank(brush: Brush, middle: QPointF, arm: float, angle: float, colour: str) -> QPointF:
+    """Draw the crank with its pin at an angle (rad); return where the pin is."""
+    theme, painter = brush.theme, brush.painter
+    pin = on_circle(middle, arm, angle)
+    pen = QPen(QColor(colour), 0.5 * arm)
+    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+    painter.setPen(pen)
+    painter.drawLine(middle, pin)
+    pen.setColor(QColor(theme.base))
+    pen.setWidthF(0.5 * arm - 2 * LINE)
+    painter.setPen(pen)
+    painter.drawLine(middle, pin)
+    brush.pen(theme.secondary)
+    brush.fill(theme.base)
+    brush.disc(middle, 0.34 * arm)
+    brush.fill(theme.secondary)
+    brush.disc(middle, 0.07 * arm)
+    brush.pen(theme.highlight)
+    brush.fill(theme.tint)
+    brush.disc(pin, 0.2 * arm)
+    return pin
+
+
+@dataclass(frozen=True, slots=True)
+class WeightScene:
+    """The crank at an angle and what hangs on its pin.
+
+    angle: rad, of the crank, anticlockwise from level. now: where it stands, None when that is not
+    known. stack: what hangs. weight_N: of all that shall hang, 0 for none. turning: the crank is to
+    be turned there.
+    """
+
+    angle: float
+    now: float | None = None
+    stack: tuple[Piece, ...] = ()
+    weight_N: float = 0.0
+    turning: bool = False
+
+    def paint(self, brush: Brush, room: QRectF) -> None:
+        """Draw crank, angle, weights and their force."""
+        theme, arm = brush.theme, ARM * min(room.height(), room.width())
+        middle = QPointF(room.center().x(), room.top() + 1.75 * arm)
+        brush.pen(theme.muted, THIN, dashed=True)
+        brush.painter.drawLine(middle, middle + QPointF(1.9 * arm, 0.0))
+        if self.turning and self.now is not None:
+            paint_crank(brush, middle, arm, self.now, theme.strong)
+        pin = paint_crank(brush, middle, arm, self.angle, theme.secondary)
+        start = self.now if self.turning and self.now is not None else 0.0
+        sweep = math.remainder(self.angle - start, 2 * math.pi) if self.turning else self.angle
+        colour = theme.highlight if self.turning else theme.secondary
+        brush.turn(middle, 1.45 * arm, start, sweep, colour)
+        at = QPointF(room.left() + 1.1 * arm, room.top() + 0.4 * arm)
+        brush.words(at, f"{math.degrees(self.angle):.0f}\u00b0", theme.highlight, VALUE_PT)
+        self._hang(brush, room, pin, middle.y() + 1.65 * arm)
+
+    def _hang(self, brush: Brush, room: QRectF, pin: QPointF, top: float) -> None:
+        if not self.stack:
+            return
+        theme, painter = brush.theme, brush.painter
+        force = self.weight_N > 0.0
+        height = min(
+            4.0 * STEP, (room.bottom() - top - (5 * STEP if force else 0)) / len(self.stack)
+        )
+        width = 13.0 * STEP
+        left = min(max(pin.x() - width / 2, room.left()), room.right() - width)
+        brush.pen(theme.text)
+        painter.drawLine(pin, QPointF(pin.x(), top))
+        for place, piece in enumerate(self.stack):
+            box = QRectF(left, top + place * height, width, height - 2.0)
+            new = piece.comes or piece.goes
+            brush.pen(theme.highlight if new else theme.text, dashed=piece.goes)
+            brush.fill(theme.tint if piece.comes else theme.base)
+            painter.drawRoundedRect(box, 3.0, 3.0)
+            brush.words(box.center(), piece.words, theme.highlight if new else theme.text)
+        if force:
+            foot = QPointF(pin.x(), top + len(self.stack) * height)
+            brush.arrow(foot, foot + QPointF(0.0, 3.5 * STEP), theme.text)
+            beside = foot + QPointF(6.0 * STEP, 2.0 * STEP)
+            brush.words(beside, f"{self.weight_N:.1f} N", theme.text)
+
+
+@dataclass(frozen=True, slots=True)
+class LevelScene:
+    """The crank with a level on its flat; turned: the level is turned end for end."""
+
+    now: float | None = None
+    turned: bool = False
+
+    def paint(self, brush: Brush, room: QRectF) -> None:
+        """Draw crank, level and its bubble; the crank as it stands, as far as that is known."""
+        theme, painter = brush.theme, brush.painter
+        arm = 1.6 * ARM * min(room.height(), room.width())
+        middle = room.center() + QPointF(-0.5 * arm, 0.3 * arm)
+        brush.pen(theme.muted, THIN, dashed=True)
+        painter.drawLine(middle - QPointF(0.8 * arm, 0.0), middle + QPointF(2.0 * arm, 0.0))
+        angle = 0.0 if self.now is None else self.now
+        paint_crank(brush, middle, arm, angle, theme.secondary)
+        painter.save()
+        painter.translate(middle)
+        painter.rotate(-math.degrees(angle))
+        level = QRectF(0.0, -0.25 * arm - 3.5 * STEP, arm, 3.5 * STEP)
+        brush.pen(theme.highlight)
+        brush.fill(theme.tint)
+        painter.drawRoundedRect(level, 4.0, 4.0)
+        glass = QRectF(0.0, 0.0, 0.5 * arm, 1.5 * STEP)
+        glass.moveCenter(level.center())
+        brush.fill(theme.base)
+        painter.drawRoundedRect(glass, 6.0, 6.0)
+        brush.fill(theme.highlight)
+        painter.drawEllipse(glass.center(), 1.2 * STEP, 0.6 * STEP)
+        foot = level.right() if self.turned else level.left()
+        painter.drawRect(QRectF(foot - 3.0, level.top(), 6.0, level.height()))
+        painter.restore()
+        top = QPointF(room.center().x(), room.top() + 2.0 * STEP)
+        known = tr("The encoder is not known yet")
+        if self.now is not None:
+            known = f"{math.degrees(math.remainder(self.now, 2 * math.pi)):+.2f}\u00b0"
+        brush.words(top, known, theme.highlight, VALUE_PT)
+
+
+@dataclass(frozen=True, slots=True)
+class ProbeScene:
+    """A probe, its target on the micrometer, and the position to turn to; um.
+
+    felt_um: where the target stands by the calibration in use, NaN when that is not known. back: it
+    is turned back past the position first.
+    """
+
+    probe: int
+    position_um: float
+    reach_um: float
+    felt_um: float = math.nan
+    back: bool = False
+
+    def paint(self, brush: Brush, room: QRectF) -> None:
+        """Draw probe, target and micrometer, the scale below them, and which way to turn."""
+        theme, painter = brush.theme, brush.painter
+        unit, level = room.width() / 12.0, room.top() + 0.4 * room.height()
+        half = 0.13 * room.height()
+        middle = room.left() + 6.0 * unit
+        at = middle + 2.0 * unit * self._share(self.position_um)
+        brush.pen(theme.text)
+        brush.fill(theme.base)
+        painter.drawRect(
+            QRectF(room.left() + 0.4 * unit, level - 0.6 * half, 2.6 * unit, 1.2 * half)
+        )
+        brush.words(
+            QPointF(room.left() + 1.7 * unit, level), tr("Probe {}", self.probe), theme.text
+        )
+        brush.pen(theme.highlight)
+        brush.fill(theme.tint)
+        painter.drawRect(QRectF(at, level - half, 0.5 * unit, 2.0 * half))
+        brush.pen(theme.secondary)
+        brush.fill(theme.base)
+        thimble = room.left() + 9.6 * unit
+        painter.drawRect(QRectF(at + 0.5 * unit, level - 4.0, thimble - at - 0.5 * unit, 8.0))
+        painter.drawRoundedRect(QRectF(thimble, level - half, 2.0 * unit, 2.0 * half), 4.0, 4.0)
+        for tick in range(1, 6):
+            x = thimble + tick * unit / 3.0
+            painter.drawLine(QPointF(x, level - half), QPointF(x, level - half + STEP))
+        self._scale(brush, room, middle, unit, level + 1.9 * half)
+        text = f"{self.position_um:+g} \u00b5m".replace("-", "\u2212")
+        brush.words(QPointF(at, room.top() + 2.0 * STEP), text, theme.highlight, VALUE_PT)
+        high = level - 1.5 * half
+        if self.back:
+            brush.arrow(QPointF(at + unit, high), QPointF(at - 0.8 * unit, high), theme.muted)
+        brush.arrow(
+            QPointF(at - 0.8 * unit, high + STEP), QPointF(at + unit, high + STEP), theme.highlight
+        )
+
+    def _share(self, position_um: float) -> float:
+        return min(max(position_um / self.reach_um, -1.1), 1.1)
+
+    def _scale(self, brush: Brush, room: QRectF, middle: float, unit: float, level: float) -> None:
+        theme, painter = brush.theme, brush.painter
+        brush.pen(theme.secondary, THIN)
+        painter.drawLine(QPointF(middle - 2.2 * unit, level), QPointF(middle + 2.2 * unit, level))
+        for share in (-1.0, 0.0, 1.0):
+            x = middle + 2.0 * unit * share
+            brush.pen(theme.secondary, THIN)
+            painter.drawLine(QPointF(x, level - 4.0), QPointF(x, level + 4.0))
+            text = f"{share * self.reach_um:+g}" if share else "0"
+            below = QPointF(x, level + 2.0 * STEP)
+            brush.words(below, text.replace("-", "\u2212"), theme.muted)
+        if math.isfinite(self.felt_um):
+            brush.pen(theme.text)
+            brush.fill(theme.base)
+            brush.disc(QPointF(middle + 2.0 * unit * self._share(self.felt_um), level), 5.0)
+        there = middle + 2.0 * unit * self._share(self.position_um)
+        brush.pen(theme.highlight)
+        brush.fill(theme.highlight)
+        brush.disc(QPointF(there, level), 3.0)
+
+
+@dataclass(frozen=True, slots=True)
+class RollScene:
+    """The spindle that turns slowly under the follower, two probes at right angles to each other.
+
+    words: speed or what is next; turning: it turns now.
+    """
+
+    words: str
+    turning: bool = False
+
+    def paint(self, brush: Brush, room: QRectF) -> None:
+        """Draw pin and bushing, the probes, and the turn."""
+        theme, painter = brush.theme, brush.painter
+        radius = 0.2 * min(room.height(), room.width())
+        middle = room.center() + QPointF(0.0, 0.3 * radius)
+        brush.pen(theme.secondary)
+        brush.fill(theme.base)
+        brush.disc(middle, radius)
+        brush.pen(theme.highlight)
+        brush.fill(theme.tint)
+        brush.disc(middle + QPointF(0.06 * radius, 0.04 * radius), 0.72 * radius)
+        colour = theme.highlight if self.turning else theme.strong
+        brush.turn(middle, 1.35 * radius, math.radians(200), math.radians(220), colour)
+        brush.pen(theme.text)
+        brush.fill(theme.base)
+        along, across = QPointF(2.4 * radius, 0.0), QPointF(0.0, -1.95 * radius)
+        for number, away in enumerate((along, across), 1):
+            box = QRectF(0.0, 0.0, 1.6 * radius, 0.5 * radius)
+            box.moveCenter(middle + away)
+            brush.pen(theme.text)
+            brush.fill(theme.base)
+            painter.drawRect(box)
+            brush.words(box.center(), tr("Probe {}", number), theme.text)
+        below = QPointF(room.center().x(), room.bottom() - 2.0 * STEP)
+        brush.words(below, self.words, theme.highlight, VALUE_PT)
+
+
+class Picture(QWidget):
+    """Show a scene; the instruction above it says the same in words."""
+
+    def __init__(self, name: str, spoken: Text, theme: Theme) -> None:
+        super().__init__()
+        named(self, name, spoken)
+        self._theme = theme
+        self.scene: Scene | None = None
+        self.setMinimumSize(LEAST)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def show_scene(self, scene: Scene | None) -> None:
+        """Show a scene; nothing is painted again when it is the one shown."""
+        if scene != self.scene:
+            self.scene = scene
+            self.update()
+
+    def dress(self, theme: Theme) -> None:
+        """Take a theme."""
+        self._theme = theme
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the ground and the scene."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QColor(self._theme.hairline))
+        painter.setBrush(QColor(self._theme.alternate))
+        ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
+        painter.drawRoundedRect(ground, STEP, STEP)
+        if self.scene is not None:
+            room = ground.adjusted(2 * STEP, 2 * STEP, -2 * STEP, -2 * STEP)
+            self.scene.paint(Brush(painter, self._theme, self.font()), room)
+        painter.end()
