@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 from rigapp.gui.language.catalogue import ENGLISH, LANGUAGES, speak_language
 from rigapp.gui.look.tokens import THEMES
 from rigapp.gui.widgets.labels import ElidedLabel
-from rigapp.gui.window.tabs import NUMBERS, TABS
+from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.schema.alarms import because
 from rigapp.schema.messages import Alarm, Recovery, Remedy, RunState, Severity
@@ -100,38 +100,6 @@ def tripped() -> dict[str, Any]:
     return {
         "state": RunState.FAULT, "reason": cause.sentence, "alarms": (alarm,), "recovery": told
     }  # fmt: skip
-
-
-SITUATIONS: dict[str, dict[str, Any]] = {
-    "start": {"state": RunState.READY, "file": "", "count": 0, "curves": False},
-    "result": {"state": RunState.STOPPED},
-}
-"""Of pages that are there in some states only; all others are looked at while a test runs."""
-
-
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_no_text_of_any_page_is_cut_at_any_scale_size_and_theme(
-    language: str, qapp: Any, engine: Any, request: pytest.FixtureRequest
-) -> None:
-    """Try all twelve for each page; what has too little height scrolls, and is whole then."""
-    speak_language(qapp, language)
-    window: MainWindow = request.getfixturevalue("window")
-    attach: Callable[[], None] = request.getfixturevalue("attach")
-    cut, first = set(), 1
-    for page, theme in product(TABS, THEMES.values()):
-        if theme is not window.theme:
-            window.dress(theme)
-        engine.say(**{"first": first, "count": 3} | SITUATIONS.get(page.name, {}))
-        attach()
-        first += 3
-        window.tabs.show_page(page.name)
-        assert TABS[window.tabs.currentIndex()] is page
-        for scale, size in product(SCALES, SIZES):
-            window.resize(int(size[0] / scale), int(size[1] / scale))
-            qapp.processEvents()
-            shown = window.tabs.currentWidget()
-            cut |= {f"{page.name} {scale:g} {size[0]}: {one}" for one in cut_texts(shown)}
-    assert sorted(cut) == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -74,7 +74,7 @@ class CalibrationChooser(QDialog):
             self.buttons[key] = made
         whole = filled(QVBoxLayout(self), (heading, *self.buttons.values(), None))
         whole.setSpacing(GAP)
-        self.buttons["load cell"].setFocus()
+        self.setFocusProxy(self.buttons["load cell"])
 
     def _choose(self, which: str) -> None:
         self.accept()

@@ -24,7 +24,7 @@ from calibration.taking.signals import Readiness
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.look.tokens import CAPTION_PT, GAP, VALUE_PT, Theme
+from rigapp.gui.look.tokens import CAPTION_PT, GAP, STEP, VALUE_PT, Theme
 from rigapp.gui.widgets.build import button, edit, filled, named, row, tell
 from rigapp.gui.wizard.hands import HandsPanel
 from rigapp.gui.wizard.live_calibration import LiveCalibration
@@ -105,6 +105,8 @@ class TakingPage(QWizardPage):
             marked("why the selected reading does not count"),
         )
         self.reason = edit(f"{prefix}reject_reason", spoken, self._enable, hint=hint)
+        room = self.reason.fontMetrics().horizontalAdvance(self.reason.placeholderText())
+        self.reason.setMinimumWidth(room + 4 * STEP)
         text: Text = "Re&ject and repeat its series"
         self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
         position: Text = "Position that the micrometer shows"

@@ -14,7 +14,7 @@ from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.dress import dress_window
-from rigapp.gui.look.tokens import TIGHT_WIDTH, Theme
+from rigapp.gui.look.tokens import STEP, TIGHT_WIDTH, Theme
 from rigapp.gui.plots.plotting import QuietPlot
 from rigapp.gui.widgets.build import tell
 from rigapp.gui.widgets.steps import ShownStep
@@ -34,6 +34,9 @@ FORWARD = (
     QWizard.WizardButton.FinishButton,
 )
 """What leads on: the primary button of a page that asks for nothing more."""
+
+AROUND = 8 * STEP
+"""Pixels beside a page, and half of those above and below it: margins, title, buttons."""
 
 BUTTONS: dict[QWizard.WizardButton, tuple[Text, Text]] = {
     QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
@@ -112,6 +115,17 @@ class CalibrationWizard(QWizard):
         super().resizeEvent(event)
         self.steps.setVisible(self.width() >= TIGHT_WIDTH - WIDTH)
 
+    def minimumSizeHint(self) -> QSize:
+        """Return what the page needs with what stands around it: Qt asks for less, and cuts."""
+        page = self.currentPage()
+        around = QSize(AROUND, 2 * AROUND)
+        if page is None:
+            return super().minimumSizeHint()
+        needed = page.minimumSizeHint() + around
+        if not self.steps.isHidden():
+            needed += QSize(WIDTH, 0)
+        return needed.expandedTo(super().minimumSizeHint())
+
     def _mark(self) -> None:
         """Mark what leads on, and in the column where the calibration stands."""
         page = self.currentPage()
@@ -119,6 +133,8 @@ class CalibrationWizard(QWizard):
             return
         for one in FORWARD:
             tell(self.button(one), "rank", "primary" if page.isComplete() else "")
+            self.button(one).updateGeometry()
+        self.updateGeometry()
         here = self._pages.index(page)
         self.steps.show_steps(
             [
