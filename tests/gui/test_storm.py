@@ -49,6 +49,9 @@ SPARED = ("_write_", "_open_", "help_button")
 """Parts of names of what starts another program (the reports' writers, the desktop's viewers, and
 the reader of the help), which tests of their own look at."""
 
+OFFSCREEN = "propagateSizeHints"
+"""Of what Qt says where there is no screen, whenever a dialog opens."""
+
 CLICKED = (QAbstractButton, QComboBox, QAbstractSpinBox, QLineEdit, QTableView, QuietPlot)
 TYPED = "12,5 a-"
 LEADS_TO = {
@@ -141,7 +144,7 @@ def storm(
     window._discard = True
     told = [one for one in caplog.records if one.levelno >= logging.ERROR]
     assert told == []
-    assert [str(one) for one in qtlog.records] == []
+    assert [one.message for one in qtlog.records if OFFSCREEN not in one.message] == []
 
 
 def rides_out(

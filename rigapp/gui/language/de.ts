@@ -3444,7 +3444,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Neu</translation>
     </message>
     <message>
-        <source>Ne&amp;w specimen…</source>
+        <source>New spec&amp;imen…</source>
         <translation>Neue &amp;Probe…</translation>
     </message>
     <message>

@@ -68,7 +68,7 @@ class EndPage(QWidget):
                 tip="Compare it with the newest tests of its title",
             ),
             "new": button(
-                "end_new", "Ne&w specimen…", self._new, tip="Prepare the test of the next specimen"
+                "end_new", "New spec&imen…", self._new, tip="Prepare the test of the next specimen"
             ),
             "on": button("end_on", "&Go on with this one…", self._go_on, tip=GO_ON, guarded=True),
         }
