@@ -49,7 +49,7 @@ SPARED = ("_write_", "_open_", "help_button")
 """Parts of names of what starts another program (the reports' writers, the desktop's viewers, and
 the reader of the help), which tests of their own look at."""
 
-OFFSCREEN = "propagateSizeHints"
+OFFSCREEN = "This plugin"
 """Of what Qt says where there is no screen, whenever a dialog opens."""
 
 CLICKED = (QAbstractButton, QComboBox, QAbstractSpinBox, QLineEdit, QTableView, QuietPlot)
