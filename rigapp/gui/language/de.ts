@@ -4,6 +4,46 @@
 <context>
     <name>rigapp</name>
     <message>
+        <source>
+| Key | Does |
+| --- | --- |
+{commands}
+| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
+| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
+| {recover} | Do the next step of the *Recover* panel |
+| F1 | This help |
+| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
+| F9 | Light or dark |
+| Ctrl+1 … Ctrl+9, Ctrl+W, Ctrl+0, Ctrl+R | Go to a page |
+| Alt + underlined letter | Press a button, go to a field |
+| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
+| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
+| Esc | Close the start bar or this window |
+
+The emergency stop is the red button on the rig. It works without this program, and no program
+replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
+</source>
+        <translation type="unfinished">
+| Taste | Wirkung |
+| --- | --- |
+{commands}
+| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
+| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
+| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
+| F1 | Diese Hilfe |
+| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
+| F9 | Hell oder dunkel |
+| Strg+1 … Strg+9, Strg+W, Strg+0, Strg+R | Zu einer Seite |
+| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
+| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
+| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
+| Esc | Die Startkarte oder dieses Fenster schließen |
+
+Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
+ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
+</translation>
+    </message>
+    <message>
         <source> or </source>
         <translation> oder </translation>
     </message>
@@ -18,6 +58,10 @@
     <message>
         <source>&amp;Connect</source>
         <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Daily check</source>
+        <translation type="unfinished">&amp;Tägliche Prüfung</translation>
     </message>
     <message>
         <source>&amp;End fault</source>
@@ -38,6 +82,10 @@
     <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Probe 1</source>
+        <translation type="unfinished">&amp;Wegsensor 1</translation>
     </message>
     <message>
         <source>&amp;Quantity</source>
@@ -796,6 +844,10 @@
         <translation>Jeder Winkel wäre gespiegelt, oder der Motor ginge durch; der Versuch wurde gestoppt.</translation>
     </message>
     <message>
+        <source>Every reading is saved as it is taken. You may close and go on tomorrow.</source>
+        <translation type="unfinished">Jede Messung ist gespeichert, sobald sie genommen ist. Sie können schließen und morgen weitermachen.</translation>
+    </message>
+    <message>
         <source>Every sample is flagged until the devices are connected again.</source>
         <translation>Jeder Messwert ist gekennzeichnet, bis die Geräte neu verbunden sind.</translation>
     </message>
@@ -932,6 +984,10 @@
         <translation>Verschleißkoeffizient am Anfang</translation>
     </message>
     <message>
+        <source>It should be {:.1f} {}</source>
+        <translation type="unfinished">Es sollten {:.1f} {} sein</translation>
+    </message>
+    <message>
         <source>Joint force over one revolution</source>
         <translation>Gelenkkraft über eine Umdrehung</translation>
     </message>
@@ -962,6 +1018,10 @@
     <message>
         <source>Law</source>
         <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Lay the level on the flat of the crank and turn the crank until the bubble is in the middle.</source>
+        <translation type="unfinished">Die Wasserwaage auf die Fläche der Kurbel legen und die Kurbel drehen, bis die Blase in der Mitte ist.</translation>
     </message>
     <message>
         <source>Lay the level on the flat of the crank, turn the crank until the bubble is in the middle, and enter the angle that the encoder shows. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error</source>
@@ -1096,6 +1156,10 @@
         <translation>Andere Kanäle über eine Umdrehung</translation>
     </message>
     <message>
+        <source>Page</source>
+        <translation type="unfinished">Seite</translation>
+    </message>
+    <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
@@ -1132,6 +1196,10 @@
         <translation>Leistung</translation>
     </message>
     <message>
+        <source>Practice: no waiting times</source>
+        <translation type="unfinished">Übung: keine Wartezeiten</translation>
+    </message>
+    <message>
         <source>Pressure exponent</source>
         <translation>Exponent der Pressung</translation>
     </message>
@@ -1144,12 +1212,20 @@
         <translation>pv-Wert, untere Grenze</translation>
     </message>
     <message>
+        <source>Prob&amp;e 2</source>
+        <translation type="unfinished">Wegs&amp;ensor 2</translation>
+    </message>
+    <message>
         <source>Probe 1</source>
         <translation>Wegsensor 1</translation>
     </message>
     <message>
         <source>Probe 2</source>
         <translation>Wegsensor 2</translation>
+    </message>
+    <message>
+        <source>Probe {}</source>
+        <translation type="unfinished">Wegsensor {}</translation>
     </message>
     <message>
         <source>Quantity of limit {}</source>
@@ -1248,6 +1324,10 @@
         <translation>Gezeigte Umdrehungen</translation>
     </message>
     <message>
+        <source>Revolutions turned</source>
+        <translation type="unfinished">Gedrehte Umdrehungen</translation>
+    </message>
+    <message>
         <source>Rig file</source>
         <translation>Prüfstandsdatei</translation>
     </message>
@@ -1332,6 +1412,10 @@
         <translation>Kennwerte über dem Zyklus</translation>
     </message>
     <message>
+        <source>Steps of the calibration</source>
+        <translation type="unfinished">Schritte der Kalibrierung</translation>
+    </message>
+    <message>
         <source>Stiffness</source>
         <translation>Federrate</translation>
     </message>
@@ -1362,6 +1446,22 @@
     <message>
         <source>The RMS of measured less predicted |F|</source>
         <translation>Der RMS von gemessener minus vorhergesagter |F|</translation>
+    </message>
+    <message>
+        <source>The cell feels</source>
+        <translation type="unfinished">Der Kraftsensor spürt</translation>
+    </message>
+    <message>
+        <source>The encoder is not known yet</source>
+        <translation type="unfinished">Der Drehgeber ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The encoder should show 0 degrees, or 360. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error. 0.2 degrees of a common angle error turn every force by as much, and no reading shows it. Only a level does.</source>
+        <translation type="unfinished">Der Drehgeber sollte 0 Grad zeigen, oder 360. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler. Ein gemeinsamer Winkelfehler von 0.2 Grad dreht jede Kraft um ebenso viel, und keine Messung zeigt ihn. Nur eine Wasserwaage tut es.</translation>
+    </message>
+    <message>
+        <source>The encoder shows</source>
+        <translation type="unfinished">Der Drehgeber zeigt</translation>
     </message>
     <message>
         <source>The file is still being read; try again.</source>
@@ -1396,6 +1496,10 @@
         <translation>Der neue Wert ist keine Zahl.</translation>
     </message>
     <message>
+        <source>The probe stands at</source>
+        <translation type="unfinished">Der Wegsensor steht bei</translation>
+    </message>
+    <message>
         <source>The wear&apos;s departure from what was expected</source>
         <translation>Die Abweichung des Verschleißes vom Erwarteten</translation>
     </message>
@@ -1410,6 +1514,10 @@
     <message>
         <source>There is such a limit already; change that one.</source>
         <translation>Eine solche Grenze gibt es schon; diese ändern.</translation>
+    </message>
+    <message>
+        <source>This is a replay: what was recorded stays as it was</source>
+        <translation type="unfinished">Das ist eine Wiedergabe: Was aufgezeichnet ist, bleibt, wie es war</translation>
     </message>
     <message>
         <source>This is the present value.</source>
@@ -1524,6 +1632,22 @@
         <translation>Was</translation>
     </message>
     <message>
+        <source>What a certificate is</source>
+        <translation type="unfinished">Was ein Kalibrierschein ist</translation>
+    </message>
+    <message>
+        <source>What a roll is</source>
+        <translation type="unfinished">Was ein Umlauf ist</translation>
+    </message>
+    <message>
+        <source>What is calibrated</source>
+        <translation type="unfinished">Was kalibriert wird</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation type="unfinished">Was erhalten bleibt</translation>
+    </message>
+    <message>
         <source>What is known of the wear is being computed …</source>
         <translation>Was vom Verschleiß bekannt ist, wird berechnet …</translation>
     </message>
@@ -1532,12 +1656,32 @@
         <translation>Was an Grenze {} falsch ist, oder ihr üblicher Bereich</translation>
     </message>
     <message>
+        <source>What it looks like</source>
+        <translation type="unfinished">Wie es aussieht</translation>
+    </message>
+    <message>
+        <source>What it should be</source>
+        <translation type="unfinished">Was es sein sollte</translation>
+    </message>
+    <message>
         <source>What limit {} does</source>
         <translation>Was Grenze {} bewirkt</translation>
     </message>
     <message>
+        <source>What this is</source>
+        <translation type="unfinished">Was dies ist</translation>
+    </message>
+    <message>
+        <source>What will be done</source>
+        <translation type="unfinished">Was getan wird</translation>
+    </message>
+    <message>
         <source>Who&amp;le test</source>
         <translation>&amp;Ganzer Versuch</translation>
+    </message>
+    <message>
+        <source>Why a level</source>
+        <translation type="unfinished">Warum eine Wasserwaage</translation>
     </message>
     <message>
         <source>Worn profile</source>
@@ -1796,6 +1940,10 @@
         <translation>letzter Fehler: {}</translation>
     </message>
     <message>
+        <source>last good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
     </message>
@@ -1978,6 +2126,10 @@
     <message>
         <source>of either sign</source>
         <translation>mit beiderlei Vorzeichen</translation>
+    </message>
+    <message>
+        <source>of the load cell, one weight at 4 pin angles</source>
+        <translation type="unfinished">des Kraftsensors, ein Gewicht bei 4 Bolzenwinkeln</translation>
     </message>
     <message>
         <source>off</source>
@@ -2490,44 +2642,6 @@
 9.81 m/s² ist ein gerundeter Wert, bis zu 0.3 % falsch: die Fallbeschleunigung dieses Orts eintragen oder eine Einstellungsdatei mit Breite und Höhe nennen.</translation>
     </message>
     <message>
-        <source>
-| Key | Does |
-| --- | --- |
-{commands}
-| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
-| {recover} | Do the next step of the *Recover* panel |
-| F1 | This help |
-| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
-| F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+W, Ctrl+0, Ctrl+R | Go to a page |
-| Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
-| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
-| Esc | Close the start bar or this window |
-
-The emergency stop is the red button on the rig. It works without this program, and no program
-replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
-</source>
-        <translation>
-| Taste | Wirkung |
-| --- | --- |
-{commands}
-| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
-| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
-| F1 | Diese Hilfe |
-| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
-| F9 | Hell oder dunkel |
-| Strg+1 … Strg+9, Strg+W, Strg+0, Strg+R | Zu einer Seite |
-| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
-| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
-| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
-| Esc | Die Startkarte oder dieses Fenster schließen |
-
-Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
-ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
-</translation>
-    </message>
-    <message>
         <source> (By cycle {}.)</source>
         <translation> (Bis Zyklus {}.)</translation>
     </message>
@@ -2654,10 +2768,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>&amp;Yes, write it</source>
         <translation>&amp;Ja, eintragen</translation>
-    </message>
-    <message>
-        <source>0.2 degrees of a common angle error turn every force by as much, and no reading shows it. Only a level does.</source>
-        <translation>Ein gemeinsamer Winkelfehler von 0.2 Grad dreht jede Kraft um ebenso viel, und keine Messung zeigt ihn. Nur eine Wasserwaage tut es.</translation>
     </message>
     <message>
         <source>; and {} more</source>
@@ -3196,10 +3306,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Letzte Versuche</translation>
     </message>
     <message>
-        <source>Lay the level on the flat of the crank and turn the crank until the bubble is in the middle. The encoder should show 0 degrees, or 360. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error.</source>
-        <translation>Die Wasserwaage auf die Fläche der Kurbel legen und die Kurbel drehen, bis die Blase in der Mitte ist. Der Drehgeber sollte 0 Grad zeigen, oder 360. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler.</translation>
-    </message>
-    <message>
         <source>Lea&amp;ve the creep out</source>
         <translation>Das Kriechen aus&amp;lassen</translation>
     </message>
@@ -3724,14 +3830,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Not-Halt drücken. Den Prüfstand nicht berühren, bevor die Kurbel steht.</translation>
     </message>
     <message>
-        <source>Probe &amp;1</source>
-        <translation>Wegsensor &amp;1</translation>
-    </message>
-    <message>
-        <source>Probe &amp;2</source>
-        <translation>Wegsensor &amp;2</translation>
-    </message>
-    <message>
         <source>Probe 1 (V)</source>
         <translation>Wegsensor 1 (V)</translation>
     </message>
@@ -4234,10 +4332,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Simulated hands</source>
         <translation>Simulierte Hände</translation>
-    </message>
-    <message>
-        <source>Simulated hands (practice: no waiting times)</source>
-        <translation>Simulierte Hände (Übung: keine Wartezeiten)</translation>
     </message>
     <message>
         <source>Simulated or replayed</source>
@@ -7153,162 +7247,6 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>{}{}: {:g} kg hang then</source>
         <translation>{}{}: Dann hängen {} kg</translation>
-    </message>
-    <message>
-        <source>&amp;Daily check</source>
-        <translation>&amp;Tägliche Prüfung</translation>
-    </message>
-    <message>
-        <source>Every reading is saved as it is taken. You may close and go on tomorrow.</source>
-        <translation>Jede Messung ist gespeichert, sobald sie genommen ist. Sie können schließen und morgen weitermachen.</translation>
-    </message>
-    <message>
-        <source>It should be {:.1f} {}</source>
-        <translation>Es sollten {:.1f} {} sein</translation>
-    </message>
-    <message>
-        <source>Lay the level on the flat of the crank and turn the crank until the bubble is in the middle.</source>
-        <translation>Die Wasserwaage auf die Fläche der Kurbel legen und die Kurbel drehen, bis die Blase in der Mitte ist.</translation>
-    </message>
-    <message>
-        <source>
-| Key | Does |
-| --- | --- |
-{commands}
-| F8 | Go to the line for reasons and notes; Enter adds the note to the log |
-| F7 | Acknowledge the alarm that is told in full; show the alarms where none is seen |
-| {recover} | Do the next step of the *Recover* panel |
-| F1 | This help |
-| F3 | Calibrate the load cell or the probes, map the pin&apos;s run-out |
-| F9 | Light or dark |
-| Ctrl+1 … Ctrl+9, Ctrl+W, Ctrl+0, Ctrl+R | Go to a page |
-| Alt + underlined letter | Press a button, go to a field |
-| ← → + − in a trend | Move and zoom; a click reads the values at a cycle, Esc the newest again |
-| ← → in a force plot | Move the cursor by 1 deg, with Shift by 10 deg; a click puts it there |
-| Esc | Close the start bar or this window |
-
-The emergency stop is the red button on the rig. It works without this program, and no program
-replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
-</source>
-        <translation>
-| Taste | Wirkung |
-| --- | --- |
-{commands}
-| F8 | Zur Zeile für Gründe und Notizen; Enter schreibt die Notiz ins Protokoll |
-| F7 | Den Alarm quittieren, der ganz dasteht; ist keiner zu sehen, die Alarme zeigen |
-| {recover} | Den nächsten Schritt unter *Zurück zum Versuch* tun |
-| F1 | Diese Hilfe |
-| F3 | Kraftsensor oder Wegsensoren kalibrieren, Rundlauf des Bolzens aufnehmen |
-| F9 | Hell oder dunkel |
-| Strg+1 … Strg+9, Strg+W, Strg+0, Strg+R | Zu einer Seite |
-| Alt + unterstrichener Buchstabe | Eine Taste drücken, in ein Feld gehen |
-| ← → + − in einem Verlauf | Verschieben und vergrößern; ein Klick liest die Werte eines Zyklus, Esc wieder die neuesten |
-| ← → in einem Kraftbild | Den Cursor um 1°, mit Umschalt um 10° verschieben; ein Klick setzt ihn |
-| Esc | Die Startkarte oder dieses Fenster schließen |
-
-Der Not-Halt ist der rote Taster am Prüfstand. Er wirkt ohne dieses Programm, und kein Programm
-ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus, die Datei wird geschlossen.
-</translation>
-    </message>
-    <message>
-        <source>Page</source>
-        <translation>Seite</translation>
-    </message>
-    <message>
-        <source>Practice: no waiting times</source>
-        <translation>Übung: keine Wartezeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Probe 1</source>
-        <translation>&amp;Wegsensor 1</translation>
-    </message>
-    <message>
-        <source>Prob&amp;e 2</source>
-        <translation>Wegs&amp;ensor 2</translation>
-    </message>
-    <message>
-        <source>Probe {}</source>
-        <translation>Wegsensor {}</translation>
-    </message>
-    <message>
-        <source>Revolutions turned</source>
-        <translation>Gedrehte Umdrehungen</translation>
-    </message>
-    <message>
-        <source>Steps of the calibration</source>
-        <translation>Schritte der Kalibrierung</translation>
-    </message>
-    <message>
-        <source>The cell feels</source>
-        <translation>Der Kraftsensor spürt</translation>
-    </message>
-    <message>
-        <source>The encoder is not known yet</source>
-        <translation>Der Drehgeber ist noch nicht bekannt</translation>
-    </message>
-    <message>
-        <source>The encoder should show 0 degrees, or 360. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error. 0.2 degrees of a common angle error turn every force by as much, and no reading shows it. Only a level does.</source>
-        <translation>Der Drehgeber sollte 0 Grad zeigen, oder 360. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler. Ein gemeinsamer Winkelfehler von 0.2 Grad dreht jede Kraft um ebenso viel, und keine Messung zeigt ihn. Nur eine Wasserwaage tut es.</translation>
-    </message>
-    <message>
-        <source>The encoder shows</source>
-        <translation>Der Drehgeber zeigt</translation>
-    </message>
-    <message>
-        <source>The probe stands at</source>
-        <translation>Der Wegsensor steht bei</translation>
-    </message>
-    <message>
-        <source>This is a replay: what was recorded stays as it was</source>
-        <translation>Das ist eine Wiedergabe: Was aufgezeichnet ist, bleibt, wie es war</translation>
-    </message>
-    <message>
-        <source>What a certificate is</source>
-        <translation>Was ein Kalibrierschein ist</translation>
-    </message>
-    <message>
-        <source>What a roll is</source>
-        <translation>Was ein Umlauf ist</translation>
-    </message>
-    <message>
-        <source>What is calibrated</source>
-        <translation>Was kalibriert wird</translation>
-    </message>
-    <message>
-        <source>What is kept</source>
-        <translation>Was erhalten bleibt</translation>
-    </message>
-    <message>
-        <source>What it looks like</source>
-        <translation>Wie es aussieht</translation>
-    </message>
-    <message>
-        <source>What it should be</source>
-        <translation>Was es sein sollte</translation>
-    </message>
-    <message>
-        <source>What this is</source>
-        <translation>Was dies ist</translation>
-    </message>
-    <message>
-        <source>What will be done</source>
-        <translation>Was getan wird</translation>
-    </message>
-    <message>
-        <source>Why a level</source>
-        <translation>Warum eine Wasserwaage</translation>
-    </message>
-    <message>
-        <source>of the load cell, one weight at 4 pin angles</source>
-        <translation>des Kraftsensors, ein Gewicht bei 4 Bolzenwinkeln</translation>
-    </message>
-    <message>
-        <source>{device}: {sentence}</source>
-        <translation>{device}: {sentence}</translation>
-    </message>
-    <message>
-        <source>{sentence}</source>
-        <translation>{sentence}</translation>
     </message>
 </context>
 </TS>
