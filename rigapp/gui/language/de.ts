@@ -23,7 +23,7 @@
 The emergency stop is the red button on the rig. It works without this program, and no program
 replaces it. &quot;Stop test&quot; ends a test in order: the spindle runs down, the file is closed.
 </source>
-        <translation type="unfinished">
+        <translation>
 | Taste | Wirkung |
 | --- | --- |
 {commands}
@@ -61,7 +61,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>&amp;Daily check</source>
-        <translation type="unfinished">&amp;Tägliche Prüfung</translation>
+        <translation>&amp;Tägliche Prüfung</translation>
     </message>
     <message>
         <source>&amp;End fault</source>
@@ -85,7 +85,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>&amp;Probe 1</source>
-        <translation type="unfinished">&amp;Wegsensor 1</translation>
+        <translation>&amp;Wegsensor 1</translation>
     </message>
     <message>
         <source>&amp;Quantity</source>
@@ -845,7 +845,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Every reading is saved as it is taken. You may close and go on tomorrow.</source>
-        <translation type="unfinished">Jede Messung ist gespeichert, sobald sie genommen ist. Sie können schließen und morgen weitermachen.</translation>
+        <translation>Jede Messung ist gespeichert, sobald sie genommen ist. Sie können schließen und morgen weitermachen.</translation>
     </message>
     <message>
         <source>Every sample is flagged until the devices are connected again.</source>
@@ -985,7 +985,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>It should be {:.1f} {}</source>
-        <translation type="unfinished">Es sollten {:.1f} {} sein</translation>
+        <translation>Es sollten {:.1f} {} sein</translation>
     </message>
     <message>
         <source>Joint force over one revolution</source>
@@ -1021,7 +1021,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Lay the level on the flat of the crank and turn the crank until the bubble is in the middle.</source>
-        <translation type="unfinished">Die Wasserwaage auf die Fläche der Kurbel legen und die Kurbel drehen, bis die Blase in der Mitte ist.</translation>
+        <translation>Die Wasserwaage auf die Fläche der Kurbel legen und die Kurbel drehen, bis die Blase in der Mitte ist.</translation>
     </message>
     <message>
         <source>Lay the level on the flat of the crank, turn the crank until the bubble is in the middle, and enter the angle that the encoder shows. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error</source>
@@ -1157,7 +1157,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Page</source>
-        <translation type="unfinished">Seite</translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -1197,7 +1197,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Practice: no waiting times</source>
-        <translation type="unfinished">Übung: keine Wartezeiten</translation>
+        <translation>Übung: keine Wartezeiten</translation>
     </message>
     <message>
         <source>Pressure exponent</source>
@@ -1213,7 +1213,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Prob&amp;e 2</source>
-        <translation type="unfinished">Wegs&amp;ensor 2</translation>
+        <translation>Wegs&amp;ensor 2</translation>
     </message>
     <message>
         <source>Probe 1</source>
@@ -1225,7 +1225,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Probe {}</source>
-        <translation type="unfinished">Wegsensor {}</translation>
+        <translation>Wegsensor {}</translation>
     </message>
     <message>
         <source>Quantity of limit {}</source>
@@ -1325,7 +1325,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Revolutions turned</source>
-        <translation type="unfinished">Gedrehte Umdrehungen</translation>
+        <translation>Gedrehte Umdrehungen</translation>
     </message>
     <message>
         <source>Rig file</source>
@@ -1413,7 +1413,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Steps of the calibration</source>
-        <translation type="unfinished">Schritte der Kalibrierung</translation>
+        <translation>Schritte der Kalibrierung</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -1449,19 +1449,19 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>The cell feels</source>
-        <translation type="unfinished">Der Kraftsensor spürt</translation>
+        <translation>Der Kraftsensor spürt</translation>
     </message>
     <message>
         <source>The encoder is not known yet</source>
-        <translation type="unfinished">Der Drehgeber ist noch nicht bekannt</translation>
+        <translation>Der Drehgeber ist noch nicht bekannt</translation>
     </message>
     <message>
         <source>The encoder should show 0 degrees, or 360. Then turn the level end for end and do it again: the mean is free of the level&apos;s own error. 0.2 degrees of a common angle error turn every force by as much, and no reading shows it. Only a level does.</source>
-        <translation type="unfinished">Der Drehgeber sollte 0 Grad zeigen, oder 360. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler. Ein gemeinsamer Winkelfehler von 0.2 Grad dreht jede Kraft um ebenso viel, und keine Messung zeigt ihn. Nur eine Wasserwaage tut es.</translation>
+        <translation>Der Drehgeber sollte 0 Grad zeigen, oder 360. Dann die Wasserwaage umdrehen und es noch einmal tun: Das Mittel ist frei von ihrem eigenen Fehler. Ein gemeinsamer Winkelfehler von 0.2 Grad dreht jede Kraft um ebenso viel, und keine Messung zeigt ihn. Nur eine Wasserwaage tut es.</translation>
     </message>
     <message>
         <source>The encoder shows</source>
-        <translation type="unfinished">Der Drehgeber zeigt</translation>
+        <translation>Der Drehgeber zeigt</translation>
     </message>
     <message>
         <source>The file is still being read; try again.</source>
@@ -1497,7 +1497,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>The probe stands at</source>
-        <translation type="unfinished">Der Wegsensor steht bei</translation>
+        <translation>Der Wegsensor steht bei</translation>
     </message>
     <message>
         <source>The wear&apos;s departure from what was expected</source>
@@ -1517,7 +1517,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>This is a replay: what was recorded stays as it was</source>
-        <translation type="unfinished">Das ist eine Wiedergabe: Was aufgezeichnet ist, bleibt, wie es war</translation>
+        <translation>Das ist eine Wiedergabe: Was aufgezeichnet ist, bleibt, wie es war</translation>
     </message>
     <message>
         <source>This is the present value.</source>
@@ -1633,19 +1633,19 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>What a certificate is</source>
-        <translation type="unfinished">Was ein Kalibrierschein ist</translation>
+        <translation>Was ein Kalibrierschein ist</translation>
     </message>
     <message>
         <source>What a roll is</source>
-        <translation type="unfinished">Was ein Umlauf ist</translation>
+        <translation>Was ein Umlauf ist</translation>
     </message>
     <message>
         <source>What is calibrated</source>
-        <translation type="unfinished">Was kalibriert wird</translation>
+        <translation>Was kalibriert wird</translation>
     </message>
     <message>
         <source>What is kept</source>
-        <translation type="unfinished">Was erhalten bleibt</translation>
+        <translation>Was erhalten bleibt</translation>
     </message>
     <message>
         <source>What is known of the wear is being computed …</source>
@@ -1657,11 +1657,11 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>What it looks like</source>
-        <translation type="unfinished">Wie es aussieht</translation>
+        <translation>Wie es aussieht</translation>
     </message>
     <message>
         <source>What it should be</source>
-        <translation type="unfinished">Was es sein sollte</translation>
+        <translation>Was es sein sollte</translation>
     </message>
     <message>
         <source>What limit {} does</source>
@@ -1669,11 +1669,11 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>What this is</source>
-        <translation type="unfinished">Was dies ist</translation>
+        <translation>Was dies ist</translation>
     </message>
     <message>
         <source>What will be done</source>
-        <translation type="unfinished">Was getan wird</translation>
+        <translation>Was getan wird</translation>
     </message>
     <message>
         <source>Who&amp;le test</source>
@@ -1681,7 +1681,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>Why a level</source>
-        <translation type="unfinished">Warum eine Wasserwaage</translation>
+        <translation>Warum eine Wasserwaage</translation>
     </message>
     <message>
         <source>Worn profile</source>
@@ -1941,7 +1941,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>last good</source>
-        <translation type="unfinished"></translation>
+        <translation>letzte gute</translation>
     </message>
     <message>
         <source>left out</source>
@@ -2129,7 +2129,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     </message>
     <message>
         <source>of the load cell, one weight at 4 pin angles</source>
-        <translation type="unfinished">des Kraftsensors, ein Gewicht bei 4 Bolzenwinkeln</translation>
+        <translation>des Kraftsensors, ein Gewicht bei 4 Bolzenwinkeln</translation>
     </message>
     <message>
         <source>off</source>
