@@ -122,7 +122,8 @@ def test_wizard_tells_plugs_refuses_wrong_weights_and_a_test_with_its_record_tel
     x = plant_section(read_rig(EXAMPLE).record).cross_talk_percent / 100.0
     truth = np.array([[1.0, x], [x, 1.0]]) @ np.diag([200.0, 200.0])
     found = np.array(result["matrix_N_per_unit"])
-    allowed = 2.0 * np.array(result["matrix_standard_uncertainty_N_per_unit"])
+    # One draw of four elements: beyond twice the standard uncertainty one in ten would be.
+    allowed = 4.0 * np.array(result["matrix_standard_uncertainty_N_per_unit"])
     assert np.all(np.abs(found - truth) < allowed)
     # A force of 300 N in any direction is told within the stated U.
     turn = np.radians(np.arange(0.0, 360.0, 15.0))
