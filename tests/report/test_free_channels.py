@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from page import Page, read
 from report_samples import RPM, STARTED, metadata
+from reportpage import Page, read
 
 from rigapp.commands.report import write_report
 from rigapp.schema.channels import BASE, Channel, ChannelTable, Kind

@@ -33,8 +33,8 @@ def depths() -> dict[str, np.ndarray]:
 
 
 @pytest.fixture(scope="module")
-def chapters(quick_folder: Path) -> dict[str, Chapter]:
-    """Return the chapters of a test of 60 revolutions, the first a ramp, with a worn profile."""
+def paper(quick_folder: Path) -> Path:
+    """Record a test of 60 revolutions, the first a ramp, with a worn profile."""
     plan = FilePlan(60, cycles=20, samples_per_cycle=960, events=256, profiles=10)
     path = quick_folder / "paper.h5"
     parameters = {"joint": {"bushing_radius_mm": 10.0, "bushing_width_mm": 13.1}}
@@ -46,7 +46,13 @@ def chapters(quick_folder: Path) -> dict[str, Chapter]:
         values |= {"revolution": 60, "revolutions": 4}
         writer.append_profile(list(values.values()), depths())
         writer.finish("complete", "revolutions", "All are made.")
-    return {chapter.name: chapter for chapter in recorded_chapters(path)}
+    return path
+
+
+@pytest.fixture(scope="module")
+def chapters(paper: Path) -> dict[str, Chapter]:
+    """Return the chapters of that test."""
+    return {chapter.name: chapter for chapter in recorded_chapters(paper)}
 
 
 def test_force_of_a_cycle_stands_beside_the_models(chapters: dict[str, Chapter]) -> None:
@@ -70,13 +76,13 @@ def test_extrema_leave_out_what_was_not_at_a_steady_speed(chapters: dict[str, Ch
     assert np.all(table["force_max_N"][1:] > table["force_rms_N"][1:])
 
 
-def test_long_tests_keep_every_peak(monkeypatch: pytest.MonkeyPatch, quick_folder: Path) -> None:
+def test_long_tests_keep_every_peak(monkeypatch: pytest.MonkeyPatch, paper: Path) -> None:
     monkeypatch.setattr("rigapp.report.paper.recorded.MOST_ROWS", 7)
-    found = {one.name: one for one in recorded_chapters(quick_folder / "paper.h5")}
+    found = {one.name: one for one in recorded_chapters(paper)}
     table = found["fig20_extrema"].columns
     assert len(table["revolution"]) == 7
     monkeypatch.undo()
-    every = {one.name: one for one in recorded_chapters(quick_folder / "paper.h5")}
+    every = {one.name: one for one in recorded_chapters(paper)}
     whole = every["fig20_extrema"].columns
     assert np.nanmax(table["force_max_N"]) == np.nanmax(whole["force_max_N"])
     assert np.nanmin(table["force_min_N"]) == np.nanmin(whole["force_min_N"])

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import h5py
 import pytest
-from page import Page, read
 from patience import PATIENCE_S
 from report_samples import append, event, eventful, new_test
+from reportpage import Page, read
 
 from rigapp.commands.report import write_report
 from rigapp.config.errors import UnusableInput

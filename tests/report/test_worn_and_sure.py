@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from page import Page, read
 from report_samples import CALIBRATION, append, cycle, event, metadata
+from reportpage import Page, read
 
 from calibration.load_cell.force_uncertainty import force_uncertainty
 from calibration.records import seal
