@@ -18,6 +18,14 @@ settings.register_profile("search", deadline=None, database=None, max_examples=5
 settings.load_profile("rigapp")
 
 
+@pytest.fixture(scope="session", autouse=True)
+def _settings_of_nobody(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Keep the developer's own settings out: a test must send nobody a message."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.mktemp("config")))
+        yield
+
+
 @pytest.fixture
 def running(request: pytest.FixtureRequest) -> Iterator[Callable[..., Any]]:
     """Start programs in the background by the test module's own ``Running``, and end them all."""

@@ -54,10 +54,7 @@ class Stretch:
         roots = np.linspace(0.0, np.sqrt(p[-1] - p[0]), FINENESS + 1)
         curve = PchipInterpolator(p, d)
         at = np.minimum(p[0] + roots**2, p[-1])
-        rows = np.stack([curve(at), curve.derivative()(at)])
-        # The cubic's own last value differs in its last bit, on some processors: below the end.
-        rows[0, -1] = d[-1]
-        object.__setattr__(self, "_rows", rows)
+        object.__setattr__(self, "_rows", np.stack([curve(at), curve.derivative()(at)]))
         object.__setattr__(self, "_step", float(roots[1]))
 
     def at(self, progress: Array) -> tuple[Array, Array]:
@@ -69,8 +66,9 @@ class Stretch:
         depth, slope = self._rows
         low, up = depth[part], slope[part]
         found = low + share * (depth[part + 1] - low)
-        over = np.where(beyond, 0.0, up + share * (slope[part + 1] - up))
-        return np.where(beyond, self.depth[-1], found), over
+        rising = np.where(beyond, 0.0, up + share * (slope[part + 1] - up))
+        # The cubic's own last value is a bit below the last depth on some processors.
+        return np.where(beyond, self.depth[-1], found), rising
 
     def progress_of(self, depth: Array) -> Array:
         """Return the progress at some depths, m; the first or last one outside."""

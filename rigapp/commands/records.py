@@ -16,6 +16,7 @@ from rigapp.calibrating.verification import verified
 from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_bytes
 from rigapp.config.writing import whole_file
+from rigapp.process.private import open_to_others
 
 UNSIGNED = "It is not signed: nothing shows which laboratory made it."
 
@@ -151,7 +152,7 @@ def _not_by(record: Record, public_key: Path) -> list[str]:
 def _secret(key: Path) -> bytes:
     """Return a private key that others cannot read; raise UnusableInput."""
     try:
-        others = key.stat().st_mode & 0o077
+        others = open_to_others(key.stat())
         secret = key.read_bytes()
     except OSError as error:
         raise UnusableInput(f"{key}: cannot be read ({error.strerror}).") from error

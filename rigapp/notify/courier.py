@@ -156,8 +156,10 @@ class Courier:
         outbox = one.outbox
         for message in messages:
             outbox = put(outbox, message)
-        changed = msgspec.structs.replace(one, outbox=outbox)
-        ways = {**self.state.ways, name: changed}
+        self._set(name, msgspec.structs.replace(one, outbox=outbox))
+
+    def _set(self, name: str, one: WayState) -> None:
+        ways = {**self.state.ways, name: one}
         self.state = msgspec.structs.replace(self.state, ways=ways)
 
     def _own_facts(self, now: float, gone: bool) -> list[Fact]:
@@ -226,9 +228,7 @@ class Courier:
                     f"{way.name}, {where}, could not be told: {titles}."
                     f" {result.reason.rstrip('.')}; it is tried again and again"
                 )
-        changed = msgspec.structs.replace(one, outbox=outbox)
-        ways = {**self.state.ways, name: changed}
-        self.state = msgspec.structs.replace(self.state, ways=ways)
+        self._set(name, msgspec.structs.replace(one, outbox=outbox))
 
     def _look_after_ping(self) -> None:
         """Ping while all is well, no more often than wanted."""

@@ -14,11 +14,11 @@ from urllib.parse import quote
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.notify import REFERENCE
+from rigapp.process.private import SMALL_BYTES, is_ours, open_to_others
 
 KEYRING_SERVICE = "rigapp"
 """Under this service the keyring holds the secrets, each with its name as user name."""
 
-LARGEST_BYTES = 1 << 16
 HIDDEN = "***"
 
 
@@ -51,7 +51,7 @@ def read_secrets(file: Path) -> dict[str, str]:
         raise UnusableInput(f"{file}: cannot be read ({error.strerror}).") from None
     try:
         _require_private(file, os.fstat(descriptor))
-        text = os.read(descriptor, LARGEST_BYTES).decode()
+        text = os.read(descriptor, SMALL_BYTES).decode()
         tree = tomllib.loads(text)
     except ValueError:
         raise UnusableInput(f'{file}: is no TOML of lines like name = "secret".') from None
@@ -63,11 +63,11 @@ def read_secrets(file: Path) -> dict[str, str]:
 
 
 def _require_private(file: Path, found: os.stat_result) -> None:
-    if not stat.S_ISREG(found.st_mode) or found.st_size > LARGEST_BYTES:
+    if not stat.S_ISREG(found.st_mode) or found.st_size > SMALL_BYTES:
         raise UnusableInput(f"{file}: is no small file; write the secrets into one.")
-    if hasattr(os, "getuid") and found.st_uid != os.getuid():
+    if not is_ours(found):
         raise UnusableInput(f"{file}: belongs to somebody else; make it yours.")
-    if hasattr(os, "getuid") and found.st_mode & 0o077:
+    if open_to_others(found):
         raise UnusableInput(
             f"{file}: others can read it (mode {stat.S_IMODE(found.st_mode):04o}); chmod 600"
             " it, and change the secrets where others are on this computer."

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from rigapp.config.errors import UnusableInput
-from rigapp.service.private import read_secret
+from rigapp.process.private import read_secret
 from rigapp.service.security import interface_address
 
 MOST_HEADERS = 64

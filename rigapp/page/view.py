@@ -15,7 +15,7 @@ from rigapp.gui.data.knownwear import COEFFICIENT, REMAINING, newest_wear, wear_
 from rigapp.gui.data.margins import margins, newest
 from rigapp.gui.data.news import News
 from rigapp.gui.data.quantities import UM_PER_MM
-from rigapp.gui.data.texts import duration, grouped
+from rigapp.gui.data.texts import MOMENT, dated, duration, grouped
 from rigapp.page.rig import DiskSpace, WatchedRig
 from rigapp.schema.messages import Alarm, DeviceView, RunState
 
@@ -188,7 +188,7 @@ def _tiles(news: News) -> list[FreeValue]:
         FreeValue("speed", "Speed", f"{status.speed_rpm:.1f} rpm", _wanted(status.target_rpm)),
     ]
     if status.state is RunState.RUNNING and status.expected_end_at > status.host_time:
-        ends = time.strftime("%a %d %b, %H:%M", time.localtime(status.expected_end_at))
+        ends = dated(MOMENT, time.localtime(status.expected_end_at))
         left = duration(status.expected_end_at - status.host_time)
         found.append(FreeValue("end", "Planned end", left, ends))
     if len(rows):

@@ -2,5 +2,5 @@
 
 Others enter by ``client``, ``launch`` and ``registry`` (find or start an engine), ``host`` (be
 one), ``preflight`` and ``resumption`` (look before a start), ``recorded``, ``faults``,
-``simulated``, ``security``, ``private``.
+``simulated``, ``security``.
 """

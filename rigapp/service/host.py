@@ -31,6 +31,7 @@ from rigapp.notify.link import CourierLink
 from rigapp.notify.ways import Ways, inspected, ways_of
 from rigapp.process.ending import Background, asked_to_end, finish_in_time
 from rigapp.process.logs import beside, in_file
+from rigapp.process.private import private_folder
 from rigapp.process.threads import OneAtATime
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
@@ -46,7 +47,6 @@ from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, Hand, Nothing, Resume, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import InCommand
-from rigapp.service.private import private_folder
 from rigapp.service.recorded import (
     checkpoint,
     compress_complete,

@@ -18,8 +18,8 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.reading import read_bytes
 from rigapp.process.ending import ending_as_interrupt
 from rigapp.process.leftovers import process_alive, remove_left_behind
+from rigapp.process.private import SMALL_BYTES, private_folder, read_own
 from rigapp.schema.messages import PROTOCOL_VERSION
-from rigapp.service.private import SMALL_BYTES, private_folder, read_own
 
 LONGEST_SOCKET_FOLDER = 80
 """Characters: the system allows 107 for the path of a socket, its name included."""

@@ -12,7 +12,6 @@ from __future__ import annotations
 import ipaddress
 import os
 import re
-import stat
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +21,7 @@ import zmq.auth
 from zmq.auth.thread import ThreadAuthenticator
 
 from rigapp.config.errors import UnusableInput
-from rigapp.service.private import private_folder
+from rigapp.process.private import open_to_others, private_folder
 
 DOMAIN = "rigapp"
 OWN = "this-computer.key"
@@ -181,7 +180,7 @@ def _keys(folder: Path, name: str) -> KeyPair:
     path = keys / f"{name}.key_secret"
     if not path.exists():
         _make(keys, name)
-    if hasattr(os, "getuid") and stat.S_IMODE(path.stat().st_mode) & 0o077:
+    if open_to_others(path.stat()):
         raise UnusableInput(f"{path}: others can read this secret key; delete it, or chmod 600 it.")
     try:
         public, secret = zmq.auth.load_certificate(path)

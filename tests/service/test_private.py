@@ -16,7 +16,7 @@ from stories import until
 
 from rigapp.config.errors import UnusableInput
 from rigapp.process.leftovers import owner_lives, remove_left_behind
-from rigapp.service.private import SMALL_BYTES
+from rigapp.process.private import SMALL_BYTES
 from rigapp.service.registry import (
     EngineEntry,
     announce,
@@ -132,7 +132,7 @@ def test_entry_of_another_owner_is_not_believed(
         found[stat.ST_UID] += 1
         return os.stat_result(found)
 
-    monkeypatch.setattr("rigapp.service.private.os.fstat", foreign)
+    monkeypatch.setattr("rigapp.process.private.os.fstat", foreign)
     assert running_engines() == []
 
 

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from rigapp.gui.data.channels import FreeValue
 from rigapp.gui.data.news import News
 from rigapp.gui.data.series import SeriesTable
-from rigapp.gui.data.texts import duration, grouped, unit_text
+from rigapp.gui.data.texts import MOMENT, dated, duration, grouped, unit_text
 from rigapp.gui.language.words import tr
 from rigapp.schema.columns import WEAR_MODELS, prediction_columns
 from rigapp.schema.messages import RunState
@@ -141,9 +141,7 @@ def _remaining(left: float, soon: float, late: float, rpm: float, now: float | N
     seconds = 60.0 * left / rpm
     date = ""
     if now is not None:
-        moment = time.localtime(now + seconds)
-        day, month = tr(time.strftime("%a", moment)), tr(time.strftime("%b", moment))
-        date = f"{day} {time.strftime('%d', moment)} {month}, {time.strftime('%H:%M', moment)}; "
+        date = dated(f"{MOMENT}; ", time.localtime(now + seconds))
     return FreeValue(REMAINING, title, duration(seconds), date + turns)
 
 

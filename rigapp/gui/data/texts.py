@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from typing import Final
 
 from rigapp.gui.language.words import Text, tr
@@ -17,6 +18,10 @@ _UNITS: Final[tuple[tuple[str, Text], ...]] = (
     ("um", "µm"),
 )
 """How the window writes units."""
+
+
+MOMENT: Final = "%a %d %b, %H:%M"
+"""How a moment of these weeks is written, for ``dated``."""
 
 
 def unit_text(unit: str) -> str:
@@ -36,6 +41,14 @@ def axis_number(value: float, step: float) -> str:
     decimals = max(0, -math.floor(math.log10(step) + 1e-9))
     text = f"{value:,.{decimals}f}".replace(",", "\u2009")
     return text.replace("-", "\u2212") if value <= -step / 2.0 else text.lstrip("-")
+
+
+def dated(pattern: str, moment: time.struct_time) -> str:
+    """Return a moment by a pattern of ``strftime``, names of day and month in our language."""
+    for name in ("%a", "%b"):
+        if name in pattern:
+            pattern = pattern.replace(name, tr(time.strftime(name, moment)))
+    return time.strftime(pattern, moment)
 
 
 def duration(seconds: float) -> str:

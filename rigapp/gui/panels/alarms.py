@@ -12,6 +12,7 @@ from PySide6.QtGui import QFont, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
 from rigapp.gui.data.news import News, Takes
+from rigapp.gui.data.texts import dated
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.gui.look.fonts import sized
@@ -402,7 +403,7 @@ class AlarmJournal(QFrame):
         self.table.show_rows(
             [
                 (
-                    _moment(one.time),
+                    dated("%d %b %H:%M:%S", time.localtime(one.time)),
                     str(one.revolution),
                     one.text,
                     one.source,
@@ -410,11 +411,6 @@ class AlarmJournal(QFrame):
                 for one in lines
             ]
         )
-
-
-def _moment(seconds: float) -> str:
-    when = time.localtime(seconds)
-    return f"{when.tm_mday:02} {tr(time.strftime('%b', when))} {time.strftime('%H:%M:%S', when)}"
 
 
 def alarm_page(host: Host) -> QWidget:

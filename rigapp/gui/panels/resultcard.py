@@ -22,7 +22,7 @@ from rigapp.gui.results.outcome import (
     reason_of,
     trust_lines,
 )
-from rigapp.gui.widgets.build import column, named, prose, row
+from rigapp.gui.widgets.build import column, named, prose, row, signed
 from rigapp.gui.widgets.labels import ElidedLabel, FittedLabel
 from rigapp.schema.results import HowEnded, TestResult
 
@@ -80,14 +80,9 @@ class TrustRow(QWidget):
     def __init__(self, name: str, place: int) -> None:
         super().__init__()
         named(self, f"{name}_trust_{place}", "Whether the result can be trusted")
-        self.sign = QLabel()
-        self.sign.setFixedSize(SMALL)
         self.text = ElidedLabel(f"{name}_trust_text_{place}", "What was looked at")
         self.line = ElidedLabel(f"{name}_trust_line_{place}", "How it stands")
-        self.line.setProperty("role", "caption")
-        words = column(self.text, self.line)
-        words.setSpacing(0)
-        row(self.sign, (words, 1), on=self).setContentsMargins(0, 0, 0, 0)
+        self.sign = signed(SMALL, self.text, self.line, self)
 
     def show_line(self, line: TrustLine, theme: Theme) -> None:
         """Show a line."""

@@ -9,7 +9,7 @@ from datetime import datetime
 from typing import Final
 
 from rigapp.gui.data.knownwear import coefficient_words
-from rigapp.gui.data.texts import duration, grouped
+from rigapp.gui.data.texts import dated, duration, grouped
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, tr
 from rigapp.schema.results import HowEnded, TestResult
@@ -143,13 +143,12 @@ def day(text: str) -> str:
         return ""
     when = _when(text)
     same = when.year == datetime.now().year
-    return _said(when, "%H:%M") if same else f"{when:%d} {tr(when.strftime('%b'))} {when:%Y}"
+    return _said(when, "%a %d %b %H:%M" if same else "%d %b %Y")
 
 
 def _when(text: str) -> datetime:
     return datetime.fromisoformat(text).astimezone()
 
 
-def _said(when: datetime, rest: str = "%Y %H:%M") -> str:
-    day, month = tr(when.strftime("%a")), tr(when.strftime("%b"))
-    return f"{day} {when:%d} {month} {when.strftime(rest)}"
+def _said(when: datetime, pattern: str = "%a %d %b %Y %H:%M") -> str:
+    return dated(pattern, when.timetuple())

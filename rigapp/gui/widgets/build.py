@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import Any, TypeVar
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
     QBoxLayout,
     QComboBox,
@@ -141,6 +141,17 @@ def column(*items: Item | tuple[Item, int], on: QWidget | None = None) -> QVBoxL
     made.setContentsMargins(0, 0, 0, 0)
     made.setSpacing(2)
     return made
+
+
+def signed(size: QSize, text: QLabel, line: QLabel, on: QWidget) -> QLabel:
+    """Lay a sign beside a text with a line in small below it; return the sign."""
+    sign = QLabel()
+    sign.setFixedSize(size)
+    line.setProperty("role", "caption")
+    words = column(text, line)
+    words.setSpacing(0)
+    row(sign, (words, 1), on=on).setContentsMargins(0, 0, 0, 0)
+    return sign
 
 
 def filled(layout: Layout, items: Sequence[Item | tuple[Item, int]]) -> Layout:

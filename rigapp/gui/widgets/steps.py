@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.look.tokens import STEP, Theme
-from rigapp.gui.widgets.build import column, named, row
+from rigapp.gui.widgets.build import named, signed
 from rigapp.gui.widgets.labels import ElidedLabel
 
 SIGN = QSize(2 * STEP + 4, 2 * STEP + 4)
@@ -33,14 +33,9 @@ class StepRow(QWidget):
         super().__init__()
         named(self, f"{prefix}_step_{number}", "Step")
         self._shown: tuple[ShownStep, str] | None = None
-        self.sign = QLabel()
-        self.sign.setFixedSize(SIGN)
         self.name = ElidedLabel(f"{prefix}_name_{number}", "Step")
         self.line = ElidedLabel(f"{prefix}_line_{number}", "How it stands")
-        self.line.setProperty("role", "caption")
-        words = column(self.name, self.line)
-        words.setSpacing(0)
-        row(self.sign, (words, 1), on=self).setContentsMargins(0, 0, 0, 0)
+        self.sign = signed(SIGN, self.name, self.line, self)
 
     def show_step(self, step: ShownStep, theme: Theme) -> None:
         """Show a step; nothing is drawn again when it is the one shown."""

@@ -14,7 +14,7 @@ from rigapp.gui.data.connection import ConnectionState
 from rigapp.gui.data.levels import quantity_text
 from rigapp.gui.data.margins import overload_limit
 from rigapp.gui.data.news import News, is_stale
-from rigapp.gui.data.texts import duration, grouped
+from rigapp.gui.data.texts import dated, duration, grouped
 from rigapp.gui.language.told import retold
 from rigapp.gui.language.words import Text, marked, tr
 from rigapp.schema.messages import RunState, Severity, Status
@@ -167,8 +167,7 @@ def _end(status: Status, now: float) -> tuple[Text, Text]:
     moment = time.localtime(status.expected_end_at)
     today = time.localtime(now)
     days = (moment.tm_year, moment.tm_yday) != (today.tm_year, today.tm_yday)
-    clock = time.strftime("%H:%M", moment)
-    when = f"{tr(time.strftime('%a', moment))} {clock}" if days else clock
+    when = dated("%a %H:%M" if days else "%H:%M", moment)
     return tr("ends {}, in {}", when, duration(left)), tr("ends {}", when)
 
 

@@ -7,7 +7,7 @@ import time
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
-from rigapp.gui.language.words import tr
+from rigapp.gui.data.texts import dated
 from rigapp.gui.look.tokens import CAPTION_PT, GAP, MARGIN, STEP, Theme
 from rigapp.gui.widgets.bars import Bar
 from rigapp.gui.widgets.build import named, row
@@ -48,7 +48,6 @@ class MessageLine(QFrame):
 
     def show_time(self) -> None:
         """Show the time of day."""
-        day, month = tr(time.strftime("%a")), tr(time.strftime("%b"))
-        now = f"{day} {time.strftime('%d')} {month}  {time.strftime('%H:%M:%S')}"
+        now = dated("%a %d %b  %H:%M:%S", time.localtime())
         if now != self.clock.text():
             self.clock.setText(now)

@@ -11,6 +11,16 @@ from rigapp.config.errors import UnusableInput
 SMALL_BYTES = 1 << 16
 
 
+def is_ours(found: os.stat_result) -> bool:
+    """Tell whether a file or folder belongs to this user; yes where there are no owners."""
+    return not hasattr(os, "getuid") or found.st_uid == os.getuid()
+
+
+def open_to_others(found: os.stat_result) -> bool:
+    """Tell whether another user may read or write something; no where modes do not say so."""
+    return hasattr(os, "getuid") and bool(found.st_mode & 0o077)
+
+
 def private_folder(folder: Path, instead: str = "") -> Path:
     """Return a folder of mode 0700 that is ours and no link, made if missing.
 
@@ -25,7 +35,7 @@ def private_folder(folder: Path, instead: str = "") -> Path:
             raise UnusableInput(f"{folder}: is a link, not a folder{instead}.")
         if not hasattr(os, "getuid"):
             return folder
-        if found.st_uid != os.getuid():
+        if not is_ours(found):
             raise UnusableInput(f"{folder}: belongs to somebody else{instead}.")
         if found.st_mode & 0o022:
             raise UnusableInput(
@@ -49,9 +59,7 @@ def read_own(path: Path) -> bytes | None:
         return None
     try:
         found = os.fstat(descriptor)
-        if not stat.S_ISREG(found.st_mode) or found.st_size > SMALL_BYTES:
-            return None
-        if hasattr(os, "getuid") and found.st_uid != os.getuid():
+        if not (stat.S_ISREG(found.st_mode) and found.st_size <= SMALL_BYTES and is_ours(found)):
             return None
         return os.read(descriptor, SMALL_BYTES)
     except OSError:
@@ -65,6 +73,6 @@ def read_secret(path: Path) -> bytes:
     text = read_own(path)
     if text is None:
         raise UnusableInput(f"{path}: is no small file of yours; a link is not followed.")
-    if hasattr(os, "getuid") and stat.S_IMODE(path.lstat().st_mode) & 0o077:
+    if open_to_others(path.lstat()):
         raise UnusableInput(f"{path}: others can read this secret; chmod 600 it.")
     return text
