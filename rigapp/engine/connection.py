@@ -54,6 +54,9 @@ FRESH_S = 0.5
 SLOWEST_PACE = 0.02
 """A simulated rig that runs slower than this has hung: nobody waits for it in proportion."""
 
+SHORT_SILENCE_S = 2.0
+"""A start waits for the end of a silence that has not lasted so long, and refuses a longer one."""
+
 ASLEEP_S = 0.5
 """The drive's thread looks more often; after a longer pause the whole program may have slept."""
 
@@ -161,13 +164,27 @@ class Connection:
 
     def not_yet(self, stale_data_s: float) -> str:
         """Return what a start has to wait for, in words; empty when nothing."""
+        silence = self._silence(stale_data_s)
+        cut_off = self.processor.saturated.intersection(self.core.table.names_of(LOAD_CELL))
+        if silence or not cut_off:
+            return silence
+        return f"{' and '.join(sorted(cut_off))} at the end of the range"
+
+    def _silence(self, stale_data_s: float) -> str:
         age = self.age_s(self.received_s)
         if age >= stale_data_s:
             return f"no samples came for {age:.1f} s"
         if self.age_s(self.control.answered_s) >= self.control.prompt_s:
             return "the drive does not answer"
-        cut_off = self.processor.saturated.intersection(self.core.table.names_of(LOAD_CELL))
-        return f"{' and '.join(sorted(cut_off))} at the end of the range" if cut_off else ""
+        return ""
+
+    def wait_out_silence(self, stale_data_s: float) -> None:
+        """Wait while samples or the drive are silent, unless for more than SHORT_SILENCE_S."""
+        while self._silence(stale_data_s):
+            heard_s = min(self.received_s, self.control.answered_s)
+            if time.monotonic() - heard_s > SHORT_SILENCE_S:
+                return
+            self.supervise.pause(0.01)
 
     def close(self, timeout_s: float = 5.0) -> tuple[str, ...]:
         """Stop the motor, end the threads, release the devices; return threads that hang."""

@@ -34,6 +34,7 @@ def check_start(core: Core, connection: Connection, document: Document[TestFile]
     blocking = core.alarms.blocking()
     if blocking is not None:
         raise Refused(f'"{blocking.title}" is on the alarm list: acknowledge and reset it first')
+    connection.wait_out_silence(test.limits.stale_data_s)
     missing = connection.not_yet(test.limits.stale_data_s)
     core.require(not missing, f"{missing}; check the device")
     force_N, limit_N = connection.processor.force_N, test.limits.overload_N

@@ -5,6 +5,7 @@ Used by ``rigapp run`` (one test, then the end) and ``rigapp engine`` (until tol
 
 from __future__ import annotations
 
+import logging
 import os
 import threading
 import time
@@ -77,6 +78,8 @@ from rigapp.simulation.handle import SimulationFailed
 from rigapp.twin.identifying import Sought
 from rigapp.twin.link import TwinLink
 from rigapp.twin.worker import TwinSetup
+
+log = logging.getLogger(__name__)
 
 EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 """Errors that are a sentence for whoever asked, not a defect."""
@@ -397,7 +400,13 @@ class EngineHost:
         )
 
     def handle(self, request: Request) -> Reply:
-        """Carry out a request; what was refused comes back as one sentence."""
+        """Carry out a request; what was refused comes back as one sentence, and is logged."""
+        reply = self._handled(request)
+        if not reply.ok:
+            log.info("%s refused: %s", request.verb, reply.sentence)
+        return reply
+
+    def _handled(self, request: Request) -> Reply:
         verb = VERBS.get(request.verb)
         if verb is None:
             known = ", ".join(sorted(VERBS))

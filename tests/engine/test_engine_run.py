@@ -65,6 +65,18 @@ def test_a_complete_test_has_exactly_the_planned_revolutions(rig: MemoryRig) -> 
     assert states == [RunState.STARTING, RunState.RUNNING, RunState.STOPPING, RunState.STOPPED]
 
 
+def test_a_start_waits_out_a_silence_of_a_moment(
+    rig: MemoryRig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    connection = rig.engine._connection
+    assert connection is not None
+    looks = iter([10.0])  # the first look finds samples ten seconds old, every other one new ones
+    age = connection.age_s
+    monkeypatch.setattr(connection, "age_s", lambda since_s: next(looks, age(since_s)))
+    assert run(rig, 3).status == "complete"
+    assert not list(looks)
+
+
 def test_rows_say_what_the_rig_did(rig: MemoryRig) -> None:
     run(rig, 12)
     store = rig.store

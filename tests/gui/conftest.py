@@ -195,8 +195,13 @@ class Operator:
         self.window, self.host, self._qtbot = window, host, qtbot
 
     def see(self, condition: Callable[[], object]) -> None:
-        """Wait until something is seen."""
-        self._qtbot.waitUntil(lambda: bool(condition()), timeout=PATIENCE_MS)
+        """Wait until something is seen; fail with what is there in its place."""
+        try:
+            self._qtbot.waitUntil(lambda: bool(condition()), timeout=PATIENCE_MS)
+        except self._qtbot.TimeoutError as error:
+            answer, told = self.window.controls.answer.text(), self.status
+            now = (told.state, told.reason, told.recovery, told.alarms) if told else ()
+            raise AssertionError(f"{error}; answer {answer!r}, told {now}") from error
 
     def sees_state(self, *states: RunState) -> None:
         """Wait until the engine tells one of some states."""
