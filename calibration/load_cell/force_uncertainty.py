@@ -25,8 +25,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from calibration.arrays import Array
+from calibration.coverage import COVERAGE, NORMAL_FACTOR
 from calibration.records import RecordError, unseal
-from calibration.taking.uncertainty import COVERAGE, NORMAL_FACTOR
 
 Floats = Array
 

@@ -18,10 +18,10 @@ import numpy as np
 from GTC import reporting
 from scipy import optimize
 
-COVERAGE = 0.95
+from calibration.coverage import COVERAGE, NORMAL_FACTOR
+
 Evaluation = Literal["A", "B"]
 Distribution = Literal["normal", "rectangular", "two-point"]
-NORMAL_FACTOR = float(reporting.k_factor(math.inf))
 FINEST = 1e-3
 """Part of the combined uncertainty by which bounded parts are blurred at least: far below what an
 uncertainty is known to; it keeps the integral short."""

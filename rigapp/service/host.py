@@ -75,9 +75,8 @@ from rigapp.service.security import Bind, authorise_own_viewer, parse_bind, requ
 from rigapp.service.server import Server
 from rigapp.service.simulated import SampleNumbers, SimulatedDevices, Speed, parse_speed
 from rigapp.simulation.handle import SimulationFailed
-from rigapp.twin.identifying import Sought
 from rigapp.twin.link import TwinLink
-from rigapp.twin.worker import TwinSetup
+from rigapp.twin.messages import Sought, TwinSetup
 
 log = logging.getLogger(__name__)
 

@@ -37,10 +37,10 @@ from model.parameters import Parameters
 from model.wear.front import Front, touched
 from model.wear.loads import CycleLoads
 from model.wear.state import WearState, unworn_state
-from rigapp.config.recipe import PriorSection
 from rigapp.schema.columns import WEAR_MODELS
 from rigapp.twin.approach import MeanApproach
 from rigapp.twin.measureddepth import MeasuredDepth
+from rigapp.twin.messages import Sought
 from rigapp.twin.predict import NOTHING
 
 LIFE_ERROR = 0.01
@@ -67,28 +67,6 @@ REMAINING = tuple(f"remaining_revolutions{end}" for end in ("", "_low", "_high")
 NEVER = (math.nan, math.nan, math.nan)
 
 log = logging.getLogger(__name__)
-
-
-class Sought(msgspec.Struct, frozen=True):
-    """Say what a test asks of its wear, and what the record of its probes states.
-
-    sensitivity: relative standard uncertainty; drift_um: what a position may wander by in a decade
-    of revolutions, standard; None where no record states it. depth_um: of the stop criterion, None
-    without one. planned: the last revolution. record: which one it is. prior: of the wear
-    coefficient, None where the test file has none.
-    """
-
-    sensitivity: float | None = None
-    drift_um: float | None = None
-    depth_um: float | None = None
-    planned: float = 0.0
-    record: str = ""
-    prior: PriorSection | None = None
-
-    @property
-    def depth(self) -> float | None:
-        """Return the depth of the stop criterion, m."""
-        return None if self.depth_um is None else 1e-6 * self.depth_um
 
 
 class IdentifiedRecord(msgspec.Struct, frozen=True):

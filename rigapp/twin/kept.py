@@ -10,7 +10,8 @@ from rigapp.config.loading import parse_test
 from rigapp.config.parameters import to_parameters
 from rigapp.storage import TestReader
 from rigapp.twin.checkpoint import Checkpoint, restore
-from rigapp.twin.identifying import Identifier, Sought
+from rigapp.twin.identifying import Identifier
+from rigapp.twin.messages import Sought
 from rigapp.twin.twin import Twin
 
 

@@ -23,7 +23,7 @@ import msgspec
 import zmq
 
 from rigapp.schema.messages import Prediction, RevolutionMeasured
-from rigapp.twin.worker import TwinAnswer, TwinSetup
+from rigapp.twin.messages import TwinAnswer, TwinSetup
 
 MAILBOX = 64
 START_S = 180.0  # importing and compiling, on a computer that is busy

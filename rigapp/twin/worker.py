@@ -19,10 +19,11 @@ from model.errors import ModelError
 from model.friction_circle import COVERAGE_FACTOR, CellDoubt
 from model.wear.techniques import solve_of
 from rigapp.config.errors import UnusableInput
-from rigapp.config.parameters import ParameterFile, to_parameters
-from rigapp.schema.messages import Prediction, RevolutionMeasured
+from rigapp.config.parameters import to_parameters
+from rigapp.schema.messages import RevolutionMeasured
 from rigapp.twin.checkpoint import packed, restore
-from rigapp.twin.identifying import Identifier, Sought
+from rigapp.twin.identifying import Identifier
+from rigapp.twin.messages import TwinAnswer, TwinSetup
 from rigapp.twin.predict import Unpredictable, unpack
 from rigapp.twin.twin import Twin
 
@@ -31,38 +32,6 @@ LINGER_MS = 2000
 SAID_AT_ONCE = 8
 
 log = logging.getLogger(__name__)
-
-
-class TwinSetup(msgspec.Struct, frozen=True):
-    """Tell the twin which model to run.
-
-    new_position_um: mean pin position (probe_1, probe_2) of the new bushing, where the file of a
-    resumed test knows it; else the first revolutions tell. checkpoint: what an earlier twin of the
-    same test left, to go on from there. sought: what is to be identified. force_uncertainty_N:
-    expanded (k = 2) of the measured force, constant and per N, None where nothing states it.
-    """
-
-    parameters: ParameterFile
-    joint: str
-    new_position_um: tuple[float, float] | None = None
-    checkpoint: bytes = b""
-    sought: Sought = Sought()
-    force_uncertainty_N: tuple[float, float] | None = None
-
-
-class TwinAnswer(msgspec.Struct, frozen=True):
-    """Say what became of the setup or of a revolution.
-
-    refused: why there is no prediction of this revolution; the next one may have one. failed: why
-    this process ends and another must take over. hopeless: no other would do better. said: what
-    the operator should read besides.
-    """
-
-    prediction: Prediction | None = None
-    refused: str = ""
-    failed: str = ""
-    hopeless: bool = False
-    said: tuple[str, ...] = ()
 
 
 class Remarks(logging.Handler):

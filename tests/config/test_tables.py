@@ -17,7 +17,8 @@ from rigapp.schema.columns import prediction_columns
 from rigapp.schema.criteria import CRITERIA, Criterion, Sight
 from rigapp.schema.verbs import VERBS, Lane, Verb, Who
 from rigapp.service.bounds import asked_of
-from rigapp.twin.worker import TwinSetup, set_up
+from rigapp.twin.messages import TwinSetup
+from rigapp.twin.worker import set_up
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"

@@ -16,8 +16,9 @@ from plant_revolutions import PARAMETERS, RIG, SPEED, TEST, column
 from rigapp.simulation.constants import plant_constants
 from rigapp.simulation.layout import VELOCITY, Drive
 from rigapp.simulation.plant import Plant
-from rigapp.twin.identifying import LIFE_ERROR, Identifier, Sought
+from rigapp.twin.identifying import LIFE_ERROR, Identifier
 from rigapp.twin.measureddepth import ELASTIC_DOUBT
+from rigapp.twin.messages import Sought
 from rigapp.twin.predict import MeasuredRevolution
 from rigapp.twin.twin import Twin
 

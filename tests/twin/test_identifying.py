@@ -16,9 +16,10 @@ from rigapp.engine.judging.criteria import StopMonitor
 from rigapp.schema.columns import by_name, identified_columns, prediction_columns
 from rigapp.schema.messages import Prediction, as_array
 from rigapp.twin.checkpoint import packed, restore
-from rigapp.twin.identifying import Identifier, Sought
+from rigapp.twin.identifying import Identifier
+from rigapp.twin.messages import Sought, TwinSetup
 from rigapp.twin.twin import Twin
-from rigapp.twin.worker import TwinSetup, new_twin
+from rigapp.twin.worker import new_twin
 
 NOMINAL = TEST.model.bushing.wear_coefficient_mm3_per_Nm
 REVOLUTIONS = 260

@@ -18,7 +18,8 @@ from rigapp.schema.channels import BASE
 from rigapp.schema.messages import as_array
 from rigapp.storage import FilePlan, TestMetadata, create_test, open_test
 from rigapp.twin.checkpoint import packed
-from rigapp.twin.identifying import Identifier, Sought
+from rigapp.twin.identifying import Identifier
+from rigapp.twin.messages import Sought
 from rigapp.twin.twin import Twin
 
 REVOLUTIONS, PLANNED = 130, 800

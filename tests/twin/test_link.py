@@ -17,7 +17,7 @@ from rigapp.schema.columns import prediction_columns
 from rigapp.schema.messages import Prediction, RevolutionMeasured, as_array
 from rigapp.twin.checkpoint import Checkpoint
 from rigapp.twin.link import MAILBOX, TwinLink
-from rigapp.twin.worker import TwinSetup
+from rigapp.twin.messages import TwinSetup
 
 SETUP = TwinSetup(
     parameters=read_parameter_file(
