@@ -24,9 +24,10 @@ export PIP_DISABLE_PIP_VERSION_CHECK = 1
 run: kernels
 	@$(BIN)/python -m rigapp.start
 
-# One file or folder is quicker without workers and without the checks of the whole source.
+# Three workers on two cores: stories of whole rigs wait more than they compute. One file or folder
+# is quicker without workers and without the checks of the whole source.
 test: $(if $(TESTS),$(TEST_READY),lint) kernels
-	$(BIN)/python -m pytest $(or $(TESTS),-n 2 --dist loadgroup) -m "not soak"
+	$(BIN)/python -m pytest $(or $(TESTS),-n 3 --dist loadgroup) -m "not soak"
 
 lint: $(TEST_READY)
 	$(BIN)/ruff format --check .
