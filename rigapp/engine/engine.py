@@ -36,7 +36,7 @@ from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
 from rigapp.process.threads import OneAtATime
 from rigapp.schema.alarms import because
-from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange
+from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange, RestSignals
 from rigapp.schema.messages import (
     Ends,
     FinishReason,
@@ -82,7 +82,7 @@ class RigAtRest:
 
     calibration: Calibration
     devices: Mapping[str, Mapping[str, str | float | int]]
-    signals: tuple[float, float] | None
+    signals: RestSignals | None
 
 
 class Engine:
@@ -415,10 +415,21 @@ class Engine:
 
     def messages_failed(self, sentence: str) -> None:
         """Warn that somebody who is away may not be told; without a sentence that is over."""
+        self._warned("messages", sentence)
+
+    def test_cut_off(self, sentence: str) -> None:
+        """Warn that nobody ended the rig's last test; without a sentence that is over."""
+        self._warned("cut_off", sentence)
+
+    def queue_stopped(self, sentence: str) -> None:
+        """Warn that the queue begins no other test; without a sentence that is over."""
+        self._warned("queue", sentence)
+
+    def _warned(self, kind: str, sentence: str) -> None:
         if sentence:
-            self._core.warn(because("messages", sentence=sentence))
+            self._core.warn(because(kind, sentence=sentence))
         else:
-            self._core.alarms.clear("messages")
+            self._core.alarms.clear(kind)
 
     def set_limit(self, name: str, value: float, operator: str = "", reason: str = "") -> None:
         """Change a limit of the test under way; the change is logged with before and after.
@@ -520,8 +531,7 @@ class Engine:
         """
         with self._command:
             connection = self._before_a_test("this is looked at")
-            found = signals_at_rest(self._core, connection)
-            signals = None if found is None else found.pair
+            signals = signals_at_rest(self._core, connection)
             return RigAtRest(connection.processor.calibration, connection.devices.readback, signals)
 
     def _before_a_test(self, what: str) -> Connection:

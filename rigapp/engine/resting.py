@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -61,8 +63,11 @@ def signals_at_rest(core: Core, connection: Connection) -> RestSignals | None:
     except TimeoutError:
         return None
     pair = connection.processor.calibration.place(LOAD_CELL)
-    mean, noise = seen.mean[pair].tolist(), seen.noise[pair].tolist()
-    return RestSignals(*mean, *noise) if np.isfinite(mean).all() else None
+    (first, second), (noise, other) = seen.mean[pair].tolist(), seen.noise[pair].tolist()
+    angle = connection.processor.motion.angle_deg(time.monotonic())
+    if not np.isfinite([first, second]).all():
+        return None
+    return RestSignals(first, second, noise, other, angle)
 
 
 def note_rest(core: Core, rest: RestSignals | None) -> None:

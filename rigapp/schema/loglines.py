@@ -63,13 +63,15 @@ class LimitChange(msgspec.Struct, frozen=True):
 class RestSignals(msgspec.Struct, frozen=True):
     """Carry what the load cell showed while the crank stood, mV/V.
 
-    noise: standard deviation of one sample; None where it is not known.
+    noise: standard deviation of one sample. crank_angle_deg: where the crank stood, which tells
+    what spring and weight did to the cell. None where they are not known.
     """
 
     force_1_mV_per_V: float
     force_2_mV_per_V: float
     noise_1_mV_per_V: float | None = None
     noise_2_mV_per_V: float | None = None
+    crank_angle_deg: float | None = None
 
     @property
     def pair(self) -> tuple[float, float]:

@@ -3,7 +3,9 @@
 ``read_past`` reads the file, ``compare`` judges (pure), ``remarks`` says what goes into the log.
 A device of another kind, another encoder, a simulated rig in place of a real one, an expired
 calibration refuse; another calibration, a zero or signals at rest that moved by more than
-``ZERO_SHARE`` of the full scale need a reason, which is recorded; smaller things are noted.
+``ZERO_SHARE`` of the full scale need a reason, which is recorded; smaller things are noted. Signals
+at rest are compared where the crank is known to stand as it stood: spring and weight press on the
+pin by other forces at another angle.
 """
 
 from __future__ import annotations
@@ -25,12 +27,15 @@ from rigapp.engine.engine import LogEntry
 from rigapp.engine.recording.store import calibration_record, missing_channels
 from rigapp.engine.values.calibrate import Calibration
 from rigapp.schema.channels import ChannelTable, Kind
-from rigapp.schema.loglines import rest_signals
+from rigapp.schema.loglines import RestSignals, rest_signals
 from rigapp.schema.states import Refused, refuse_long
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
 ZERO_SHARE = 0.02
 """A zero that moved by more of the load cell's full scale needs a reason."""
+
+SAME_ANGLE_DEG = 5.0
+"""Within it a spring of 525 N/m on a crank of 76 mm presses by 3.5 N more or less."""
 
 FITTED = 50
 """The twin may not have answered to the last rows: so many of its last depths are followed."""
@@ -106,7 +111,7 @@ class Past:
     calibration: Mapping[str, Any]
     rig: RigFile | None
     channels: ChannelTable
-    rest: Pair | None
+    rest: RestSignals | None
     new_position_um: Pair | None
     wear_depth_um: float | None
 
@@ -148,7 +153,7 @@ def read_past(path: Path) -> Past:
             calibration=reader.calibration(),
             rig=rig,
             channels=reader.plan.table,
-            rest=rests[0].pair if rests else None,
+            rest=rests[0] if rests else None,
             new_position_um=new,
             wear_depth_um=_depth(reader, rows),
         )
@@ -181,7 +186,7 @@ def compare(
     rig: RigFile,
     calibration: Calibration,
     devices: Mapping[str, Mapping[str, Any]],
-    rest: Pair | None,
+    rest: RestSignals | None,
     blocking: Mapping[str, str],
     now: float | None = None,
 ) -> Resumption:
@@ -328,7 +333,7 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
 
 
 def _of_zero(
-    past: Past, rig: RigFile, calibration: Calibration, rest: Pair | None
+    past: Past, rig: RigFile, calibration: Calibration, rest: RestSignals | None
 ) -> Iterator[Compared]:
     cell = past.calibration.get("load_cell", {})
     limit = ZERO_SHARE * rig.load_cell.full_scale_N
@@ -353,9 +358,23 @@ def _of_zero(
         text = "the crank moves, or no samples come while it stands"
         text = text if rest is None else "the file does not tell them"
         yield Compared("Load cell at rest", "", "", Fit.NOTED, f"not compared: {text}")
-    else:
+        return
+    where = [one.crank_angle_deg for one in (past.rest, rest)]
+    if _same_angle(*where):
         words = "with the crank at rest the load cell shows a force that differs"
-        yield judged("Load cell at rest", past.rest, rest, words)
+        yield judged("Load cell at rest", past.rest.pair, rest.pair, words)
+        return
+    then, here = (
+        "crank angle not known" if one is None else f"crank at {one:.0f} deg" for one in where
+    )
+    text = "not compared: the crank is not known to stand as it stood, and a spring presses by its"
+    yield Compared("Load cell at rest", then, here, Fit.NOTED, f"{text} angle")
+
+
+def _same_angle(before: float | None, now: float | None) -> bool:
+    if before is None or now is None:
+        return False
+    return abs((now - before + 180.0) % 360.0 - 180.0) <= SAME_ANGLE_DEG
 
 
 def stored_tare(past: Past) -> Pair | None:

@@ -21,6 +21,7 @@ from rigapp.config.loading import Document, parse_rig, read_rig
 from rigapp.config.rig import ChannelSection, RigFile
 from rigapp.engine.recording.store import calibration_record
 from rigapp.engine.values.calibrate import Calibration, calibration_of
+from rigapp.schema.loglines import RestSignals
 from rigapp.schema.messages import Reply, Request, RunState
 from rigapp.schema.states import ENDED, Refused
 from rigapp.service.host import EngineHost, read_test
@@ -52,7 +53,7 @@ def past(rig: RigFile) -> Past:
         calibration={**calibration_record(calibration(rig)), "device_daq": {"filter_Hz": 100.0}},
         rig=rig,
         channels=channel_table(rig),
-        rest=(0.1, 0.0),
+        rest=RestSignals(0.1, 0.0, crank_angle_deg=359.0),
         new_position_um=(500.0, 0.0),
         wear_depth_um=1.0,
     )
@@ -62,7 +63,7 @@ def judged(past: Past, rig: RigFile, **changes: Any) -> Resumption:
     arguments: dict[str, Any] = {
         "calibration": calibration(rig),
         "devices": {"daq": {"filter_Hz": 100.0}},
-        "rest": (0.1, 0.0),
+        "rest": RestSignals(0.1, 0.0, crank_angle_deg=2.0),
         "blocking": {},
         "now": 1000.0 + 3 * 86400.0,
     }
@@ -145,9 +146,26 @@ def test_a_zero_beyond_the_share_needs_a_reason(
     """400 N full scale, 200 N per mV/V: 2 % are 0.04 mV/V."""
     cell = structs.replace(rig.load_cell, zero_mV_per_V=zero)
     present = calibration(structs.replace(rig, load_cell=cell)).with_tare(tare)
-    found = judged(past, rig, calibration=present, rest=rest)
+    seen = RestSignals(*rest, crank_angle_deg=2.0)
+    found = judged(past, rig, calibration=present, rest=seen)
     needed = {k for k, fit in fits(found).items() if fit is Fit.REASON}
     assert needed - {"Calibration of the load cell"} == ({what} if what else set())
+
+
+@pytest.mark.parametrize(("then", "now"), [(359.0, 5.0), (359.0, None), (None, 2.0), (None, None)])
+def test_a_load_at_rest_is_compared_at_the_same_crank_angle_alone(
+    past: Past, rig: RigFile, then: float | None, now: float | None
+) -> None:
+    """A spring presses by 118 N more at the other dead centre: no reason is to be given for it."""
+    before = RestSignals(0.1, 0.0, crank_angle_deg=then)
+    found = judged(
+        replace(past, rest=before), rig, rest=RestSignals(-0.49, 0.0, crank_angle_deg=now)
+    )
+    assert fits(found) == {"Load cell at rest": Fit.NOTED}
+    assert not found.asks_reason
+    (_, noted) = remarks(found, "Ada", "")
+    assert "not compared" in noted.text
+    assert noted.before == ("crank angle not known" if then is None else "crank at 359 deg")
 
 
 def test_another_clock_of_the_samples_refuses(past: Past, rig: RigFile) -> None:
