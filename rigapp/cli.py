@@ -37,6 +37,18 @@ calibrate_app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
 )
+service_app = typer.Typer(
+    help="Engines and page that start with the computer (systemd units of the user).",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
+queue_app = typer.Typer(
+    help="Tests of one rig, one after another, each into a file of its own.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
+app.add_typer(queue_app, name="queue")
+app.add_typer(service_app, name="service")
 app.add_typer(model_app, name="model")
 app.add_typer(calibrate_app, name="calibrate")
 
@@ -612,30 +624,126 @@ def status(
     return show_engines(rig, as_json=json)
 
 
+PageBindOption = Annotated[
+    str,
+    _option(
+        "--bind",
+        "Where to listen; beyond this computer only with token, certificate and key.",
+        metavar="ADDRESS:PORT",
+    ),
+]
+TokenOption = Annotated[
+    Path | None, _option("--token", "File of mode 0600 with what a visitor must know.")
+]
+CertificateOption = Annotated[Path | None, _option("--certificate", "Certificate (PEM).")]
+KeyOption = Annotated[Path | None, _option("--key", "Its private key (PEM), mode 0600.")]
+
+
 @app.command()
 def page(
     rig: Annotated[
         list[Path] | None,
         _option("--rig", "Rig file, or entry of an engine elsewhere; repeatable. Else all here."),
     ] = None,
-    bind: Annotated[
-        str,
-        _option(
-            "--bind",
-            "Where to listen; beyond this computer only with token, certificate and key.",
-            metavar="ADDRESS:PORT",
-        ),
-    ] = "127.0.0.1:8750",
-    token: Annotated[
-        Path | None, _option("--token", "File of mode 0600 with what a visitor must know.")
-    ] = None,
-    certificate: Annotated[Path | None, _option("--certificate", "Certificate (PEM).")] = None,
-    key: Annotated[Path | None, _option("--key", "Its private key (PEM), mode 0600.")] = None,
+    bind: PageBindOption = "127.0.0.1:8750",
+    token: TokenOption = None,
+    certificate: CertificateOption = None,
+    key: KeyOption = None,
 ) -> int:
     """Show the engines that run as a read-only page, and as metrics for Prometheus."""
     from rigapp.commands.page import serve_page
 
     return serve_page(rig or [], bind, token, certificate, key)
+
+
+OperatorOption = Annotated[str, _option("--operator", "Who asks; stands in the log.")]
+
+
+@queue_app.command("add")
+def queue_add(
+    tests: Annotated[list[Path], typer.Argument(help="Test files, in their order.")],
+    rig: RigOption,
+    to: Annotated[Path, _option("--to", "Folder for the recorded files.")] = Path("results"),
+) -> int:
+    """Put tests at the end of the queue; each file is named after its test and the moment."""
+    from rigapp.commands import queue
+
+    return queue.add(tests, rig, to)
+
+
+@queue_app.command("list")
+def queue_list(rig: RigOption, json: JsonOption = False) -> int:
+    """Show the queue: number, stage, file, how it ended."""
+    from rigapp.commands import queue
+
+    return queue.show(rig, as_json=json)
+
+
+@queue_app.command("remove")
+def queue_remove(
+    numbers: Annotated[list[int], typer.Argument(help="Numbers, as the list shows them.")],
+    rig: RigOption,
+) -> int:
+    """Take tests out of the queue; what they have recorded stays."""
+    from rigapp.commands import queue
+
+    return queue.remove(numbers, rig)
+
+
+@queue_app.command("start")
+def queue_start(rig: RigOption, operator: OperatorOption = "") -> int:
+    """Begin the next test, or go on with the one that stopped; the rest follows by itself.
+
+    It stops at the first test that does not end as planned.
+    """
+    from rigapp.commands import queue
+
+    return queue.start(rig, operator)
+
+
+@queue_app.command("stop")
+def queue_stop(rig: RigOption, operator: OperatorOption = "") -> int:
+    """Begin no other test; the one that runs goes on to its end."""
+    from rigapp.commands import queue
+
+    return queue.stop(rig, operator)
+
+
+@service_app.command("install")
+def service_install(
+    rig: Annotated[
+        list[Path] | None, _option("--rig", "Rig file whose engine is to start; repeatable.")
+    ] = None,
+    page: Annotated[bool, _option("--page", "The page as well.")] = False,
+    page_bind: Annotated[
+        str, _option("--page-bind", "Where the page listens.", metavar="ADDRESS:PORT")
+    ] = "127.0.0.1:8750",
+    token: TokenOption = None,
+    certificate: CertificateOption = None,
+    key: KeyOption = None,
+    show: Annotated[bool, _option("--show", "Print the units; write and start nothing.")] = False,
+) -> int:
+    """Start engines and page with the computer; an engine connects and tells, nothing turns."""
+    from rigapp.commands import service
+
+    units = [service.engine_unit(one) for one in rig or []]
+    if page:
+        units.append(service.page_unit(page_bind, token, certificate, key))
+    if not units:
+        raise UnusableInput("Name what is to start with the computer: --rig RIG.toml, --page.")
+    return service.show(units) if show else service.install(units)
+
+
+@service_app.command("remove")
+def service_remove(
+    rig: Annotated[
+        list[Path] | None, _option("--rig", "Rig file whose engine is meant; else all, and page.")
+    ] = None,
+) -> int:
+    """Stop them and start them no more; what runs is ended as by a signal."""
+    from rigapp.commands import service
+
+    return service.remove(rig or [])
 
 
 @app.command()
@@ -654,6 +762,7 @@ def engine(
     rig: Annotated[Path, typer.Argument()],
     speed: SpeedOption = None,
     bind: BindOption = None,
+    stay: Annotated[bool, _option("--stay", "Also while nobody looks on.")] = False,
 ) -> int:
     """Host an engine for windows to attach to."""
     from rigapp.service.registry import starting
@@ -661,7 +770,7 @@ def engine(
     with starting(rig):
         from rigapp.service.host import serve
 
-        return serve(rig, speed, bind)
+        return serve(rig, speed, bind, stay=stay)
 
 
 INTERRUPTED = 130

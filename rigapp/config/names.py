@@ -1,8 +1,9 @@
-"""Is this the name of a file that can be written, beside what is kept while it is written?"""
+"""Names of files: can one be written, beside what is kept meanwhile; the name of a new result."""
 
 from __future__ import annotations
 
 import os
+import time
 from pathlib import Path
 
 LONGEST_NAME_BYTES = 239
@@ -32,3 +33,13 @@ def name_refusal(path: Path) -> str:
             f"the file name {start}... has {length} bytes, {LONGEST_NAME_BYTES} at most; shorten it"
         )
     return ""
+
+
+def new_result(folder: Path, name: str) -> Path:
+    """Return the path of a test file that is not there yet: name, moment and ``.h5``."""
+    stamp = time.strftime("%Y%m%d-%H%M%S")
+    path, more = folder / f"{name}-{stamp}.h5", 1
+    while path.exists():
+        more += 1
+        path = folder / f"{name}-{stamp}-{more}.h5"
+    return path

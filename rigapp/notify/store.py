@@ -16,6 +16,7 @@ from rigapp.config.notify import NotifySection
 from rigapp.config.writing import whole_file
 from rigapp.notify.outbox import Outbox
 from rigapp.notify.rules import Book
+from rigapp.process.locks import taken
 
 
 class WayState(msgspec.Struct, frozen=True):
@@ -75,16 +76,4 @@ def settled(state: CourierState) -> CourierState:
 def owned(file: Path) -> Iterator[bool]:
     """Hold the lock of a state while this lasts; False where another courier has it."""
     with file.with_suffix(".lock").open("ab") as stream:
-        yield _locked(stream.fileno())
-
-
-def _locked(descriptor: int) -> bool:
-    try:
-        import fcntl
-    except ImportError:  # where there is none, one engine a rig is all that keeps others away
-        return True
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
-    return True
+        yield taken(stream.fileno())

@@ -176,6 +176,8 @@ VERBS = {
         Verb("reconnect", Nothing, Lane.WORK, timeout_s=90.0),
         Verb("start", Start, Lane.WORK, timeout_s=120.0),
         Verb("resume_file", Resume, Lane.WORK, timeout_s=120.0),
+        Verb("queue_start", Nothing, Lane.WORK, timeout_s=120.0),
+        Verb("queue_stop", Nothing, Lane.WORK),
         Verb("examine_file", File, Lane.WORK, timeout_s=120.0),
         Verb("pause", Reason, Lane.WORK, urgent=True),
         Verb("resume", Nothing, Lane.WORK, timeout_s=30.0),

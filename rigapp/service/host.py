@@ -33,7 +33,9 @@ from rigapp.notify.ways import Ways, inspected, ways_of
 from rigapp.process.ending import Background, asked_to_end, finish_in_time
 from rigapp.process.logs import beside, in_file
 from rigapp.process.private import private_folder
-from rigapp.process.threads import OneAtATime
+from rigapp.process.threads import OneAtATime, Worker
+from rigapp.queue.store import QueueStore
+from rigapp.queue.worker import Hands, QueueWorker
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
     Reply,
@@ -48,8 +50,10 @@ from rigapp.schema.states import ACTIVE, Refused
 from rigapp.schema.verbs import VERBS, Hand, Nothing, Resume, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import InCommand
+from rigapp.service.lasttest import cut_off, remember
 from rigapp.service.recorded import (
     checkpoint,
+    complete_test,
     compress_complete,
     end_whole_test,
     recorded_test,
@@ -58,6 +62,7 @@ from rigapp.service.recorded import (
 from rigapp.service.registry import (
     EngineEntry,
     announce,
+    kept_of,
     lasting_folder,
     local_endpoints,
     runtime_folder,
@@ -83,6 +88,10 @@ log = logging.getLogger(__name__)
 EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 """Errors that are a sentence for whoever asked, not a defect."""
 
+DEVICES_COME_S, DEVICES_PAUSE_S = 300.0, 15.0
+"""After the computer's start devices may be ready later; they are asked so long, so often."""
+QUEUE_LOOK_S, QUEUE_SILENCE_S = 0.2, 150.0
+"""Beginning a test may take as long as its request."""
 LONELY_S = 60.0  # a window may be closed and opened again meanwhile
 START_WAIT_S = 10.0  # a second start waits so long for the first to be refused or begun
 CLOSE_S = 120.0
@@ -127,6 +136,12 @@ class EngineHost:
         self._cancelled = ""
         self.ended = threading.Event()
         self._behind = SampleNumbers()
+        self.queue = QueueWorker(
+            QueueStore(kept_of(rig.path, "queues"), rig.path),
+            Hands(self._begin_queued, EXPECTED, self.engine.queue_stopped),
+        )
+        self._queue_ends = self.engine.watch()
+        self._queue_thread = Worker("queue", self._heed_queue, self._queue_died, QUEUE_SILENCE_S)
         self._command = InCommand(
             lambda text, who, before, after: self.engine.log("command", text, who, before, after)
         )
@@ -144,6 +159,8 @@ class EngineHost:
             )
         )
         self._messages = self._courier(ways) if ways else None
+        self.queue.take_up()
+        self._queue_thread.start()
 
     def _courier(self, ways: Ways) -> CourierLink:
         """Start what tells who is away; it hears what every viewer hears."""
@@ -232,6 +249,12 @@ class EngineHost:
             self._go_on()
             self._keep_log(out)
             self.engine.start(test, out, operator=operator, resume=resume, remarks=notes)
+            self.engine.test_cut_off("")
+            remember(self._rig.path, out)
+
+    def tell_of_cut_off_test(self) -> None:
+        """Warn where the last test of this rig was ended by nobody; nothing turns."""
+        self.engine.test_cut_off(cut_off(self._rig.path))
 
     def cancel(self, why: str) -> None:
         """Let no test start any more, nor go on with starting; raises Refused there."""
@@ -366,6 +389,11 @@ class EngineHost:
         try:
             self.engine.shutdown()
         finally:
+            self._queue_thread.halt()
+            self._queue_thread.join(QUEUE_SILENCE_S)
+            while (notice := self._queue_ends.get(0.0)) is not None:
+                if isinstance(notice, Finished):
+                    self.queue.finished(notice)
             if self._twin is not None:
                 self._twin.close()
             self._simulated.close()
@@ -380,6 +408,27 @@ class EngineHost:
     def watched(self) -> bool:
         """Tell whether a viewer is attached."""
         return self._server.watched
+
+    # --- tests one after another -----------------------------------------------------------------
+
+    def _begin_queued(self, test: Path, file: Path, operator: str) -> Finished | None:
+        """Begin a test of the queue; where its file is there, go on with it or end it."""
+        if not file.exists():
+            file.parent.mkdir(parents=True, exist_ok=True)
+            self.start(read_test(test), file, operator, resume=False)
+            return None
+        end = end_whole_test(file) or complete_test(file)
+        if end is None:
+            self.start(recorded_test(file), file, operator, resume=True)
+        return end
+
+    def _heed_queue(self) -> None:
+        notice = self._queue_ends.get(QUEUE_LOOK_S)
+        if isinstance(notice, Finished):
+            self.queue.finished(notice)
+
+    def _queue_died(self, worker: Worker, error: BaseException) -> None:
+        self.engine.queue_stopped(f"{type(error).__name__}: {error}.")
 
     # --- what viewers ask ------------------------------------------------------------------------
 
@@ -432,6 +481,8 @@ class EngineHost:
             "reconnect": self._connect_request,
             "start": self._start_request,
             "resume_file": self._resume_request,
+            "queue_start": lambda a, by: msgspec.to_builtins(self.queue.start(by.operator)),
+            "queue_stop": lambda a, by: msgspec.to_builtins(self.queue.stop()),
             "examine_file": lambda a, by: msgspec.to_builtins(self.resumption(Path(a.file))),
             "pause": lambda a, by: engine.pause(by.operator, a.reason),
             "resume": lambda a, by: engine.resume(by.operator),
@@ -478,23 +529,27 @@ class EngineHost:
         return None
 
 
-def serve(rig_path: Path, speed: str | None, bind: str | None = None) -> int:
+def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: bool = False) -> int:
     """Host an engine for windows until one of them, or a signal, shuts it down.
 
-    bind: as ``security.parse_bind`` takes it.
+    bind: as ``security.parse_bind`` takes it. stay: also while nobody looks on, as it started with
+    the computer: it tells of a test that was cut off, and asks for its devices for a while, which
+    may come up later.
 
-    Without a test and without a viewer for ``LONELY_S`` it ends by itself.
+    Without it, without a test and without a viewer for ``LONELY_S``, it ends by itself.
     """
     rig = read_rig(rig_path)
     host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
     with asked_to_end() as asked:
-        Background(lambda: _connect_quietly(host), "connect")
+        Background(lambda: _connect_quietly(host, DEVICES_COME_S if stay else 0.0), "connect")
+        if stay:
+            host.tell_of_cut_off_test()
         lonely_since = time.monotonic()
         while not host.ended.is_set() and not asked:
             notice = host.notices.get(0.2)
             if isinstance(notice, Finished):
                 compress_complete(notice)
-            if host.watched or host.engine.state in ACTIVE:
+            if stay or host.watched or host.engine.state in ACTIVE:
                 lonely_since = time.monotonic()
             elif time.monotonic() - lonely_since > LONELY_S:
                 break
@@ -513,9 +568,17 @@ def close_host(host: EngineHost, asked: list[str]) -> None:
     )
 
 
-def _connect_quietly(host: EngineHost) -> None:
-    """Connect at once, so that the window shows live values; a failure shows in the state."""
-    try:
-        host.connect()
-    except EXPECTED as error:
-        print(f"rigapp engine: {error}", flush=True)
+def _connect_quietly(host: EngineHost, patience_s: float = 0.0) -> None:
+    """Connect at once, so that the window shows live values; a failure shows in the state.
+
+    patience_s: for so long it is tried again, as long as nobody else has done anything.
+    """
+    until = time.monotonic() + patience_s
+    while True:
+        try:
+            host.connect()
+        except EXPECTED as error:
+            print(f"rigapp engine: {error}", flush=True)
+        untouched = host.engine.state in (RunState.IDLE, RunState.FAULT) and not host.watched
+        if not untouched or time.monotonic() > until or host.ended.wait(DEVICES_PAUSE_S):
+            return

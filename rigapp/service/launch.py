@@ -16,6 +16,7 @@ from pathlib import Path
 
 from rigapp.process.ending import Background
 from rigapp.process.leftovers import process_alive
+from rigapp.process.locks import taken
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.registry import (
     EngineEntry,
@@ -113,7 +114,7 @@ def _one_at_a_time() -> Iterator[None]:
     path = runtime_folder() / "launch.lock"
     deadline = time.monotonic() + HELLO_S
     with path.open("wb") as file:
-        while not _locked(file.fileno()):
+        while not taken(file.fileno()):
             if time.monotonic() > deadline:
                 raise EngineUnreachable(
                     f"{path}: another window has been starting an engine for {HELLO_S:g} s; try"
@@ -121,15 +122,3 @@ def _one_at_a_time() -> Iterator[None]:
                 )
             time.sleep(LOOK_EVERY_S)
         yield
-
-
-def _locked(descriptor: int) -> bool:
-    try:
-        import fcntl
-    except ImportError:  # where there is none, nobody else starts one at this moment, perhaps
-        return True
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
-    return True

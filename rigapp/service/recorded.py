@@ -49,11 +49,20 @@ def end_whole_test(path: Path) -> Finished | None:
     revolutions = finish_whole_test(path)
     if not revolutions:
         return None
-    with open_test(path) as reader:
-        sentence = str(reader.summary()["reason"])
-    end = Finished(FinishReason.COMPLETE, sentence, "complete", revolutions, str(path))
+    end = complete_test(path)
+    assert end is not None
     compress_complete(end)
     return end
+
+
+def complete_test(path: Path) -> Finished | None:
+    """Return how a test ended that is complete; None for any other."""
+    with open_test(path) as reader:
+        said = reader.summary()
+    if said["status"] != "complete":
+        return None
+    reason = str(said["reason"] or "")
+    return Finished(FinishReason.COMPLETE, reason, "complete", said["revolutions"], str(path))
 
 
 def checkpoint(path: Path) -> bytes:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 import sys
@@ -73,6 +74,12 @@ def lasting_folder() -> Path:
     if (before / "keys").is_dir() and not (folder / "keys").exists():
         shutil.move(before / "keys", folder / "keys")
     return folder
+
+
+def kept_of(rig: Path, what: str) -> Path:
+    """Return the file that keeps something of a rig beyond a restart; raise UnusableInput."""
+    name = hashlib.sha256(str(rig.resolve()).encode()).hexdigest()[:16]
+    return private_folder(lasting_folder() / what) / f"{name}.json"
 
 
 def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:

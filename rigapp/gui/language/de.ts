@@ -2798,6 +2798,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Ein kurzer Versuch, alles nur simuliert.</translation>
     </message>
     <message>
+        <source>A test was cut off</source>
+        <translation>Ein Versuch wurde unterbrochen</translation>
+    </message>
+    <message>
         <source>A window with the simulated rig is being opened.</source>
         <translation>Ein Fenster mit dem simulierten Prüfstand wird geöffnet.</translation>
     </message>
@@ -3418,6 +3422,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Netz und Server ansehen, und rigapp notify --test; was wartet, bleibt erhalten.</translation>
     </message>
     <message>
+        <source>Look at the rig, then go on with the test (Results, or rigapp resume), or begin another.</source>
+        <translation>Den Prüfstand ansehen, dann den Versuch fortsetzen (Ergebnisse, oder rigapp resume) oder einen anderen beginnen.</translation>
+    </message>
+    <message>
         <source>Look at the signal, its sensor, its range and its cable.</source>
         <translation>Das Signal, seinen Sensor, Bereich und Kabel ansehen.</translation>
     </message>
@@ -3606,6 +3614,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Keine Grenzen</translation>
     </message>
     <message>
+        <source>No other test of the queue begins.</source>
+        <translation>Kein weiterer Versuch der Warteschlange beginnt.</translation>
+    </message>
+    <message>
         <source>No results yet</source>
         <translation>Noch keine Ergebnisse</translation>
     </message>
@@ -3664,6 +3676,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Nothing lost</source>
         <translation>Nichts verloren</translation>
+    </message>
+    <message>
+        <source>Nothing turns by itself; what the file holds is safe.</source>
+        <translation>Nichts dreht sich von selbst; was in der Datei steht, ist sicher.</translation>
     </message>
     <message>
         <source>Nothing was done.</source>
@@ -3868,6 +3884,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Progress of the test</source>
         <translation>Fortschritt des Versuchs</translation>
+    </message>
+    <message>
+        <source>Put it right; rigapp queue start goes on with this test, rigapp queue remove leaves it out.</source>
+        <translation>In Ordnung bringen; rigapp queue start setzt diesen Versuch fort, rigapp queue remove lässt ihn aus.</translation>
     </message>
     <message>
         <source>Put the notice away</source>
@@ -4772,6 +4792,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The preload is d&amp;one</source>
         <translation>Die V&amp;orlast ist getan</translation>
+    </message>
+    <message>
+        <source>The queue has stopped</source>
+        <translation>Die Warteschlange ist stehen geblieben</translation>
     </message>
     <message>
         <source>The record counts when {} names it: section [{}], {} = {}</source>
@@ -5700,6 +5724,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>probes, k = 2</source>
         <translation>Wegsensoren, k = 2</translation>
+    </message>
+    <message>
+        <source>queue start</source>
+        <translation>Warteschlange beginnen</translation>
+    </message>
+    <message>
+        <source>queue stop</source>
+        <translation>Warteschlange anhalten</translation>
     </message>
     <message>
         <source>ready</source>

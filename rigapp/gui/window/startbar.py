@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFileDialog, QFrame
 
+from rigapp.config.names import new_result
 from rigapp.config.ranges import RANGES
 from rigapp.gui.language.words import tr
 from rigapp.gui.look.tokens import GAP, MARGIN, STEP
@@ -130,8 +130,7 @@ class StartBar(QFrame):
         wrong = armed is None or bool(changed or armed.problem)
         text = self._sentence(changed, lost)
         if armed is not None and not wrong:
-            stamp = time.strftime("%Y%m%d-%H%M%S")
-            self.out.setText(str(self._results / f"{armed.path.stem}-{stamp}.h5"))
+            self.out.setText(str(new_result(self._results, armed.path.stem)))
         self.told.setText(f"▲ {text}" if wrong else text)
         tell(self.told, "role", "error" if wrong else "caution" if lost else "secondary")
         self.read.setVisible(bool(changed))

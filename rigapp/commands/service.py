@@ -1,0 +1,222 @@
+"""`rigapp service`: engines and page that start with the computer, as systemd units of the user.
+
+An engine that is started so connects its devices and tells of a test that was cut off; nothing
+turns by itself.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import platformdirs
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.loading import read_rig
+
+PAGE = "rigapp-page.service"
+STOP_S = 150
+"""An engine stops the spindle and ends its file within 120 s, its messages included."""
+SYSTEMCTL_S = 60.0
+
+ENGINE_UNIT = """\
+[Unit]
+Description=rigapp engine of {name}
+StartLimitIntervalSec=600
+StartLimitBurst=5
+
+[Service]
+X-Of={of}
+Type=exec
+ExecStart={command}
+Restart=on-failure
+RestartSec=10
+KillMode=mixed
+TimeoutStopSec={stop_s}
+
+[Install]
+WantedBy=default.target
+"""
+"""KillMode=mixed: the engine alone is asked to end, and ends simulation, twin and messages after
+the spindle stands."""
+
+PAGE_UNIT = """\
+[Unit]
+Description=rigapp page
+StartLimitIntervalSec=600
+StartLimitBurst=5
+
+[Service]
+X-Of={of}
+Type=exec
+ExecStart={command}
+Restart=on-failure
+RestartSec=10
+
+[Install]
+WantedBy=default.target
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class SystemdUnit:
+    """One unit: name of its file, its text, and what it is of (a rig file, or the page)."""
+
+    name: str
+    text: str
+    of: str
+
+
+def engine_unit(rig: Path) -> SystemdUnit:
+    """Return the unit of a rig's engine; raise UnusableInput where the rig file is not usable."""
+    document = read_rig(rig)
+    of = str(rig.resolve())
+    name = " ".join(document.record.name.split()) or rig.stem
+    command = command_line([*PROGRAM, "engine", of, "--stay"])
+    text = ENGINE_UNIT.format(name=escaped(name), of=escaped(of), command=command, stop_s=STOP_S)
+    return SystemdUnit(_unit_name(rig), text, of)
+
+
+def _unit_name(rig: Path) -> str:
+    words = re.sub(r"[^A-Za-z0-9_.-]+", "-", rig.stem).strip("-.") or "rig"
+    return f"rigapp-engine-{words}.service"
+
+
+def page_unit(
+    bind: str, token: Path | None = None, certificate: Path | None = None, key: Path | None = None
+) -> SystemdUnit:
+    """Return the unit of the page, which listens as ``rigapp page`` does."""
+    words = [*PROGRAM, "page", "--bind", bind]
+    for option, path in (("--token", token), ("--certificate", certificate), ("--key", key)):
+        if path is not None:
+            words += [option, str(path.resolve())]
+    return SystemdUnit(PAGE, PAGE_UNIT.format(of="page", command=command_line(words)), "page")
+
+
+PROGRAM = (sys.executable, "-m", "rigapp")
+
+
+def escaped(text: str) -> str:
+    """Return a text as a unit's value: what systemd would replace stands for itself."""
+    return text.replace("\\", "\\\\").replace("%", "%%")
+
+
+def command_line(words: Sequence[str]) -> str:
+    """Return words as ``ExecStart=`` takes them (systemd.service, section Command lines)."""
+    return " ".join(
+        '"{}"'.format(escaped(word).replace('"', '\\"').replace("$", "$$")) for word in words
+    )
+
+
+def units_folder() -> Path:
+    """Return where the user's units are."""
+    return platformdirs.user_config_path("systemd") / "user"
+
+
+def install(units: Sequence[SystemdUnit]) -> int:
+    """Write units, enable and start them; print what was done. Exit status.
+
+    Raises UnusableInput where a unit of that name is another rig's.
+    """
+    folder = units_folder()
+    for unit in units:
+        owner = _owner(folder / unit.name)
+        if owner not in ("", unit.of):
+            raise UnusableInput(
+                f"{folder / unit.name}: is of {owner}; give one of the two rig files another name."
+            )
+    folder.mkdir(parents=True, exist_ok=True)
+    for unit in units:
+        (folder / unit.name).write_text(unit.text, encoding="utf-8")
+        print(f"Written: {folder / unit.name}")
+    names = [unit.name for unit in units]
+    if not _asked("daemon-reload") or not _asked("enable", "--now", *names):
+        return 1
+    print(f"Started, and started with the computer: {', '.join(names)}")
+    if not _lingers():
+        print(
+            "They start when you log in and end when you log out; to have them from the start of"
+            " the computer on: loginctl enable-linger"
+        )
+    return 0
+
+
+def show(units: Sequence[SystemdUnit]) -> int:
+    """Print units as they would be written. Exit status."""
+    for unit in units:
+        print(f"# {units_folder() / unit.name}\n{unit.text}")
+    return 0
+
+
+def remove(rigs: Sequence[Path]) -> int:
+    """Stop and disable the engines of rigs, without rigs all and the page. Exit status.
+
+    Raises UnusableInput where nothing of the kind is installed.
+    """
+    folder = units_folder()
+    there = {path.name: _owner(path) for path in sorted(folder.glob("rigapp-*.service"))}
+    wanted = {str(one.resolve()) for one in rigs}
+    known = [name for name, of in there.items() if of in wanted or not rigs]
+    if not known:
+        raise UnusableInput(f"{folder}: nothing of rigapp's is installed{' for it' * bool(rigs)}.")
+    done = _asked("disable", "--now", *known)
+    for name in known:
+        (folder / name).unlink()
+        print(f"Removed: {folder / name}")
+    return 0 if _asked("daemon-reload") and done else 1
+
+
+def _owner(path: Path) -> str:
+    """Return what a unit file is of, empty where there is none."""
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except FileNotFoundError:
+        return ""
+    except (OSError, ValueError) as error:
+        raise UnusableInput(f"{path}: cannot be read ({error}).") from error
+    of = next((line.removeprefix("X-Of=") for line in lines if line.startswith("X-Of=")), "")
+    return of.replace("%%", "%").replace("\\\\", "\\") or "another program"
+
+
+def _asked(*arguments: str) -> bool:
+    """Ask the user's systemd for something; say on standard error why it was not done."""
+    if shutil.which("systemctl") is None:
+        print("rigapp: there is no systemctl here; the files are as told.", file=sys.stderr)
+        return False
+    try:
+        done = subprocess.run(
+            ["systemctl", "--user", *arguments],
+            capture_output=True,
+            text=True,
+            timeout=SYSTEMCTL_S,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        print(f"rigapp: systemctl {arguments[0]} did not answer in a minute.", file=sys.stderr)
+        return False
+    if done.returncode:
+        why = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
+        print(f"rigapp: systemctl --user {arguments[0]}: {why}", file=sys.stderr)
+    return done.returncode == 0
+
+
+def _lingers() -> bool:
+    """Tell whether the user's units live without a login; yes where nobody can tell."""
+    if shutil.which("loginctl") is None:
+        return True
+    try:
+        told = subprocess.run(
+            ["loginctl", "show-user", "--property=Linger", "--value"],
+            capture_output=True,
+            text=True,
+            timeout=SYSTEMCTL_S,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return True
+    return told.returncode != 0 or told.stdout.strip() == "yes"

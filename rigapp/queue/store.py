@@ -1,0 +1,58 @@
+"""The queue of a rig on the disk: read, and changed by one process after the other."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import msgspec
+
+from rigapp.config.errors import UnusableInput
+from rigapp.config.writing import whole_file
+from rigapp.process.locks import taken
+from rigapp.queue.items import Queue
+
+LOCK_S = 5.0
+LOOK_EVERY_S = 0.02
+
+
+class QueueStore:
+    """One queue in one file; commands and engine change it, each for an instant."""
+
+    def __init__(self, path: Path, rig: Path) -> None:
+        self._path = path
+        self._rig = str(rig.resolve())
+
+    def read(self) -> Queue:
+        """Return the queue, an empty one where there is none yet; raise UnusableInput."""
+        try:
+            return msgspec.json.decode(self._path.read_bytes(), type=Queue)
+        except FileNotFoundError:
+            return Queue(rig=self._rig)
+        except (OSError, ValueError) as error:
+            raise UnusableInput(
+                f"{self._path}: the queue cannot be read ({error}); move the file away."
+            ) from error
+
+    def change(self, how: Callable[[Queue], Queue]) -> Queue:
+        """Put another queue in the place of this one, and return it; raise UnusableInput."""
+        with self._alone():
+            changed = how(self.read())
+            with whole_file(self._path, "the queue", mode=0o600) as part:
+                part.write_bytes(msgspec.json.format(msgspec.json.encode(changed)))
+        return changed
+
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        deadline = time.monotonic() + LOCK_S
+        with self._path.with_suffix(".lock").open("ab") as file:
+            while not taken(file.fileno()):
+                if time.monotonic() > deadline:
+                    raise UnusableInput(
+                        f"{self._path}: another program has been changing the queue for"
+                        f" {LOCK_S:g} s; try again."
+                    )
+                time.sleep(LOOK_EVERY_S)
+            yield

@@ -1,0 +1,120 @@
+"""Work a queue through: begin the next test when one is done, stop at the first that is not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from rigapp.config.names import new_result
+from rigapp.queue.items import (
+    Item,
+    ItemState,
+    Queue,
+    after_finish,
+    at_work,
+    begun,
+    cut_off,
+    ended,
+    halted,
+)
+from rigapp.queue.store import QueueStore
+from rigapp.schema.notices import Finished
+from rigapp.schema.states import Refused
+
+
+class Begin(Protocol):
+    """Begin a test, or go on with it where its file is there already."""
+
+    def __call__(self, test: Path, file: Path, operator: str) -> Finished | None:
+        """Return how it ended where nothing was left to do; raise one of the expected errors."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hands:
+    """What a queue needs of the engine.
+
+    expected: errors of ``begin`` that are a sentence for the operator. tell: says that the queue
+    has stopped, and with an empty text that this is over.
+    """
+
+    begin: Begin
+    expected: tuple[type[Exception], ...]
+    tell: Callable[[str], None]
+
+
+class QueueWorker:
+    """Take the tests of a queue in their order, one at a time."""
+
+    def __init__(self, store: QueueStore, hands: Hands) -> None:
+        self._store = store
+        self._hands = hands
+        self._operator = ""
+
+    def take_up(self) -> None:
+        """Look at what an engine that ended without a word has left; nothing begins by itself."""
+        left = self._store.read()
+        if left.working or left.running is not None:
+            now = self._store.change(cut_off)
+            self._tell(now)
+
+    def start(self, operator: str) -> Queue:
+        """Begin the test that is next, and go on from there; return the queue.
+
+        Raises Refused where there is nothing to do or it works already, and what ``begin`` raises.
+        """
+        before = self._store.read()
+        if before.running is not None:
+            raise Refused(f"test {before.running.number} of the queue runs already")
+        if before.next is None:
+            raise Refused("no test waits in the queue; add one: rigapp queue add")
+        self._operator = operator
+        self._hands.tell("")
+        self._store.change(at_work)
+        self._go_on(self._begin(before.next))
+        return self._store.read()
+
+    def stop(self) -> Queue:
+        """Begin no other test; the one that runs goes on to its end."""
+        return self._store.change(halted)
+
+    def finished(self, notice: Finished) -> None:
+        """Take note of the end of a test, and begin the next one where it was done."""
+        before = self._store.read()
+        now = self._store.change(lambda queue: after_finish(queue, notice))
+        if now != before:
+            self._go_on(now)
+
+    def _go_on(self, now: Queue) -> None:
+        """Begin tests until one runs, or none is left, or one could not begin."""
+        while now.working and now.running is None and now.next is not None:
+            try:
+                now = self._begin(now.next)
+            except self._hands.expected:
+                now = self._store.read()
+        if now.running is None:
+            self._tell(now)
+
+    def _begin(self, one: Item) -> Queue:
+        """Begin a test unless the queue was stopped meanwhile; return the queue."""
+        file = one.file or str(new_result(Path(one.folder), Path(one.test).stem))
+        now = self._store.change(lambda queue: begun(queue, one.number, file))
+        if now.running is None:
+            return now
+        try:
+            end = self._hands.begin(Path(one.test), Path(file), self._operator)
+        except Exception as error:
+            words = str(error)
+            self._store.change(lambda queue: ended(queue, one.number, words, done=False))
+            raise
+        if end is None:
+            return self._store.read()
+        return self._store.change(lambda queue: after_finish(queue, end))
+
+    def _tell(self, queue: Queue) -> None:
+        one = queue.next
+        if one is not None and one.stage is ItemState.STOPPED:
+            wait = sum(other.stage is ItemState.WAITING for other in queue.items)
+            name = Path(one.test).name
+            self._hands.tell(f"test {one.number}, {name}: {one.sentence} {wait} more wait.")
