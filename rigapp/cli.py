@@ -673,7 +673,7 @@ def queue_add(
 
 @queue_app.command("list")
 def queue_list(rig: RigOption, json: JsonOption = False) -> int:
-    """Show the queue: number, stage, file, how it ended."""
+    """Show the queue: number, state, file, how it ended."""
     from rigapp.commands import queue
 
     return queue.show(rig, as_json=json)

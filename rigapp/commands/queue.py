@@ -10,9 +10,10 @@ from typing import Any
 import msgspec
 
 from rigapp.config.errors import UnusableInput
-from rigapp.config.loading import read_rig, read_test
-from rigapp.queue.items import ItemState, Queue, added, halted, line, removed
+from rigapp.config.loading import read_rig
+from rigapp.queue.items import Queue, halted, line, removed
 from rigapp.queue.store import QueueStore
+from rigapp.schema.queue import ItemState
 
 CONNECTING_S = 90.0
 LOOK_EVERY_S = 0.2
@@ -20,13 +21,9 @@ LOOK_EVERY_S = 0.2
 
 def add(tests: Sequence[Path], rig: Path, folder: Path) -> int:
     """Put tests at the end of a rig's queue and print it; raise UnusableInput. Exit status."""
-    from rigapp.engine.starting import check_fit
+    from rigapp.service.queued import add_tests
 
-    record = read_rig(rig).record
-    for path in tests:
-        check_fit(record, read_test(path))
-    paths = [str(path.resolve()) for path in tests]
-    return _shown(_store(rig).change(lambda queue: added(queue, paths, str(folder.resolve()))))
+    return _shown(add_tests(_store(rig), read_rig(rig).record, tests, folder))
 
 
 def remove(numbers: Sequence[int], rig: Path) -> int:
@@ -99,7 +96,7 @@ def _wait_for_devices(client: Any) -> None:
 
 
 def _shown(queue: Queue) -> int:
-    left = sum(one.stage is not ItemState.DONE for one in queue.items)
+    left = sum(one.state is not ItemState.DONE for one in queue.items)
     print(f"{left} to be done, the queue {'works' if queue.working else 'stands'}")
     for one in queue.items:
         print(line(one))

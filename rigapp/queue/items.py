@@ -2,42 +2,18 @@
 
 from __future__ import annotations
 
-import enum
 from pathlib import PurePath
 
 import msgspec
 
 from rigapp.config.errors import UnusableInput
 from rigapp.schema.notices import Finished
+from rigapp.schema.queue import ItemState, QueuedTest
 
 MOST_LEFT = 200
 """Tests that are still to be done."""
 MOST_DONE = 200
 """Of more the oldest are forgotten; their files stay."""
-
-
-class ItemState(enum.StrEnum):
-    """How far a test of the queue is. STOPPED: it ended before its time, or could not begin."""
-
-    WAITING = "waiting"
-    RUNNING = "running"
-    DONE = "done"
-    STOPPED = "stopped"
-
-
-class Item(msgspec.Struct, frozen=True):
-    """One test of a queue.
-
-    number: by which people name it, never given twice. test: its test file. folder: where its file
-    is made; file: that file, empty until it began. sentence: how it ended.
-    """
-
-    number: int
-    test: str
-    folder: str
-    stage: ItemState = ItemState.WAITING
-    file: str = ""
-    sentence: str = ""
 
 
 class Queue(msgspec.Struct, frozen=True):
@@ -46,25 +22,27 @@ class Queue(msgspec.Struct, frozen=True):
     rig: str = ""
     working: bool = False
     given: int = 0
-    items: tuple[Item, ...] = ()
+    items: tuple[QueuedTest, ...] = ()
 
     @property
-    def next(self) -> Item | None:
+    def next(self) -> QueuedTest | None:
         """Return the test that is to be done next: the first that is not done."""
-        return next((one for one in self.items if one.stage is not ItemState.DONE), None)
+        return next((one for one in self.items if one.state is not ItemState.DONE), None)
 
     @property
-    def running(self) -> Item | None:
+    def running(self) -> QueuedTest | None:
         """Return the test that runs."""
-        return next((one for one in self.items if one.stage is ItemState.RUNNING), None)
+        return next((one for one in self.items if one.state is ItemState.RUNNING), None)
 
 
 def added(queue: Queue, tests: list[str], folder: str) -> Queue:
     """Return a queue with more tests at its end; raise UnusableInput where they are too many."""
-    left = sum(one.stage is not ItemState.DONE for one in queue.items)
+    left = sum(one.state is not ItemState.DONE for one in queue.items)
     if left + len(tests) > MOST_LEFT:
         raise UnusableInput(f"A queue holds {MOST_LEFT} tests at most; {left} are in it.")
-    new = tuple(Item(number, test, folder) for number, test in enumerate(tests, queue.given + 1))
+    new = tuple(
+        QueuedTest(number, test, folder) for number, test in enumerate(tests, queue.given + 1)
+    )
     return msgspec.structs.replace(
         queue, given=queue.given + len(tests), items=_bounded((*queue.items, *new))
     )
@@ -76,7 +54,7 @@ def removed(queue: Queue, numbers: list[int]) -> Queue:
     for number in numbers:
         if number not in known:
             raise UnusableInput(f"The queue has no test {number}; look at rigapp queue list.")
-        if known[number].stage is ItemState.RUNNING:
+        if known[number].state is ItemState.RUNNING:
             raise UnusableInput(f"Test {number} runs; stop it first.")
     items = tuple(one for one in queue.items if one.number not in numbers)
     return msgspec.structs.replace(queue, items=items)
@@ -91,14 +69,14 @@ def begun(queue: Queue, number: int, file: str) -> Queue:
     """Return a queue with this test running into a file; as it was where it does not work."""
     if not queue.working:
         return queue
-    return _with(queue, number, stage=ItemState.RUNNING, file=file, sentence="")
+    return _with(queue, number, state=ItemState.RUNNING, file=file, sentence="")
 
 
 def ended(queue: Queue, number: int, sentence: str, *, done: bool) -> Queue:
     """Return a queue after the end of a test; one that is not done ends the work."""
     queue = msgspec.structs.replace(queue, working=queue.working and done)
-    stage = ItemState.DONE if done else ItemState.STOPPED
-    queue = _with(queue, number, stage=stage, sentence=sentence)
+    state = ItemState.DONE if done else ItemState.STOPPED
+    queue = _with(queue, number, state=state, sentence=sentence)
     return msgspec.structs.replace(
         queue, working=queue.working and queue.next is not None, items=_bounded(queue.items)
     )
@@ -115,7 +93,7 @@ def after_finish(queue: Queue, finished: Finished) -> Queue:
     A test of the queue that somebody went on with by hand is done by that as well.
     """
     for one in queue.items:
-        if one.file == finished.file and one.stage is not ItemState.DONE:
+        if one.file == finished.file and one.state is not ItemState.DONE:
             done = finished.status == "complete"
             return ended(queue, one.number, finished.sentence, done=done)
     return queue
@@ -130,10 +108,10 @@ def cut_off(queue: Queue) -> Queue:
     return halted(queue)
 
 
-def line(one: Item) -> str:
+def line(one: QueuedTest) -> str:
     """Return one line about a test for people."""
     name = PurePath(one.file or one.test).name
-    return f"{one.number:>4}  {one.stage.value:<8} {name}  {one.sentence}".rstrip()
+    return f"{one.number:>4}  {one.state.value:<8} {name}  {one.sentence}".rstrip()
 
 
 def _with(queue: Queue, number: int, **changes: object) -> Queue:
@@ -144,7 +122,7 @@ def _with(queue: Queue, number: int, **changes: object) -> Queue:
     return msgspec.structs.replace(queue, items=items)
 
 
-def _bounded(items: tuple[Item, ...]) -> tuple[Item, ...]:
-    done = [one.number for one in items if one.stage is ItemState.DONE]
+def _bounded(items: tuple[QueuedTest, ...]) -> tuple[QueuedTest, ...]:
+    done = [one.number for one in items if one.state is ItemState.DONE]
     forgotten = set(done[: max(0, len(done) - MOST_DONE)])
     return tuple(one for one in items if one.number not in forgotten)

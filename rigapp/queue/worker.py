@@ -8,19 +8,10 @@ from pathlib import Path
 from typing import Protocol
 
 from rigapp.config.names import new_result
-from rigapp.queue.items import (
-    Item,
-    ItemState,
-    Queue,
-    after_finish,
-    at_work,
-    begun,
-    cut_off,
-    ended,
-    halted,
-)
+from rigapp.queue.items import Queue, after_finish, at_work, begun, cut_off, ended, halted
 from rigapp.queue.store import QueueStore
 from rigapp.schema.notices import Finished
+from rigapp.schema.queue import ItemState, QueuedTest
 from rigapp.schema.states import Refused
 
 
@@ -86,6 +77,10 @@ class QueueWorker:
         if now != before:
             self._go_on(now)
 
+    def view(self) -> Queue:
+        """Return the queue as it is, read again only when it was changed; empty if unreadable."""
+        return self._store.view()
+
     def _go_on(self, now: Queue) -> None:
         """Begin tests until one runs, or none is left, or one could not begin."""
         while now.working and now.running is None and now.next is not None:
@@ -96,7 +91,7 @@ class QueueWorker:
         if now.running is None:
             self._tell(now)
 
-    def _begin(self, one: Item) -> Queue:
+    def _begin(self, one: QueuedTest) -> Queue:
         """Begin a test unless the queue was stopped meanwhile; return the queue."""
         file = one.file or str(new_result(Path(one.folder), Path(one.test).stem))
         now = self._store.change(lambda queue: begun(queue, one.number, file))
@@ -114,7 +109,7 @@ class QueueWorker:
 
     def _tell(self, queue: Queue) -> None:
         one = queue.next
-        if one is not None and one.stage is ItemState.STOPPED:
-            wait = sum(other.stage is ItemState.WAITING for other in queue.items)
+        if one is not None and one.state is ItemState.STOPPED:
+            wait = sum(other.state is ItemState.WAITING for other in queue.items)
             name = Path(one.test).name
             self._hands.tell(f"test {one.number}, {name}: {one.sentence} {wait} more wait.")

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rigapp.schema.channels import BASE
+from rigapp.schema.queue import QueuedTest
 
 PROTOCOL_VERSION = 1
 
@@ -197,7 +198,8 @@ class Status(msgspec.Struct, frozen=True):
     """Show the engine at one moment; what the window's header is made of.
 
     criterion_percent: how far before its nearest planned end or stop criterion a test is, in
-    percent of it; NaN while nothing is known of any.
+    percent of it; NaN while nothing is known of any. queue: the tests of the rig's queue, those
+    that are done among them; queue_works: the next one begins by itself.
     """
 
     state: RunState
@@ -230,6 +232,8 @@ class Status(msgspec.Struct, frozen=True):
     engine_pid: int = 0
     rows_dropped: int = 0
     in_command: str = ""
+    queue: tuple[QueuedTest, ...] = ()
+    queue_works: bool = False
     recovery: Recovery = Recovery()
     criterion_percent: float = math.nan
     criterion: str = ""

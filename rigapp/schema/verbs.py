@@ -61,6 +61,19 @@ class Resume(File, frozen=True):
     reason: Words = ""
 
 
+class QueueAdd(msgspec.Struct, frozen=True):
+    """Name test files for the end of the queue, and the folder for what they record."""
+
+    tests: tuple[Name, ...]
+    folder: Name
+
+
+class QueueRemove(msgspec.Struct, frozen=True):
+    """Name tests of the queue by their numbers."""
+
+    numbers: tuple[int, ...]
+
+
 class Shelve(msgspec.Struct, frozen=True):
     """Name an alarm to hide for some minutes, and why."""
 
@@ -178,6 +191,8 @@ VERBS = {
         Verb("resume_file", Resume, Lane.WORK, timeout_s=120.0),
         Verb("queue_start", Nothing, Lane.WORK, timeout_s=120.0),
         Verb("queue_stop", Nothing, Lane.WORK),
+        Verb("queue_add", QueueAdd, Lane.WORK),
+        Verb("queue_remove", QueueRemove, Lane.WORK),
         Verb("examine_file", File, Lane.WORK, timeout_s=120.0),
         Verb("pause", Reason, Lane.WORK, urgent=True),
         Verb("resume", Nothing, Lane.WORK, timeout_s=30.0),

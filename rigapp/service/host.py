@@ -34,6 +34,7 @@ from rigapp.process.ending import Background, asked_to_end, finish_in_time
 from rigapp.process.logs import beside, in_file
 from rigapp.process.private import private_folder
 from rigapp.process.threads import OneAtATime, Worker
+from rigapp.queue.items import removed
 from rigapp.queue.store import QueueStore
 from rigapp.queue.worker import Hands, QueueWorker
 from rigapp.schema.messages import (
@@ -47,10 +48,11 @@ from rigapp.schema.messages import (
 )
 from rigapp.schema.notices import Finished
 from rigapp.schema.states import ACTIVE, Refused
-from rigapp.schema.verbs import VERBS, Hand, Nothing, Resume, Start
+from rigapp.schema.verbs import VERBS, Hand, Nothing, QueueAdd, QueueRemove, Resume, Start
 from rigapp.service.bounds import asked_of, refusal
 from rigapp.service.command import InCommand
 from rigapp.service.lasttest import cut_off, remember
+from rigapp.service.queued import add_tests
 from rigapp.service.recorded import (
     checkpoint,
     complete_test,
@@ -136,8 +138,9 @@ class EngineHost:
         self._cancelled = ""
         self.ended = threading.Event()
         self._behind = SampleNumbers()
+        self._queued = QueueStore(kept_of(rig.path, "queues"), rig.path)
         self.queue = QueueWorker(
-            QueueStore(kept_of(rig.path, "queues"), rig.path),
+            self._queued,
             Hands(self._begin_queued, EXPECTED, self.engine.queue_stopped),
         )
         self._queue_ends = self.engine.watch()
@@ -440,11 +443,13 @@ class EngineHost:
 
     def _with_service(self, status: Status) -> Status:
         """Add what the engine itself does not know."""
-        speed = self._simulated.speed
+        speed, queue = self._simulated.speed, self.queue.view()
         return msgspec.structs.replace(
             status,
             simulated_speed=0.0 if speed == "max" else float(speed or 1.0),
             in_command=self._command.holder,
+            queue=queue.items,
+            queue_works=queue.working,
         )
 
     def handle(self, request: Request) -> Reply:
@@ -483,6 +488,8 @@ class EngineHost:
             "resume_file": self._resume_request,
             "queue_start": lambda a, by: msgspec.to_builtins(self.queue.start(by.operator)),
             "queue_stop": lambda a, by: msgspec.to_builtins(self.queue.stop()),
+            "queue_add": self._queue_request,
+            "queue_remove": self._unqueue_request,
             "examine_file": lambda a, by: msgspec.to_builtins(self.resumption(Path(a.file))),
             "pause": lambda a, by: engine.pause(by.operator, a.reason),
             "resume": lambda a, by: engine.resume(by.operator),
@@ -519,6 +526,13 @@ class EngineHost:
     def _start_request(self, asked: Start, by: Request) -> None:
         test = with_revolutions(read_test(Path(asked.test)), asked.revolutions)
         self.start(test, Path(asked.out), by.operator, resume=False)
+
+    def _queue_request(self, asked: QueueAdd, by: Request) -> None:
+        tests = [Path(one) for one in asked.tests]
+        add_tests(self._queued, self._records.rig.record, tests, Path(asked.folder))
+
+    def _unqueue_request(self, asked: QueueRemove, by: Request) -> None:
+        self._queued.change(lambda queue: removed(queue, list(asked.numbers)))
 
     def _resume_request(self, asked: Resume, by: Request) -> Reply | None:
         path = Path(asked.file)

@@ -10,7 +10,6 @@ from rigapp.config.errors import UnusableInput
 from rigapp.queue.items import (
     MOST_DONE,
     MOST_LEFT,
-    ItemState,
     Queue,
     added,
     after_finish,
@@ -24,6 +23,7 @@ from rigapp.queue.items import (
 )
 from rigapp.schema.messages import FinishReason
 from rigapp.schema.notices import Finished
+from rigapp.schema.queue import ItemState
 
 
 def five() -> Queue:
@@ -36,7 +36,7 @@ def finish(file: str, status: str = "complete") -> Finished:
 
 
 def stages(queue: Queue) -> list[str]:
-    return [one.stage.value for one in queue.items]
+    return [one.state.value for one in queue.items]
 
 
 def test_tests_are_done_in_their_order() -> None:
@@ -139,8 +139,8 @@ def test_at_most_one_runs_and_nothing_is_done_out_of_order(deeds: list[str]) -> 
             queue = cut_off(queue)
         elif deed == "remove" and running is None and following is not None:
             queue = removed(queue, [following.number])
-        left = [one.stage for one in queue.items if one.stage is not ItemState.DONE]
-        assert all(stage is ItemState.WAITING for stage in left[1:])
+        left = [one.state for one in queue.items if one.state is not ItemState.DONE]
+        assert all(state is ItemState.WAITING for state in left[1:])
         numbers = [one.number for one in queue.items]
         assert numbers == sorted(set(numbers))
         assert not queue.working or queue.next is not None

@@ -13,9 +13,10 @@ from patience import PATIENCE_S
 from stories import COMMAND, NEVER_OVER, RIG, end_soon, numbers, recipe, summary, until
 
 from rigapp.config.loading import read_rig
-from rigapp.queue.items import ItemState, added
+from rigapp.queue.items import added
 from rigapp.queue.store import QueueStore
 from rigapp.schema.messages import Remedy, Reply, Request, RunState
+from rigapp.schema.queue import ItemState
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
 from rigapp.service.launch import find_engine
@@ -75,7 +76,7 @@ def test_five_tests_with_a_fault_in_the_third_are_all_done(host: EngineHost, fol
     assert "runs already" in again.sentence
 
     def stages() -> list[ItemState]:
-        return [one.stage for one in store.read().items]
+        return [one.state for one in store.read().items]
 
     until(lambda: stages()[2] is ItemState.RUNNING, "the third test runs", 2 * PATIENCE_S)
     third = Path(store.read().items[2].file)
@@ -139,7 +140,7 @@ def test_a_queue_survives_the_computer_and_begins_nothing_by_itself(folder: Path
         process = engine()
         after = listed()
         assert not after["working"]
-        assert [one["stage"] for one in after["items"]] == ["stopped", "waiting"]
+        assert [one["state"] for one in after["items"]] == ["stopped", "waiting"]
         entry = find_engine(RIG)
         assert entry is not None
         client = Client(entry, "Ada", look=False)
@@ -151,7 +152,7 @@ def test_a_queue_survives_the_computer_and_begins_nothing_by_itself(folder: Path
         rigapp("queue", "start", "--rig", RIG, "--operator", "Ada")
         end_soon(RIG)
         until(
-            lambda: [one["stage"] for one in listed()["items"]] == ["done", "done"],
+            lambda: [one["state"] for one in listed()["items"]] == ["done", "done"],
             "both are done",
             2 * PATIENCE_S,
         )

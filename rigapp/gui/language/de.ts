@@ -2758,6 +2758,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Einstellungsdatei</translation>
     </message>
     <message>
+        <source>&amp;Start the queue</source>
+        <translation>Warteschlange &amp;beginnen</translation>
+    </message>
+    <message>
         <source>&amp;Take the encoder&apos;s angle as it is now</source>
         <translation>Den Winkel des Drehgebers nehmen, wie er &amp;jetzt ist</translation>
     </message>
@@ -2804,6 +2808,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>A window with the simulated rig is being opened.</source>
         <translation>Ein Fenster mit dem simulierten Prüfstand wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>A&amp;dd test files…</source>
+        <translation>Versuchsdateien &amp;hinzufügen…</translation>
     </message>
     <message>
         <source>Accepted</source>
@@ -2886,6 +2894,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Messungen beginnen</translation>
     </message>
     <message>
+        <source>Begin the next test, or go on with the one that stopped</source>
+        <translation>Den nächsten Versuch beginnen oder den stehen gebliebenen fortsetzen</translation>
+    </message>
+    <message>
         <source>Both probes, and how they stand to each other</source>
         <translation>Beide Wegsensoren, und wie sie zueinander stehen</translation>
     </message>
@@ -2944,6 +2956,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Choose settings</source>
         <translation>Einstellungen wählen</translation>
+    </message>
+    <message>
+        <source>Choose tests</source>
+        <translation>Versuche wählen</translation>
     </message>
     <message>
         <source>Close the comparison</source>
@@ -3216,6 +3232,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>How far it is</source>
         <translation>Wie weit es ist</translation>
+    </message>
+    <message>
+        <source>How it ended</source>
+        <translation>Wie er endete</translation>
     </message>
     <message>
         <source>How it stands</source>
@@ -3626,6 +3646,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Kein Versuch ist scharf. Eine Versuchsdatei wählen oder den neuen unter Vorbereiten speichern.</translation>
     </message>
     <message>
+        <source>No test is in the queue. Add test files: each is recorded into a file of its own, and the next one begins when one is complete.</source>
+        <translation>Kein Versuch ist in der Warteschlange. Versuchsdateien hinzufügen: jeder wird in eine eigene Datei aufgezeichnet, und der nächste beginnt, wenn einer vollständig ist.</translation>
+    </message>
+    <message>
         <source>No test yet</source>
         <translation>Noch kein Versuch</translation>
     </message>
@@ -3692,6 +3716,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Now</source>
         <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
     </message>
     <message>
         <source>Number of the reading</source>
@@ -3910,6 +3938,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Größe des Vergleichs</translation>
     </message>
     <message>
+        <source>Queue</source>
+        <translation>Warteschlange</translation>
+    </message>
+    <message>
         <source>REPLAY</source>
         <translation>WIEDERGABE</translation>
     </message>
@@ -3940,6 +3972,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>Re&amp;ject and repeat its series</source>
         <translation>&amp;Verwerfen und die Reihe wiederholen</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>&amp;Entfernen</translation>
     </message>
     <message>
         <source>Re&amp;volution</source>
@@ -4522,6 +4558,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Stopp</translation>
     </message>
     <message>
+        <source>Stop &amp;after this test</source>
+        <translation>Nach diesem Versuch &amp;anhalten</translation>
+    </message>
+    <message>
         <source>Stop at the safe angle; the test can be resumed</source>
         <translation>Am sicheren Winkel anhalten; der Versuch kann fortgesetzt werden</translation>
     </message>
@@ -4618,6 +4658,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Übernehmen…</translation>
     </message>
     <message>
+        <source>Take the chosen test out of the queue; what it has recorded stays</source>
+        <translation>Den gewählten Versuch aus der Warteschlange nehmen; was er aufgezeichnet hat, bleibt</translation>
+    </message>
+    <message>
         <source>Take the present signals as zero force: the crank stands, the pin carries nothing. Old and new zero are logged; the calibration is not touched.</source>
         <translation>Die jetzigen Signale als Kraft null nehmen: Die Kurbel steht, der Bolzen trägt nichts. Alter und neuer Nullpunkt kommen ins Protokoll; die Kalibrierung bleibt unberührt.</translation>
     </message>
@@ -4650,12 +4694,20 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Versuchsdatei, die bearbeitet wird</translation>
     </message>
     <message>
+        <source>Test {} did not end as planned, and the queue stopped there. Start the queue to go on with it in its own file, or remove it.</source>
+        <translation>Versuch {} endete nicht wie geplant, und die Warteschlange blieb dort stehen. Die Warteschlange beginnen, um ihn in seiner Datei fortzusetzen, oder ihn entfernen.</translation>
+    </message>
+    <message>
         <source>Tests (*.toml)</source>
         <translation>Versuche (*.toml)</translation>
     </message>
     <message>
         <source>Tests in the folder</source>
         <translation>Versuche im Ordner</translation>
+    </message>
+    <message>
+        <source>Tests of the queue</source>
+        <translation>Versuche der Warteschlange</translation>
     </message>
     <message>
         <source>The &amp;load hangs still</source>
@@ -4798,6 +4850,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Die Warteschlange ist stehen geblieben</translation>
     </message>
     <message>
+        <source>The queue stands; {} to be done.</source>
+        <translation>Die Warteschlange steht; {} zu erledigen.</translation>
+    </message>
+    <message>
+        <source>The queue works: the next test begins by itself; {} to be done.</source>
+        <translation>Die Warteschlange arbeitet: der nächste Versuch beginnt von selbst; {} zu erledigen.</translation>
+    </message>
+    <message>
         <source>The record counts when {} names it: section [{}], {} = {}</source>
         <translation>Der Datensatz gilt, wenn {} ihn nennt: Abschnitt [{}], {} = {}</translation>
     </message>
@@ -4872,6 +4932,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>The test pauses at the safe angle.</source>
         <translation>Der Versuch hält am sicheren Winkel an.</translation>
+    </message>
+    <message>
+        <source>The test that runs goes on to its end; no other one begins</source>
+        <translation>Der laufende Versuch geht bis zu seinem Ende; kein anderer beginnt</translation>
     </message>
     <message>
         <source>The test was ended and the spindle stopped.</source>
@@ -5152,6 +5216,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>What the number is</source>
         <translation>Was die Zahl ist</translation>
+    </message>
+    <message>
+        <source>What the queue does</source>
+        <translation>Was die Warteschlange tut</translation>
     </message>
     <message>
         <source>What these faults are</source>
@@ -5726,6 +5794,14 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>Wegsensoren, k = 2</translation>
     </message>
     <message>
+        <source>queue add</source>
+        <translation>zur Warteschlange</translation>
+    </message>
+    <message>
+        <source>queue remove</source>
+        <translation>aus der Warteschlange</translation>
+    </message>
+    <message>
         <source>queue start</source>
         <translation>Warteschlange beginnen</translation>
     </message>
@@ -6012,6 +6088,10 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
     <message>
         <source>use records</source>
         <translation>Kalibrierung verwenden</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
     </message>
     <message>
         <source>warning</source>

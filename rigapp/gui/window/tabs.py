@@ -22,6 +22,7 @@ from rigapp.gui.panels.devices import device_page
 from rigapp.gui.panels.faults import fault_page
 from rigapp.gui.panels.logbook import log_page
 from rigapp.gui.panels.overview import overview_page
+from rigapp.gui.panels.queue import queue_page
 from rigapp.gui.panels.resultpage import has_result, result_page
 from rigapp.gui.panels.results import results_page
 from rigapp.gui.panels.start import may_begin, start_page
@@ -71,6 +72,7 @@ TABS = (
     Tab("trends", "Trends", "Ctrl+3", RailPlace.WATCH, trend_page),
     Tab("limits", "Alarms and limits", "Ctrl+4", RailPlace.WATCH, alarm_page),
     Tab("prepare", "Prepare", "Ctrl+5", RailPlace.PREPARE, prepare_page, _with_rig),
+    Tab("queue", "Queue", "Ctrl+U", RailPlace.PREPARE, queue_page, _with_rig),
     Tab("devices", "Devices", "Ctrl+6", RailPlace.RIG, device_page, _with_rig),
     Tab("log", "Log", "Ctrl+7", RailPlace.WATCH, log_page),
     Tab("results", "Results", "Ctrl+8", RailPlace.RESULTS, results_page),

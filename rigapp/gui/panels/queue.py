@@ -1,0 +1,142 @@
+"""The queue of the rig: tests one after another; put some in, take some out, begin, end."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path, PurePath
+from typing import Final
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from rigapp.gui.data.news import News, Takes
+from rigapp.gui.language.told import retold
+from rigapp.gui.language.words import Text, tr
+from rigapp.gui.look.tokens import GAP
+from rigapp.gui.panel import Host
+from rigapp.gui.widgets.build import button, column, named, prose, row
+from rigapp.gui.widgets.tables import PlainTable
+from rigapp.schema.queue import ItemState, QueuedTest
+
+NO_TESTS: Final[Text] = (
+    "No test is in the queue. Add test files: each is recorded into a file of its own, and the next"
+    " one begins when one is complete."
+)
+STANDS: Final[Text] = "The queue stands; {} to be done."
+WORKS: Final[Text] = "The queue works: the next test begins by itself; {} to be done."
+STOPPED: Final[Text] = (
+    "Test {} did not end as planned, and the queue stopped there. Start the queue to go on with it"
+    " in its own file, or remove it."
+)
+STATES: Final[dict[ItemState, Text]] = {
+    ItemState.WAITING: "waiting",
+    ItemState.RUNNING: "running",
+    ItemState.DONE: "done",
+    ItemState.STOPPED: "stopped",
+}
+
+
+class QueuePanel(QWidget):
+    """List the queue and change it; what is asked goes to the engine, which keeps the list."""
+
+    wanted = Signal(str, dict)
+    takes = Takes.HISTORY
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__()
+        self._folder = folder
+        self._tests: tuple[QueuedTest, ...] = ()
+        named(self, "queue_panel", "Queue")
+        self.told = prose("queue_told", "What the queue does")
+        self.list = PlainTable(
+            "queue_list",
+            "Tests of the queue",
+            ("Number", "State", "Test", "File", "How it ended"),
+            stretch=(4,),
+        )
+        self.list.itemSelectionChanged.connect(self._offer)
+        self.begin = button(
+            "queue_start",
+            "&Start the queue",
+            lambda: self.wanted.emit("queue_start", {}),
+            tip="Begin the next test, or go on with the one that stopped",
+            guarded=True,
+            rank="primary",
+        )
+        self.halt = button(
+            "queue_stop",
+            "Stop &after this test",
+            lambda: self.wanted.emit("queue_stop", {}),
+            tip="The test that runs goes on to its end; no other one begins",
+            guarded=True,
+        )
+        self.add = button("queue_add", "A&dd test files…", self._choose, guarded=True)
+        self.take_out = button(
+            "queue_remove",
+            "Re&move",
+            self._remove,
+            tip="Take the chosen test out of the queue; what it has recorded stays",
+            guarded=True,
+        )
+        buttons = row(self.begin, self.halt, None, self.add, self.take_out)
+        made = column(self.told, (self.list, 1), buttons, on=self)
+        made.setSpacing(GAP)
+        self._show((), works=False)
+
+    def show_news(self, news: News) -> None:
+        """Show the queue as the engine tells it."""
+        status = news.status
+        if status is not None:
+            self._show(status.queue, works=status.queue_works)
+
+    def add_files(self, paths: Sequence[str]) -> None:
+        """Ask for test files at the end of the queue."""
+        if paths:
+            folder = str(self._folder.resolve())
+            self.wanted.emit("queue_add", {"tests": list(paths), "folder": folder})
+
+    def _show(self, tests: tuple[QueuedTest, ...], *, works: bool) -> None:
+        self._tests = tests
+        self.list.show_rows([_texts(one) for one in tests])
+        left = [one for one in tests if one.state is not ItemState.DONE]
+        running = any(one.state is ItemState.RUNNING for one in tests)
+        stopped = next((one for one in tests if one.state is ItemState.STOPPED), None)
+        told = tr(WORKS if works else STANDS, len(left)) if tests else tr(NO_TESTS)
+        if stopped is not None and not running:
+            told = tr(STOPPED, stopped.number)
+        self.told.setText(told)
+        self.begin.setEnabled(bool(left) and not running)
+        self.halt.setEnabled(works)
+        self._offer()
+
+    def _offer(self) -> None:
+        chosen = self._chosen()
+        self.take_out.setEnabled(chosen is not None and chosen.state is not ItemState.RUNNING)
+
+    def _chosen(self) -> QueuedTest | None:
+        at = self.list.chosen()
+        return self._tests[at] if at is not None and at < len(self._tests) else None
+
+    def _remove(self) -> None:
+        chosen = self._chosen()
+        if chosen is not None:
+            self.wanted.emit("queue_remove", {"numbers": [chosen.number]})
+
+    def _choose(self) -> None:
+        dialog = QFileDialog(self, tr("Choose tests"), filter=tr("Tests (*.toml)"))
+        dialog.setFileMode(QFileDialog.FileMode.ExistingFiles)
+        dialog.filesSelected.connect(self.add_files)
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+
+def _texts(one: QueuedTest) -> tuple[str, ...]:
+    name, file = PurePath(one.test).name, PurePath(one.file).name if one.file else ""
+    return str(one.number), tr(STATES[one.state]), name, file, retold(one.sentence)
+
+
+def queue_page(host: Host) -> QWidget:
+    """Make the page of the queue."""
+    panel = host.add("queue", QueuePanel(host.results_folder))
+    panel.wanted.connect(host.ask)
+    return panel
