@@ -24,9 +24,9 @@ STOP_S = 150
 """An engine stops the spindle and ends its file within 120 s, its messages included."""
 SYSTEMCTL_S = 60.0
 
-ENGINE_UNIT = """\
+UNIT = """\
 [Unit]
-Description=rigapp engine of {name}
+Description=rigapp {what}
 StartLimitIntervalSec=600
 StartLimitBurst=5
 
@@ -36,30 +36,12 @@ Type=exec
 ExecStart={command}
 Restart=on-failure
 RestartSec=10
-KillMode=mixed
-TimeoutStopSec={stop_s}
-
+{ending}
 [Install]
 WantedBy=default.target
 """
-"""KillMode=mixed: the engine alone is asked to end, and ends simulation, twin and messages after
-the spindle stands."""
-
-PAGE_UNIT = """\
-[Unit]
-Description=rigapp page
-StartLimitIntervalSec=600
-StartLimitBurst=5
-
-[Service]
-X-Of={of}
-Type=exec
-ExecStart={command}
-Restart=on-failure
-RestartSec=10
-
-[Install]
-WantedBy=default.target
+ENGINE_ENDING = f"KillMode=mixed\nTimeoutStopSec={STOP_S}\n"
+"""The engine alone is asked to end, and ends simulation, twin and messages when the spindle stands.
 """
 
 
@@ -78,7 +60,8 @@ def engine_unit(rig: Path) -> SystemdUnit:
     of = str(rig.resolve())
     name = " ".join(document.record.name.split()) or rig.stem
     command = command_line([*PROGRAM, "engine", of, "--stay"])
-    text = ENGINE_UNIT.format(name=escaped(name), of=escaped(of), command=command, stop_s=STOP_S)
+    what = f"engine of {escaped(name)}"
+    text = UNIT.format(what=what, of=escaped(of), command=command, ending=ENGINE_ENDING)
     return SystemdUnit(_unit_name(rig), text, of)
 
 
@@ -95,7 +78,8 @@ def page_unit(
     for option, path in (("--token", token), ("--certificate", certificate), ("--key", key)):
         if path is not None:
             words += [option, str(path.resolve())]
-    return SystemdUnit(PAGE, PAGE_UNIT.format(of="page", command=command_line(words)), "page")
+    text = UNIT.format(what="page", of="page", command=command_line(words), ending="")
+    return SystemdUnit(PAGE, text, "page")
 
 
 PROGRAM = (sys.executable, "-m", "rigapp")

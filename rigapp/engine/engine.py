@@ -35,7 +35,7 @@ from rigapp.engine.supervisor import Supervisor
 from rigapp.engine.values.calibrate import Calibration, calibration_of
 from rigapp.engine.views import build_status, next_step
 from rigapp.process.threads import OneAtATime
-from rigapp.schema.alarms import because
+from rigapp.schema.alarms import Cause, because
 from rigapp.schema.loglines import LIMIT_CHANGED, LimitChange, RestSignals
 from rigapp.schema.messages import (
     Ends,
@@ -415,21 +415,21 @@ class Engine:
 
     def messages_failed(self, sentence: str) -> None:
         """Warn that somebody who is away may not be told; without a sentence that is over."""
-        self._warned("messages", sentence)
+        self._warned(because("messages", sentence=sentence))
 
     def test_cut_off(self, sentence: str) -> None:
         """Warn that nobody ended the rig's last test; without a sentence that is over."""
-        self._warned("cut_off", sentence)
+        self._warned(because("cut_off", sentence=sentence))
 
     def queue_stopped(self, sentence: str) -> None:
         """Warn that the queue begins no other test; without a sentence that is over."""
-        self._warned("queue", sentence)
+        self._warned(because("queue", sentence=sentence))
 
-    def _warned(self, kind: str, sentence: str) -> None:
-        if sentence:
-            self._core.warn(because(kind, sentence=sentence))
+    def _warned(self, cause: Cause) -> None:
+        if cause.sentence:
+            self._core.warn(cause)
         else:
-            self._core.alarms.clear(kind)
+            self._core.alarms.clear(cause.key)
 
     def set_limit(self, name: str, value: float, operator: str = "", reason: str = "") -> None:
         """Change a limit of the test under way; the change is logged with before and after.

@@ -15,7 +15,6 @@ import time
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
-from typing import Protocol
 
 import msgspec
 import zmq
@@ -23,7 +22,7 @@ import zmq
 from rigapp.notify.facts import CourierAnswer, CourierSetup, Fact, Farewell, Seen, SignOfLife
 from rigapp.process.ending import Background
 from rigapp.schema.messages import Status
-from rigapp.schema.notices import Committed, Notice
+from rigapp.schema.notices import Committed, Notices
 
 WAITING = 1000
 """Facts that the courier has not heard yet; alarms come by the dozen, not by the thousand."""
@@ -35,13 +34,6 @@ RESTART_PAUSE_S = 2.0
 ATTEMPTS = 5
 FAREWELL_S = 30.0
 """The end waits so long until the courier has heard all, and not for what it sends."""
-
-
-class Notices(Protocol):
-    """Give the milestones of a run, as the engine's publisher does."""
-
-    def get(self, timeout_s: float) -> Notice | None:
-        """Return the oldest, None when none came in time."""
 
 
 def sign_of_life(status: Status) -> SignOfLife:

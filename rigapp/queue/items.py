@@ -10,9 +10,9 @@ from rigapp.config.errors import UnusableInput
 from rigapp.schema.notices import Finished
 from rigapp.schema.queue import ItemState, QueuedTest
 
-MOST_LEFT = 200
+MOST_LEFT = 100
 """Tests that are still to be done."""
-MOST_DONE = 200
+MOST_DONE = 20
 """Of more the oldest are forgotten; their files stay."""
 
 

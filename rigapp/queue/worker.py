@@ -44,11 +44,14 @@ class QueueWorker:
         self._operator = ""
 
     def take_up(self) -> None:
-        """Look at what an engine that ended without a word has left; nothing begins by itself."""
+        """Tell what the engine before has left undone; nothing begins by itself."""
         left = self._store.read()
         if left.working or left.running is not None:
-            now = self._store.change(cut_off)
-            self._tell(now)
+            left = self._store.change(cut_off)
+            if left.next is not None and left.next.state is ItemState.WAITING:
+                waiting = _waiting(left)
+                self._hands.tell(f"the engine ended between two tests; {waiting} more wait.")
+        self._tell(left)
 
     def start(self, operator: str) -> Queue:
         """Begin the test that is next, and go on from there; return the queue.
@@ -73,9 +76,13 @@ class QueueWorker:
     def finished(self, notice: Finished) -> None:
         """Take note of the end of a test, and begin the next one where it was done."""
         before = self._store.read()
-        now = self._store.change(lambda queue: after_finish(queue, notice))
+        now = self.note(notice)
         if now != before:
             self._go_on(now)
+
+    def note(self, notice: Finished) -> Queue:
+        """Take note of the end of a test, and begin nothing; return the queue."""
+        return self._store.change(lambda queue: after_finish(queue, notice))
 
     def view(self) -> Queue:
         """Return the queue as it is, read again only when it was changed; empty if unreadable."""
@@ -110,6 +117,10 @@ class QueueWorker:
     def _tell(self, queue: Queue) -> None:
         one = queue.next
         if one is not None and one.state is ItemState.STOPPED:
-            wait = sum(other.state is ItemState.WAITING for other in queue.items)
             name = Path(one.test).name
-            self._hands.tell(f"test {one.number}, {name}: {one.sentence} {wait} more wait.")
+            words = f"test {one.number}, {name}: {one.sentence} {_waiting(queue)} more wait."
+            self._hands.tell(words)
+
+
+def _waiting(queue: Queue) -> int:
+    return sum(one.state is ItemState.WAITING for one in queue.items)

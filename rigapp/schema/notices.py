@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import msgspec
 
 from rigapp.schema.messages import Alarm, FinishReason, RunState
@@ -37,3 +39,10 @@ class Finished(msgspec.Struct, frozen=True, tag_field="event", tag="finished"):
 
 
 Notice = Committed | StateChanged | AlarmChanged | Finished
+
+
+class Notices(Protocol):
+    """Give the milestones of a run, as the engine's publisher does."""
+
+    def get(self, timeout_s: float) -> Notice | None:
+        """Return the oldest, None when none came in time."""

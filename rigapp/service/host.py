@@ -33,10 +33,9 @@ from rigapp.notify.ways import Ways, inspected, ways_of
 from rigapp.process.ending import Background, asked_to_end, finish_in_time
 from rigapp.process.logs import beside, in_file
 from rigapp.process.private import private_folder
-from rigapp.process.threads import OneAtATime, Worker
+from rigapp.process.threads import OneAtATime
 from rigapp.queue.items import removed
-from rigapp.queue.store import QueueStore
-from rigapp.queue.worker import Hands, QueueWorker
+from rigapp.queue.worker import Hands
 from rigapp.schema.messages import (
     PROTOCOL_VERSION,
     Reply,
@@ -64,7 +63,6 @@ from rigapp.service.recorded import (
 from rigapp.service.registry import (
     EngineEntry,
     announce,
-    kept_of,
     lasting_folder,
     local_endpoints,
     runtime_folder,
@@ -78,6 +76,7 @@ from rigapp.service.resumption import (
     remarks,
     stored_tare,
 )
+from rigapp.service.rigqueue import RigQueue
 from rigapp.service.security import Bind, authorise_own_viewer, parse_bind, require_viewers
 from rigapp.service.server import Server
 from rigapp.service.simulated import SampleNumbers, SimulatedDevices, Speed, parse_speed
@@ -92,8 +91,6 @@ EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 
 DEVICES_COME_S, DEVICES_PAUSE_S = 300.0, 15.0
 """After the computer's start devices may be ready later; they are asked so long, so often."""
-QUEUE_LOOK_S, QUEUE_SILENCE_S = 0.2, 150.0
-"""Beginning a test may take as long as its request."""
 LONELY_S = 60.0  # a window may be closed and opened again meanwhile
 START_WAIT_S = 10.0  # a second start waits so long for the first to be refused or begun
 CLOSE_S = 120.0
@@ -138,16 +135,11 @@ class EngineHost:
         self._cancelled = ""
         self.ended = threading.Event()
         self._behind = SampleNumbers()
-        self._queued = QueueStore(kept_of(rig.path, "queues"), rig.path)
-        self.queue = QueueWorker(
-            self._queued,
-            Hands(self._begin_queued, EXPECTED, self.engine.queue_stopped),
-        )
-        self._queue_ends = self.engine.watch()
-        self._queue_thread = Worker("queue", self._heed_queue, self._queue_died, QUEUE_SILENCE_S)
         self._command = InCommand(
             lambda text, who, before, after: self.engine.log("command", text, who, before, after)
         )
+        hands = Hands(self._begin_queued, EXPECTED, self.engine.queue_stopped)
+        self._queue = RigQueue(rig.path, hands, self.engine.watch())
         self._verbs = self._table()
         self._server = self._listen(bind)
         self._server.start()
@@ -162,8 +154,6 @@ class EngineHost:
             )
         )
         self._messages = self._courier(ways) if ways else None
-        self.queue.take_up()
-        self._queue_thread.start()
 
     def _courier(self, ways: Ways) -> CourierLink:
         """Start what tells who is away; it hears what every viewer hears."""
@@ -389,14 +379,12 @@ class EngineHost:
 
     def close(self) -> None:
         """Stop a test under way, tell viewers, release everything; the spindle stands then."""
+        self.cancel("the engine ends")
+        self._queue.halt()
         try:
             self.engine.shutdown()
         finally:
-            self._queue_thread.halt()
-            self._queue_thread.join(QUEUE_SILENCE_S)
-            while (notice := self._queue_ends.get(0.0)) is not None:
-                if isinstance(notice, Finished):
-                    self.queue.finished(notice)
+            self._queue.close()
             if self._twin is not None:
                 self._twin.close()
             self._simulated.close()
@@ -425,14 +413,6 @@ class EngineHost:
             self.start(recorded_test(file), file, operator, resume=True)
         return end
 
-    def _heed_queue(self) -> None:
-        notice = self._queue_ends.get(QUEUE_LOOK_S)
-        if isinstance(notice, Finished):
-            self.queue.finished(notice)
-
-    def _queue_died(self, worker: Worker, error: BaseException) -> None:
-        self.engine.queue_stopped(f"{type(error).__name__}: {error}.")
-
     # --- what viewers ask ------------------------------------------------------------------------
 
     def snapshot(self) -> Snapshot:
@@ -443,7 +423,7 @@ class EngineHost:
 
     def _with_service(self, status: Status) -> Status:
         """Add what the engine itself does not know."""
-        speed, queue = self._simulated.speed, self.queue.view()
+        speed, queue = self._simulated.speed, self._queue.view()
         return msgspec.structs.replace(
             status,
             simulated_speed=0.0 if speed == "max" else float(speed or 1.0),
@@ -486,8 +466,8 @@ class EngineHost:
             "reconnect": self._connect_request,
             "start": self._start_request,
             "resume_file": self._resume_request,
-            "queue_start": lambda a, by: msgspec.to_builtins(self.queue.start(by.operator)),
-            "queue_stop": lambda a, by: msgspec.to_builtins(self.queue.stop()),
+            "queue_start": lambda a, by: msgspec.to_builtins(self._queue.start(by.operator)),
+            "queue_stop": lambda a, by: msgspec.to_builtins(self._queue.stop()),
             "queue_add": self._queue_request,
             "queue_remove": self._unqueue_request,
             "examine_file": lambda a, by: msgspec.to_builtins(self.resumption(Path(a.file))),
@@ -529,10 +509,10 @@ class EngineHost:
 
     def _queue_request(self, asked: QueueAdd, by: Request) -> None:
         tests = [Path(one) for one in asked.tests]
-        add_tests(self._queued, self._records.rig.record, tests, Path(asked.folder))
+        add_tests(self._queue.store, self._records.rig.record, tests, Path(asked.folder))
 
     def _unqueue_request(self, asked: QueueRemove, by: Request) -> None:
-        self._queued.change(lambda queue: removed(queue, list(asked.numbers)))
+        self._queue.store.change(lambda queue: removed(queue, list(asked.numbers)))
 
     def _resume_request(self, asked: Resume, by: Request) -> Reply | None:
         path = Path(asked.file)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import logging
 import os
 import shutil
 import sys
@@ -21,6 +22,8 @@ from rigapp.process.ending import ending_as_interrupt
 from rigapp.process.leftovers import process_alive, remove_left_behind
 from rigapp.process.private import SMALL_BYTES, private_folder, read_own
 from rigapp.schema.messages import PROTOCOL_VERSION
+
+log = logging.getLogger(__name__)
 
 LONGEST_SOCKET_FOLDER = 80
 """Characters: the system allows 107 for the path of a socket, its name included."""
@@ -77,9 +80,18 @@ def lasting_folder() -> Path:
 
 
 def kept_of(rig: Path, what: str) -> Path:
-    """Return the file that keeps something of a rig beyond a restart; raise UnusableInput."""
+    """Return the file that keeps something of a rig beyond a restart.
+
+    Where the user's folder for data cannot be used it is in the runtime folder, which a restart of
+    the computer may empty: no test is held up by it. Raises UnusableInput.
+    """
     name = hashlib.sha256(str(rig.resolve()).encode()).hexdigest()[:16]
-    return private_folder(lasting_folder() / what) / f"{name}.json"
+    try:
+        folder = private_folder(lasting_folder() / what)
+    except UnusableInput as error:
+        folder = private_folder(runtime_folder() / what)
+        log.warning("%s: kept in %s until the computer is started again", error, folder)
+    return folder / f"{name}.json"
 
 
 def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:

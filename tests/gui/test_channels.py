@@ -96,7 +96,7 @@ def test_a_free_channel_is_watched_live_with_its_unit_and_age(
     assert free[WARM.name].value.whole == "31.50 °C"
     assert free[ROOM.name].value.whole == "21.40 °C"
     assert free[ROOM.name].caption.whole.endswith(", 7 s old")
-    window.tabs.setCurrentIndex(5)
+    window.tabs.show_page("devices")
     window.draw_now()
     rows = {row[0]: row[1:] for row in window.tabs.panels["devices"].channels.texts()}
     assert rows[WARM.name][:2] == ["0.315 V", "31.50 °C"]

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from patience import PATIENCE_MS
 from PySide6.QtCore import Qt
 
 from rigapp.gui.look.tokens import DARK, LIGHT
@@ -75,7 +76,7 @@ def test_the_panel_marks_the_next_step_and_asks_for_it(
 
 
 def test_start_is_closed_with_the_next_step_as_its_reason(
-    window: MainWindow, engine: Any, attach: Callable[[], None]
+    window: MainWindow, engine: Any, attach: Callable[[], None], qtbot: Any
 ) -> None:
     reset = Recovery(
         Remedy.RESET, "reset", "Reset: nothing moves.", (Remedy.RESET, Remedy.GO_ON), "x"
@@ -88,9 +89,9 @@ def test_start_is_closed_with_the_next_step_as_its_reason(
     assert window.tabs.panels["alarms"].reset.isEnabled()  # in every state, while an alarm waits
     engine.reply = Reply(ok=True)
     window.recover.button.click()
+    qtbot.waitUntil(lambda: engine.verbs == ["reset"], timeout=PATIENCE_MS)
     engine.say(state=RunState.READY, recovery=GO_ON)
     attach()
-    assert engine.verbs == ["reset"]
     assert start.isEnabled()
 
 

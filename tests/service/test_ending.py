@@ -69,7 +69,8 @@ def test_a_closed_terminal_ends_a_test_as_kill_does(running: Running, folder: Pa
     assert found["status"] == "stopped"
     assert "SIGHUP" in found["reason"]
     assert "Traceback" not in running.complaint()
-    assert [path.name for path in runtime_folder().iterdir()] == []
+    left = {path.name for path in runtime_folder().iterdir()}
+    assert left <= {"last-tests", "queues"}, "nothing but what outlives an engine"
     assert list((folder / "temporary").glob("rigapp-sim-*")) == []
 
 

@@ -2758,7 +2758,7 @@ ersetzt ihn. „Stopp“ beendet einen Versuch geordnet: Die Spindel läuft aus,
         <translation>&amp;Einstellungsdatei</translation>
     </message>
     <message>
-        <source>&amp;Start the queue</source>
+        <source>Start the &amp;queue</source>
         <translation>Warteschlange &amp;beginnen</translation>
     </message>
     <message>

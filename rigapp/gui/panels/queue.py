@@ -57,7 +57,7 @@ class QueuePanel(QWidget):
         self.list.itemSelectionChanged.connect(self._offer)
         self.begin = button(
             "queue_start",
-            "&Start the queue",
+            "Start the &queue",
             lambda: self.wanted.emit("queue_start", {}),
             tip="Begin the next test, or go on with the one that stopped",
             guarded=True,

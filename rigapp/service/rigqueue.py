@@ -1,0 +1,83 @@
+"""The queue of an engine's rig at work: it hears how tests end, and begins the next one."""
+
+from __future__ import annotations
+
+import logging
+from pathlib import Path
+
+from rigapp.config.errors import UnusableInput
+from rigapp.process.threads import Worker
+from rigapp.queue.store import QueueStore
+from rigapp.queue.worker import Hands, QueueWorker
+from rigapp.schema.notices import Finished, Notices
+from rigapp.service.registry import kept_of
+
+log = logging.getLogger(__name__)
+
+LOOK_S = 0.2
+TRY_AGAIN_S = 2.0
+"""A queue that the disk does not take is written again after it."""
+SILENCE_S = 150.0
+"""Beginning a test may take as long as its request."""
+END_S = 20.0
+"""The end of an engine waits no longer for a test that is just being begun."""
+
+
+class RigQueue:
+    """Keep the queue of one rig, and a thread that works it through."""
+
+    def __init__(self, rig: Path, hands: Hands, ends: Notices) -> None:
+        """Take up what the disk keeps; a queue that is not usable is told of, and stops no test."""
+        self.store = QueueStore(kept_of(rig, "queues"), rig)
+        self._worker = QueueWorker(self.store, hands)
+        self._tell = hands.tell
+        self._ends = ends
+        self._unnoted: Finished | None = None
+        self._thread = Worker("queue", self._heed, self._died, SILENCE_S)
+        self.start, self.stop, self.view = self._worker.start, self._worker.stop, self._worker.view
+        try:
+            self._worker.take_up()
+        except UnusableInput as error:
+            self._tell(str(error))
+        self._thread.start()
+
+    def halt(self) -> None:
+        """Begin no other test; what ends is noted by ``close``."""
+        self._thread.halt()
+
+    def close(self) -> None:
+        """Note how the tests ended that the engine has ended, and come to an end."""
+        self._thread.halt()
+        if not self._thread.join(END_S):
+            log.warning("the queue did not end within %g s", END_S)
+            return
+        try:
+            while self._unnoted is not None or self._heard(0.0):
+                if self._unnoted is not None:
+                    self._worker.note(self._unnoted)
+                self._unnoted = None
+        except UnusableInput as error:
+            log.warning("how the last test ended is not noted in the queue: %s", error)
+
+    def _heard(self, wait_s: float) -> bool:
+        """Take the next notice, where there is one."""
+        notice = self._ends.get(wait_s)
+        if isinstance(notice, Finished):
+            self._unnoted = notice
+        return notice is not None
+
+    def _heed(self) -> None:
+        if self._unnoted is None:
+            self._heard(LOOK_S)
+        if self._unnoted is None or self._thread.halting:
+            return
+        try:
+            self._worker.finished(self._unnoted)
+        except UnusableInput as error:
+            self._tell(str(error))
+            self._thread.pause(TRY_AGAIN_S)
+        else:
+            self._unnoted = None
+
+    def _died(self, worker: Worker, error: BaseException) -> None:
+        self._tell(f"{type(error).__name__}: {error}.")
