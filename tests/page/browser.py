@@ -14,6 +14,13 @@ from typing import Any
 
 from patience import PATIENCE_S
 
+NAVIGATED = -32000
+"""Error of the DevTools protocol when the page that was asked has gone to make room for another."""
+
+
+class PageNavigated(Exception):
+    """Say that the page was loaded anew while it was asked."""
+
 
 class Browser:
     """One page in a Chromium that has nothing kept from before."""
@@ -59,6 +66,8 @@ class Browser:
         while True:
             told = self._read(method)
             if told.get("id") == self._number:
+                if told.get("error", {}).get("code") == NAVIGATED:
+                    raise PageNavigated(f"{method}: {told['error']}")
                 assert "error" not in told, f"{method}: {told['error']}"
                 return told["result"]
             self.events.append(told)
@@ -79,11 +88,17 @@ class Browser:
         return found["result"].get("value")
 
     def eventually(self, expression: str, is_right: Callable[[Any], object]) -> None:
-        """Wait until an expression has the right value."""
+        """Wait until an expression has the right value, also over a page that is loaded anew."""
         deadline = time.monotonic() + PATIENCE_S
-        while not is_right(value := self.value(expression)):
+        while not is_right(value := self._value_if_loaded(expression)):
             assert time.monotonic() < deadline, f"{expression} is still {value!r}"
             time.sleep(0.1)
+
+    def _value_if_loaded(self, expression: str) -> Any:
+        try:
+            return self.value(expression)
+        except PageNavigated:
+            return None
 
     def picture(self, path: Path) -> None:
         """Take a picture of the whole page."""
