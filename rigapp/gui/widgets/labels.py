@@ -58,9 +58,10 @@ class ElidedLabel(QLabel):
     def _cut(self) -> None:
         metrics = QFontMetrics(self.font())
         room = max(self.contentsRect().width(), 1)
-        fits = not self._short or metrics.horizontalAdvance(self._whole) <= room
-        shown = self._whole if fits else self._short
-        self.setText(metrics.elidedText(shown, Qt.TextElideMode.ElideRight, room))
+        cut = metrics.elidedText(self._whole, Qt.TextElideMode.ElideRight, room)
+        if self._short and cut != self._whole:
+            cut = metrics.elidedText(self._short, Qt.TextElideMode.ElideRight, room)
+        self.setText(cut)
 
 
 class FittedLabel(ElidedLabel):
